@@ -1,0 +1,96 @@
+"""Microphones and lines as a graph: what may be wired, and the paper's counting rules."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class WiringCounts:
+    """How economical a wiring is (rules of the paper, section on scalability)."""
+
+    microphones: int
+    lines: int
+    points: int
+    most_lines: int
+    points_per_microphone: float
+    gain_over_one_transducer_per_point: float
+    gain_over_row_column: float
+
+
+def check_topology(
+    microphones: Sequence[str], lines: Sequence[tuple[tuple[str, str], int]]
+) -> None:
+    """Refuse wirings that cannot be decoded or built.
+
+    Args:
+        microphones: their names.
+        lines: per line the two microphones at its ends and its number of points.
+
+    Raises:
+        ValueError: with the field, the value and what is allowed.
+    """
+    names = list(microphones)
+    duplicates = sorted({name for name in names if names.count(name) > 1})
+    if duplicates:
+        raise ValueError(f"microphones = {names} must be different names; {duplicates[0]!r} appears twice")
+    most = len(names) * (len(names) - 1) // 2
+    if len(lines) > most:
+        raise ValueError(
+            f"lines = {len(lines)} lines must be at most M(M-1)/2 = {most} for {len(names)} microphones"
+        )
+    pairs: dict[frozenset[str], int] = {}
+    for index, ((first, second), _) in enumerate(lines):
+        for name in (first, second):
+            if name not in names:
+                raise ValueError(f"lines.{index}.between = {[first, second]} must name microphones of {names}")
+        if first == second:
+            raise ValueError(
+                f"lines.{index}.between = {[first, second]} must name two different microphones of {names}"
+            )
+        pair = frozenset((first, second))
+        if pair in pairs:
+            raise ValueError(
+                f"lines.{index}.between = {[first, second]} must be a pair of its own; "
+                f"lines.{pairs[pair]} joins the same two microphones"
+            )
+        pairs[pair] = index
+    reached = {names[0]}
+    while True:
+        more = {name for pair in pairs for name in pair if pair & reached} - reached
+        if not more:
+            break
+        reached |= more
+    for name in names:
+        if name not in reached:
+            on_line = any(name in pair for pair in pairs)
+            raise ValueError(
+                f"microphones: {name!r} "
+                + (
+                    f"cannot be reached from {names[0]!r}; the lines must connect all of {names}"
+                    if on_line
+                    else f"is on no line; the lines must connect all of {names}"
+                )
+            )
+
+
+def wiring_counts(microphones: int, points_per_line: Sequence[int]) -> WiringCounts:
+    """Counting figures of a wiring of M microphones with N points per line (N: the mean).
+
+    Points per transducer are points / M; one transducer per point has 1, and row-column addressing of
+    M x N points has M N / (M + N). With all M(M-1)/2 lines the ratios become the paper's N(M-1)/2 and
+    (M-1)(M+N)/(2M).
+    """
+    points = sum(points_per_line)
+    per_line = points / len(points_per_line)
+    per_microphone = points / microphones
+    return WiringCounts(
+        microphones=microphones,
+        lines=len(points_per_line),
+        points=points,
+        most_lines=microphones * (microphones - 1) // 2,
+        points_per_microphone=per_microphone,
+        gain_over_one_transducer_per_point=per_microphone,
+        gain_over_row_column=per_microphone * (microphones + per_line) / (microphones * per_line),
+    )
