@@ -119,9 +119,7 @@ class Microphone(Section):
     chamber_diameter: Millimetre = Field(ge=0.5, le=20, description="diameter of the chamber")
     chamber_height: Millimetre = Field(ge=0.3, le=20, description="height of the chamber")
     wall_thickness: Millimetre = Field(default=1.0, ge=0.3, le=20, description="thickness of the housing")
-    sound_hole_diameter: Millimetre = Field(
-        default=0.5, ge=0.1, le=5, description="acoustic port of the package"
-    )
+    sound_hole_diameter: Millimetre = Field(default=0.5, ge=0.1, le=5, description="acoustic port of the package")
     sound_hole_length: Millimetre = Field(default=0.3, ge=0.05, le=5, description="depth of the acoustic port")
     diaphragm_equivalent_volume: float = Field(
         default=0.05,
@@ -190,9 +188,7 @@ class Layout(Section):
         "polygon whose corners are the microphones"
     )
     columns: int = Field(default=1000, ge=1, le=1000, description="points per row of a serpentine")
-    pitch: Millimetre | None = Field(
-        default=None, description="distance of neighbours; default: tubes lie straight"
-    )
+    pitch: Millimetre | None = Field(default=None, description="distance of neighbours; default: tubes lie straight")
 
 
 class Air(Section):

@@ -19,9 +19,7 @@ class WiringCounts:
     gain_over_row_column: float
 
 
-def check_topology(
-    microphones: Sequence[str], lines: Sequence[tuple[tuple[str, str], int]]
-) -> None:
+def check_topology(microphones: Sequence[str], lines: Sequence[tuple[tuple[str, str], int]]) -> None:
     """Refuse wirings that cannot be decoded or built.
 
     Args:
@@ -37,9 +35,7 @@ def check_topology(
         raise ValueError(f"microphones = {names} must be different names; {duplicates[0]!r} appears twice")
     most = len(names) * (len(names) - 1) // 2
     if len(lines) > most:
-        raise ValueError(
-            f"lines = {len(lines)} lines must be at most M(M-1)/2 = {most} for {len(names)} microphones"
-        )
+        raise ValueError(f"lines = {len(lines)} lines must be at most M(M-1)/2 = {most} for {len(names)} microphones")
     pairs: dict[frozenset[str], int] = {}
     for index, ((first, second), _) in enumerate(lines):
         for name in (first, second):
