@@ -1,0 +1,54 @@
+"""Acoustics of a tactile array, in SI units with time convention exp(+j omega t).
+
+Names are loaded when they are first used, so that ``import acoustic_fem`` costs nothing.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from acoustic_fem.library import FIDELITIES, Library, solve
+    from acoustic_fem.library_file import LibraryError, load, save
+    from acoustic_fem.medium import Medium
+
+_HOMES = {
+    "FIDELITIES": "library",
+    "Library": "library",
+    "LibraryError": "library_file",
+    "Medium": "medium",
+    "load": "library_file",
+    "save": "library_file",
+    "solve": "library",
+}
+_MODULES = (
+    "cavity",
+    "cell",
+    "duct",
+    "frequency",
+    "library",
+    "linear_solver",
+    "lumped_cell",
+    "medium",
+    "membrane",
+    "microphone",
+    "navier_stokes",
+    "network",
+    "opening",
+    "units",
+)
+
+__all__ = ["FIDELITIES", "Library", "LibraryError", "Medium", "load", "save", "solve"]
+
+
+def __getattr__(name: str) -> Any:
+    if name in _HOMES:
+        return getattr(import_module(f"acoustic_fem.{_HOMES[name]}"), name)
+    if name in _MODULES:
+        return import_module(f"acoustic_fem.{name}")
+    raise AttributeError(f"module 'acoustic_fem' has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    return sorted({*__all__, *_MODULES})

@@ -1,0 +1,183 @@
+"""Transfer functions of a whole array: ``solve`` and its labelled result."""
+
+from __future__ import annotations
+
+import hashlib
+import platform
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from importlib.metadata import PackageNotFoundError, version
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from numpy.typing import ArrayLike, NDArray
+
+from acoustic_fem.checks import frequency_grid
+from acoustic_fem.medium import Medium
+from geometry.cells import cell_catalogue
+from geometry.design import ArrayDesign
+from geometry.layout import ArrayLayout, place
+
+#: What the air of a cell may be computed with, cheapest first.
+FIDELITIES = ("lumped", "navier-stokes")
+
+#: Name -> dimensions, units and description of the three results.
+VARIABLES = {
+    "transfer_function": (
+        ("point", "microphone", "frequency"),
+        "Pa/Pa",
+        "pressure at the microphone per pressure in the touched cavity",
+    ),
+    "source_response": (
+        ("point", "microphone", "frequency"),
+        "Pa s/m^3",
+        "pressure at the microphone per volume velocity injected at the membrane of the point",
+    ),
+    "point_impedance": (
+        ("point", "frequency"),
+        "Pa s/m^3",
+        "pressure in the cavity per volume velocity injected at its membrane",
+    ),
+}
+
+
+@dataclass(frozen=True, eq=False)
+class Library:
+    """Responses of one array at a grid of frequencies, with everything needed to make them again.
+
+    The volume velocity is injected in parallel with the membrane's own compliance, which stays part of
+    the array: a touch that would sweep the volume q of a membrane in vacuo injects j w q.
+
+    Attributes:
+        transfer_function: (point, microphone, frequency) complex128, microphone pressure / pressure in the
+            touched cavity, Pa/Pa. Microphone pressure: on the diaphragm, behind the sound hole.
+        source_response: (point, microphone, frequency) complex128, microphone pressure per injected
+            volume velocity, Pa s/m^3.
+        point_impedance: (point, frequency) complex128, cavity pressure per injected volume velocity, Pa s/m^3.
+        design: the array.
+        fidelity: how the cells were computed, one of :data:`FIDELITIES`.
+        medium: the air.
+        provenance: code and library versions, creation time, seed, hash of the frequency grid.
+    """
+
+    transfer_function: xr.DataArray
+    source_response: xr.DataArray
+    point_impedance: xr.DataArray
+    design: ArrayDesign
+    fidelity: str
+    medium: Medium
+    provenance: Mapping[str, Any]
+
+    @property
+    def frequency(self) -> NDArray[np.float64]:
+        """The grid of frequencies, Hz."""
+        return np.asarray(self.transfer_function["frequency"].values)
+
+
+def solve(
+    design: ArrayDesign,
+    frequency: ArrayLike,
+    fidelity: str = "navier-stokes",
+    medium: Medium | None = None,
+    progress: Callable[[str, float], None] | None = None,
+) -> Library:
+    """Transfer functions of an array from every point to every microphone.
+
+    Args:
+        design: the array.
+        frequency: (n_freq,) ascending, 1e-3 to 2e3 Hz.
+        fidelity: "lumped" (closed forms) or "navier-stokes" (3-D cells).
+        medium: the air; by default that of the design.
+        progress: called with what is being done and the fraction done, 0 to 1.
+
+    Raises:
+        ValueError: a bad frequency grid or an unknown fidelity.
+    """
+    grid = frequency_grid(frequency)
+    if fidelity not in FIDELITIES:
+        raise ValueError(f"fidelity = {fidelity!r} must be one of: {', '.join(FIDELITIES)}")
+    report = progress or (lambda message, fraction: None)
+    if medium is None:
+        medium = Medium.at(design.air.temperature, design.air.humidity, design.air.pressure)
+    layout = place(design)
+    cells = cell_catalogue(design, layout).distinct
+
+    if fidelity == "lumped":
+        from acoustic_fem.lumped_cell import lumped_admittance
+
+        admittances = {cell: lumped_admittance(cell, grid, medium) for cell in cells}
+    else:
+        from acoustic_fem.cell import nodal_admittances
+
+        admittances = nodal_admittances(
+            cells, grid, medium, progress=lambda message, fraction: report(message, 0.95 * fraction)
+        )
+
+    from acoustic_fem.network import solve_network
+
+    report("network", 0.95)
+    response = solve_network(design, layout, admittances, grid, medium)
+    library = labelled(
+        design,
+        layout,
+        grid,
+        {
+            "transfer_function": response.source_response / response.point_impedance[:, None, :],
+            "source_response": response.source_response,
+            "point_impedance": response.point_impedance,
+        },
+        fidelity,
+        medium,
+        _provenance(grid),
+    )
+    report("done", 1.0)
+    return library
+
+
+def labelled(
+    design: ArrayDesign,
+    layout: ArrayLayout,
+    frequency: NDArray[np.float64],
+    values: Mapping[str, NDArray[np.complex128]],
+    fidelity: str,
+    medium: Medium,
+    provenance: Mapping[str, Any],
+) -> Library:
+    """A library from bare arrays, one per name of :data:`VARIABLES` and shaped as listed there."""
+    coordinates = {
+        "point": ("point", [point.number for point in layout.points], {"long_name": "sensing point, from 1"}),
+        "line": ("point", [point.line for point in layout.points], {"long_name": "index of its line, from 0"}),
+        "place": ("point", [point.place for point in layout.points], {"long_name": "index along its line, from 0"}),
+        "microphone": ("microphone", list(design.microphones), {"long_name": "microphone"}),
+        "frequency": ("frequency", frequency, {"units": "Hz", "long_name": "frequency"}),
+    }
+    arrays = {
+        name: xr.DataArray(
+            values[name],
+            dims=dimensions,
+            coords={key: value for key, value in coordinates.items() if value[0] in dimensions},
+            name=name,
+            attrs={"units": units, "long_name": description},
+        )
+        for name, (dimensions, units, description) in VARIABLES.items()
+    }
+    return Library(**arrays, design=design, fidelity=fidelity, medium=medium, provenance=dict(provenance))
+
+
+def _provenance(frequency: NDArray[np.float64]) -> dict[str, Any]:
+    def installed(name: str) -> str:
+        try:
+            return version(name)
+        except PackageNotFoundError:
+            return "not installed"
+
+    return {
+        "code_version": installed("acoustic-fem"),
+        "created": datetime.now(UTC).isoformat(timespec="seconds"),
+        "seed": None,
+        "frequency_sha256": hashlib.sha256(frequency.tobytes()).hexdigest(),
+        "python": platform.python_version(),
+        "libraries": {name: installed(name) for name in ("gmsh", "numpy", "scikit-fem", "scipy", "xarray")},
+    }
