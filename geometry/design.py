@@ -1,8 +1,9 @@
 """The design of an array: fields, units, limits.
 
 Lengths are millimetres, moduli megapascals, frequencies hertz. A design is immutable; changed copies
-come from :meth:`ArrayDesign.with_values`. Reading, writing and error wording live in
-:mod:`geometry.design_file`.
+come from :meth:`ArrayDesign.with_values`. Every section refuses unknown keys and non-finite numbers
+with a :class:`geometry.DesignError` of one line. Reading and writing live in
+:mod:`geometry.design_file`, the rules between fields in :mod:`geometry.design_rules`.
 """
 
 from __future__ import annotations
@@ -11,8 +12,10 @@ import math
 from collections.abc import Mapping
 from typing import Annotated, Any, Literal, Self
 
-from pydantic import BaseModel, ConfigDict, Field, model_validator
+from pydantic import Field, model_validator
 
+from geometry.design_fields import Count, Number, Section
+from geometry.design_rules import check_consistency
 from geometry.materials import MATERIALS, Material
 from geometry.topology import check_topology
 
@@ -20,13 +23,8 @@ from geometry.topology import check_topology
 #: entrance flow has decayed to a plane wave where the port is (its slowest mode decays as exp(-5 z/a)).
 STUB_LENGTH_IN_RADII = 4.0
 
-Millimetre = Annotated[float, Field(gt=0, json_schema_extra={"unit": "mm"})]
-
-
-class Section(BaseModel):
-    """Base of every section of a design file: unknown keys and non-finite numbers are refused."""
-
-    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
+Millimetre = Annotated[Number, Field(gt=0, json_schema_extra={"unit": "mm"})]
+MicrophoneName = Annotated[str, Field(min_length=1, max_length=40, pattern=r"^[A-Za-z0-9][A-Za-z0-9._-]*$")]
 
 
 class Resonator(Section):
@@ -83,22 +81,22 @@ class Tube(Section):
             return data
         data = dict(data)
         wire = data.get("wire_diameter")
-        for given, derived, base, step in (
-            ("spring_outer_diameter", "inner_diameter", None, -2.0),
-            ("sheath_wall", "outer_diameter", "inner_diameter", 2.0),
-        ):
+        for given, derived in (("spring_outer_diameter", "inner_diameter"), ("sheath_wall", "outer_diameter")):
             if given not in data:
                 continue
-            if derived in data:
-                raise ValueError(f"{given} and {derived} are both given; give one of them")
             value = data.pop(given)
-            numbers = [value, wire] if base is None else [value, wire, data.get(base)]
-            if not all(isinstance(x, (int, float)) and not isinstance(x, bool) for x in numbers):
-                raise ValueError(f"{given} = {value!r} needs numbers for it, wire_diameter and the bore")
-            if not value > 0:
-                raise ValueError(f"{given} = {value:g} mm must be above 0 mm")
-            start = value if base is None else data[base] + 2 * wire
-            data[derived] = round(start + step * (wire if base is None else value), 9)
+            if derived in data:
+                raise ValueError(f"{given} = {value!r} must not be given beside {derived}; give one of the two")
+            if not _is_positive(value):
+                raise ValueError(f"{given} = {value!r} must be a number above 0 mm")
+            if not _is_positive(wire):
+                continue  # said of wire_diameter itself
+            if given == "spring_outer_diameter":
+                if value <= 2 * wire:
+                    raise ValueError(f"{given} = {value:g} mm must be above 2 x wire_diameter ({2 * wire:g} mm)")
+                data[derived] = round(value - 2 * wire, 9)
+            elif _is_positive(data.get("inner_diameter")):
+                data[derived] = round(data["inner_diameter"] + 2 * wire + 2 * value, 9)
         return data
 
     @property
@@ -121,42 +119,42 @@ class Microphone(Section):
     wall_thickness: Millimetre = Field(default=1.0, ge=0.3, le=20, description="thickness of the housing")
     sound_hole_diameter: Millimetre = Field(default=0.5, ge=0.1, le=5, description="acoustic port of the package")
     sound_hole_length: Millimetre = Field(default=0.3, ge=0.05, le=5, description="depth of the acoustic port")
-    diaphragm_equivalent_volume: float = Field(
+    diaphragm_equivalent_volume: Number = Field(
         default=0.05,
         gt=0,
         le=1000,
         description="air volume as compliant (adiabatic) as the diaphragm",
         json_schema_extra={"unit": "mm^3"},
     )
-    back_volume: float = Field(
+    back_volume: Number = Field(
         default=2.0,
         gt=0,
         le=1000,
         description="air behind the diaphragm, closed but for the vent",
         json_schema_extra={"unit": "mm^3"},
     )
-    vent_corner: float = Field(
+    vent_corner: Number = Field(
         default=20.0,
         gt=0,
         le=1000,
         description="high-pass corner made by the vent in the diaphragm",
         json_schema_extra={"unit": "Hz"},
     )
-    sensitivity: float = Field(
+    sensitivity: Number = Field(
         default=-38.0,
         ge=-80,
         le=0,
         description="output at 94 dB SPL, 1 kHz",
         json_schema_extra={"unit": "dB re 1 V/Pa"},
     )
-    noise_density: float = Field(
+    noise_density: Number = Field(
         default=5e-6,
         gt=0,
         le=1,
         description="white equivalent input noise",
         json_schema_extra={"unit": "Pa/sqrt(Hz)"},
     )
-    noise_corner: float = Field(
+    noise_corner: Number = Field(
         default=100.0,
         ge=0,
         le=1e4,
@@ -175,7 +173,7 @@ class Line(Section):
     """Resonators in series between two microphones; points are numbered from the first of them."""
 
     between: tuple[str, str] = Field(description="names of the two microphones at its ends")
-    points: int = Field(ge=1, le=1000, description="number of sensing points")
+    points: Count = Field(ge=1, le=1000, description="number of sensing points")
     tube: Tube | None = Field(default=None, description="tube between its points, where it differs")
     microphone_tube: Tube | None = Field(default=None, description="tube to its microphones, where it differs")
 
@@ -187,18 +185,18 @@ class Layout(Section):
         description="serpentine: rows of `columns` points, one block per line; ring: lines on the sides of a "
         "polygon whose corners are the microphones"
     )
-    columns: int = Field(default=1000, ge=1, le=1000, description="points per row of a serpentine")
+    columns: Count = Field(default=1000, ge=1, le=1000, description="points per row of a serpentine")
     pitch: Millimetre | None = Field(default=None, description="distance of neighbours; default: tubes lie straight")
 
 
 class Air(Section):
     """State of the air in the array."""
 
-    temperature: float = Field(
+    temperature: Number = Field(
         default=20.0, ge=-20, le=60, description="temperature", json_schema_extra={"unit": "degC"}
     )
-    humidity: float = Field(default=0.5, ge=0, le=1, description="relative humidity, 0 to 1")
-    pressure: float = Field(
+    humidity: Number = Field(default=0.5, ge=0, le=1, description="relative humidity, 0 to 1")
+    pressure: Number = Field(
         default=101325.0, ge=5e4, le=1.2e5, description="static pressure", json_schema_extra={"unit": "Pa"}
     )
 
@@ -218,25 +216,29 @@ class ArrayDesign(Section):
     The fields are documented by ``acoustic-fem check --fields`` and in docs/design-file.md.
     """
 
-    name: str = Field(min_length=1, max_length=80, pattern=r"^[A-Za-z0-9][A-Za-z0-9._-]*$")
-    description: str = ""
-    microphones: tuple[str, ...] = Field(min_length=2, max_length=16, description="names of the microphones")
-    resonator: Resonator
-    membrane: Membrane
+    name: str = Field(
+        min_length=1,
+        max_length=80,
+        pattern=r"^[A-Za-z0-9][A-Za-z0-9._-]*$",
+        description="name of the array, also in file names",
+    )
+    description: str = Field(default="", description="what it is, for people")
+    microphones: tuple[MicrophoneName, ...] = Field(min_length=2, max_length=16, description="names of the microphones")
+    resonator: Resonator = Field(description="printed shell of a sensing point")
+    membrane: Membrane = Field(description="silicone disc on each shell")
     tube: Tube = Field(description="tube between neighbouring points")
     microphone_tube: Tube = Field(description="tube from the end of a line to its microphone")
-    microphone: Microphone
+    microphone: Microphone = Field(description="the microphones, all alike")
     lines: tuple[Line, ...] = Field(min_length=1, description="the lines")
-    layout: Layout
-    air: Air = Air()
-    printing: Printing = Printing()
+    layout: Layout = Field(description="where the resonators lie")
+    air: Air = Field(default=Air(), description="state of the air")
+    printing: Printing = Field(default=Printing(), description="how the parts are made")
     materials: dict[str, Material] = Field(default_factory=dict, description="materials beside the built-in ones")
 
     @model_validator(mode="after")
     def _consistent(self) -> Self:
         check_topology(self.microphones, [(line.between, line.points) for line in self.lines])
-        for message in _inconsistencies(self):
-            raise ValueError(message)
+        check_consistency(self)
         return self
 
     # -- derived ------------------------------------------------------------------------------------
@@ -279,83 +281,5 @@ class ArrayDesign(Section):
         )
 
 
-def _inconsistencies(design: ArrayDesign):  # noqa: ANN202 - yields one message per broken rule
-    """Yield a sentence for every combination of fields that cannot be built."""
-    resonator, membrane = design.resonator, design.membrane
-    for field, name in (("membrane.material", membrane.material), ("printing.material", design.printing.material)):
-        if name not in design.materials and name not in MATERIALS:
-            known = ", ".join(sorted({*MATERIALS, *design.materials}))
-            yield f"{field} = {name!r} must be one of: {known}"
-    if membrane.rim_width > resonator.wall_thickness:
-        yield (
-            f"membrane.rim_width = {membrane.rim_width:g} mm must be at most resonator.wall_thickness "
-            f"({resonator.wall_thickness:g} mm)"
-        )
-    axis = resonator.port_axis_height
-    tubes = [("tube", design.tube, True), ("microphone_tube", design.microphone_tube, True)]
-    for index, line in enumerate(design.lines):
-        tubes += [
-            (f"lines.{index}.{kind}", tube, True)
-            for kind, tube in (("tube", line.tube), ("microphone_tube", line.microphone_tube))
-            if tube is not None
-        ]
-    gap = design.printing.glue_gap
-    chamber = design.microphone
-    for field, tube, _ in tubes:
-        if tube.inner_diameter >= tube.outer_diameter:
-            yield (
-                f"{field}.inner_diameter = {tube.inner_diameter:g} mm must be below {field}.outer_diameter "
-                f"({tube.outer_diameter:g} mm)"
-            )
-        if tube.spring_outer_diameter > tube.outer_diameter + 1e-9:
-            yield (
-                f"{field}.wire_diameter = {tube.wire_diameter:g} mm must be at most "
-                f"{(tube.outer_diameter - tube.inner_diameter) / 2:g} mm, the wall between bore and outside"
-            )
-        if tube.outer_diameter > resonator.cavity_height:
-            yield (
-                f"{field}.outer_diameter = {tube.outer_diameter:g} mm must be at most resonator.cavity_height "
-                f"({resonator.cavity_height:g} mm)"
-            )
-        hole = tube.outer_diameter / 2 + gap
-        if axis + hole > resonator.cavity_height or axis - tube.inner_diameter / 2 < 0:
-            yield (
-                f"resonator.port_height = {axis:g} mm must be between {tube.inner_diameter / 2:g} and "
-                f"{resonator.cavity_height - hole:g} mm for {field} to open into the wall"
-            )
-        if tube.inner_diameter > resonator.cavity_diameter / 2:
-            yield (
-                f"{field}.inner_diameter = {tube.inner_diameter:g} mm must be at most half of "
-                f"resonator.cavity_diameter ({resonator.cavity_diameter / 2:g} mm)"
-            )
-        if tube.length < 2 * tube.stub_length:
-            yield (
-                f"{field}.length = {tube.length:g} mm must be at least {2 * tube.stub_length:g} mm, "
-                f"{2 * STUB_LENGTH_IN_RADII:g} bore radii: shorter tubes have no plane-wave part"
-            )
-        if field.endswith("microphone_tube"):
-            if tube.inner_diameter > min(chamber.chamber_height, chamber.chamber_diameter / 2):
-                yield (
-                    f"{field}.inner_diameter = {tube.inner_diameter:g} mm must be at most "
-                    f"{min(chamber.chamber_height, chamber.chamber_diameter / 2):g} mm, the smaller of "
-                    "microphone.chamber_height and half of microphone.chamber_diameter"
-                )
-    if design.printing.port_lip >= resonator.wall_thickness:
-        yield (
-            f"printing.port_lip = {design.printing.port_lip:g} mm must be below resonator.wall_thickness "
-            f"({resonator.wall_thickness:g} mm)"
-        )
-    if chamber.sound_hole_diameter >= chamber.chamber_diameter:
-        yield (
-            f"microphone.sound_hole_diameter = {chamber.sound_hole_diameter:g} mm must be below "
-            f"microphone.chamber_diameter ({chamber.chamber_diameter:g} mm)"
-        )
-    pitch = design.layout.pitch
-    if pitch is not None:
-        shortest = min(design.tube_of(line).length for line in design.lines)
-        reach = resonator.cavity_diameter + shortest
-        if not resonator.outer_diameter <= pitch <= reach + 1e-9:
-            yield (
-                f"layout.pitch = {pitch:g} mm must be between {resonator.outer_diameter:g} mm (shells touch) and "
-                f"{reach:g} mm (tubes straight)"
-            )
+def _is_positive(value: Any) -> bool:
+    return isinstance(value, (int, float)) and not isinstance(value, bool) and 0 < value < math.inf

@@ -2,20 +2,20 @@
 
 from __future__ import annotations
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import Field
+
+from geometry.design_fields import Number, Section
 
 
-class Material(BaseModel):
+class Material(Section):
     """An isotropic material as a design file states it."""
 
-    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
-
-    youngs_modulus: float = Field(
-        gt=0, ge=1e-3, le=1e5, description="static Young's modulus", json_schema_extra={"unit": "MPa"}
+    youngs_modulus: Number = Field(
+        ge=1e-3, le=1e5, description="static Young's modulus", json_schema_extra={"unit": "MPa"}
     )
-    poisson_ratio: float = Field(gt=0, lt=0.5, description="Poisson's ratio")
-    density: float = Field(ge=500, le=5000, description="density", json_schema_extra={"unit": "kg/m^3"})
-    loss_factor: float = Field(
+    poisson_ratio: Number = Field(gt=0, lt=0.5, description="Poisson's ratio")
+    density: Number = Field(ge=500, le=5000, description="density", json_schema_extra={"unit": "kg/m^3"})
+    loss_factor: Number = Field(
         ge=0, le=1, description="structural loss factor eta: the dynamic modulus is E (1 + j eta)"
     )
     source: str = Field(description="where the values come from")

@@ -1,0 +1,324 @@
+"""The fields of a design in words: their units and ranges, and one line for every value that breaks them."""
+
+from __future__ import annotations
+
+import difflib
+import math
+import types
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Annotated, Any, Literal, Union, get_args, get_origin
+
+import annotated_types
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from pydantic.fields import FieldInfo
+from pydantic_core import ErrorDetails, PydanticUndefined
+
+#: What a file may give in place of a field of a tube, and how the field follows from it.
+DERIVED_FROM = {
+    "inner_diameter": ("spring_outer_diameter", "spring_outer_diameter - 2 x wire_diameter"),
+    "outer_diameter": ("sheath_wall", "inner_diameter + 2 x wire_diameter + 2 x sheath_wall"),
+}
+
+
+class DesignError(ValueError):
+    """A design that is not valid. The message is one line: file, field, value and what is allowed.
+
+    Attributes:
+        problems: every problem found, one line each; the message is the first of them.
+    """
+
+    def __init__(self, *problems: str) -> None:
+        """Keep the problems; at least one."""
+        self.problems = problems
+        more = len(problems) - 1
+        super().__init__(problems[0] + (f" (and {more} more problem{'s' * (more > 1)})" if more else ""))
+
+
+#: Numbers as a file states them: no text that looks like one, no true or false.
+Number = Annotated[float, Field(strict=True)]
+Count = Annotated[int, Field(strict=True)]
+
+
+class Section(BaseModel):
+    """Base of every section of a design: immutable; unknown keys and non-finite numbers are refused."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
+
+    def __init__(self, /, **data: Any) -> None:
+        """Check the values.
+
+        Raises:
+            DesignError: a value is not allowed.
+        """
+        try:
+            super().__init__(**data)
+        except ValidationError as error:
+            raise error_from_validation(error, type(self), data) from None
+
+    # Sections inside a file are then built by pydantic itself, which keeps the full name of a bad field.
+    __init__.__pydantic_base_init__ = True  # type: ignore[attr-defined]
+
+
+@dataclass(frozen=True)
+class DesignField:
+    """One field of a design file."""
+
+    name: str
+    """Dotted name; ``*`` stands for an index or a name of the user's own."""
+    kind: str
+    """``a number``, ``a whole number``, ``a text``, ``a list`` or ``a table``."""
+    unit: str
+    allowed: str
+    """Range or choice in words, with the unit; empty where anything of its kind goes."""
+    required: bool
+    default: Any
+    description: str
+
+
+def fields_of(model: type[BaseModel], prefix: str = "") -> Iterator[DesignField]:
+    """Every field of a model and of its sections, in the order of the file."""
+    for name, info in model.model_fields.items():
+        field = _field(prefix + name, info)
+        yield field
+        section, step = _section_of(info.annotation)
+        if section is not None:
+            yield from fields_of(section, f"{prefix}{name}.{step}")
+
+
+def names_of(model: type[BaseModel]) -> list[str]:
+    """Keys a table of a design file may have, with those that stand in for others."""
+    names = list(model.model_fields)
+    if set(DERIVED_FROM) <= set(names):
+        names += [given for given, _ in DERIVED_FROM.values()]
+    return names
+
+
+def nearest(word: str, known: Sequence[str]) -> str:
+    """``; did you mean ...?`` where a known word is near, else the known words."""
+    close = difflib.get_close_matches(word.lower(), [name.lower() for name in known], n=1, cutoff=0.6)
+    for name in known:
+        if close and name.lower() == close[0]:
+            return f"; did you mean {name!r}?"
+    return f"; known: {', '.join(known)}"
+
+
+def error_from_validation(
+    error: ValidationError, model: type[BaseModel], given: object, source: str = ""
+) -> DesignError:
+    """The error of this package for one of pydantic's.
+
+    Args:
+        error: what the validation of ``given`` as ``model`` raised.
+        model: the model.
+        given: the data as they were given, to quote from.
+        source: file the data come from, put before each line.
+    """
+    details = sorted(
+        error.errors(include_url=False), key=lambda e: (e["type"] == "missing", e["type"] == "value_error")
+    )
+    misspelt = [e["loc"] for e in details if e["type"] == "extra_forbidden"]
+    lines = []
+    for detail in details:
+        loc = detail["loc"]
+        if detail["type"] == "missing" and any(
+            other[:-1] == loc[:-1] and difflib.get_close_matches(str(other[-1]), [str(loc[-1])], cutoff=0.6)
+            for other in misspelt
+        ):
+            continue  # the misspelt key is this one
+        lines.append((f"{source}: " if source else "") + _one_line(_sentence(detail, model, given)))
+    return DesignError(*lines)
+
+
+def _sentence(detail: ErrorDetails, model: type[BaseModel], given: object) -> str:
+    loc, kind = detail["loc"], detail["type"]
+    name = ".".join(str(step) for step in loc)
+    value = detail["input"]
+    if kind == "value_error":
+        return (f"{name}." if name else "") + str(detail["ctx"]["error"])
+    if kind == "extra_forbidden":
+        section = _find(model, loc[:-1])[1]
+        known = names_of(section) if section is not None else []
+        return f"{name} = {_quote(value)} is not a field of a design{nearest(str(loc[-1]), known)}"
+    info, section = _find(model, loc)
+    field = _field(name, info) if info is not None else None
+    must = _must(field, section, detail)
+    if kind == "missing":
+        if isinstance(loc[-1], int):
+            return f"{'.'.join(map(str, loc[:-1]))} = {_quote(value)} must have an entry number {loc[-1]}"
+        about = f" ({field.description})" if field is not None and field.description else ""
+        return f"{name} is missing: {must}{about}"
+    unit = f" {field.unit}" if field is not None and field.unit and _is_number(value) else ""
+    note = ""
+    if loc and loc[-1] in DERIVED_FROM:
+        source_key, formula = DERIVED_FROM[str(loc[-1])]
+        table = _lookup(given, loc[:-1])
+        if isinstance(table, Mapping) and source_key in table:
+            note = f" (it is {formula})"
+    return f"{name or 'design'} = {_quote(value)}{unit} {must}{note}"
+
+
+def _must(field: DesignField | None, section: type[BaseModel] | None, detail: ErrorDetails) -> str:
+    """``must be ...`` for one field."""
+    kind = detail["type"]
+    if field is None:
+        if section is not None:
+            return f"must be a table of {', '.join(names_of(section))}"
+        return f"is refused: {detail['msg'][0].lower()}{detail['msg'][1:]}"
+    if kind == "finite_number":
+        return "must be a finite number" + (f" {field.allowed}" if field.allowed else "")
+    if section is not None and field.kind == "a table":
+        return f"must be a table of {', '.join(names_of(section))}"
+    if kind == "literal_error":
+        return f"must be one of {field.allowed}{_meant(detail['input'], field.allowed)}"
+    if not field.allowed:
+        return f"must be {field.kind}"
+    if field.kind == "a number" and kind not in ("float_type", "missing"):
+        return f"must be {field.allowed}"
+    return f"must be {field.kind}{', one of' if field.allowed.startswith(chr(39)) else ''} {field.allowed}"
+
+
+def _meant(value: object, allowed: str) -> str:
+    close = difflib.get_close_matches(str(value), [word.strip("'") for word in allowed.split(", ")], n=1)
+    return f"; did you mean {close[0]!r}?" if close else ""
+
+
+# -- reading the model ------------------------------------------------------------------------------
+def _field(name: str, info: FieldInfo) -> DesignField:
+    plain, metadata, unit = _unwrapped(info)
+    kind = {float: "a number", int: "a whole number", str: "a text"}.get(plain, "a table")
+    if get_origin(plain) is tuple:
+        kind = "a list"
+    if get_origin(plain) is Literal:
+        kind = "a text"
+    required = info.is_required()
+    return DesignField(
+        name=name,
+        kind=kind,
+        unit=unit,
+        allowed=_allowed(plain, metadata, unit, kind),
+        required=required,
+        default=None if required else info.get_default(call_default_factory=True),
+        description=info.description or "",
+    )
+
+
+def _unwrapped(info: FieldInfo) -> tuple[Any, list[Any], str]:
+    """Plain type, limits and unit of a field, also where they stand inside ``Annotated[...] | None``."""
+    plain: Any = info.annotation
+    metadata = list(info.metadata)
+    extra = info.json_schema_extra
+    if get_origin(plain) in (Union, types.UnionType):
+        (plain,) = (part for part in get_args(plain) if part is not type(None))
+    if get_origin(plain) is Annotated:
+        plain, *inner = get_args(plain)
+        for item in inner:
+            if isinstance(item, FieldInfo):
+                metadata += item.metadata
+                extra = extra or item.json_schema_extra
+    return plain, metadata, str(extra.get("unit", "")) if isinstance(extra, Mapping) else ""
+
+
+def _allowed(plain: Any, metadata: Sequence[Any], unit: str, kind: str) -> str:
+    if get_origin(plain) is Literal:
+        return ", ".join(repr(choice) for choice in get_args(plain))
+    if get_origin(plain) is tuple and Ellipsis not in get_args(plain):
+        return f"of {len(get_args(plain))}"
+    low, low_open, high, high_open = -math.inf, False, math.inf, False
+    pattern = ""
+    for limit in metadata:
+        match limit:
+            case annotated_types.Gt(gt=bound) if bound >= low:
+                low, low_open = bound, True
+            case annotated_types.Ge(ge=bound) if bound > low:
+                low, low_open = bound, False
+            case annotated_types.Lt(lt=bound) if bound <= high:
+                high, high_open = bound, True
+            case annotated_types.Le(le=bound) if bound < high:
+                high, high_open = bound, False
+            case annotated_types.MinLen(min_length=bound):
+                low = bound
+            case annotated_types.MaxLen(max_length=bound):
+                high = bound
+            case _ if getattr(limit, "pattern", None):
+                pattern = ", starting with a letter or digit, then letters, digits and . _ - only"
+    counted = {"a list": " entries", "a text": " characters"}.get(kind, "")
+    words = _range_in_words(low, low_open, high, high_open, unit or counted.strip())
+    return (f"of {words}{pattern}" if words and counted else words) or pattern.lstrip(", ")
+
+
+def _range_in_words(low: float, low_open: bool, high: float, high_open: bool, unit: str) -> str:
+    unit = f" {unit}" if unit else ""
+    if math.isfinite(low) and math.isfinite(high) and not low_open and not high_open:
+        return f"between {low:.12g} and {high:.12g}{unit}"
+    parts = []
+    if math.isfinite(low):
+        parts.append(f"{'above' if low_open else 'at least'} {low:.12g}")
+    if math.isfinite(high):
+        parts.append(f"{'below' if high_open else 'at most'} {high:.12g}")
+    return " and ".join(parts) + unit if parts else ""
+
+
+def _section_of(annotation: Any) -> tuple[type[BaseModel] | None, str]:
+    """Section a field holds, itself or in a list or table, and the step of the name that leads into it."""
+    if isinstance(annotation, type) and issubclass(annotation, BaseModel):
+        return annotation, ""
+    if get_origin(annotation) is tuple or get_origin(annotation) is dict:
+        for part in get_args(annotation):
+            section, _ = _section_of(part)
+            if section is not None:
+                return section, "*."
+    elif get_args(annotation):
+        for part in get_args(annotation):
+            section, step = _section_of(part)
+            if section is not None:
+                return section, step
+    return None, ""
+
+
+def _find(model: type[BaseModel], loc: Sequence[int | str]) -> tuple[FieldInfo | None, type[BaseModel] | None]:
+    """Field at a place of the file, and the section it holds."""
+    section: type[BaseModel] | None = model
+    info: FieldInfo | None = None
+    stepped_in = True
+    for step in loc:
+        if stepped_in and section is not None and isinstance(step, str) and step in section.model_fields:
+            info = section.model_fields[step]
+            section, way = _section_of(info.annotation)
+            stepped_in = way == ""
+        elif not stepped_in:  # an index of a list or a name of a table
+            info, stepped_in = None, True
+        else:
+            return None, None
+    return info, section
+
+
+def _lookup(data: object, loc: Sequence[int | str]) -> object:
+    for step in loc:
+        try:
+            data = data[step]  # type: ignore[index]
+        except (KeyError, IndexError, TypeError):
+            return None
+    return data
+
+
+def _is_number(value: object) -> bool:
+    return isinstance(value, (int, float)) and not isinstance(value, bool)
+
+
+def _quote(value: object) -> str:
+    """A value as a file would show it, cut where it is long."""
+    if value is None or value is PydanticUndefined:
+        return "nothing"
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, float):
+        return f"{value:.12g}"
+    if isinstance(value, BaseModel):
+        value = value.model_dump()
+    text = repr(value)
+    return text if len(text) <= 80 else text[:77] + "..."
+
+
+def _one_line(text: str) -> str:
+    return " ".join(text.split())

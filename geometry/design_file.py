@@ -1,0 +1,239 @@
+"""Design files: TOML in and out, the prototypes that come with the package, and changed copies.
+
+A design that is read, written and read again is equal to the first: floats are written with every digit
+they need. Every refusal is a :class:`DesignError` of one line.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import tempfile
+import tomllib
+from collections.abc import Iterator, Mapping
+from importlib import resources
+from pathlib import Path
+from typing import Any
+
+import tomlkit
+from pydantic import BaseModel, ValidationError
+from tomlkit.items import AbstractTable, Item
+
+from geometry.design import ArrayDesign
+from geometry.design_fields import DERIVED_FROM, DesignError, error_from_validation, fields_of, nearest
+
+_LARGEST_FILE = 1_000_000  # bytes; a design of a hundred lines has ten thousand
+
+
+def load_design(path: str | os.PathLike[str]) -> ArrayDesign:
+    """Read a design file.
+
+    Raises:
+        DesignError: no such file, not a text in UTF-8, not TOML, or not a valid design.
+    """
+    path = Path(path)
+    try:
+        if path.is_file() and path.stat().st_size > _LARGEST_FILE:
+            raise DesignError(f"{path}: {path.stat().st_size} bytes must be at most {_LARGEST_FILE} for a design file")
+        text = path.read_bytes().decode("utf-8-sig")
+    except FileNotFoundError:
+        raise DesignError(f"{path}: no such file") from None
+    except IsADirectoryError:
+        raise DesignError(f"{path}: is a folder, not a design file") from None
+    except UnicodeDecodeError as error:
+        raise DesignError(f"{path}: byte {error.start} is not UTF-8; a design file is a text in UTF-8") from None
+    except OSError as error:
+        raise DesignError(f"{path}: cannot be read: {error.strerror}") from None
+    return read_design(text, str(path))
+
+
+def read_design(text: str, source: str = "design.toml") -> ArrayDesign:
+    """Read a design from the text of a file.
+
+    Args:
+        text: TOML.
+        source: name of the file, for messages.
+
+    Raises:
+        DesignError: not TOML, or not a valid design.
+    """
+    try:
+        data = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise DesignError(f"{source}: is not TOML: {error}") from None
+    return _validated(data, source)
+
+
+def write_design(design: ArrayDesign) -> str:
+    """Text of a design file: every field with its value, its unit in a comment."""
+    document = tomlkit.document()
+    document.add(tomlkit.comment("Lengths in mm; fields and their ranges: docs/design-file.md"))
+    notes = {field.name: field.unit for field in fields_of(ArrayDesign)}
+    for key, item in _items(design, "", notes):
+        document.add(key, item)
+    return tomlkit.dumps(document)
+
+
+def save_design(design: ArrayDesign, path: str | os.PathLike[str]) -> None:
+    """Write a design file: written beside, then renamed, so that it is whole or not there.
+
+    Raises:
+        DesignError: the file cannot be written.
+    """
+    path = Path(path)
+    try:
+        descriptor, beside = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
+        try:
+            with os.fdopen(descriptor, "w", encoding="utf-8", newline="\n") as file:
+                file.write(write_design(design))
+                file.flush()
+                os.fsync(file.fileno())
+            os.chmod(beside, 0o644)
+            os.replace(beside, path)
+        except BaseException:
+            with contextlib.suppress(OSError):
+                os.unlink(beside)
+            raise
+    except OSError as error:
+        raise DesignError(f"{path}: cannot be written: {error.strerror}") from None
+
+
+def changed_design(design: ArrayDesign, values: Mapping[str, Any]) -> ArrayDesign:
+    """A copy of a design with fields changed by dotted name, checked again as a whole.
+
+    Args:
+        design: the design to start from.
+        values: new values, for example ``{"tube.inner_diameter": 0.5, "lines.0.points": 6}``; a whole
+            table is given as a mapping or a section, and None takes an optional field back to its default.
+
+    Raises:
+        DesignError: no such field, or the changed design is not valid.
+    """
+    data = _as_lists(design.model_dump())
+    for name, value in values.items():
+        _set(data, name, value.model_dump() if isinstance(value, BaseModel) else value, design.name)
+    return _validated(data, design.name)
+
+
+def prototype_names() -> list[str]:
+    """Names of the designs that come with the package."""
+    folder = resources.files("geometry") / "prototypes"
+    return sorted(entry.name.removesuffix(".toml") for entry in folder.iterdir() if entry.name.endswith(".toml"))
+
+
+def prototype_text(name: str) -> str:
+    """The design file of a prototype, with its comments.
+
+    Raises:
+        DesignError: no prototype of that name.
+    """
+    names = prototype_names()
+    if name not in names:
+        raise DesignError(f"no prototype is named {name!r}{nearest(name, names)}")
+    return (resources.files("geometry") / "prototypes" / f"{name}.toml").read_text(encoding="utf-8")
+
+
+def prototype(name: str) -> ArrayDesign:
+    """A design that comes with the package.
+
+    Raises:
+        DesignError: no prototype of that name.
+    """
+    return read_design(prototype_text(name), f"{name}.toml")
+
+
+def resolve_design(argument: str | os.PathLike[str]) -> ArrayDesign:
+    """The design a user names: a prototype, else a file.
+
+    Raises:
+        DesignError: neither a prototype nor a file that can be read, or not a valid design.
+    """
+    text = os.fspath(argument)
+    names = prototype_names()
+    if text in names:
+        return prototype(text)
+    if text.endswith(".toml") or Path(text).exists():
+        return load_design(text)
+    raise DesignError(f"{text}: neither a design file nor a prototype{nearest(text, names)}")
+
+
+# -- checking ---------------------------------------------------------------------------------------
+def _validated(data: Mapping[str, Any], source: str) -> ArrayDesign:
+    try:
+        return ArrayDesign.model_validate(data)
+    except ValidationError as error:
+        raise error_from_validation(error, ArrayDesign, data, source) from None
+
+
+# -- writing ----------------------------------------------------------------------------------------
+def _items(section: BaseModel, prefix: str, notes: Mapping[str, str]) -> Iterator[tuple[str, Item]]:
+    """Keys and TOML items of a section: plain values first, as TOML wants them before tables."""
+    plain, tables = [], []
+    for key in type(section).model_fields:
+        value = getattr(section, key)
+        name = prefix + key
+        if value is None or value == {}:
+            continue
+        if isinstance(value, BaseModel):
+            tables.append((key, _table(value, f"{name}.", notes)))
+        elif isinstance(value, dict):
+            group = tomlkit.table(is_super_table=True)
+            for own, entry in value.items():
+                group.add(own, _table(entry, f"{name}.*.", notes))
+            tables.append((key, group))
+        elif isinstance(value, tuple) and value and isinstance(value[0], BaseModel):
+            array = tomlkit.aot()
+            for entry in value:
+                array.append(_table(entry, f"{name}.*.", notes))
+            tables.append((key, array))
+        else:
+            item = tomlkit.item(list(value) if isinstance(value, tuple) else value)
+            if notes.get(name):
+                item.comment(notes[name])
+            plain.append((key, item))
+    yield from plain
+    yield from tables
+
+
+def _table(section: BaseModel, prefix: str, notes: Mapping[str, str]) -> AbstractTable:
+    table = tomlkit.table()
+    for key, item in _items(section, prefix, notes):
+        table.add(key, item)
+    return table
+
+
+# -- changing ---------------------------------------------------------------------------------------
+def _set(data: Any, name: str, value: Any, source: str) -> None:
+    """Put a value at a dotted name of a design as lists and dictionaries."""
+    *way, last = name.split(".")
+    place = data
+    for depth, step in enumerate([*way, last]):
+        if place is None:
+            raise DesignError(f"{source}: {'.'.join(way[:depth])} is not given; give the whole table, not {name} alone")
+        free = way[:depth] == ["materials"]  # the one table whose keys are the user's own
+        known = _keys(place)
+        if step not in known and not (free and step == last):
+            raise DesignError(f"{source}: {name} = {value!r} is not a field of this design{nearest(step, known)}")
+        if depth < len(way):
+            place = place[int(step)] if isinstance(place, list) else place[step]
+    if isinstance(place, list):
+        place[int(last)] = value
+        return
+    for derived, (given, _) in DERIVED_FROM.items():
+        if last == given:
+            place.pop(derived, None)
+    place[last] = value
+
+
+def _keys(place: Any) -> list[str]:
+    if isinstance(place, list):
+        return [str(index) for index in range(len(place))]
+    if not isinstance(place, dict):
+        return []
+    return [*place, *(given for derived, (given, _) in DERIVED_FROM.items() if derived in place)]
+
+
+def _as_lists(value: Any) -> Any:
+    if isinstance(value, dict):
+        return {key: _as_lists(entry) for key, entry in value.items()}
+    return [_as_lists(entry) for entry in value] if isinstance(value, (list, tuple)) else value

@@ -1,0 +1,181 @@
+"""Rules between the fields of a design: combinations that cannot be built are refused by name."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from geometry.materials import MATERIALS
+
+if TYPE_CHECKING:
+    from geometry.design import ArrayDesign, Tube
+
+#: Thinnest wall above and below the socket of a tube, mm: less does not survive the glue.
+SOCKET_COVER = 0.1
+
+
+def check_consistency(design: ArrayDesign) -> None:
+    """Refuse a design whose fields, each allowed alone, do not go together.
+
+    Raises:
+        ValueError: the first broken rule, with field, value and range.
+    """
+    for rule in (_materials, _membrane, _tubes, _sockets, _microphone, _layout):
+        for message in rule(design):
+            raise ValueError(message)
+
+
+def _materials(design: ArrayDesign) -> Iterator[str]:
+    for field, name in (
+        ("membrane.material", design.membrane.material),
+        ("printing.material", design.printing.material),
+    ):
+        if name not in design.materials and name not in MATERIALS:
+            yield f"{field} = {name!r} must be one of: {', '.join(sorted({*MATERIALS, *design.materials}))}"
+
+
+def _membrane(design: ArrayDesign) -> Iterator[str]:
+    rim, wall = design.membrane.rim_width, design.resonator.wall_thickness
+    if rim > wall:
+        yield f"membrane.rim_width = {rim:g} mm must be at most resonator.wall_thickness ({wall:g} mm)"
+
+
+def _tubes(design: ArrayDesign) -> Iterator[str]:
+    """What a tube is in itself, and what it needs of the parts at its ends."""
+    resonator, chamber, lip = design.resonator, design.microphone, design.printing.port_lip
+    for field, tube, to_microphone in _tubes_of(design):
+        if tube.inner_diameter >= tube.outer_diameter:
+            yield (
+                f"{field}.inner_diameter = {tube.inner_diameter:g} mm must be below {field}.outer_diameter "
+                f"({tube.outer_diameter:g} mm)"
+            )
+        if tube.spring_outer_diameter > tube.outer_diameter + 1e-9:
+            yield (
+                f"{field}.wire_diameter = {tube.wire_diameter:g} mm must be at most "
+                f"{(tube.outer_diameter - tube.inner_diameter) / 2:g} mm, the wall between bore and outside"
+            )
+        if tube.outer_diameter > resonator.cavity_height:
+            yield (
+                f"{field}.outer_diameter = {tube.outer_diameter:g} mm must be at most resonator.cavity_height "
+                f"({resonator.cavity_height:g} mm)"
+            )
+        if tube.inner_diameter > resonator.cavity_diameter / 2:
+            yield (
+                f"{field}.inner_diameter = {tube.inner_diameter:g} mm must be at most half of "
+                f"resonator.cavity_diameter ({resonator.cavity_diameter / 2:g} mm)"
+            )
+        if to_microphone and tube.inner_diameter > chamber.chamber_diameter / 2:
+            yield (
+                f"{field}.inner_diameter = {tube.inner_diameter:g} mm must be at most half of "
+                f"microphone.chamber_diameter ({chamber.chamber_diameter / 2:g} mm)"
+            )
+        if tube.length < 2 * tube.stub_length:
+            yield (
+                f"{field}.length = {tube.length:g} mm must be at least {2 * tube.stub_length:g} mm, "
+                "8 bore radii: shorter tubes have no plane-wave part"
+            )
+        walls = resonator.wall_thickness + (chamber if to_microphone else resonator).wall_thickness
+        if tube.length <= walls:
+            yield f"{field}.length = {tube.length:g} mm must be above {walls:g} mm, the two walls it passes through"
+        if tube.length <= 2 * lip:
+            yield f"{field}.length = {tube.length:g} mm must be above {2 * lip:g} mm, the lips of its two ports"
+
+
+def _sockets(design: ArrayDesign) -> Iterator[str]:
+    """Tubes are glued in sockets: counterbores that leave a lip towards the air."""
+    resonator, chamber, printing = design.resonator, design.microphone, design.printing
+    for field, tube, to_microphone in _tubes_of(design):
+        hole = tube.outer_diameter / 2 + printing.glue_gap
+        bore = tube.inner_diameter / 2
+        lowest = max(bore, hole + SOCKET_COVER - resonator.floor_thickness)
+        highest = resonator.cavity_height - hole - SOCKET_COVER
+        if highest < lowest:
+            widest = 2 * (resonator.cavity_height - bore - printing.glue_gap - SOCKET_COVER)
+            yield (
+                f"{field}.outer_diameter = {tube.outer_diameter:g} mm must be at most {widest:g} mm for its socket to "
+                f"fit beside resonator.cavity_height ({resonator.cavity_height:g} mm)"
+            )
+        axis = resonator.port_axis_height
+        if not lowest - 1e-9 <= axis <= highest + 1e-9:
+            given = resonator.port_height is not None
+            yield (
+                f"resonator.port_height = {axis:g} mm {'' if given else '(the default, mid height) '}must be between "
+                f"{lowest:g} and {highest:g} mm for the socket of {field} to stay in the wall"
+            )
+        if to_microphone and hole + SOCKET_COVER > chamber.chamber_height / 2 + 1e-9:
+            yield (
+                f"{field}.outer_diameter = {tube.outer_diameter:g} mm must be at most "
+                f"{chamber.chamber_height - 2 * (printing.glue_gap + SOCKET_COVER):g} mm for its socket to fit beside "
+                f"microphone.chamber_height ({chamber.chamber_height:g} mm)"
+            )
+        walls = [("resonator", resonator.cavity_diameter / 2, resonator.wall_thickness)]
+        if to_microphone:
+            walls.append(("microphone", chamber.chamber_diameter / 2, chamber.wall_thickness))
+        for part, inside, wall in walls:
+            deepest = _socket_depth(inside + wall, hole) - inside
+            if printing.port_lip >= deepest:
+                yield (
+                    f"printing.port_lip = {printing.port_lip:g} mm must be below {deepest:g} mm, what "
+                    f"{part}.wall_thickness ({wall:g} mm) leaves beside the socket of {field}"
+                )
+
+
+def _socket_depth(outside: float, hole: float) -> float:
+    """Distance from the axis of a round shell to where a socket of that radius is wholly in its wall."""
+    return math.sqrt(max(outside**2 - hole**2, 0.0))
+
+
+def _microphone(design: ArrayDesign) -> Iterator[str]:
+    chamber, printing = design.microphone, design.printing
+    if chamber.sound_hole_diameter >= chamber.chamber_diameter:
+        yield (
+            f"microphone.sound_hole_diameter = {chamber.sound_hole_diameter:g} mm must be below "
+            f"microphone.chamber_diameter ({chamber.chamber_diameter:g} mm)"
+        )
+    for name in design.microphones:
+        radius = chamber.chamber_diameter / 2 + printing.port_lip
+        angle = sum(
+            2 * math.asin(min(1.0, (design.microphone_tube_of(line).outer_diameter / 2 + printing.glue_gap) / radius))
+            for line in design.lines
+            if name in line.between
+        )
+        if angle > 2 * math.pi:
+            yield (
+                f"microphone.chamber_diameter = {chamber.chamber_diameter:g} mm must be wider: the sockets of the "
+                f"lines that end at {name!r} take {math.degrees(angle):.0f} of 360 degrees"
+            )
+
+
+def _layout(design: ArrayDesign) -> Iterator[str]:
+    resonator, layout = design.resonator, design.layout
+    if layout.pitch is not None:
+        shortest = min(design.tube_of(line).length for line in design.lines)
+        reach = resonator.cavity_diameter + shortest
+        if not resonator.outer_diameter <= layout.pitch <= reach + 1e-9:
+            yield (
+                f"layout.pitch = {layout.pitch:g} mm must be between {resonator.outer_diameter:g} mm (shells touch) "
+                f"and {reach:g} mm (tubes straight)"
+            )
+    if layout.kind == "ring":
+        count = len(design.microphones)
+        if count < 3:
+            yield f"layout.kind = 'ring' needs at least 3 microphones, the corners of a polygon; there are {count}"
+        place = {name: index for index, name in enumerate(design.microphones)}
+        for index, line in enumerate(design.lines):
+            if (place[line.between[0]] - place[line.between[1]]) % count not in (1, count - 1):
+                yield (
+                    f"lines.{index}.between = {list(line.between)} must join neighbours of {list(design.microphones)} "
+                    "for layout.kind = 'ring'"
+                )
+
+
+def _tubes_of(design: ArrayDesign) -> Iterator[tuple[str, Tube, bool]]:
+    """Every tube a design states: name of its field, itself, whether it leads to a microphone."""
+    yield "tube", design.tube, False
+    yield "microphone_tube", design.microphone_tube, True
+    for index, line in enumerate(design.lines):
+        if line.tube is not None:
+            yield f"lines.{index}.tube", line.tube, False
+        if line.microphone_tube is not None:
+            yield f"lines.{index}.microphone_tube", line.microphone_tube, True
