@@ -1,0 +1,212 @@
+"""The parts of an array: each distinct shape once, how many of it, and where they go."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from geometry.design import ArrayDesign, Tube
+from geometry.layout import ArrayLayout, place
+from geometry.tube import Port
+
+if TYPE_CHECKING:
+    import cadquery as cq
+
+#: Directions closer than this make the same part, degrees (0.01 mm on the outside of a shell of 10 mm).
+_ANGLE_STEP = 0.1
+
+
+class PartSet(dict[str, "cq.Workplane"]):
+    """Parts by name, each in its own coordinates (mm), with what they were generated from.
+
+    ``parameters`` has for each part the numbers and words written into its 3MF file, ``counts`` how many of
+    it one array needs.
+    """
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.parameters: dict[str, dict[str, float | int | str]] = {}
+        self.counts: dict[str, int] = {}
+
+
+@dataclass(frozen=True)
+class PlacedPart:
+    """One copy of a part in the array: turned about z by ``rotation`` degrees, then moved (mm)."""
+
+    part: str
+    label: str
+    position: tuple[float, float, float]
+    rotation: float
+
+
+def build_parts(design: ArrayDesign) -> PartSet:
+    """Draw every distinct part of a design.
+
+    Returns:
+        ``shell-straight``, ``shell-corner-90``, ... one per distinct set of port angles; ``membrane``;
+        ``mold-base`` and ``mold-lid`` in which membranes are cast; ``microphone-housing``, with the angles
+        of further ports where lines meet; ``microphone-lid``. Where tubes of different diameters are used,
+        the names of shells and housings end in bore x outside of their ports' tubes.
+
+    Raises:
+        ValueError: a part is not one valid solid.
+    """
+    from geometry.membrane import build_membrane
+    from geometry.microphone import build_housing, build_lid
+    from geometry.mold import build_mold
+    from geometry.shell import build_shell
+
+    plan = _plan(design)
+    resonator, membrane, microphone, printing = (
+        design.resonator,
+        design.membrane,
+        design.microphone,
+        design.printing,
+    )
+    parts = PartSet()
+    joints: dict[str, float | int | str] = {"glue_gap": printing.glue_gap, "port_lip": printing.port_lip}
+    shell = {
+        "cavity_diameter": resonator.cavity_diameter,
+        "cavity_height": resonator.cavity_height,
+        "wall_thickness": resonator.wall_thickness,
+        "floor_thickness": resonator.floor_thickness,
+        "port_height": resonator.port_axis_height,
+    }
+    disc: dict[str, float | int | str] = {
+        "diameter": resonator.cavity_diameter + 2 * membrane.rim_width,
+        "thickness": membrane.thickness,
+        "material": membrane.material,
+    }
+    chamber = {
+        "chamber_diameter": microphone.chamber_diameter,
+        "chamber_height": microphone.chamber_height,
+        "wall_thickness": microphone.wall_thickness,
+    }
+    for name, ports in plan.shells.items():
+        parts[name] = build_shell(resonator, membrane, printing, ports)
+        parts.parameters[name] = {**shell, **joints, "ports": _describe(ports)}
+    parts["membrane"] = build_membrane(resonator, membrane)
+    mold = build_mold(resonator, membrane)
+    parts["mold-base"], parts["mold-lid"] = mold.base, mold.lid
+    for name, ports in plan.housings.items():
+        parts[name] = build_housing(microphone, printing, ports)
+        parts.parameters[name] = {**chamber, **joints, "ports": _describe(ports)}
+    parts["microphone-lid"] = build_lid(microphone)
+    parts.parameters["microphone-lid"] = {
+        "sound_hole_diameter": microphone.sound_hole_diameter,
+        "sound_hole_length": microphone.sound_hole_length,
+        "model": microphone.model,
+    }
+    for name in ("membrane", "mold-base", "mold-lid"):
+        parts.parameters[name] = disc
+    parts.counts = _counts(plan)
+    for name in parts:
+        parts.parameters[name] = {"design": design.name, "count": parts.counts[name], **parts.parameters[name]}
+    return parts
+
+
+def part_counts(design: ArrayDesign) -> dict[str, int]:
+    """How many of each part one array needs, by the names of :func:`build_parts` (one mold serves all)."""
+    return _counts(_plan(design))
+
+
+def place_parts(design: ArrayDesign, layout: ArrayLayout) -> tuple[PlacedPart, ...]:
+    """Where every copy of every part lies; the floors of all cavities of resonators lie at z = 0."""
+    plan, placed = _plan(design, layout), []
+    top = design.resonator.cavity_height
+    for point, (name, turn) in zip(layout.points, plan.point_shells, strict=True):
+        placed.append(PlacedPart(name, f"shell {point.number}", (*point.position, 0.0), turn))
+        placed.append(PlacedPart("membrane", f"membrane {point.number}", (*point.position, top), 0.0))
+    # Tubes lie in one plane: the middle of a chamber is at the height of the resonators' ports.
+    floor = design.resonator.port_axis_height - design.microphone.chamber_height / 2
+    for microphone, (name, turn) in zip(layout.microphones, plan.microphone_housings, strict=True):
+        placed.append(PlacedPart(name, f"microphone {microphone.name}", (*microphone.position, floor), turn))
+        lid = (*microphone.position, floor + design.microphone.chamber_height)
+        placed.append(PlacedPart("microphone-lid", f"lid {microphone.name}", lid, 0.0))
+    return tuple(placed)
+
+
+# -- distinct housings ----------------------------------------------------------------------------------
+@dataclass(frozen=True)
+class _Plan:
+    """Ports of each distinct shell and housing by name; name and rotation at each place of the layout."""
+
+    shells: dict[str, tuple[Port, ...]]
+    housings: dict[str, tuple[Port, ...]]
+    point_shells: tuple[tuple[str, float], ...]
+    microphone_housings: tuple[tuple[str, float], ...]
+
+
+def _plan(design: ArrayDesign, layout: ArrayLayout | None = None) -> _Plan:
+    layout = layout or place(design)
+    at_points = []
+    for point in layout.points:
+        line = design.lines[point.line]
+        before = design.microphone_tube_of(line) if point.place == 0 else design.tube_of(line)
+        after = design.microphone_tube_of(line) if point.place == line.points - 1 else design.tube_of(line)
+        at_points.append(_turned(list(zip(point.port_angles, (before, after), strict=True))))
+    at_microphones = [
+        _turned([(port.angle, design.microphone_tube_of(design.lines[port.line])) for port in microphone.ports])
+        for microphone in layout.microphones
+    ]
+    shells, point_shells = _named(at_points, _shell_name)
+    housings, microphone_housings = _named(at_microphones, _housing_name)
+    return _Plan(shells, housings, point_shells, microphone_housings)
+
+
+def _turned(tubes: Sequence[tuple[float, Tube]]) -> tuple[tuple[Port, ...], float]:
+    """Ports in the one rotation that all equal housings share, and the angle that turns them back.
+
+    Only rotations are tried: a mirrored housing is another part, since its floor stays below.
+    """
+    candidates = []
+    for reference, _ in tubes:
+        ports = [Port(_step(angle - reference), tube.inner_diameter, tube.outer_diameter) for angle, tube in tubes]
+        candidates.append((tuple(sorted(ports)), reference))
+    return min(candidates)
+
+
+def _step(angle: float) -> float:
+    return round(round(angle / _ANGLE_STEP) * _ANGLE_STEP % 360.0, 6)
+
+
+def _named(
+    places: Sequence[tuple[tuple[Port, ...], float]], base_name: Callable[[tuple[Port, ...]], str]
+) -> tuple[dict[str, tuple[Port, ...]], tuple[tuple[str, float], ...]]:
+    """Name the distinct sets of ports, in order of first use."""
+    distinct = tuple(dict.fromkeys(ports for ports, _ in places))
+    tubes_differ = len({(p.bore_diameter, p.tube_diameter) for ports in distinct for p in ports}) > 1
+    names = {ports: base_name(ports) + (_tubes_suffix(ports) if tubes_differ else "") for ports in distinct}
+    return {name: ports for ports, name in names.items()}, tuple((names[ports], turn) for ports, turn in places)
+
+
+def _tubes_suffix(ports: tuple[Port, ...]) -> str:
+    tubes = [f"-{port.bore_diameter:g}x{port.tube_diameter:g}" for port in ports]
+    return tubes[0] if len(set(tubes)) == 1 else "".join(tubes)
+
+
+def _shell_name(ports: tuple[Port, ...]) -> str:
+    angle = ports[1].angle
+    return "shell-straight" if angle == 180 else f"shell-corner-{angle:g}"
+
+
+def _housing_name(ports: tuple[Port, ...]) -> str:
+    return "microphone-housing" + "".join(f"-{port.angle:g}" for port in ports[1:])
+
+
+def _counts(plan: _Plan) -> dict[str, int]:
+    used = Counter(name for name, _ in plan.point_shells + plan.microphone_housings)
+    return {
+        **{name: used[name] for name in plan.shells},
+        "membrane": len(plan.point_shells),
+        "mold-base": 1,
+        "mold-lid": 1,
+        **{name: used[name] for name in plan.housings},
+        "microphone-lid": len(plan.microphone_housings),
+    }
+
+
+def _describe(ports: Sequence[Port]) -> str:
+    return "; ".join(f"{p.angle:g} deg, bore {p.bore_diameter:g}, tube {p.tube_diameter:g}" for p in ports)

@@ -1,0 +1,18 @@
+"""The membrane: a cast silicone disc."""
+
+from __future__ import annotations
+
+import cadquery as cq
+
+from geometry.design import Membrane, Resonator
+from geometry.shell import cylinder, one_solid
+
+
+def membrane_radius(resonator: Resonator, membrane: Membrane) -> float:
+    """Radius of the disc with its glued rim, mm."""
+    return resonator.cavity_diameter / 2 + membrane.rim_width
+
+
+def build_membrane(resonator: Resonator, membrane: Membrane) -> cq.Workplane:
+    """Draw the disc: axis z, lower face at z = 0."""
+    return one_solid(cylinder(membrane_radius(resonator, membrane), 0, membrane.thickness), "membrane")

@@ -1,0 +1,143 @@
+"""Paths of tubes between cavities in plan: straight, bowed to an exact length, or drawn for the eye only."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+#: Chords per arc; the polyline of a half circle is then shorter than the arc by 1e-4.
+_CHORDS = 64
+
+
+def bow_angle(length: float, distance: float, cavity_radius: float, outer_radius: float) -> float:
+    """Angle between the line of two axes and a tube that is longer than the straight way between them.
+
+    The tube runs radially through both walls and between the shells along one circular arc, to which the
+    radial parts are tangents: length = 2 w + (d - 2 R cos t) t / sin t, with the walls' thickness w, the
+    distance of the axes d and the shells' outer radius R. The length grows with t, so the root is unique.
+
+    Args:
+        length: bore from cavity wall to cavity wall, mm.
+        distance: between the two axes, mm.
+        cavity_radius: mm.
+        outer_radius: of the shells, mm.
+
+    Returns:
+        The angle t in degrees, 0 for a straight tube.
+
+    Raises:
+        ValueError: the tube is shorter than the straight way.
+    """
+    straight = distance - 2 * cavity_radius
+    if length < straight - 1e-9:
+        raise ValueError(f"a tube of {length:g} mm does not reach over {straight:g} mm")
+    if length <= straight + 1e-9:
+        return 0.0
+    walls = 2 * (outer_radius - cavity_radius)
+    low, high = 0.0, math.pi
+    for _ in range(60):
+        angle = (low + high) / 2
+        if walls + (distance - 2 * outer_radius * math.cos(angle)) * angle / math.sin(angle) < length:
+            low = angle
+        else:
+            high = angle
+    return math.degrees(angle)
+
+
+def bow_radius(angle: float, distance: float, outer_radius: float) -> float:
+    """Radius of the arc of a tube bowed by ``angle`` degrees, mm; infinite when it lies straight."""
+    if angle == 0:
+        return math.inf
+    turn = math.radians(angle)
+    return (distance - 2 * outer_radius * math.cos(turn)) / (2 * math.sin(turn))
+
+
+def bowed_path(
+    start: NDArray[np.float64],
+    end: NDArray[np.float64],
+    angle: float,
+    side: int,
+    cavity_radius: float,
+    outer_radius: float,
+) -> NDArray[np.float64]:
+    """Axis of a tube from cavity wall to cavity wall.
+
+    Args:
+        start: axis of the first shell in plan, (2,) float64, mm.
+        end: axis of the second shell in plan, (2,) float64, mm.
+        angle: from :func:`bow_angle`, degrees.
+        side: +1 when it bulges to the left of the way from start to end, -1 to the right.
+        cavity_radius: mm.
+        outer_radius: of the shells, mm.
+
+    Returns:
+        (n, 2) float64, mm: 2 points when it is straight.
+    """
+    along = (end - start) / np.linalg.norm(end - start)
+    left = side * np.array([-along[1], along[0]])
+    distance = float(np.linalg.norm(end - start))
+    if angle == 0:
+        return np.array([start + cavity_radius * along, end - cavity_radius * along])
+    turn = math.radians(angle)
+    radius = bow_radius(angle, distance, outer_radius)
+    turns = np.linspace(-turn, turn, _CHORDS + 1)
+    # The chord lies R sin t beside the line of axes, the arc's centre r cos t behind the chord.
+    height = outer_radius * math.sin(turn) + radius * (np.cos(turns) - math.cos(turn))
+    arc = start + np.outer(distance / 2 + radius * np.sin(turns), along) + np.outer(height, left)
+    wall_start = start + cavity_radius * (math.cos(turn) * along + math.sin(turn) * left)
+    wall_end = end + cavity_radius * (-math.cos(turn) * along + math.sin(turn) * left)
+    return np.vstack([wall_start, arc, wall_end])
+
+
+def drawn_path(
+    start: NDArray[np.float64],
+    start_angle: float,
+    start_radii: tuple[float, float],
+    end: NDArray[np.float64],
+    end_angle: float,
+    end_radii: tuple[float, float],
+) -> NDArray[np.float64]:
+    """A smooth curve (cubic Bezier) that leaves two housings radially: for the eye only, of no given length.
+
+    Args:
+        start: axis of the first housing in plan, (2,) float64, mm.
+        start_angle: direction in which the tube leaves it, degrees.
+        start_radii: its inner and outer radius, mm.
+        end: axis of the second housing in plan, (2,) float64, mm.
+        end_angle: direction in which the tube leaves it, degrees.
+        end_radii: its inner and outer radius, mm.
+
+    Returns:
+        (n, 2) float64, mm, from cavity wall to cavity wall.
+    """
+    out, back = unit(start_angle), unit(end_angle)
+    p0, p3 = start + start_radii[1] * out, end + end_radii[1] * back
+    reach = 0.4 * float(np.linalg.norm(p3 - p0))
+    s = np.linspace(0, 1, _CHORDS + 1)[:, None]
+    curve = (
+        (1 - s) ** 3 * p0
+        + 3 * s * (1 - s) ** 2 * (p0 + reach * out)
+        + 3 * s**2 * (1 - s) * (p3 + reach * back)
+        + s**3 * p3
+    )
+    return np.vstack([start + start_radii[0] * out, curve, end + end_radii[0] * back])
+
+
+def unit(angle: float) -> NDArray[np.float64]:
+    """Unit vector in plan, (2,) float64, of a direction in degrees."""
+    return np.array([math.cos(math.radians(angle)), math.sin(math.radians(angle))])
+
+
+def path_length(path: NDArray[np.float64]) -> float:
+    """Length of a polyline (n, 2) or (n, 3) float64, mm."""
+    return float(np.linalg.norm(np.diff(path, axis=0), axis=1).sum())
+
+
+def resampled(path: NDArray[np.float64], step: float, trim: float = 0.0) -> NDArray[np.float64]:
+    """Points of a polyline no further apart than ``step``, without its first and last ``trim`` mm."""
+    at = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(path, axis=0), axis=1))])
+    count = max(2, math.ceil((at[-1] - 2 * trim) / step) + 1)
+    where = np.linspace(trim, at[-1] - trim, count)
+    return np.column_stack([np.interp(where, at, path[:, k]) for k in range(path.shape[1])])
