@@ -9,7 +9,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Annotated, Any, Literal, Union, get_args, get_origin
 
-import annotated_types
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from pydantic.fields import FieldInfo
 from pydantic_core import ErrorDetails, PydanticUndefined
@@ -126,6 +125,10 @@ def error_from_validation(
             for other in misspelt
         ):
             continue  # the misspelt key is this one
+        if detail["type"] == "too_short" and any(
+            len(e["loc"]) > len(loc) and e["loc"][: len(loc)] == loc for e in details
+        ):
+            continue  # pydantic counts the good entries only; the bad one has its own line
         lines.append((f"{source}: " if source else "") + _one_line(_sentence(detail, model, given)))
     return DesignError(*lines)
 
@@ -227,24 +230,27 @@ def _allowed(plain: Any, metadata: Sequence[Any], unit: str, kind: str) -> str:
     low, low_open, high, high_open = -math.inf, False, math.inf, False
     pattern = ""
     for limit in metadata:
-        match limit:
-            case annotated_types.Gt(gt=bound) if bound >= low:
-                low, low_open = bound, True
-            case annotated_types.Ge(ge=bound) if bound > low:
-                low, low_open = bound, False
-            case annotated_types.Lt(lt=bound) if bound <= high:
-                high, high_open = bound, True
-            case annotated_types.Le(le=bound) if bound < high:
-                high, high_open = bound, False
-            case annotated_types.MinLen(min_length=bound):
-                low = bound
-            case annotated_types.MaxLen(max_length=bound):
-                high = bound
-            case _ if getattr(limit, "pattern", None):
-                pattern = ", starting with a letter or digit, then letters, digits and . _ - only"
-    counted = {"a list": " entries", "a text": " characters"}.get(kind, "")
-    words = _range_in_words(low, low_open, high, high_open, unit or counted.strip())
-    return (f"of {words}{pattern}" if words and counted else words) or pattern.lstrip(", ")
+        lower, upper = _bound(limit, "gt", "ge", "min_length"), _bound(limit, "lt", "le", "max_length")
+        if lower is not None and (lower > low or (lower == low and hasattr(limit, "gt"))):
+            low, low_open = lower, hasattr(limit, "gt")
+        if upper is not None and (upper < high or (upper == high and hasattr(limit, "lt"))):
+            high, high_open = upper, hasattr(limit, "lt")
+        if getattr(limit, "pattern", None):
+            pattern = ", starting with a letter or digit, then letters, digits and . _ - only"
+    if kind in ("a list", "a text"):
+        if not (math.isfinite(low) or math.isfinite(high)):
+            return pattern.lstrip(", ")
+        words = f"{low:g} to {high:g}" if math.isfinite(high) else f"at least {low:g}"
+        return f"of {words} {'entries' if kind == 'a list' else 'characters'}{pattern}"
+    return _range_in_words(low, low_open, high, high_open, unit)
+
+
+def _bound(limit: object, *names: str) -> float | None:
+    """The bound that one of pydantic's limits states under one of these names."""
+    for name in names:
+        if getattr(limit, name, None) is not None:
+            return float(getattr(limit, name))
+    return None
 
 
 def _range_in_words(low: float, low_open: bool, high: float, high_open: bool, unit: str) -> str:

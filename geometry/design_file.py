@@ -168,7 +168,8 @@ def _validated(data: Mapping[str, Any], source: str) -> ArrayDesign:
 # -- writing ----------------------------------------------------------------------------------------
 def _items(section: BaseModel, prefix: str, notes: Mapping[str, str]) -> Iterator[tuple[str, Item]]:
     """Keys and TOML items of a section: plain values first, as TOML wants them before tables."""
-    plain, tables = [], []
+    plain: list[tuple[str, Item]] = []
+    tables: list[tuple[str, Item]] = []
     for key in type(section).model_fields:
         value = getattr(section, key)
         name = prefix + key

@@ -134,17 +134,15 @@ def _microphone(design: ArrayDesign) -> Iterator[str]:
             f"microphone.chamber_diameter ({chamber.chamber_diameter:g} mm)"
         )
     for name in design.microphones:
-        radius = chamber.chamber_diameter / 2 + printing.port_lip
-        angle = sum(
-            2 * math.asin(min(1.0, (design.microphone_tube_of(line).outer_diameter / 2 + printing.glue_gap) / radius))
-            for line in design.lines
-            if name in line.between
-        )
-        if angle > 2 * math.pi:
-            yield (
-                f"microphone.chamber_diameter = {chamber.chamber_diameter:g} mm must be wider: the sockets of the "
-                f"lines that end at {name!r} take {math.degrees(angle):.0f} of 360 degrees"
-            )
+        ends = [design.microphone_tube_of(line) for line in design.lines if name in line.between]
+        if len(ends) > 1:
+            hole = max(tube.outer_diameter for tube in ends) / 2 + printing.glue_gap
+            least = 2 * (hole / math.sin(math.pi / len(ends)) - printing.port_lip)
+            if chamber.chamber_diameter < least:
+                yield (
+                    f"microphone.chamber_diameter = {chamber.chamber_diameter:g} mm must be at least {least:.4g} mm "
+                    f"for the sockets of the {len(ends)} lines that end at {name!r} to fit around it"
+                )
 
 
 def _layout(design: ArrayDesign) -> Iterator[str]:
