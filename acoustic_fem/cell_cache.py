@@ -1,0 +1,60 @@
+"""Solved cells on disk, under a hash of everything they depend on.
+
+The folder is ``$ACOUSTIC_FEM_CACHE``, else the user's cache folder. A file that is cut short, altered or
+foreign is recognised by its checksum, said so, and made again.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import io
+import json
+import os
+import warnings
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import platformdirs
+from numpy.typing import NDArray
+
+_MAGIC = b"acoustic-fem cell 1\n"
+
+
+def cache_folder() -> Path:
+    """Where solved cells are kept."""
+    configured = os.environ.get("ACOUSTIC_FEM_CACHE")
+    return Path(configured) if configured else Path(platformdirs.user_cache_dir("acoustic-fem")) / "cells"
+
+
+def key_of(description: dict[str, Any]) -> str:
+    """Hash of a description made of plain values; floats count with all their digits."""
+    return hashlib.sha256(json.dumps(description, sort_keys=True).encode()).hexdigest()
+
+
+def store(key: str, arrays: dict[str, NDArray], about: dict[str, Any]) -> None:
+    """Write arrays and plain values; the file appears whole or not at all."""
+    buffer = io.BytesIO()
+    np.savez(buffer, about=np.array(json.dumps(about)), **arrays)
+    content = buffer.getvalue()
+    folder = cache_folder()
+    folder.mkdir(parents=True, exist_ok=True)
+    beside = folder / f"{key}.{os.getpid()}.part"
+    beside.write_bytes(_MAGIC + hashlib.sha256(content).hexdigest().encode() + b"\n" + content)
+    beside.replace(folder / f"{key}.cell")
+
+
+def fetch(key: str) -> tuple[dict[str, NDArray], dict[str, Any]] | None:
+    """Read what :func:`store` wrote, or None where there is nothing usable."""
+    path = cache_folder() / f"{key}.cell"
+    try:
+        raw = path.read_bytes()
+    except FileNotFoundError:
+        return None
+    head, _, content = raw[len(_MAGIC) :].partition(b"\n")
+    if not raw.startswith(_MAGIC) or hashlib.sha256(content).hexdigest().encode() != head:
+        warnings.warn(f"{path} is damaged; the cell is solved again", stacklevel=2)
+        return None
+    with np.load(io.BytesIO(content), allow_pickle=False) as archive:
+        arrays = {name: archive[name] for name in archive.files}
+    return arrays, json.loads(str(arrays.pop("about")))

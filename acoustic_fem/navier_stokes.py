@@ -1,0 +1,262 @@
+r"""Linearised Navier-Stokes with a scalar thermal field: weak forms and finite element spaces only.
+
+Find the velocity u and the pressure p of small harmonic motions of a viscous, heat-conducting gas in a
+cell whose walls are rigid, no-slip and isothermal:
+
+.. math::
+    \int \mu \nabla u : \nabla w + j\omega\rho\, u\cdot w - p\, \nabla\!\cdot w
+        = -\sum_i p_i \int_{P_i} w\cdot n , \qquad
+    -\int q\, \nabla\!\cdot u - \int \frac{j\omega}{\rho c^2}\,
+        \bigl(\gamma - (\gamma-1)\Psi_h\bigr)\, p\, q = 0 ,
+
+with u = 0 on walls, no tangential velocity on ports, and a given normal velocity on the moving wall.
+:math:`\Psi_h` is the thermal field, :math:`\alpha\nabla^2\Psi_h = j\omega(\Psi_h - 1)`, zero on walls
+(Cummings 1993; Kampinga 2010). Bulk viscosity is left out: the flow is nearly divergence-free.
+
+Taylor-Hood elements (quadratic velocity, linear pressure) on curved tetrahedra. Lengths are taken in
+millimetres and pressure in units of mu / 1 mm, which brings all blocks of the matrix to one size; without
+that a direct solver can lose every digit in silence.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import scipy.sparse as sp
+import skfem
+from numpy.typing import NDArray
+from skfem.helpers import ddot, div, dot, grad
+
+from geometry.mesh import SolidMesh
+
+
+@skfem.BilinearForm
+def vector_laplace(u, w, _):  # noqa: ANN001, ANN201 - forms follow scikit-fem's protocol
+    return ddot(grad(u), grad(w))
+
+
+@skfem.BilinearForm
+def vector_mass(u, w, _):  # noqa: ANN001, ANN201
+    return dot(u, w)
+
+
+@skfem.BilinearForm
+def divergence(u, q, _):  # noqa: ANN001, ANN201
+    return div(u) * q
+
+
+@skfem.BilinearForm
+def weighted_mass(p, q, form):  # noqa: ANN001, ANN201
+    return form.weight * p * q
+
+
+@skfem.BilinearForm
+def laplace(p, q, _):  # noqa: ANN001, ANN201
+    return dot(grad(p), grad(q))
+
+
+@skfem.LinearForm
+def normal_flux(w, form):  # noqa: ANN001, ANN201
+    return dot(w, form.n)
+
+
+@dataclass(frozen=True)
+class CellSystem:
+    """Matrices of a cell with walls and ports built in; lengths mm, pressure in mu / 1 mm.
+
+    The unknowns are the free velocities followed by the pressures. With s = j w L^2 / nu and
+    t = j w mu / (rho c^2) (L = 1 mm) the system matrix is
+    ``viscous + s inertia - coupling - t (gamma compliance - (gamma - 1) thermal)``.
+    """
+
+    viscous: sp.csr_array
+    inertia: sp.csr_array
+    coupling: sp.csr_array
+    compliance: sp.csr_array
+    port_flux: NDArray[np.float64]
+    """(n, n_port): column i gives the volume velocity out through port i, mm^2 times the velocity."""
+    lift: NDArray[np.float64]
+    """(n_full,): velocity of the moving wall at unit volume velocity into the cell; zero without one."""
+    lift_terms: tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]
+    """viscous, inertia and coupling applied to the lift, restricted to the unknowns, each (n,)."""
+    lift_energy: tuple[float, float]
+    """viscous and inertia energy of the lift itself."""
+    n_velocity: int
+    pressure: skfem.CellBasis
+
+    @property
+    def size(self) -> int:
+        """Number of unknowns."""
+        return self.viscous.shape[0]
+
+
+def compliance_mass(pressure: skfem.CellBasis, weight: NDArray[np.float64]) -> sp.csr_array:
+    """Integral of weight p q over the cell, mm^3; one weight per element (n_element,)."""
+    at_points = np.broadcast_to(weight[:, None], pressure.dx.shape)
+    return sp.csr_array(weighted_mass.assemble(pressure, weight=at_points))
+
+
+def tetrahedral_mesh(mesh: SolidMesh) -> tuple[skfem.MeshTet2, dict[str, NDArray[np.int64]]]:
+    """The mesh in scikit-fem's form, and the facets of each named face."""
+    tetrahedra = skfem.MeshTet2(mesh.nodes.T, mesh.tetrahedra.T)
+    vertex = _vertex_numbers(mesh)
+    return tetrahedra, {name: _facets(tetrahedra, vertex[triangles]) for name, triangles in mesh.faces.items()}
+
+
+def dirichlet_nodes(
+    scalar: skfem.CellBasis, facets: dict[str, NDArray[np.int64]], ports: Sequence[str]
+) -> NDArray[np.int64]:
+    """Degrees of freedom of a scalar basis on every face that is no port."""
+    walls = [index for name, index in facets.items() if name not in ports]
+    return np.unique(np.concatenate([scalar.get_dofs(index).all() for index in walls]))
+
+
+def cell_system(
+    mesh: SolidMesh, ports: Sequence[str], moving_wall: str | None = None, profile: NDArray | None = None
+) -> CellSystem:
+    """Assemble a cell.
+
+    Args:
+        mesh: the air, with every port and the moving wall named.
+        ports: names of the ports, in order.
+        moving_wall: name of the face that moves, if any.
+        profile: ``(n, 2)`` radius (mm) and normal velocity (any scale) of the moving wall about its centre;
+            None moves it as a piston whose edge is at rest.
+    """
+    tetrahedra, facets = tetrahedral_mesh(mesh)
+    velocity = skfem.Basis(tetrahedra, skfem.ElementVector(skfem.ElementTetP2()), intorder=4)
+    linear = velocity.with_element(skfem.ElementTetP1())
+    quadratic = velocity.with_element(skfem.ElementTetP2())
+
+    n_scalar, n_pressure = quadratic.N, linear.N
+    reduction = _velocity_reduction(
+        n_scalar,
+        dirichlet_nodes(quadratic, facets, ports),
+        {name: (quadratic.get_dofs(facets[name]).all(), mesh.normals[name]) for name in ports},
+        velocity,
+    )
+
+    n_velocity = reduction.shape[1]
+    blank = sp.csr_array((n_pressure, n_pressure))
+    full_viscous, full_inertia = vector_laplace.assemble(velocity), vector_mass.assemble(velocity)
+    full_divergence = divergence.assemble(velocity, linear)
+    viscous = sp.block_diag([reduction.T @ full_viscous @ reduction, blank], format="csr")
+    inertia = sp.block_diag([reduction.T @ full_inertia @ reduction, blank], format="csr")
+    reduced_divergence = full_divergence @ reduction
+    coupling = sp.block_array([[None, reduced_divergence.T], [reduced_divergence, None]], format="csr")
+
+    flux = np.zeros((n_velocity + n_pressure, len(ports)))
+    for k, name in enumerate(ports):
+        face = skfem.FacetBasis(tetrahedra, velocity.elem, facets=facets[name], intorder=4)
+        flux[:n_velocity, k] = reduction.T @ normal_flux.assemble(face)
+
+    lift = np.zeros(velocity.N)
+    if moving_wall is not None:
+        lift = _wall_motion(velocity, tetrahedra, facets, moving_wall, mesh.normals[moving_wall], profile)
+    terms = (full_viscous @ lift, full_inertia @ lift)
+    zeros = np.zeros(n_pressure)
+    lift_terms = (
+        np.concatenate([reduction.T @ terms[0], zeros]),
+        np.concatenate([reduction.T @ terms[1], zeros]),
+        np.concatenate([np.zeros(n_velocity), full_divergence @ lift]),
+    )
+    return CellSystem(
+        viscous=viscous,
+        inertia=inertia,
+        coupling=coupling,
+        compliance=compliance_mass(linear, np.ones(tetrahedra.nelements)),
+        port_flux=flux,
+        lift=lift,
+        lift_terms=lift_terms,
+        lift_energy=(float(lift @ terms[0]), float(lift @ terms[1])),
+        n_velocity=n_velocity,
+        pressure=linear,
+    )
+
+
+def _vertex_numbers(mesh: SolidMesh) -> NDArray[np.int64]:
+    """scikit-fem renumbers corner nodes by rank among all corners: node -> vertex."""
+    corners = np.unique(mesh.tetrahedra[:, :4])
+    vertex = np.full(len(mesh.nodes), -1, dtype=np.int64)
+    vertex[corners] = np.arange(len(corners))
+    return vertex
+
+
+def _facets(mesh: skfem.MeshTet2, triangles: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Facet numbers of corner triples; every triangle must be a boundary facet."""
+    boundary = mesh.boundary_facets()
+    n = mesh.nvertices
+
+    def key(corners: NDArray) -> NDArray:
+        a, b, c = np.sort(corners, axis=0).astype(np.int64)
+        return (a * n + b) * n + c
+
+    keys = key(mesh.facets[:, boundary])
+    order = np.argsort(keys)
+    wanted = key(triangles.T)
+    place = np.minimum(np.searchsorted(keys[order], wanted), len(keys) - 1)
+    if not np.array_equal(keys[order][place], wanted):
+        raise RuntimeError("a named triangle is not a boundary facet of the mesh")
+    return boundary[order[place]]
+
+
+def _velocity_reduction(
+    n_scalar: int,
+    wall_nodes: NDArray[np.int64],
+    ports: dict[str, tuple[NDArray[np.int64], NDArray[np.float64]]],
+    velocity: skfem.CellBasis,
+) -> sp.csr_array:
+    """Map from free velocities to all: none on walls, only the normal component on ports."""
+    components = _components(velocity, n_scalar)
+    kind = np.zeros(n_scalar, dtype=np.int64)
+    for number, (nodes, _) in enumerate(ports.values(), start=1):
+        kind[nodes] = number
+    kind[wall_nodes] = -1
+    free = np.flatnonzero(kind == 0)
+    rows, columns, values = [components[:, free].ravel()], [np.arange(3 * len(free))], [np.ones(3 * len(free))]
+    count = 3 * len(free)
+    for number, (_, normal) in enumerate(ports.values(), start=1):
+        nodes = np.flatnonzero(kind == number)
+        rows.append(components[:, nodes].ravel())
+        columns.append(np.tile(count + np.arange(len(nodes)), 3))
+        values.append(np.repeat(normal, len(nodes)))
+        count += len(nodes)
+    return sp.csr_array(
+        (np.concatenate(values), (np.concatenate(rows), np.concatenate(columns))), shape=(velocity.N, count)
+    )
+
+
+def _components(velocity: skfem.CellBasis, n_scalar: int) -> NDArray[np.int64]:
+    """(3, n_scalar): the vector degree of freedom of each component at each scalar one."""
+    nodal = velocity.nodal_dofs.reshape(3, -1) if velocity.nodal_dofs.shape[0] == 3 else None
+    edge = velocity.edge_dofs
+    if nodal is None or edge.shape[0] != 3 or nodal.shape[1] + edge.shape[1] != n_scalar:
+        raise RuntimeError("unexpected layout of the quadratic vector element")
+    return np.hstack([nodal, edge]).astype(np.int64)
+
+
+def _wall_motion(
+    velocity: skfem.CellBasis,
+    mesh: skfem.MeshTet2,
+    facets: dict[str, NDArray[np.int64]],
+    name: str,
+    normal: NDArray[np.float64],
+    profile: NDArray | None,
+) -> NDArray[np.float64]:
+    """Velocity of the moving wall, scaled to unit volume velocity into the cell (mm^2 x velocity = 1)."""
+    scalar = velocity.with_element(skfem.ElementTetP2())
+    on_face = np.unique(scalar.get_dofs(facets[name]).all())
+    others = [index for other, index in facets.items() if other != name]
+    rim = np.unique(np.concatenate([scalar.get_dofs(index).all() for index in others]))
+    surface = skfem.FacetBasis(mesh, velocity.elem, facets=facets[name], intorder=4)
+    centre = (surface.global_coordinates().value * surface.dx).sum(axis=(1, 2)) / surface.dx.sum()
+    radius = np.linalg.norm(scalar.doflocs[:, on_face] - centre[:, None], axis=0)
+    shape = np.ones(len(on_face)) if profile is None else np.interp(radius, profile[:, 0], profile[:, 1])
+    shape[np.isin(on_face, rim)] = 0.0
+    components = _components(velocity, scalar.N)
+    lift = np.zeros(velocity.N)
+    for axis in range(3):
+        lift[components[axis, on_face]] = -normal[axis] * shape
+    return lift / (-normal_flux.assemble(surface) @ lift)

@@ -1,0 +1,71 @@
+"""The air of a cell as a CAD solid, with a point on every face that a port or a membrane occupies."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from geometry.cells import Cell
+
+if TYPE_CHECKING:
+    import cadquery
+
+    from geometry.mesh import Point
+
+#: Name of the face that the membrane or the microphone's diaphragm closes.
+OPENING = "opening"
+
+
+@dataclass(frozen=True)
+class AirVolume:
+    """Air of a cell, mm. The cavity's floor lies at z = 0, its axis is z."""
+
+    solid: cadquery.Solid
+    ports: dict[str, Point]
+    """Per tube port a point on the flat end of its stub, in the order of ``Cell.ports``."""
+    opening: Point
+    """A point on the membrane, or on the inner end of the microphone's sound hole."""
+
+
+def port_names(cell: Cell) -> tuple[str, ...]:
+    """Names of a cell's tube ports, in the order of ``Cell.ports``."""
+    return tuple(f"port-{k}" for k in range(len(cell.ports)))
+
+
+def air_volume(cell: Cell) -> AirVolume:
+    """Draw the air of a cell: the cavity, its tube stubs and, for a microphone, the sound hole.
+
+    A stub of length L ends at the distance diameter / 2 + L from the axis: tube lengths count from the
+    point where the tube's axis meets the cavity wall.
+
+    Raises:
+        ValueError: the drawn solid is not one valid solid, for instance because ports overlap.
+    """
+    import cadquery as cq
+
+    radius = cell.diameter / 2
+    air = cq.Solid.makeCylinder(radius, cell.height)
+    ports = {}
+    volume_of_parts = air.Volume()
+    for name, port in zip(port_names(cell), cell.ports, strict=True):
+        bore = port.bore_diameter / 2
+        direction = cq.Vector(math.cos(math.radians(port.angle)), math.sin(math.radians(port.angle)), 0)
+        start = cq.Vector(0, 0, cell.port_height) + direction * (radius / 2)
+        end = cq.Vector(0, 0, cell.port_height) + direction * (radius + port.stub_length)
+        stub = cq.Solid.makeCylinder(bore, (end - start).Length, start, direction)
+        air = air.fuse(stub)
+        volume_of_parts += math.pi * bore**2 * port.stub_length
+        ports[name] = end.toTuple()
+    opening = (0.0, 0.0, cell.height + cell.opening_length)
+    if cell.opening_length > 0:
+        hole = cell.opening_diameter / 2
+        air = air.fuse(cq.Solid.makeCylinder(hole, cell.opening_length, cq.Vector(0, 0, cell.height)))
+        volume_of_parts += math.pi * hole**2 * cell.opening_length
+    solids = air.Solids()
+    if len(solids) != 1 or not solids[0].isValid():
+        raise ValueError(f"the air of {cell.label} is not one valid solid")
+    # A stub reaches a little behind the cavity's curved wall, so that only overlapping ports lose more.
+    if abs(solids[0].Volume() - volume_of_parts) > 0.02 * volume_of_parts:
+        raise ValueError(f"the air of {cell.label} has overlapping ports")
+    return AirVolume(solids[0], ports, opening)

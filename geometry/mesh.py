@@ -1,0 +1,311 @@
+"""CAD solid -> curved second-order tetrahedra with named faces. The only module that knows gmsh."""
+
+from __future__ import annotations
+
+import math
+import tempfile
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    import cadquery
+
+Point: TypeAlias = tuple[float, float, float]
+
+#: Name under which a mesh lists every face that nobody named.
+WALL = "wall"
+
+# gmsh numbers the last two edges of a second-order tetrahedron the other way round than scikit-fem:
+# gmsh (0,1)(1,2)(2,0)(3,0)(2,3)(1,3), scikit-fem (0,1)(1,2)(0,2)(0,3)(1,3)(2,3).
+_GMSH_TO_SKFEM_NODES = np.array([0, 1, 2, 3, 4, 5, 6, 7, 9, 8])
+
+
+class MeshError(ValueError):
+    """A solid that cannot be meshed as asked; the message says why."""
+
+
+@dataclass(frozen=True)
+class MeshSizes:
+    """Element sizes as multiples of the radius of the nearest port, and the largest size (mm)."""
+
+    mouth_edge: float
+    """At the re-entrant edge where a tube meets the cavity."""
+    tube: float
+    """Along the stub of a tube."""
+    growth: float
+    """Increase of size per distance from the mouth."""
+    largest: float
+    wall: float | None = None
+    """Near every face (mm), where a layer along the walls must be resolved."""
+
+
+@dataclass(frozen=True)
+class SolidMesh:
+    """Second-order tetrahedra of one solid; lengths in mm."""
+
+    nodes: NDArray[np.float64]
+    """(n_node, 3) float64."""
+    tetrahedra: NDArray[np.int64]
+    """(n_tetrahedron, 10) int64, node order of scikit-fem."""
+    faces: dict[str, NDArray[np.int64]]
+    """Per name (n_triangle, 3) int64 corner nodes; every unnamed face is listed under ``wall``."""
+    normals: dict[str, NDArray[np.float64]]
+    """Per named flat face its unit normal out of the solid, (3,) float64."""
+    volume: float
+    """Volume of the CAD solid, mm^3."""
+    mesh_volume: float
+    """Volume of the curved elements, mm^3."""
+
+
+def mesh_solid(
+    solid: cadquery.Shape, faces: Mapping[str, Point], tubes: tuple[str, ...], sizes: MeshSizes
+) -> SolidMesh:
+    """Mesh a CAD solid with curved second-order tetrahedra.
+
+    Args:
+        solid: one closed solid, mm.
+        faces: name -> a point on that flat face, mm.
+        tubes: which of them end a tube, and so ask for a fine mesh.
+        sizes: element sizes.
+
+    Raises:
+        MeshError: not one solid; a point on no flat face or on several; inverted elements; a mesh whose
+            volume differs from the solid's by more than 0.1 %.
+    """
+    solids = solid.Solids()
+    if len(solids) != 1:
+        raise MeshError(f"the shape has {len(solids)} solids, it must be one")
+    named = {name: _face_at(solids[0], name, point) for name, point in faces.items()}
+    if len({face.hashCode() for face in named.values()}) != len(named):
+        raise MeshError(f"two of the names {sorted(named)} lie on the same face")
+    nodes, tetrahedra, triangles = _run_gmsh(solids[0], named, tubes, sizes)
+    nodes, tetrahedra = _split_wall_corners(nodes, tetrahedra, triangles)
+    normals = {}
+    for name, face in named.items():
+        normal = face.normalAt()
+        normals[name] = np.array([normal.x, normal.y, normal.z])
+    volume = float(solids[0].Volume())
+    mesh_volume, smallest = _volume(nodes, tetrahedra)
+    if smallest <= 0:
+        raise MeshError(f"the mesh has inverted elements (smallest Jacobian {smallest:g})")
+    if abs(mesh_volume - volume) > 1e-3 * volume:
+        raise MeshError(f"the mesh has {mesh_volume:g} mm^3, the solid {volume:g} mm^3")
+    return SolidMesh(nodes, tetrahedra, triangles, normals, volume, mesh_volume)
+
+
+def _face_at(solid: cadquery.Solid, name: str, point: Point) -> cadquery.Face:
+    """The one flat face of the solid that holds the point."""
+    import cadquery as cq
+
+    vertex = cq.Vertex.makeVertex(*point)
+    hits = [face for face in solid.Faces() if face.distance(vertex) < 1e-6]
+    if len(hits) != 1:
+        raise MeshError(
+            f"port {name!r}: the point {tuple(point)} mm lies on {len(hits)} faces of the solid, it must be one"
+        )
+    if hits[0].geomType() != "PLANE":
+        raise MeshError(f"port {name!r}: the face at {tuple(point)} mm is {hits[0].geomType()}, it must be flat")
+    return hits[0]
+
+
+def _run_gmsh(
+    solid: cadquery.Solid, named: Mapping[str, cadquery.Face], tubes: tuple[str, ...], sizes: MeshSizes
+) -> tuple[NDArray[np.float64], NDArray[np.int64], dict[str, NDArray[np.int64]]]:
+    import gmsh
+
+    started_here = not gmsh.isInitialized()
+    if started_here:
+        # gmsh would otherwise replace the signal handlers of the whole program.
+        gmsh.initialize(interruptible=False)
+    try:
+        gmsh.option.setNumber("General.Terminal", 0)
+        gmsh.option.setNumber("General.NumThreads", 1)  # the same mesh on every machine
+        gmsh.model.add("cell")
+        with tempfile.TemporaryDirectory() as folder:
+            brep = Path(folder) / "solid.brep"
+            solid.exportBrep(str(brep))
+            gmsh.model.occ.importShapes(str(brep))
+        gmsh.model.occ.synchronize()
+        surfaces = {name: _matching_surface(name, face) for name, face in named.items()}
+        _set_sizes({name: surfaces[name] for name in tubes}, named, sizes)
+        gmsh.option.setNumber("Mesh.MeshSizeExtendFromBoundary", 0)
+        gmsh.option.setNumber("Mesh.MeshSizeFromPoints", 0)
+        gmsh.option.setNumber("Mesh.MeshSizeFromCurvature", 0)
+        gmsh.option.setNumber("Mesh.MeshSizeMax", sizes.largest)
+        gmsh.option.setNumber("Mesh.Algorithm3D", 1)
+        gmsh.option.setNumber("Mesh.ElementOrder", 2)
+        gmsh.option.setNumber("Mesh.HighOrderOptimize", 1)
+        gmsh.model.mesh.generate(3)
+        return _read_mesh(surfaces)
+    except Exception as error:
+        if isinstance(error, MeshError):
+            raise
+        raise MeshError(f"gmsh could not mesh the solid: {error}") from error
+    finally:
+        if started_here:
+            gmsh.finalize()
+        else:
+            gmsh.model.remove()
+
+
+def _matching_surface(name: str, face: cadquery.Face) -> int:
+    """The gmsh surface with the face's centre and area: entity numbers mean nothing across kernels."""
+    import gmsh
+
+    centre, area = np.array(face.Center().toTuple()), face.Area()
+    hits = [
+        tag
+        for _, tag in gmsh.model.getEntities(2)
+        if abs(gmsh.model.occ.getMass(2, tag) - area) < 1e-6 * area
+        and np.linalg.norm(np.array(gmsh.model.occ.getCenterOfMass(2, tag)) - centre) < 1e-5 * math.sqrt(area)
+    ]
+    if len(hits) != 1:
+        raise MeshError(f"port {name!r} matches {len(hits)} surfaces of the imported solid, it must be one")
+    return hits[0]
+
+
+def _set_sizes(tubes: Mapping[str, int], named: Mapping[str, cadquery.Face], sizes: MeshSizes) -> None:
+    """Background field: fine at the mouth edges, even along the stubs, growing into the cavity."""
+    import gmsh
+
+    field = gmsh.model.mesh.field
+    fields = []
+    for name, surface in tubes.items():
+        radius = math.sqrt(named[name].Area() / math.pi)
+        edges = [tag for _, tag in gmsh.model.getBoundary([(2, surface)], oriented=False)]
+        walls = {wall for edge in edges for wall in gmsh.model.getAdjacencies(1, edge)[0]} - {surface}
+        wall_edges = {tag for wall in walls for _, tag in gmsh.model.getBoundary([(2, int(wall))], oriented=False)}
+        # A seam joins a face to itself; a mouth edge joins the tube's wall to another face.
+        mouth = [tag for tag in wall_edges - set(edges) if len(set(gmsh.model.getAdjacencies(1, tag)[0])) > 1]
+        stub = [surface, *map(int, walls)]
+        fields.append(_size_around("CurvesList", mouth, sizes.mouth_edge * radius, 0.0, sizes))
+        fields.append(_size_around("SurfacesList", stub, sizes.tube * radius, 1.2 * radius, sizes))
+    if sizes.wall is not None:
+        everywhere = [tag for _, tag in gmsh.model.getEntities(2)]
+        fields.append(_size_around("SurfacesList", everywhere, sizes.wall, sizes.wall, sizes))
+    if fields:
+        smallest = field.add("Min")
+        field.setNumbers(smallest, "FieldsList", fields)
+        field.setAsBackgroundMesh(smallest)
+
+
+def _size_around(kind: str, tags: list[int], near: float, reach: float, sizes: MeshSizes) -> int:
+    """Size field: ``near`` up to the distance ``reach`` from the entities, then growing to the largest."""
+    import gmsh
+
+    field = gmsh.model.mesh.field
+    distance = field.add("Distance")
+    field.setNumbers(distance, kind, tags)
+    field.setNumber(distance, "Sampling", 60)
+    threshold = field.add("Threshold")
+    field.setNumber(threshold, "InField", distance)
+    field.setNumber(threshold, "SizeMin", min(near, sizes.largest))
+    field.setNumber(threshold, "SizeMax", sizes.largest)
+    field.setNumber(threshold, "DistMin", reach)
+    field.setNumber(threshold, "DistMax", reach + max(sizes.largest - near, 1e-9) / sizes.growth)
+    return int(threshold)
+
+
+def _read_mesh(
+    surfaces: Mapping[str, int],
+) -> tuple[NDArray[np.float64], NDArray[np.int64], dict[str, NDArray[np.int64]]]:
+    import gmsh
+
+    tags, coordinates, _ = gmsh.model.mesh.getNodes()
+    position = np.full(int(tags.max()) + 1, -1, dtype=np.int64)
+    position[tags.astype(np.int64)] = np.arange(len(tags))
+    _, connectivity = gmsh.model.mesh.getElementsByType(11)
+    tetrahedra = position[connectivity.astype(np.int64).reshape(-1, 10)][:, _GMSH_TO_SKFEM_NODES]
+    if len(tetrahedra) == 0:
+        raise MeshError("gmsh made no tetrahedra")
+    triangles: dict[str, list[NDArray[np.int64]]] = {name: [] for name in (*surfaces, WALL)}
+    names = {tag: name for name, tag in surfaces.items()}
+    for _, surface in gmsh.model.getEntities(2):
+        _, nodes = gmsh.model.mesh.getElementsByType(9, surface)
+        corners = position[nodes.astype(np.int64).reshape(-1, 6)][:, :3]
+        triangles[names.get(surface, WALL)].append(corners)
+    used, renumbered = np.unique(tetrahedra, return_inverse=True)
+    position = np.full(len(tags), -1, dtype=np.int64)
+    position[used] = np.arange(len(used))
+    return (
+        coordinates.reshape(-1, 3)[used],
+        renumbered.reshape(tetrahedra.shape),
+        {name: position[np.concatenate(parts)] for name, parts in triangles.items()},
+    )
+
+
+def _split_wall_corners(
+    nodes: NDArray[np.float64], tetrahedra: NDArray[np.int64], triangles: Mapping[str, NDArray[np.int64]]
+) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
+    """Split tetrahedra with three or more faces on the boundary at their centre.
+
+    The pressure at their common corner belongs to no free velocity and would be locked: the element's
+    volume would drop out of the compliance.
+    """
+    boundary = {tuple(sorted(t)) for part in triangles.values() for t in part.tolist()}
+    opposite = ((1, 2, 3), (0, 2, 3), (0, 1, 3), (0, 1, 2))
+    corners = tetrahedra[:, :4]
+    # Only elements with four boundary corners can have three boundary faces: a cheap first sieve.
+    on_boundary = np.zeros(len(nodes), dtype=bool)
+    on_boundary[np.concatenate([part.ravel() for part in triangles.values()])] = True
+    candidates = np.flatnonzero(on_boundary[corners].all(axis=1))
+    locked = [
+        e
+        for e in candidates.tolist()
+        if sum(tuple(sorted(int(corners[e, k]) for k in face)) in boundary for face in opposite) >= 3
+    ]
+    if not locked:
+        return nodes, tetrahedra
+    new_nodes, new_elements = [nodes], []
+    count = len(nodes)
+    for e in locked:
+        element = tetrahedra[e]
+        centre = np.full(3, 0.25)
+        inner = [centre] + [(centre + corner) / 2 for corner in _CORNERS]
+        new_nodes.append(_shape_functions(np.array(inner)) @ nodes[element])
+        middle, to_corner = count, [count + 1 + k for k in range(4)]
+        count += 5
+        edge = {frozenset(pair): int(element[4 + k]) for k, pair in enumerate(_EDGES)}
+        for k in range(4):
+            vertices = [middle if i == k else int(element[i]) for i in range(4)]
+            mid_nodes = [to_corner[b if a == k else a] if k in (a, b) else edge[frozenset((a, b))] for a, b in _EDGES]
+            new_elements.append(vertices + mid_nodes)
+    kept = np.delete(tetrahedra, locked, axis=0)
+    return np.concatenate(new_nodes), np.concatenate([kept, np.array(new_elements, dtype=np.int64)])
+
+
+_CORNERS = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]])
+_EDGES = ((0, 1), (1, 2), (0, 2), (0, 3), (1, 3), (2, 3))
+
+
+def _shape_functions(points: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Quadratic shape functions at reference points (n, 3): (n, 10)."""
+    corner = np.column_stack([1 - points.sum(axis=1), points])
+    at_corners = corner * (2 * corner - 1)
+    at_edges = np.column_stack([4 * corner[:, a] * corner[:, b] for a, b in _EDGES])
+    return np.column_stack([at_corners, at_edges])
+
+
+def _shape_gradients(point: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Gradients of the quadratic shape functions at one reference point: (3, 10)."""
+    corner = np.array([1 - point.sum(), *point])
+    slopes = np.vstack([-np.ones(3), np.eye(3)])
+    at_corners = (4 * corner - 1)[:, None] * slopes
+    at_edges = [4 * (corner[a] * slopes[b] + corner[b] * slopes[a]) for a, b in _EDGES]
+    return np.vstack([at_corners, at_edges]).T
+
+
+def _volume(nodes: NDArray[np.float64], tetrahedra: NDArray[np.int64]) -> tuple[float, float]:
+    """Volume of the curved elements and the smallest Jacobian at the points of a four-point rule."""
+    a, b = 0.5854101966249685, 0.1381966011250105
+    barycentric = np.full((4, 4), b) + (a - b) * np.eye(4)
+    determinants = [
+        np.linalg.det(np.einsum("ka,ean->ekn", _shape_gradients(point), nodes[tetrahedra]))
+        for point in barycentric[:, 1:]
+    ]
+    return float(np.sum(determinants) / 24), float(np.min(determinants))
