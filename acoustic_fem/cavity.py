@@ -42,7 +42,7 @@ def closed_cylinder_compliance(
 def closed_sphere_compliance(radius: float, frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
     """Compliance of a closed sphere, m^3/Pa; arguments as :func:`closed_cylinder_compliance`."""
     positive("radius", radius, "m")
-    mean = _ball_mean(3, radius * np.sqrt(-_rate(frequency, medium)))
+    mean = _ball_mean(3, radius, _rate(frequency, medium))
     return _compliance(4 / 3 * np.pi * radius**3, mean, medium)
 
 
@@ -59,12 +59,12 @@ def closed_slab_compliance(
     """
     positive("area", area, "m^2")
     positive("gap", gap, "m")
-    mean = _ball_mean(1, gap / 2 * np.sqrt(-_rate(frequency, medium)))
+    mean = _ball_mean(1, gap / 2, _rate(frequency, medium))
     return _compliance(area * gap, mean, medium)
 
 
 def _rate(frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
-    """j w / alpha, 1/m^2."""
+    """Rate of heat diffusion j w / alpha, 1/m^2."""
     omega = 2 * np.pi * positive("frequency", frequency, "Hz")
     return np.asarray(1j * omega / medium.thermal_diffusivity)
 
@@ -73,14 +73,14 @@ def _compliance(volume: float, mean: NDArray[np.complex128], medium: Medium) -> 
     return volume * (medium.gamma - (medium.gamma - 1) * mean) / (medium.gamma * medium.pressure)
 
 
-def _ball_mean(dimension: int, argument: NDArray[np.complex128]) -> NDArray[np.complex128]:
-    """<Psi> of a slab, circle or sphere (dimension 1, 2, 3) of half size R, argument = R sqrt(-j w / alpha).
+def _ball_mean(dimension: int, half_size: float, rate: NDArray[np.complex128]) -> NDArray[np.complex128]:
+    """<Psi> of a slab, circle or sphere (dimension 1, 2, 3) of that half thickness or radius R.
 
-    The d-dimensional means 1 - tanh(x)/x, 1 - 2 J1/(z J0), 1 - 3 (x coth x - 1)/x^2 are all
+    With z = R sqrt(-j w / alpha) the means 1 - tan(z)/z, 1 - 2 J1/(z J0), 1 + 3 (z cot z - 1)/z^2 are all
     -J_{d/2+1}(z) / J_{d/2-1}(z), which does not cancel at small z.
     """
-    result: NDArray[np.complex128] = -jve(dimension / 2 + 1, argument) / jve(dimension / 2 - 1, argument)
-    return result
+    argument = half_size * np.sqrt(-rate)
+    return np.asarray(-jve(dimension / 2 + 1, argument) / jve(dimension / 2 - 1, argument), dtype=np.complex128)
 
 
 def _cylinder_mean(radius: float, height: float, rate: NDArray[np.complex128]) -> NDArray[np.complex128]:
@@ -91,9 +91,9 @@ def _cylinder_mean(radius: float, height: float, rate: NDArray[np.complex128]) -
     """
     largest = float(np.sqrt(np.abs(rate).max(initial=0.0)))
     count = int(np.ceil(max(64.0, 4 * radius * largest / np.pi, 40 * radius / (np.pi * height))))
-    scaled = rate[..., None] * radius**2
+    scaled = np.asarray(rate[..., None] * radius**2, dtype=np.complex128)
     zeros = _bessel_zeros(count)
-    wave = np.sqrt(zeros**2 + scaled) * (height / (2 * radius))
+    wave = np.asarray(np.sqrt(zeros**2 + scaled) * (height / (2 * radius)), dtype=np.complex128)
     terms = 4 / zeros**2 * scaled / (zeros**2 + scaled) * _one_minus_tanh_over(wave)
 
     def tail(power: int) -> float:
@@ -103,8 +103,7 @@ def _cylinder_mean(radius: float, height: float, rate: NDArray[np.complex128]) -
     rest = 4 * sr2 * (tail(4) - sr2 * tail(6) + sr2**2 * tail(8)) - 4 * sr2 * aspect * (
         tail(5) - 1.5 * sr2 * tail(7) + 1.875 * sr2**2 * tail(9)
     )
-    result: NDArray[np.complex128] = terms.sum(-1) + rest
-    return result
+    return np.asarray(terms.sum(-1) + rest, dtype=np.complex128)
 
 
 def _bessel_zeros(count: int) -> NDArray[np.float64]:

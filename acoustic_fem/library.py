@@ -59,7 +59,8 @@ class Library:
         design: the array.
         fidelity: how the cells were computed, one of :data:`FIDELITIES`.
         medium: the air.
-        provenance: code and library versions, creation time, seed, hash of the frequency grid.
+        provenance: code and library versions, creation time, seed, hash of the frequency grid, and how each
+            distinct cell was solved.
     """
 
     transfer_function: xr.DataArray
@@ -108,12 +109,15 @@ def solve(
         from acoustic_fem.lumped_cell import lumped_admittance
 
         admittances = {cell: lumped_admittance(cell, grid, medium) for cell in cells}
+        solved = [{"cell": cell.label, "method": "closed form"} for cell in cells]
     else:
-        from acoustic_fem.cell import nodal_admittances
+        from acoustic_fem.cell import solve_cells
 
-        admittances = nodal_admittances(
+        solutions = solve_cells(
             cells, grid, medium, progress=lambda message, fraction: report(message, 0.95 * fraction)
         )
+        admittances = {cell: solution.admittance for cell, solution in solutions.items()}
+        solved = [{"cell": cell.label, **solution.summary()} for cell, solution in solutions.items()]
 
     from acoustic_fem.network import solve_network
 
@@ -130,7 +134,7 @@ def solve(
         },
         fidelity,
         medium,
-        _provenance(grid),
+        {**_provenance(grid), "cells": solved},
     )
     report("done", 1.0)
     return library

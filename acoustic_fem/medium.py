@@ -50,12 +50,12 @@ class Medium:
 
     @property
     def kinematic_viscosity(self) -> float:
-        """mu / rho, m^2/s."""
+        """Diffusivity of momentum mu / rho, m^2/s."""
         return self.viscosity / self.density
 
     @property
     def thermal_diffusivity(self) -> float:
-        """kappa / (rho cp), m^2/s."""
+        """Diffusivity of heat kappa / (rho cp), m^2/s."""
         return self.conductivity / (self.density * self.heat_capacity)
 
     @property
@@ -91,7 +91,8 @@ class Medium:
 
         molar_mass = (1 - water) * MOLAR_MASS_AIR + water * MOLAR_MASS_WATER
         water_by_mass = water * MOLAR_MASS_WATER / molar_mass
-        heat_capacity = (1 - water_by_mass) * _dry_heat_capacity(kelvin) + water_by_mass * _vapour_heat_capacity(celsius)
+        dry_capacity, vapour_capacity = _dry_heat_capacity(kelvin), _vapour_heat_capacity(celsius)
+        heat_capacity = (1 - water_by_mass) * dry_capacity + water_by_mass * vapour_capacity
         gas_constant = GAS_CONSTANT / molar_mass
 
         dry_viscosity = _dry_viscosity(kelvin)
