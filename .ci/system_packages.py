@@ -1,0 +1,89 @@
+"""Look for the system libraries that the CAD kernel, the mesher and the renderer load; install what is missing.
+
+Needs only Python's own library, as it runs before anything is installed. Installs with apt-get where it may
+(Debian or Ubuntu, as root); otherwise prints the one line to type and ends with exit code 1.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import importlib.util
+import os
+import shlex
+import shutil
+import subprocess
+import sys
+
+OLDEST_PYTHON = (3, 11)
+
+#: Library as the loader knows it: Debian package. Found with ldd on the wheels of gmsh, OpenCascade and VTK.
+LIBRARIES = {
+    "libEGL.so.1": "libegl1",  # VTK draws off-screen with it, and with the next two
+    "libGL.so.1": "libgl1",
+    "libOSMesa.so.8": "libosmesa6",
+    "libGLU.so.1": "libglu1-mesa",
+    "libX11.so.6": "libx11-6",
+    "libXcursor.so.1": "libxcursor1",
+    "libXext.so.6": "libxext6",
+    "libXfixes.so.3": "libxfixes3",
+    "libXft.so.2": "libxft2",
+    "libXinerama.so.1": "libxinerama1",
+    "libXrender.so.1": "libxrender1",
+    "libfontconfig.so.1": "libfontconfig1",
+    "libgomp.so.1": "libgomp1",
+}
+
+
+def main() -> int:
+    """Exit code: 0 where everything is there or was installed."""
+    if sys.version_info < OLDEST_PYTHON:
+        found, needed = (".".join(map(str, version[:2])) for version in (sys.version_info, OLDEST_PYTHON))
+        print(f"acoustic-fem needs Python {needed} or later; {sys.executable} is {found}.", file=sys.stderr)
+        print("Name another one: make PYTHON=python3.12 demo", file=sys.stderr)
+        return 1
+    packages = missing_packages()
+    if not packages:
+        return 0
+    print(f"Missing system packages: {' '.join(packages)}", flush=True)
+    if shutil.which("apt-get") and os.geteuid() == 0:
+        if install(packages):
+            packages = missing_packages()
+            if not packages:
+                return 0
+            print(f"Still missing after the installation: {' '.join(packages)}", file=sys.stderr)
+        else:
+            print("apt-get failed; its messages are above.", file=sys.stderr)
+    command = ["apt-get", "install", "-y", "--no-install-recommends", *packages]
+    as_root = [] if os.name != "posix" or os.geteuid() == 0 else ["sudo"]
+    print("Type this line (or what does the same on your system), then make again:", file=sys.stderr)
+    print(f"    {shlex.join([*as_root, *command])}", file=sys.stderr)
+    return 1
+
+
+def missing_packages() -> list[str]:
+    """Debian packages of what this Python cannot load."""
+    packages = [] if importlib.util.find_spec("ensurepip") else ["python3-venv"]
+    if sys.platform == "linux":  # the wheels for macOS and Windows bring their own
+        packages += [package for library, package in LIBRARIES.items() if not can_load(library)]
+    return packages
+
+
+def can_load(library: str) -> bool:
+    try:
+        ctypes.CDLL(library)
+    except OSError:
+        return False
+    return True
+
+
+def install(packages: list[str]) -> bool:
+    """Install with apt-get, quietly; its lists are fetched first, as a minimal machine has none."""
+    environment = os.environ | {"DEBIAN_FRONTEND": "noninteractive"}
+    for command in (["update"], ["install", "-y", "--no-install-recommends", *packages]):
+        if subprocess.run(["apt-get", "-qq", *command], env=environment, check=False).returncode != 0:
+            return False
+    return True
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,55 @@
+# make demo   the report of the two-microphone 2 x 6 array, in demo/report.html
+# make test   the tests, without the slow ones
+#
+# Both create a virtual environment in .venv and install into it what is missing; the second time nothing is.
+
+PYTHON ?= python3
+VENV := .venv
+BIN := $(VENV)/bin
+DESIGN ?= array-2x6
+OUT ?= demo
+# Processes that run tests side by side.
+WORKERS ?= auto
+
+# The fast solver's wheels exist for x86-64 only, and not for macOS.
+ifeq ($(shell uname -sm),Linux x86_64)
+EXTRAS := fast
+TEST_EXTRAS := fast,dev
+else
+EXTRAS :=
+TEST_EXTRAS := dev
+endif
+
+PIP_INSTALL = $(BIN)/python -m pip install --constraint constraints.txt
+
+.PHONY: demo test slow-test clean help
+
+help:
+	@sed -n 's/^# //p' Makefile | head -2
+
+demo: $(VENV)/.installed
+	$(BIN)/acoustic-fem run $(DESIGN) --out $(OUT)
+	@echo "The report: $(abspath $(OUT))/report.html"
+
+test: $(VENV)/.installed-dev
+	$(BIN)/python -m pytest -n $(WORKERS)
+
+slow-test: $(VENV)/.installed-dev
+	$(BIN)/python -m pytest -m slow
+
+# The package is installed in place: changed code needs no new installation, changed dependencies do.
+$(VENV)/.installed: pyproject.toml constraints.txt | $(VENV)/.created
+	$(PIP_INSTALL) --editable ".$(if $(EXTRAS),[$(EXTRAS)])"
+	touch $@
+
+$(VENV)/.installed-dev: pyproject.toml constraints.txt | $(VENV)/.created
+	$(PIP_INSTALL) --editable ".[$(TEST_EXTRAS)]"
+	touch $@ $(VENV)/.installed
+
+$(VENV)/.created:
+	$(PYTHON) .ci/system_packages.py
+	$(PYTHON) -m venv $(VENV)
+	touch $@
+
+clean:
+	rm -rf $(VENV) $(OUT)
