@@ -12,7 +12,7 @@ from dataclasses import asdict, dataclass
 from importlib.metadata import version
 from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 import scipy.sparse as sp
@@ -58,6 +58,57 @@ class CellSolution:
     seconds: float
     """Time the 3-D solves took, when they were made."""
     cached: bool
+
+    def summary(self) -> dict[str, Any]:
+        """Everything but the responses, as plain values."""
+        return {
+            "method": "3-D linearised Navier-Stokes",
+            "unknowns": self.unknowns,
+            "sampled_frequencies": list(self.sampled),
+            "sweep_error": self.error,
+            "seconds": self.seconds,
+            "cached": self.cached,
+        }
+
+
+@dataclass(frozen=True)
+class _CondensedCell:
+    """What the cache keeps of a cell: enough for its responses at any frequency of the band."""
+
+    model: ReducedModel
+    lift_energy: tuple[float, float]
+    unknowns: int
+    seconds: float
+
+    def store(self, key: str) -> None:
+        about = {
+            "lift_energy": self.lift_energy,
+            "unknowns": self.unknowns,
+            "seconds": self.seconds,
+            "sampled": self.model.sampled,
+            "error": self.model.error,
+            "band": (self.model.lowest, self.model.highest),
+        }
+        cell_cache.store(key, {"matrices": self.model.matrices, "excitations": self.model.excitations}, about)
+
+    @classmethod
+    def fetch(cls, key: str) -> _CondensedCell | None:
+        stored = cell_cache.fetch(key)
+        if stored is None:
+            return None
+        from acoustic_fem.frequency import ReducedModel
+
+        arrays, about = stored
+        model = ReducedModel(
+            matrices=arrays["matrices"],
+            excitations=arrays["excitations"],
+            basis=None,
+            sampled=tuple(about["sampled"]),
+            error=about["error"],
+            lowest=about["band"][0],
+            highest=about["band"][1],
+        )
+        return cls(model, tuple(about["lift_energy"]), about["unknowns"], about["seconds"])
 
 
 def port_admittance(
@@ -121,8 +172,7 @@ def port_admittance(
         return np.column_stack([np.full(len(f), gamma + 0j), -(gamma - 1) * field.coefficients(f)])
 
     model = _reduce(system, parts, compliance, medium, band, accuracy * 1e-2, report)
-    ports_only = _responses(model, compliance, grid, medium, len(names))
-    return ports_only * (_LENGTH**3 / medium.viscosity)
+    return model.response(*_coefficients(grid, compliance(grid), medium)) * (_LENGTH**3 / medium.viscosity)
 
 
 def solve_cells(
@@ -152,8 +202,6 @@ def solve_cells(
 
 
 def _solve_cell(cell: Cell, grid: NDArray[np.float64], medium: Medium, progress: Progress | None) -> CellSolution:
-    from acoustic_fem.frequency import ReducedModel
-
     band = (min(DESIGN_BAND[0], float(grid[0])), max(DESIGN_BAND[1], float(grid[-1])))
     key = cell_cache.key_of(
         {
@@ -165,55 +213,34 @@ def _solve_cell(cell: Cell, grid: NDArray[np.float64], medium: Medium, progress:
             "gmsh": version("gmsh"),
         }
     )
-    stored = cell_cache.fetch(key)
-    cached = stored is not None
+    condensed = _CondensedCell.fetch(key)
+    cached = condensed is not None
     report = _Reporter(progress, cell.label + (" (from the cache)" if cached else ""))
-    if stored is None:
-        started = time.perf_counter()
-        system, model = _condense_cell(cell, medium, band, report)
-        arrays = {"matrices": model.matrices, "excitations": model.excitations}
-        about = {
-            "lift_energy": list(system.lift_energy),
-            "unknowns": system.size,
-            "sampled": list(model.sampled),
-            "error": model.error,
-            "seconds": time.perf_counter() - started,
-        }
-        cell_cache.store(key, arrays, about)
-    else:
-        arrays, about = stored
-        model = ReducedModel(
-            matrices=arrays["matrices"],
-            excitations=arrays["excitations"],
-            basis=None,
-            sampled=tuple(about["sampled"]),
-            error=about["error"],
-            lowest=band[0],
-            highest=band[1],
-        )
+    if condensed is None:
+        condensed = _condense(cell, medium, band, report)
+        condensed.store(key)
     report(1.0)
-    count = len(cell.ports)
-    response = _responses(model, lambda f: _closed_form_compliance(cell, f, medium), grid, medium, count + 1)
-    rate = _inertia_coefficient(grid, medium)
-    lift = about["lift_energy"][0] + rate * about["lift_energy"][1]
+    model, energy = condensed.model, condensed.lift_energy
+    response = model.response(*_coefficients(grid, _closed_form_compliance(cell, grid, medium), medium))
+    lift = energy[0] + _inertia_coefficient(grid, medium) * energy[1]
     return CellSolution(
-        admittance=_nodal_admittance(response, lift, count) * (_LENGTH**3 / medium.viscosity),
-        unknowns=int(about["unknowns"]),
-        sampled=tuple(about["sampled"]),
-        error=float(about["error"]),
-        seconds=float(about["seconds"]),
+        admittance=_nodal_admittance(response, lift) * (_LENGTH**3 / medium.viscosity),
+        unknowns=condensed.unknowns,
+        sampled=model.sampled,
+        error=model.error,
+        seconds=condensed.seconds,
         cached=cached,
     )
 
 
-def _condense_cell(
-    cell: Cell, medium: Medium, band: tuple[float, float], report: _Reporter
-) -> tuple[CellSystem, ReducedModel]:
+def _condense(cell: Cell, medium: Medium, band: tuple[float, float], report: _Reporter) -> _CondensedCell:
+    """Mesh and solve a cell."""
     from acoustic_fem.navier_stokes import cell_system, compliance_mass
     from geometry.air import OPENING, air_volume
     from geometry.mesh import mesh_solid
 
     report(0.0)
+    started = time.perf_counter()
     air = air_volume(cell)
     tubes = tuple(air.ports)
     fine = tubes if cell.opening_length == 0 else (*tubes, OPENING)
@@ -225,7 +252,7 @@ def _condense_cell(
     region = _regions(cell, mesh.nodes[mesh.tetrahedra[:, :4]].mean(axis=1))
     parts = [compliance_mass(system.pressure, (region == k).astype(float)) for k in range(region.max() + 1)]
     model = _reduce(system, parts, lambda f: _closed_form_compliance(cell, f, medium), medium, band, 1e-6, report)
-    return system, model
+    return _CondensedCell(model, system.lift_energy, system.size, time.perf_counter() - started)
 
 
 def _regions(cell: Cell, centres: NDArray[np.float64]) -> NDArray[np.int64]:
@@ -242,7 +269,7 @@ def _regions(cell: Cell, centres: NDArray[np.float64]) -> NDArray[np.int64]:
 
 
 def _closed_form_compliance(cell: Cell, frequency: NDArray[np.float64], medium: Medium) -> NDArray[np.complex128]:
-    """gamma - (gamma - 1) <Psi_h> of each region of a cell, (n_freq, n_region)."""
+    """Thermal factor gamma - (gamma - 1) <Psi_h> of each region of a cell, (n_freq, n_region)."""
     stiffness = medium.gamma * medium.pressure
     radius, height = metres(cell.diameter / 2), metres(cell.height)
     volume = np.pi * radius**2 * height
@@ -257,7 +284,7 @@ def _closed_form_compliance(cell: Cell, frequency: NDArray[np.float64], medium: 
 
 
 def _inertia_coefficient(frequency: NDArray[np.float64], medium: Medium) -> NDArray[np.complex128]:
-    return 2j * np.pi * frequency * _LENGTH**2 / medium.kinematic_viscosity
+    return np.asarray(2j * np.pi * frequency * _LENGTH**2 / medium.kinematic_viscosity, dtype=np.complex128)
 
 
 def _coefficients(
@@ -303,33 +330,18 @@ def _reduce(
     )
 
 
-def _responses(
-    model: ReducedModel,
-    compliance: Callable[[NDArray[np.float64]], NDArray[np.complex128]],
-    grid: NDArray[np.float64],
-    medium: Medium,
-    size: int,
-) -> NDArray[np.complex128]:
-    """Dimensionless R^T K^-1 R at every frequency, (n_freq, size, size)."""
-    response = model.response(*_coefficients(grid, compliance(grid), medium))
-    assert response.shape[1] == size
-    return response
-
-
-def _nodal_admittance(
-    response: NDArray[np.complex128], lift: NDArray[np.complex128], n_port: int
-) -> NDArray[np.complex128]:
-    """Hybrid response of ports and moving wall -> nodal admittance with the wall as the last node.
+def _nodal_admittance(response: NDArray[np.complex128], lift: NDArray[np.complex128]) -> NDArray[np.complex128]:
+    """Hybrid response of ports and, last, the moving wall -> nodal admittance of the same nodes.
 
     With port pressures p and the wall's volume velocity U, Q = Y p + B U and F = -B^T p + Z U; solved for
     U at given pressures.
     """
-    y, b = response[:, :n_port, :n_port], response[:, :n_port, n_port]
-    z = lift - response[:, n_port, n_port]
+    y, b = response[:, :-1, :-1], response[:, :-1, -1]
+    z = lift - response[:, -1, -1]
     nodal = np.empty_like(response)
-    nodal[:, :n_port, :n_port] = y + b[:, :, None] * b[:, None, :] / z[:, None, None]
-    nodal[:, :n_port, n_port] = nodal[:, n_port, :n_port] = b / z[:, None]
-    nodal[:, n_port, n_port] = 1 / z
+    nodal[:, :-1, :-1] = y + b[:, :, None] * b[:, None, :] / z[:, None, None]
+    nodal[:, :-1, -1] = nodal[:, -1, :-1] = b / z[:, None]
+    nodal[:, -1, -1] = 1 / z
     return nodal
 
 

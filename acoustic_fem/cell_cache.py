@@ -35,7 +35,8 @@ def key_of(description: dict[str, Any]) -> str:
 def store(key: str, arrays: dict[str, NDArray], about: dict[str, Any]) -> None:
     """Write arrays and plain values; the file appears whole or not at all."""
     buffer = io.BytesIO()
-    np.savez(buffer, about=np.array(json.dumps(about)), **arrays)
+    named: dict[str, Any] = {**arrays, "about": np.array(json.dumps(about))}
+    np.savez(buffer, **named)
     content = buffer.getvalue()
     folder = cache_folder()
     folder.mkdir(parents=True, exist_ok=True)

@@ -86,7 +86,7 @@ def reduce_system(
     lowest, highest = band
     candidates = np.geomspace(lowest, highest, 61) if highest > lowest else np.array([lowest])
     system_at, excitation_at = theta(candidates), phi(candidates)
-    pattern = sum(abs(matrix) for matrix in matrices)
+    pattern = _combined(np.ones(len(matrices)), [abs(matrix) for matrix in matrices])
     order = [0, len(candidates) - 1, len(candidates) // 2] if len(candidates) > 1 else [0]
     taken: list[int] = []
     basis = np.zeros((matrices[0].shape[0], 0))
@@ -96,9 +96,8 @@ def reduce_system(
         while True:
             k = order.pop(0)
             taken.append(k)
-            matrix = sp.csr_array(sum(c * m for c, m in zip(system_at[k], matrices, strict=True)))
-            rhs = sum(c * r for c, r in zip(excitation_at[k], excitations, strict=True))
-            basis = _extended(basis, solver.solve(matrix, rhs))
+            rhs = np.einsum("k,knm->nm", excitation_at[k], np.stack(excitations))
+            basis = _extended(basis, solver.solve(_combined(system_at[k], matrices), rhs))
             model = _project(matrices, excitations, basis)
             response = model.response(system_at, excitation_at)
             scale = np.sqrt(np.abs(np.einsum("fmm->fm", response)))
@@ -129,6 +128,13 @@ def reduce_system(
         lowest=lowest,
         highest=highest,
     )
+
+
+def _combined(coefficients: NDArray, matrices: Sequence[sp.csr_array]) -> sp.csr_array:
+    total = matrices[0] * coefficients[0]
+    for coefficient, matrix in zip(coefficients[1:], matrices[1:], strict=True):
+        total = total + matrix * coefficient
+    return sp.csr_array(total)
 
 
 def _extended(basis: NDArray[np.float64], solution: NDArray[np.complex128]) -> NDArray[np.float64]:

@@ -44,7 +44,7 @@ class SymmetricSolver:
     Use as a context manager, so that the factors are given back.
     """
 
-    def __init__(self, pattern: sp.sparray | sp.spmatrix) -> None:
+    def __init__(self, pattern: sp.csr_array) -> None:
         self._pardiso = _Pardiso() if _mkl_library() is not None else None
         self._shape = pattern.shape
 
@@ -75,7 +75,7 @@ class SymmetricSolver:
             solution = self._pardiso.solve(matrix, right_hand_sides)
         else:
             solution = _superlu_solve(matrix, right_hand_sides)
-        residual = np.linalg.norm(right_hand_sides - matrix @ solution, axis=0)
+        residual = np.linalg.norm(right_hand_sides - np.asarray(matrix @ solution), axis=0)
         scale = np.linalg.norm(right_hand_sides, axis=0)
         relative = float(np.max(residual / np.where(scale > 0, scale, 1.0), initial=0.0))
         if not relative <= RESIDUAL_LIMIT:
@@ -89,9 +89,10 @@ def _superlu_solve(matrix: sp.csr_array, right_hand_sides: NDArray[np.complex128
     factors = spla.splu(
         matrix.tocsc(), permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.01, options={"SymmetricMode": True}
     )
-    solution = factors.solve(right_hand_sides)
+    solution: NDArray[np.complex128] = factors.solve(right_hand_sides)
     # Threshold pivoting trades accuracy for fill; one step of refinement gives the accuracy back.
-    return solution + factors.solve(right_hand_sides - matrix @ solution)
+    correction: NDArray[np.complex128] = factors.solve(right_hand_sides - np.asarray(matrix @ solution))
+    return solution + correction
 
 
 @cache
@@ -164,7 +165,8 @@ class _Pardiso:
         self, phase: int, rhs: NDArray[np.complex128] | None = None, solution: NDArray[np.complex128] | None = None
     ) -> None:
         library = _mkl_library()
-        assert library is not None and self._pattern is not None and self._values is not None
+        if library is None or self._pattern is None or self._values is None:
+            raise LinearSolverError("PARDISO was called before it had a matrix")
         rows, columns = self._pattern
         count = 1 if rhs is None else rhs.shape[1]
         error = ctypes.c_int32(0)

@@ -22,6 +22,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 import scipy.sparse as sp
@@ -33,32 +34,38 @@ from geometry.mesh import SolidMesh
 
 
 @skfem.BilinearForm
-def vector_laplace(u, w, _):  # noqa: ANN001, ANN201 - forms follow scikit-fem's protocol
+def vector_laplace(u: Any, w: Any, _: Any) -> Any:
+    """Viscous forces: grad u : grad w."""
     return ddot(grad(u), grad(w))
 
 
 @skfem.BilinearForm
-def vector_mass(u, w, _):  # noqa: ANN001, ANN201
+def vector_mass(u: Any, w: Any, _: Any) -> Any:
+    """Inertia: u . w."""
     return dot(u, w)
 
 
 @skfem.BilinearForm
-def divergence(u, q, _):  # noqa: ANN001, ANN201
+def divergence(u: Any, q: Any, _: Any) -> Any:
+    """Coupling of velocity and pressure: q div u."""
     return div(u) * q
 
 
 @skfem.BilinearForm
-def weighted_mass(p, q, form):  # noqa: ANN001, ANN201
+def weighted_mass(p: Any, q: Any, form: Any) -> Any:
+    """Storage: weight p q."""
     return form.weight * p * q
 
 
 @skfem.BilinearForm
-def laplace(p, q, _):  # noqa: ANN001, ANN201
+def laplace(p: Any, q: Any, _: Any) -> Any:
+    """Diffusion: grad p . grad q."""
     return dot(grad(p), grad(q))
 
 
 @skfem.LinearForm
-def normal_flux(w, form):  # noqa: ANN001, ANN201
+def normal_flux(w: Any, form: Any) -> Any:
+    """Flux out of the cell: w . n."""
     return dot(w, form.n)
 
 

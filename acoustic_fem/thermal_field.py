@@ -98,5 +98,5 @@ def thermal_field(mesh: SolidMesh, ports: tuple[str, ...], medium: Medium, band:
 def _coefficients(
     frequency: NDArray[np.float64], diffusion_time: float
 ) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
-    rate = 2j * np.pi * frequency * diffusion_time
+    rate = np.asarray(2j * np.pi * frequency * diffusion_time, dtype=np.complex128)
     return np.column_stack([np.ones_like(rate), rate]), rate[:, None]

@@ -94,8 +94,8 @@ def canonical_ports(ports: Sequence[CellPort]) -> tuple[tuple[CellPort, ...], tu
                 )
                 for port in ports
             ]
-            ranking = sorted(range(len(turned)), key=lambda k, turned=turned: (turned[k], k))
-            candidates.append((tuple(turned[k] for k in ranking), ranking))
+            ranked = sorted((port, k) for k, port in enumerate(turned))
+            candidates.append((tuple(port for port, _ in ranked), [k for _, k in ranked]))
     best, ranking = min(candidates, key=lambda candidate: candidate[0])
     return best, tuple(ranking.index(k) for k in range(len(best)))
 
