@@ -18,9 +18,8 @@ OLDEST_PYTHON = (3, 11)
 
 #: Library as the loader knows it: Debian package. Found with ldd on the wheels of gmsh, OpenCascade and VTK.
 LIBRARIES = {
-    "libEGL.so.1": "libegl1",  # VTK draws off-screen with it, and with the next two
+    "libEGL.so.1": "libegl1",  # loaded by name: without it VTK's off-screen rendering ends in a segmentation fault
     "libGL.so.1": "libgl1",
-    "libOSMesa.so.8": "libosmesa6",
     "libGLU.so.1": "libglu1-mesa",
     "libX11.so.6": "libx11-6",
     "libXcursor.so.1": "libxcursor1",
@@ -77,10 +76,21 @@ def can_load(library: str) -> bool:
 
 
 def install(packages: list[str]) -> bool:
-    """Install with apt-get, quietly; its lists are fetched first, as a minimal machine has none."""
+    """Install with apt-get, showing its messages only where it fails. A minimal machine has no lists yet."""
     environment = os.environ | {"DEBIAN_FRONTEND": "noninteractive"}
     for command in (["update"], ["install", "-y", "--no-install-recommends", *packages]):
-        if subprocess.run(["apt-get", "-qq", *command], env=environment, check=False).returncode != 0:
+        print(f"apt-get {command[0]} ...", flush=True)
+        result = subprocess.run(
+            ["apt-get", "-q", *command],
+            env=environment,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            text=True,
+            errors="replace",
+            check=False,
+        )
+        if result.returncode != 0:
+            print(result.stdout, file=sys.stderr)
             return False
     return True
 
