@@ -67,7 +67,7 @@ def solve_dimensionless(
     stiffness = _shear_form.assemble(displacement, shear=shear)
     divergence = _divergence_form.assemble(displacement, pressure)
     volumetric = _mass_form.assemble(pressure)
-    system = csc_array(bmat([[stiffness, -divergence.T], [-divergence, -bulk_compliance * volumetric]]))
+    system: Any = csc_array(bmat([[stiffness, -divergence.T], [-divergence, -bulk_compliance * volumetric]]))
     inertia = _inertia_form.assemble(displacement)
     size = displacement.N + pressure.N
 
@@ -81,7 +81,8 @@ def solve_dimensionless(
     solution = np.zeros(size)
     solution[free] = factor.solve(load[free])
 
-    mass = csc_array(bmat([[inertia, None], [None, 0 * volumetric]]))[np.ix_(free, free)]
+    mass: Any = csc_array(bmat([[inertia, None], [None, 0 * volumetric]]))
+    mass = mass[np.ix_(free, free)]
     inverse = LinearOperator(factor.shape, matvec=factor.solve, dtype=np.float64)
     start = solution[free]  # close to the first mode; also makes the iteration repeatable
     values, modes = eigsh(system, k=1, M=mass, sigma=0.0, OPinv=inverse, v0=start)

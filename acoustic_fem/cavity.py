@@ -46,9 +46,7 @@ def closed_sphere_compliance(radius: float, frequency: ArrayLike, medium: Medium
     return _compliance(4 / 3 * np.pi * radius**3, mean, medium)
 
 
-def closed_slab_compliance(
-    area: float, gap: float, frequency: ArrayLike, medium: Medium
-) -> NDArray[np.complex128]:
+def closed_slab_compliance(area: float, gap: float, frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
     """Compliance of a gap much wider than high (side walls neglected), m^3/Pa.
 
     Args:

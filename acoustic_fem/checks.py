@@ -31,9 +31,7 @@ def positive(name: str, values: ArrayLike, unit: str) -> NDArray[np.float64]:
     return array
 
 
-def frequency_grid(
-    frequency: ArrayLike, low: float = 1e-3, high: float = 2e3
-) -> NDArray[np.float64]:
+def frequency_grid(frequency: ArrayLike, low: float = 1e-3, high: float = 2e3) -> NDArray[np.float64]:
     """A 1-D grid of ascending frequencies within [low, high] Hz.
 
     Raises:

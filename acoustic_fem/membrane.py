@@ -96,9 +96,7 @@ def solve_disc(
     if rim_width != 0:
         in_range("rim_width", rim_width, 0.05 * thickness, 50 * radius, "m")
     # rounding lets equal discs in different units share one solution
-    disc: ElasticDisc = _cached_disc(
-        round(thickness / radius, 12), float(poisson_ratio), round(rim_width / radius, 12)
-    )
+    disc: ElasticDisc = _cached_disc(round(thickness / radius, 12), float(poisson_ratio), round(rim_width / radius, 12))
     return DiscSolution(
         static_compliance=disc.compliance * radius**3 / youngs_modulus,
         first_frequency=float(np.sqrt(disc.eigenvalue * youngs_modulus / density)) / (2 * np.pi * radius),

@@ -48,7 +48,7 @@ def entrance_impedance(radius: ArrayLike, frequency: ArrayLike, medium: Medium) 
     if shear > LARGEST_SHEAR_NUMBER:
         warnings.warn(
             f"entrance loss of a tube: shear number a sqrt(w/nu) = {shear:.2g} is above {LARGEST_SHEAR_NUMBER:g}, "
-            f"where the constants end (bore radius {np.max(radius) * 1e3:.3g} mm, up to "
+            f"the largest it is fit for (bore radius {np.max(radius) * 1e3:.3g} mm, up to "
             f"{np.max(omega) / (2 * np.pi):.4g} Hz)",
             stacklevel=2,
         )

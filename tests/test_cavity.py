@@ -1,0 +1,103 @@
+"""Closed cavities: reference numbers, exact limits, brute-force series."""
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from reference_data import AIR, rows
+from scipy.special import jn_zeros
+
+from acoustic_fem import cavity
+
+BAND = np.logspace(-3, 4, 15)
+sizes = st.floats(3e-4, 2.5e-2)
+
+
+@pytest.mark.parametrize("row", rows("closed_cylinder"), ids=lambda row: f"{row['frequency']:g} Hz")
+def test_cylinder_agrees_with_the_reference(row):
+    compliance = cavity.closed_cylinder_compliance(row["radius"], row["height"], row["frequency"], AIR)
+    volume = np.pi * row["radius"] ** 2 * row["height"]
+    expected = volume * complex(*row["gamma_eff"]) / (AIR.gamma * AIR.pressure)
+    assert compliance == pytest.approx(expected, rel=1e-6)
+
+
+@pytest.mark.parametrize(("radius", "height"), [(3e-3, 2.5e-3), (5e-4, 2e-2), (1.2e-2, 5e-4)])
+def test_cylinder_agrees_with_a_brute_force_sum_over_both_axes(radius, height):
+    # eigenfunctions J0(l r/R) cos(m pi z/H), m odd, of the closed cylinder; 1/m^2 convergence, extrapolated
+    frequency = 10.0
+    rate = 2j * np.pi * frequency / AIR.thermal_diffusivity
+    radial = jn_zeros(0, 1000)[:, None]
+
+    def mean(terms):
+        axial = 2 * np.arange(terms)[None, :] + 1
+        eigenvalue = (radial / radius) ** 2 + (axial * np.pi / height) ** 2
+        return np.sum(32 / (np.pi**2 * axial**2 * radial**2) * rate / (eigenvalue + rate))
+
+    volume = np.pi * radius**2 * height
+    expected = volume * (AIR.gamma - (AIR.gamma - 1) * mean(1500)) / (AIR.gamma * AIR.pressure)
+    assert cavity.closed_cylinder_compliance(radius, height, frequency, AIR) == pytest.approx(expected, rel=1e-6)
+
+
+@given(sizes, sizes)
+def test_every_cavity_goes_from_isothermal_to_adiabatic(radius, height):
+    shapes = {
+        "cylinder": (np.pi * radius**2 * height, cavity.closed_cylinder_compliance(radius, height, BAND, AIR)),
+        "sphere": (4 / 3 * np.pi * radius**3, cavity.closed_sphere_compliance(radius, BAND, AIR)),
+        "slab": (1e-4 * height, cavity.closed_slab_compliance(1e-4, height, BAND, AIR)),
+    }
+    for volume, compliance in shapes.values():
+        relative = compliance * AIR.pressure / volume
+        assert relative[0] == pytest.approx(1, abs=0.02)
+        assert np.all((relative.real < 1 + 1e-12) & (relative.real > 1 / AIR.gamma - 1e-12))
+        assert np.all(relative.imag < 0)  # heat conduction only takes energy
+        assert np.all(np.diff(relative.real) < 0)
+
+
+def test_low_frequency_is_isothermal_and_high_frequency_adiabatic_but_for_the_boundary_layer():
+    radius, height = 3e-3, 2.5e-3
+    volume, surface = np.pi * radius**2 * height, 2 * np.pi * radius * (radius + height)
+    low, high = cavity.closed_cylinder_compliance(radius, height, [1e-3, 1e4], AIR)
+    assert low * AIR.pressure / volume == pytest.approx(1, abs=1e-4)
+    layer = surface / volume / np.sqrt(2j * np.pi * 1e4 / AIR.thermal_diffusivity)
+    # the next term, of edges and curvature, is of the order of the layer squared
+    adiabatic = (AIR.gamma - (AIR.gamma - 1) * (1 - layer)) / AIR.gamma
+    assert abs(high * AIR.pressure / volume / adiabatic - 1) < abs(layer) ** 2
+
+
+def test_flat_and_long_cylinders_tend_to_the_slab_and_the_infinite_duct():
+    from acoustic_fem.duct import shunt_admittance
+
+    flat = cavity.closed_cylinder_compliance(0.1, 1e-4, BAND, AIR)
+    np.testing.assert_allclose(flat, cavity.closed_slab_compliance(np.pi * 0.01, 1e-4, BAND, AIR), rtol=3e-4)
+    long = cavity.closed_cylinder_compliance(1e-4, 1.0, BAND, AIR)
+    np.testing.assert_allclose(long, shunt_admittance(1e-4, BAND, AIR) / (2j * np.pi * BAND), rtol=3e-5)
+
+
+def test_sphere_and_slab_are_their_textbook_formulas():
+    rate = np.sqrt(2j * np.pi * 10.0 / AIR.thermal_diffusivity)
+    x = 2e-3 * rate
+    mean = 1 - 3 * (x / np.tanh(x) - 1) / x**2
+    expected = 4 / 3 * np.pi * 8e-9 * (AIR.gamma - (AIR.gamma - 1) * mean) / (AIR.gamma * AIR.pressure)
+    assert cavity.closed_sphere_compliance(2e-3, 10.0, AIR) == pytest.approx(expected, rel=1e-12)
+    mean = 1 - np.tanh(x / 2) / (x / 2)
+    expected = 2e-7 * (AIR.gamma - (AIR.gamma - 1) * mean) / (AIR.gamma * AIR.pressure)
+    assert cavity.closed_slab_compliance(1e-4, 2e-3, 10.0, AIR) == pytest.approx(expected, rel=1e-12)
+
+
+def test_the_shape_of_the_frequency_is_kept():
+    assert cavity.closed_cylinder_compliance(1e-3, 1e-3, np.ones((2, 3)), AIR).shape == (2, 3)
+    assert cavity.closed_cylinder_compliance(1e-3, 1e-3, 1.0, AIR).shape == ()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ((-1e-3, 1e-3, 1.0), "radius = -0.001 m"),
+        ((1e-3, 0, 1.0), "height = 0 m"),
+        ((1e-3, 1e-3, 0), "frequency = 0 Hz"),
+    ],
+)
+def test_a_value_that_is_not_positive_is_refused_by_name(arguments, message):
+    with pytest.raises(ValueError) as error:
+        cavity.closed_cylinder_compliance(*arguments, AIR)
+    assert message in str(error.value)

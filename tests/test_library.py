@@ -1,0 +1,177 @@
+"""The labelled library: solve, labels, file round trip, bad input."""
+
+import dataclasses
+import subprocess
+import sys
+
+import netCDF4
+import numpy as np
+import pytest
+import xarray as xr
+
+import acoustic_fem
+from geometry.design_file import prototype
+
+DESIGN = prototype("glove")
+BAND = np.linspace(1, 100, 5)
+RESULTS = ("transfer_function", "source_response", "point_impedance")
+
+
+@pytest.fixture(scope="module")
+def library():
+    return acoustic_fem.solve(DESIGN, BAND, fidelity="lumped")
+
+
+def test_results_are_labelled_by_point_microphone_and_frequency(library):
+    points = DESIGN.point_count
+    assert library.transfer_function.dims == ("point", "microphone", "frequency")
+    assert library.transfer_function.shape == (points, 3, 5)
+    assert library.point_impedance.dims == ("point", "frequency")
+    assert library.transfer_function.dtype == np.complex128
+    assert library.transfer_function.point.values.tolist() == list(range(1, points + 1))
+    assert library.transfer_function.microphone.values.tolist() == list(DESIGN.microphones)
+    np.testing.assert_array_equal(library.frequency, BAND)
+    expected = [line for line, wiring in enumerate(DESIGN.lines) for _ in range(wiring.points)]
+    assert library.transfer_function.line.values.tolist() == expected
+    units = [getattr(library, name).attrs["units"] for name in RESULTS]
+    assert units == ["Pa/Pa", "Pa s/m^3", "Pa s/m^3"]
+
+
+def test_transfer_function_is_source_response_over_point_impedance(library):
+    ratio = library.source_response / library.point_impedance
+    np.testing.assert_allclose(ratio.transpose(*library.transfer_function.dims), library.transfer_function, rtol=1e-14)
+
+
+def test_provenance_and_air_are_carried(library):
+    assert library.fidelity == "lumped"
+    assert library.design == DESIGN
+    assert library.medium == acoustic_fem.Medium.at(20, 0.5)
+    assert {"code_version", "libraries", "created", "seed", "frequency_sha256"} <= library.provenance.keys()
+
+
+def test_the_air_may_be_given(library):
+    cold = acoustic_fem.solve(DESIGN, BAND, "lumped", medium=acoustic_fem.Medium.at(0, 0))
+    assert cold.medium.viscosity < library.medium.viscosity
+    assert np.abs(cold.transfer_function - library.transfer_function).max() > 1e-3
+
+
+def test_progress_runs_from_start_to_one():
+    seen = []
+    acoustic_fem.solve(DESIGN, BAND, "lumped", progress=lambda message, fraction: seen.append((message, fraction)))
+    fractions = [fraction for _, fraction in seen]
+    assert fractions == sorted(fractions)
+    assert fractions[-1] == 1
+
+
+def test_a_saved_library_comes_back_number_for_number(library, tmp_path):
+    path = tmp_path / "library.nc"
+    acoustic_fem.save(library, path)
+    again = acoustic_fem.load(path)
+    for name in RESULTS:
+        xr.testing.assert_identical(getattr(again, name), getattr(library, name))
+    assert again.design == library.design
+    assert again.medium == library.medium
+    assert again.fidelity == library.fidelity
+    assert again.provenance == library.provenance
+    assert [file.name for file in tmp_path.iterdir()] == ["library.nc"]
+
+
+def test_plain_netcdf_tools_read_the_file(library, tmp_path):
+    acoustic_fem.save(library, tmp_path / "library.nc")
+    with netCDF4.Dataset(tmp_path / "library.nc") as file:
+        assert file.Conventions.startswith("CF-")
+        real = file["transfer_function_real"]
+        assert real.dimensions == ("point", "microphone", "frequency")
+        assert real.units == "Pa/Pa"
+        assert file["frequency"].units == "Hz"
+        values = real[:] + 1j * file["transfer_function_imag"][:]
+    np.testing.assert_array_equal(values, library.transfer_function.values)
+
+
+def test_a_write_that_fails_leaves_the_old_file(library, tmp_path, monkeypatch):
+    path = tmp_path / "library.nc"
+    acoustic_fem.save(library, path)
+    before = path.read_bytes()
+
+    def full_disk(self, name, **options):
+        with open(name, "wb") as file:
+            file.write(b"half")
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(xr.Dataset, "to_netcdf", full_disk)
+    with pytest.raises(acoustic_fem.LibraryError, match=r"library\.nc: cannot be written: No space left on device"):
+        acoustic_fem.save(library, path)
+    assert path.read_bytes() == before
+    assert [file.name for file in tmp_path.iterdir()] == ["library.nc"]
+
+
+def test_a_missing_cut_or_foreign_file_is_refused_in_one_line(library, tmp_path):
+    good = tmp_path / "good.nc"
+    acoustic_fem.save(library, good)
+    (tmp_path / "cut.nc").write_bytes(good.read_bytes()[: good.stat().st_size // 2])
+    (tmp_path / "text.nc").write_text("point,microphone\n1,A\n")
+    xr.Dataset({"a": ("x", [1.0])}).to_netcdf(tmp_path / "foreign.nc", engine="netcdf4")
+    with xr.open_dataset(good, engine="netcdf4") as opened:
+        opened.load().drop_vars("source_response_imag").to_netcdf(tmp_path / "partial.nc", engine="netcdf4")
+    for name, reason in {
+        "none.nc": "no such file",
+        "": "is a folder, not a library",
+        "cut.nc": "is no netCDF file or is cut short",
+        "text.nc": "is no netCDF file or is cut short",
+        "foreign.nc": "is a netCDF file but no library",
+        "partial.nc": "source_response_imag is missing",
+    }.items():
+        with pytest.raises(acoustic_fem.LibraryError) as error:
+            acoustic_fem.load(tmp_path / name)
+        assert reason in str(error.value)
+        assert str(tmp_path / name) in str(error.value)
+        assert "\n" not in str(error.value)
+
+
+@pytest.mark.parametrize(
+    ("frequency", "message"),
+    [
+        ([], "frequency has shape (0,)"),
+        (10.0, "frequency has shape ()"),
+        ([[1.0, 2.0]], "frequency has shape (1, 2)"),
+        ([1.0, np.nan], "frequency = nan Hz must be between 0.001 and 2000 Hz"),
+        ([0.0, 1.0], "frequency = 0 Hz must be between"),
+        ([1.0, 3000.0], "frequency = 3000 Hz must be between"),
+        ([2.0, 1.0], "frequency must ascend: 1 Hz follows 2 Hz"),
+        ([1.0, 1.0], "frequency must ascend: 1 Hz follows 1 Hz"),
+    ],
+)
+def test_a_bad_frequency_grid_is_refused(frequency, message):
+    with pytest.raises(ValueError) as error:
+        acoustic_fem.solve(DESIGN, frequency, "lumped")
+    assert message in str(error.value)
+
+
+@pytest.mark.parametrize("fidelity", ["helmholtz", "exact", ""])
+def test_an_unknown_fidelity_is_refused_with_the_known_ones(fidelity):
+    with pytest.raises(ValueError) as error:
+        acoustic_fem.solve(DESIGN, BAND, fidelity)
+    assert str(error.value) == f"fidelity = {fidelity!r} must be one of: lumped, navier-stokes"
+
+
+def test_a_library_cannot_be_changed_by_accident(library):
+    with pytest.raises(dataclasses.FrozenInstanceError):
+        library.fidelity = "navier-stokes"
+
+
+def test_closed_forms_are_at_hand_after_import_and_load_nothing_heavy():
+    code = """
+import sys
+import acoustic_fem
+air = acoustic_fem.Medium.at()
+assert acoustic_fem.duct.port_admittance(2e-4, 0.01, [1.0, 10.0], air).shape == (2, 2, 2)
+assert acoustic_fem.cavity.closed_cylinder_compliance(3e-3, 3e-3, [1.0], air).shape == (1,)
+heavy = {"OCP", "cadquery", "gmsh", "vtk", "vtkmodules", "torch", "skfem", "xarray", "pydantic"} & set(sys.modules)
+assert not heavy, heavy
+"""
+    subprocess.run([sys.executable, "-c", code], check=True)
+
+
+def test_an_unknown_name_is_an_attribute_error():
+    with pytest.raises(AttributeError, match="module 'acoustic_fem' has no attribute 'nonsense'"):
+        acoustic_fem.nonsense  # noqa: B018
