@@ -258,7 +258,7 @@ def _wall_motion(
     others = [index for other, index in facets.items() if other != name]
     rim = np.unique(np.concatenate([scalar.get_dofs(index).all() for index in others]))
     surface = skfem.FacetBasis(mesh, velocity.elem, facets=facets[name], intorder=4)
-    centre = (surface.global_coordinates().value * surface.dx).sum(axis=(1, 2)) / surface.dx.sum()
+    centre = (surface.global_coordinates() * surface.dx).sum(axis=(1, 2)) / surface.dx.sum()
     radius = np.linalg.norm(scalar.doflocs[:, on_face] - centre[:, None], axis=0)
     shape = np.ones(len(on_face)) if profile is None else np.interp(radius, profile[:, 0], profile[:, 1])
     shape[np.isin(on_face, rim)] = 0.0

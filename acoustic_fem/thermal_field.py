@@ -46,8 +46,8 @@ class ThermalField:
         point is nearest: the integral over the whole solid is kept exactly.
         """
         element_count, per_element = flow.dx.shape
-        places = flow.global_coordinates().value.reshape(3, -1).T
-        points = self.basis.global_coordinates().value.reshape(3, -1).T
+        places = flow.global_coordinates().reshape(3, -1).T
+        points = self.basis.global_coordinates().reshape(3, -1).T
         _, nearest = KDTree(places).query(points)
         element = nearest // per_element
         volume = flow.dx.sum(axis=1)

@@ -1,0 +1,138 @@
+"""3-D Navier-Stokes cells against the reference cell, exact ducts, limits and symmetries."""
+
+import cadquery as cq
+import numpy as np
+import pytest
+from reference_data import AIR, column
+
+from acoustic_fem import cell_cache, duct
+from acoustic_fem.cavity import closed_cylinder_compliance
+from acoustic_fem.cell import port_admittance, solve_cells
+from acoustic_fem.linear_solver import LinearSolverError
+from acoustic_fem.lumped_cell import lumped_admittance
+from geometry.cells import Cell, CellPort
+from geometry.mesh import MeshError
+
+STRAIGHT = Cell("resonator", 6.0, 2.5, 1.25, (CellPort(0.0, 0.5), CellPort(180.0, 0.5)), 6.0, 0.0)
+CHAMBER = Cell("microphone", 2.2, 1.3, 0.65, (CellPort(0.0, 0.44),), 0.5, 0.3)
+FREQUENCY = column("resonator_cell", "frequency")
+
+
+@pytest.fixture(scope="module")
+def straight():
+    return solve_cells([STRAIGHT], FREQUENCY, AIR)[STRAIGHT].admittance
+
+
+def rigid_and_extended(nodal, extension):
+    """Close the opening rigidly and put a duct on each of the two stubs."""
+    inner = nodal[:, :2, :2] - nodal[:, :2, 2:] @ nodal[:, 2:, :2] / nodal[:, 2:, 2:]
+    whole = np.zeros((len(nodal), 4, 4), dtype=complex)
+    whole[:, :2, :2] = inner
+    for k in range(2):
+        whole[np.ix_(range(len(nodal)), [k, 2 + k], [k, 2 + k])] += extension
+    return whole[:, 2:, 2:] - whole[:, 2:, :2] @ np.linalg.solve(whole[:, :2, :2], whole[:, :2, 2:])
+
+
+def test_resonator_cell_matches_the_reference_within_two_parts_per_thousand(straight):
+    extension = duct.port_admittance(2.5e-4, 5.25e-3, FREQUENCY, AIR)
+    admittance = rigid_and_extended(straight, extension)
+    np.testing.assert_allclose(admittance[:, 0, 0], column("resonator_cell", "Y11"), rtol=1e-3)
+    np.testing.assert_allclose(admittance[:, 0, 1], column("resonator_cell", "Y12"), rtol=1e-3)
+
+
+@pytest.mark.slow
+def test_the_same_cell_from_a_cad_solid_with_thermal_field_by_fem():
+    solid = cq.Workplane().cylinder(2.5, 3).union(cq.Workplane("YZ").circle(0.25).extrude(9.25, both=True))
+    admittance = port_admittance(solid, {"a": (9.25, 0, 0), "b": (-9.25, 0, 0)}, FREQUENCY, AIR)
+    np.testing.assert_allclose(admittance[:, 0, 0], column("resonator_cell", "Y11"), rtol=1e-3)
+    np.testing.assert_allclose(admittance[:, 0, 1], column("resonator_cell", "Y12"), rtol=1e-3)
+    # The compliance is the small sum of the two.
+    total = column("resonator_cell", "Y11") + column("resonator_cell", "Y12")
+    np.testing.assert_allclose(admittance[:, 0].sum(axis=1), total, rtol=1e-3)
+
+
+def test_nodal_admittance_is_symmetric_and_passive(straight):
+    np.testing.assert_allclose(straight, straight.transpose(0, 2, 1), rtol=1e-9)
+    assert np.linalg.eigvalsh(straight.real).min() > 0
+
+
+def test_mirror_symmetric_cell_has_equal_ports(straight):
+    np.testing.assert_allclose(straight[:, 0, 0], straight[:, 1, 1], rtol=2e-4)
+
+
+def test_all_ports_at_one_pressure_see_the_compliance_of_the_air(straight):
+    inflow = straight.sum(axis=(1, 2))
+    omega = 2 * np.pi * FREQUENCY
+    cavity = closed_cylinder_compliance(3e-3, 2.5e-3, FREQUENCY, AIR)
+    stub = duct.shunt_admittance(2.5e-4, FREQUENCY, AIR) * STRAIGHT.ports[0].stub_length * 1e-3
+    # Between 1 and 30 Hz the pressure is uniform; at 100 Hz the ports lead the cavity a little.
+    np.testing.assert_allclose(inflow[:4], (1j * omega * cavity + 2 * stub)[:4], rtol=1e-3)
+
+
+@pytest.mark.parametrize("cell", [STRAIGHT, CHAMBER], ids=["resonator", "microphone"])
+def test_closed_forms_and_finite_elements_agree_on_a_cell(cell):
+    fem = solve_cells([cell], FREQUENCY, AIR)[cell].admittance
+    closed = lumped_admittance(cell, FREQUENCY, AIR)
+    scale = np.abs(np.einsum("fii->fi", closed))
+    difference = np.abs(fem - closed) / np.sqrt(scale[:, :, None] * scale[:, None, :])
+    # The stub is a third of all resistance here; the entrance correction carries the difference.
+    assert difference.max() < 0.03
+
+
+def test_straight_tube_converges_to_the_exact_duct():
+    tube = cq.Workplane("YZ").circle(0.25).extrude(5)
+    frequency = np.array([1.0, 10.0, 100.0])
+    exact = duct.port_admittance(2.5e-4, 5e-3, frequency, AIR)
+    errors = []
+    for accuracy in (2e-3, 5e-4):
+        admittance = port_admittance(tube, {"a": (0, 0, 0), "b": (5, 0, 0)}, frequency, AIR, accuracy=accuracy)
+        errors.append(np.abs(admittance / exact - 1).max())
+        assert errors[-1] < accuracy
+    assert errors[1] < errors[0] / 3
+
+
+def test_box_with_corners_keeps_its_whole_isothermal_compliance():
+    box = cq.Workplane().box(4, 3, 2).union(cq.Workplane("YZ").circle(0.25).extrude(3))
+    admittance = port_admittance(box, {"mouth": (3, 0, 0)}, [0.01, 0.1], AIR)[:, 0, 0]
+    compliance = admittance / (2j * np.pi * np.array([0.01, 0.1]))
+    assert compliance.real == pytest.approx(box.val().Volume() * 1e-9 / AIR.pressure, rel=1e-4)
+
+
+def test_cells_are_reused_from_the_cache_and_damaged_files_made_again(tmp_path, monkeypatch):
+    monkeypatch.setenv("ACOUSTIC_FEM_CACHE", str(tmp_path))
+    labels = []
+    first = solve_cells([CHAMBER], [10.0], AIR)[CHAMBER]
+    again = solve_cells([CHAMBER], [10.0, 20.0], AIR, progress=lambda label, done: labels.append(label))[CHAMBER]
+    assert not first.cached
+    assert again.cached
+    assert labels
+    assert all(label.endswith("(from the cache)") for label in labels)
+    np.testing.assert_array_equal(again.admittance[0], first.admittance[0])
+
+    (file,) = cell_cache.cache_folder().glob("*.cell")
+    content = bytearray(file.read_bytes())
+    content[len(content) // 2] ^= 1
+    file.write_bytes(content)
+    with pytest.warns(UserWarning, match=r"is damaged; the cell is solved again"):
+        mended = solve_cells([CHAMBER], [10.0], AIR)[CHAMBER]
+    assert not mended.cached
+    np.testing.assert_allclose(mended.admittance, first.admittance, rtol=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"frequency": [10.0, 5.0]}, "frequency must ascend"),
+        ({"frequency": [0.0]}, "frequency = 0 Hz must be between"),
+        ({"accuracy": 0.5}, "accuracy = 0.5 must be between 0.0002 and 0.003"),
+        ({"fidelity": "guess"}, "fidelity = 'guess' must be 'navier-stokes'"),
+        ({"ports": {}}, "ports must name at least one port"),
+        ({"ports": {"a": (0, 0, 9)}}, "'a': .* lies on 0 faces"),
+        ({"solid": "missing.step"}, "'missing.step' must be the path of a STEP file"),
+    ],
+    ids=lambda value: "" if isinstance(value, str) else next(iter(value)),
+)
+def test_bad_input_is_refused_by_name(change, message):
+    good = {"solid": cq.Solid.makeBox(1, 1, 1), "ports": {"a": (0.5, 0.5, 0)}, "frequency": [1.0], "medium": AIR}
+    with pytest.raises((ValueError, MeshError, LinearSolverError), match=message):
+        port_admittance(**{**good, **change})
