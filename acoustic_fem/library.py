@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from acoustic_fem.checks import frequency_grid
 from acoustic_fem.medium import Medium
-from geometry.cells import cell_catalogue
+from geometry.cells import Cell, cell_catalogue
 from geometry.design import ArrayDesign
 from geometry.layout import ArrayLayout, place
 
@@ -104,20 +104,7 @@ def solve(
         medium = Medium.at(design.air.temperature, design.air.humidity, design.air.pressure)
     layout = place(design)
     cells = cell_catalogue(design, layout).distinct
-
-    if fidelity == "lumped":
-        from acoustic_fem.lumped_cell import lumped_admittance
-
-        admittances = {cell: lumped_admittance(cell, grid, medium) for cell in cells}
-        solved = [{"cell": cell.label, "method": "closed form"} for cell in cells]
-    else:
-        from acoustic_fem.cell import solve_cells
-
-        solutions = solve_cells(
-            cells, grid, medium, progress=lambda message, fraction: report(message, 0.95 * fraction)
-        )
-        admittances = {cell: solution.admittance for cell, solution in solutions.items()}
-        solved = [{"cell": cell.label, **solution.summary()} for cell, solution in solutions.items()]
+    admittances, solved = _cell_admittances(cells, grid, fidelity, medium, report)
 
     from acoustic_fem.network import solve_network
 
@@ -138,6 +125,35 @@ def solve(
     )
     report("done", 1.0)
     return library
+
+
+def _cell_admittances(
+    cells: tuple[Cell, ...],
+    frequency: NDArray[np.float64],
+    fidelity: str,
+    medium: Medium,
+    report: Callable[[str, float], None],
+) -> tuple[dict[Cell, NDArray[np.complex128]], list[dict[str, Any]]]:
+    """Nodal admittances of the cells, and how each was obtained."""
+    if fidelity == "lumped":
+        from acoustic_fem.lumped_cell import lumped_admittance
+
+        return (
+            {cell: lumped_admittance(cell, frequency, medium) for cell in cells},
+            [{"cell": cell.label, "method": "closed form"} for cell in cells],
+        )
+    from acoustic_fem.cell import solve_cells
+
+    admittances, solved = {}, []
+    for index, cell in enumerate(cells):
+
+        def report_cell(message: str, fraction: float, done: int = index) -> None:
+            report(message, 0.95 * (done + fraction) / len(cells))
+
+        solution = solve_cells([cell], frequency, medium, progress=report_cell)[cell]
+        admittances[cell] = solution.admittance
+        solved.append({"cell": cell.label, **solution.summary()})
+    return admittances, solved
 
 
 def labelled(

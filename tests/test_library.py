@@ -46,7 +46,8 @@ def test_provenance_and_air_are_carried(library):
     assert library.fidelity == "lumped"
     assert library.design == DESIGN
     assert library.medium == acoustic_fem.Medium.at(20, 0.5)
-    assert {"code_version", "libraries", "created", "seed", "frequency_sha256"} <= library.provenance.keys()
+    assert {"code_version", "libraries", "created", "seed", "frequency_sha256", "cells"} <= library.provenance.keys()
+    assert {entry["method"] for entry in library.provenance["cells"]} == {"closed form"}
 
 
 def test_the_air_may_be_given(library):
