@@ -23,7 +23,7 @@ from geometry.layout import ArrayLayout, place
 #: What the air of a cell may be computed with, cheapest first.
 FIDELITIES = ("lumped", "navier-stokes")
 
-#: Name -> dimensions, units and description of the three results.
+#: Name -> dimensions, units and description of the results.
 VARIABLES = {
     "transfer_function": (
         ("point", "microphone", "frequency"),
@@ -40,7 +40,15 @@ VARIABLES = {
         "Pa s/m^3",
         "pressure in the cavity per volume velocity injected at its membrane",
     ),
+    "microphone_impedance": (
+        ("microphone", "microphone_2", "frequency"),
+        "Pa s/m^3",
+        "pressure at the microphone per volume velocity injected at the front of the second microphone",
+    ),
 }
+
+#: Those of them that older files and measured libraries may lack.
+OPTIONAL = frozenset({"microphone_impedance"})
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,6 +64,9 @@ class Library:
         source_response: (point, microphone, frequency) complex128, microphone pressure per injected
             volume velocity, Pa s/m^3.
         point_impedance: (point, frequency) complex128, cavity pressure per injected volume velocity, Pa s/m^3.
+        microphone_impedance: (microphone, microphone_2, frequency) complex128, pressure at a microphone per
+            volume velocity injected at the front of another, Pa s/m^3, the microphones' own load included:
+            what thermal noise needs. None in files of older versions and in measured libraries.
         design: the array.
         fidelity: how the cells were computed, one of :data:`FIDELITIES`.
         medium: the air.
@@ -70,6 +81,7 @@ class Library:
     fidelity: str
     medium: Medium
     provenance: Mapping[str, Any]
+    microphone_impedance: xr.DataArray | None = None
 
     @property
     def frequency(self) -> NDArray[np.float64]:
@@ -118,6 +130,7 @@ def solve(
             "transfer_function": response.source_response / response.point_impedance[:, None, :],
             "source_response": response.source_response,
             "point_impedance": response.point_impedance,
+            "microphone_impedance": response.microphone_impedance,
         },
         fidelity,
         medium,
@@ -165,12 +178,16 @@ def labelled(
     medium: Medium,
     provenance: Mapping[str, Any],
 ) -> Library:
-    """A library from bare arrays, one per name of :data:`VARIABLES` and shaped as listed there."""
+    """A library from bare arrays, one per name of :data:`VARIABLES` and shaped as listed there.
+
+    Those of :data:`OPTIONAL` may be missing.
+    """
     coordinates = {
         "point": ("point", [point.number for point in layout.points], {"long_name": "sensing point, from 1"}),
         "line": ("point", [point.line for point in layout.points], {"long_name": "index of its line, from 0"}),
         "place": ("point", [point.place for point in layout.points], {"long_name": "index along its line, from 0"}),
         "microphone": ("microphone", list(design.microphones), {"long_name": "microphone"}),
+        "microphone_2": ("microphone_2", list(design.microphones), {"long_name": "second microphone"}),
         "frequency": ("frequency", frequency, {"units": "Hz", "long_name": "frequency"}),
     }
     arrays = {
@@ -182,6 +199,7 @@ def labelled(
             attrs={"units": units, "long_name": description},
         )
         for name, (dimensions, units, description) in VARIABLES.items()
+        if name in values or name not in OPTIONAL
     }
     return Library(**arrays, design=design, fidelity=fidelity, medium=medium, provenance=dict(provenance))
 

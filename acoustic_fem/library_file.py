@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 import xarray as xr
 
-from acoustic_fem.library import VARIABLES, Library
+from acoustic_fem.library import OPTIONAL, VARIABLES, Library
 from acoustic_fem.medium import Medium
 
 #: Global attributes of every library file.
@@ -39,6 +39,8 @@ def save(library: Library, path: str | os.PathLike[str]) -> None:
     variables = {}
     for name in VARIABLES:
         array = getattr(library, name)
+        if array is None and name in OPTIONAL:
+            continue
         for part, values in (("real", array.real), ("imag", array.imag)):
             attributes = {"units": array.attrs["units"], "long_name": f"{array.attrs['long_name']}, {part} part"}
             variables[f"{name}_{part}"] = values.assign_attrs(attributes)
@@ -91,12 +93,14 @@ def load(path: str | os.PathLike[str]) -> Library:
     if dataset.attrs.get("layout_version") != _LAYOUT_VERSION:
         found = dataset.attrs.get("layout_version")
         raise LibraryError(f"{path}: layout_version = {found} must be {_LAYOUT_VERSION}")
-    missing = [f"{name}_{part}" for name in VARIABLES for part in ("real", "imag") if f"{name}_{part}" not in dataset]
+    absent = {name for name in OPTIONAL if f"{name}_real" not in dataset and f"{name}_imag" not in dataset}
+    present = [name for name in VARIABLES if name not in absent]
+    missing = [f"{name}_{part}" for name in present for part in ("real", "imag") if f"{name}_{part}" not in dataset]
     missing += [name for name in ("fidelity", "design_toml", "medium", "provenance") if name not in dataset.attrs]
     if missing:
         raise LibraryError(f"{path}: is no complete library, {missing[0]} is missing")
     return Library(
-        **{name: _complex(dataset, name) for name in VARIABLES},
+        **{name: _complex(dataset, name) for name in present},
         design=read_design(dataset.attrs["design_toml"], f"{path}, attribute design_toml"),
         fidelity=dataset.attrs["fidelity"],
         medium=Medium(**json.loads(dataset.attrs["medium"])),

@@ -37,10 +37,13 @@ class NetworkResponse:
     Attributes:
         source_response: (n_point, n_microphone, n_freq) complex128, pressure on the microphones.
         point_impedance: (n_point, n_freq) complex128, pressure in the cavity of the same point.
+        microphone_impedance: (n_microphone, n_microphone, n_freq) complex128, pressure on one microphone per
+            volume velocity injected at the front of another; symmetric. Its real part is the thermal noise.
     """
 
     source_response: Array
     point_impedance: Array
+    microphone_impedance: Array
 
 
 class TwoPort(NamedTuple):
@@ -108,7 +111,8 @@ def solve_network(
         outer = impedance[:, at_ends]
         point_impedance[points] = own + np.einsum("pfa,fab,pfb->pf", share, outer[:, :, at_ends], share)
         source_response[points] = np.einsum("pfa,fam->pmf", share, outer[:, :, openings])
-    return NetworkResponse(source_response, point_impedance)
+    at_microphones = np.moveaxis(impedance[:, openings][:, :, openings], 0, -1)
+    return NetworkResponse(source_response, point_impedance, at_microphones)
 
 
 class _Chain:

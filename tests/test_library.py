@@ -14,7 +14,7 @@ from geometry.design_file import prototype
 
 DESIGN = prototype("glove")
 BAND = np.linspace(1, 100, 5)
-RESULTS = ("transfer_function", "source_response", "point_impedance")
+RESULTS = ("transfer_function", "source_response", "point_impedance", "microphone_impedance")
 
 
 @pytest.fixture(scope="module")
@@ -34,7 +34,7 @@ def test_results_are_labelled_by_point_microphone_and_frequency(library):
     expected = [line for line, wiring in enumerate(DESIGN.lines) for _ in range(wiring.points)]
     assert library.transfer_function.line.values.tolist() == expected
     units = [getattr(library, name).attrs["units"] for name in RESULTS]
-    assert units == ["Pa/Pa", "Pa s/m^3", "Pa s/m^3"]
+    assert units == ["Pa/Pa", "Pa s/m^3", "Pa s/m^3", "Pa s/m^3"]
 
 
 def test_transfer_function_is_source_response_over_point_impedance(library):
@@ -75,6 +75,22 @@ def test_a_saved_library_comes_back_number_for_number(library, tmp_path):
     assert again.fidelity == library.fidelity
     assert again.provenance == library.provenance
     assert [file.name for file in tmp_path.iterdir()] == ["library.nc"]
+
+
+def test_the_microphone_impedance_is_symmetric_and_passive(library):
+    impedance = library.microphone_impedance
+    assert impedance.dims == ("microphone", "microphone_2", "frequency")
+    matrices = impedance.transpose("frequency", ...).values
+    np.testing.assert_allclose(matrices, matrices.swapaxes(1, 2), rtol=1e-9)
+    assert np.all(np.linalg.eigvalsh(matrices.real) > 0)
+
+
+def test_a_file_without_microphone_impedance_loads_and_saves_without_it(library, tmp_path):
+    old = dataclasses.replace(library, microphone_impedance=None)
+    acoustic_fem.save(old, tmp_path / "old.nc")
+    again = acoustic_fem.load(tmp_path / "old.nc")
+    assert again.microphone_impedance is None
+    xr.testing.assert_identical(again.source_response, library.source_response)
 
 
 def test_plain_netcdf_tools_read_the_file(library, tmp_path):

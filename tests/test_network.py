@@ -101,6 +101,8 @@ def test_condensation_equals_one_solve_of_all_nodes(design):
     np.testing.assert_allclose(response.point_impedance, own, rtol=1e-10)
     reference = np.transpose(direct[:, points:, :points], (2, 1, 0))
     np.testing.assert_allclose(response.source_response, reference, rtol=1e-10)
+    between = np.moveaxis(direct[:, points:, points:], 0, -1)
+    np.testing.assert_allclose(response.microphone_impedance, between, rtol=1e-10)
 
 
 def test_source_and_receiver_exchanged_give_the_same_pressure():
