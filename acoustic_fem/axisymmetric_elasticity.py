@@ -2,7 +2,9 @@
 
 Everything is dimensionless: lengths by the radius a of the opening, stresses by Young's modulus E,
 masses by rho a^3. The mixed form does not lock as Poisson's ratio goes to 1/2 (Herrmann 1965; Hughes,
-The Finite Element Method (1987), chapter 4).
+The Finite Element Method (1987), chapter 4). An equi-biaxial stress s in the plane of the disc adds
+the stiffness int s (grad u e_i).(grad v e_i) over both directions i of the plane (Bathe, Finite Element
+Procedures (1996), chapter 6).
 """
 
 from __future__ import annotations
@@ -13,6 +15,7 @@ from typing import Any
 import numpy as np
 import skfem
 from numpy.typing import NDArray
+from scipy.linalg import eigh
 from scipy.sparse import bmat, csc_array
 from scipy.sparse.linalg import LinearOperator, eigsh, splu
 from skfem.helpers import dot
@@ -20,83 +23,155 @@ from skfem.helpers import dot
 #: Steps per thickness; 1e-4 in compliance against refinement 6 (tests/test_membrane.py).
 REFINEMENT = 4
 
+#: Axisymmetric modes that are computed.
+MODES = 4
+
 #: Radial steps are at most max(thickness, this) / refinement.
 _RADIAL_SCALE = 0.1
+
+Vector = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class DiscShape:
+    """What the dimensionless solution depends on.
+
+    Attributes:
+        thickness: h / a.
+        poisson_ratio: above 0, below 1/2.
+        rim: 0: the lateral face r = 1 is clamped; above 0: the disc reaches to r = 1 + rim and its lower
+            face is held on 1 < r < 1 + glue, all other faces are free.
+        glue: width of the held annulus, at most rim; ignored if rim is 0.
+        prestress: equi-biaxial stress in the plane / E, uniform.
+        contact: radius of the patch in the middle of the upper face / a.
+    """
+
+    thickness: float
+    poisson_ratio: float
+    rim: float
+    glue: float
+    prestress: float
+    contact: float
 
 
 @dataclass(frozen=True, eq=False)
 class ElasticDisc:
-    """Result of :func:`solve_dimensionless`.
+    """Result of :func:`solve_dimensionless`: static solutions and a small dynamic model.
+
+    The columns of the model are the first modes in vacuo and, behind them, what the static answers to the
+    pressure on the lower face and to the force on the patch have beyond those modes. All columns are
+    orthogonal in mass and in stiffness and scaled to unit mass, rho a^3.
 
     Attributes:
+        modes: number of true modes among the columns.
+        eigenvalues: (modes + 2,) stiffness of the columns, for modes w^2, in E / (rho a^2), ascending.
+        geometric: (modes + 2, modes + 2) part of the pre-stress in their stiffness, same unit.
+        swept: (modes + 2,) volume swept by the lower face r < 1, outwards.
+        swept_above: (modes + 2,) volume swept by the whole upper face, outwards.
+        patch: (modes + 2,) mean displacement of the patch, outwards.
+        radius: (n,) where shapes are given, 0 to 1.
+        shapes: (modes + 2, n) displacement of the lower face along its inner normal.
         compliance: volume swept by the lower face r < a per pressure on it, in a^3 / E.
-        eigenvalue: w^2 of the first mode in vacuo, in E / (rho a^2).
-        modal_mass: mass of the first mode scaled to sweep the volume a^3, in rho a^3.
-        radius: (n,) where the shape is given, 0 to 1.
         deflection: (n,) displacement of the lower face along its inner normal, in a per pressure / E.
+        volume_per_force: volume swept by the lower face per force on the patch, in a / E.
+        displacement_per_force: mean displacement of the patch per force on it, in 1 / (E a).
         unknowns: size of the system.
     """
 
+    modes: int
+    eigenvalues: Vector
+    geometric: Vector
+    swept: Vector
+    swept_above: Vector
+    patch: Vector
+    radius: Vector
+    shapes: Vector
     compliance: float
-    eigenvalue: float
-    modal_mass: float
-    radius: NDArray[np.float64]
-    deflection: NDArray[np.float64]
+    deflection: Vector
+    volume_per_force: float
+    displacement_per_force: float
     unknowns: int
 
 
-def solve_dimensionless(
-    thickness: float, poisson_ratio: float, rim: float, refinement: int = REFINEMENT
-) -> ElasticDisc:
-    """Static deflection under pressure on the lower face r < 1, and the first axisymmetric mode.
+def solve_dimensionless(shape: DiscShape, refinement: int = REFINEMENT, modes: int = MODES) -> ElasticDisc:
+    """Static deflections under pressure and under a force on the patch, and the first axisymmetric modes.
 
     Args:
-        thickness: h / a.
-        poisson_ratio: above 0, below 1/2.
-        rim: 0: the lateral face r = 1 is clamped; above 0: the disc reaches to r = 1 + rim and its lower
-            face is held on 1 < r < 1 + rim, all other faces are free.
+        shape: the disc.
         refinement: steps per thickness; the smallest step at the edge of the clamp is 4^-(refinement + 1)
             thickness, so that each refinement divides the error by 2.5 or more.
+        modes: how many.
     """
-    mesh = _mesh(thickness, rim, refinement)
+    mesh = _mesh(shape, refinement)
     displacement = skfem.Basis(mesh, skfem.ElementVector(skfem.ElementQuad2()), intorder=5)
     pressure = displacement.with_element(skfem.ElementQuad1())
 
-    shear = 1 / (2 * (1 + poisson_ratio))
-    bulk_compliance = (1 + poisson_ratio) * (1 - 2 * poisson_ratio) / poisson_ratio
-    stiffness = _shear_form.assemble(displacement, shear=shear)
+    ratio = shape.poisson_ratio
+    bulk_compliance = (1 + ratio) * (1 - 2 * ratio) / ratio
+    prestress = shape.prestress * _prestress_form.assemble(displacement)
+    stiffness = _shear_form.assemble(displacement, shear=1 / (2 * (1 + ratio))) + prestress
     divergence = _divergence_form.assemble(displacement, pressure)
     volumetric = _mass_form.assemble(pressure)
     system: Any = csc_array(bmat([[stiffness, -divergence.T], [-divergence, -bulk_compliance * volumetric]]))
-    inertia = _inertia_form.assemble(displacement)
     size = displacement.N + pressure.N
 
     held = np.concatenate([displacement.get_dofs("held").flatten(), displacement.get_dofs("axis").all("u^1")])
     free = np.setdiff1d(np.arange(size), held)
-    face, radius = _lower_face(displacement)
-    load = np.zeros(size)
-    load[face] = _ring_areas(radius)
-    system = system[np.ix_(free, free)]
+    face, radius = _axial(displacement, "loaded")
+    loads = np.zeros((size, 3))
+    loads[face, 0] = _ring_areas(radius)
+    for column, name in enumerate(("patch", "upper"), 1):
+        nodes, radii = _axial(displacement, name)
+        loads[nodes, column] = _ring_areas(radii)
+    loads[:, 1] /= np.pi * shape.contact**2
+    loads = loads[free]
+    system = 2 * np.pi * system[np.ix_(free, free)]
+    mass = 2 * np.pi * _padded(_inertia_form.assemble(displacement), size)[np.ix_(free, free)]
+    geometric = 2 * np.pi * _padded(prestress, size)[np.ix_(free, free)]
+
     factor = splu(system)
-    solution = np.zeros(size)
-    solution[free] = factor.solve(load[free])
+    static: Vector = factor.solve(loads[:, :2])
+    columns = _modes_and_static(system, mass, factor, static, modes)
+    values, mix = eigh(columns.T @ (system @ columns), columns.T @ (mass @ columns))
+    columns = columns @ mix
+    columns *= np.where(columns.T @ loads[:, 0] < 0, -1.0, 1.0)  # outwards
 
-    mass: Any = csc_array(bmat([[inertia, None], [None, 0 * volumetric]]))
-    mass = mass[np.ix_(free, free)]
-    inverse = LinearOperator(factor.shape, matvec=factor.solve, dtype=np.float64)
-    start = solution[free]  # close to the first mode; also makes the iteration repeatable
-    values, modes = eigsh(system, k=1, M=mass, sigma=0.0, OPinv=inverse, v0=start)
-    mode = modes[:, 0]
-    swept = 2 * np.pi * load[free] @ mode
+    def on_face(solution: Vector) -> Vector:
+        full = np.zeros((size, *solution.shape[1:]))
+        full[free] = solution
+        result: Vector = full[face].T
+        return result
 
+    static_response = loads[:, :2].T @ static
     return ElasticDisc(
-        compliance=float(2 * np.pi * load @ solution),
-        eigenvalue=float(values[0]),
-        modal_mass=float(2 * np.pi * mode @ mass @ mode / swept**2),
+        modes=modes,
+        eigenvalues=values,
+        geometric=columns.T @ (geometric @ columns),
+        swept=columns.T @ loads[:, 0],
+        swept_above=columns.T @ loads[:, 2],
+        patch=columns.T @ loads[:, 1],
         radius=radius,
-        deflection=solution[face],
+        shapes=on_face(columns),
+        compliance=float(static_response[0, 0]),
+        deflection=on_face(static[:, 0]),
+        volume_per_force=float(static_response[0, 1]),
+        displacement_per_force=float(static_response[1, 1]),
         unknowns=len(free),
     )
+
+
+def _modes_and_static(system: Any, mass: Any, factor: Any, static: Vector, count: int) -> Vector:
+    """The first modes, then the static solutions freed of them: columns, orthonormal in mass."""
+    inverse = LinearOperator(factor.shape, matvec=factor.solve, dtype=np.float64)
+    start = static[:, 0]  # close to the first mode; also makes the iteration repeatable
+    _, modes = eigsh(system, k=count, M=mass, sigma=0.0, OPinv=inverse, v0=start)
+    columns = list(modes.T)
+    for solution in static.T:
+        for _ in range(2):  # twice is enough (Parlett, The Symmetric Eigenvalue Problem (1980), 6.9)
+            for column in columns:
+                solution = solution - column * (column @ (mass @ solution)) / (column @ (mass @ column))
+        columns.append(solution / np.sqrt(solution @ (mass @ solution)))
+    return np.stack(columns, axis=1)
 
 
 @skfem.BilinearForm
@@ -106,6 +181,13 @@ def _shear_form(u: Any, v: Any, w: Any) -> Any:
     du, dv = u.grad, v.grad
     shear = (du[0, 1] + du[1, 0]) * (dv[0, 1] + dv[1, 0]) / 2
     return 2 * w["shear"] * (du[0, 0] * dv[0, 0] + du[1, 1] * dv[1, 1] + u[0] * v[0] / r**2 + shear) * r
+
+
+@skfem.BilinearForm
+def _prestress_form(u: Any, v: Any, w: Any) -> Any:
+    """Gradients along r and around the axis, where e_r u_r turns: u_r / r."""
+    r = w.x[0]
+    return (u.grad[0, 0] * v.grad[0, 0] + u.grad[1, 0] * v.grad[1, 0] + u[0] * v[0] / r**2) * r
 
 
 @skfem.BilinearForm
@@ -123,54 +205,79 @@ def _inertia_form(u: Any, v: Any, w: Any) -> Any:
     return dot(u, v) * w.x[0]
 
 
-def _lower_face(displacement: skfem.Basis) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
-    """Axial unknowns of the loaded face and their radii, outwards: corner, middle, corner, ..."""
-    nodes = displacement.get_dofs("loaded").all("u^2")
+def _padded(matrix: Any, size: int) -> Any:
+    """The matrix of the displacements with empty rows and columns for the pressures."""
+    entries = matrix.tocoo()
+    return csc_array((entries.data, (entries.row, entries.col)), shape=(size, size))
+
+
+def _axial(displacement: skfem.Basis, face: str) -> tuple[NDArray[np.int64], Vector]:
+    """Axial unknowns of a horizontal face and their radii, outwards: corner, middle, corner, ..."""
+    nodes = displacement.get_dofs(face).all("u^2")
     radius = displacement.doflocs[0, nodes]
     order = np.argsort(radius)
     return nodes[order], radius[order]
 
 
-def _ring_areas(radius: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Integrals of N r dr for quadratic shape functions: cubic integrands, so Simpson's rule is exact."""
+def _ring_areas(radius: Vector) -> Vector:
+    """2 pi times integrals of N r dr for quadratic shape functions: cubic, so Simpson's rule is exact."""
     steps = radius[2::2] - radius[:-2:2]
     weights = np.zeros_like(radius)
     weights[:-2:2] += steps / 6
     weights[1::2] += 4 * steps / 6
     weights[2::2] += steps / 6
-    result: NDArray[np.float64] = radius * weights
+    result: Vector = 2 * np.pi * radius * weights
     return result
 
 
-def _mesh(thickness: float, rim: float, refinement: int) -> skfem.MeshQuad:
-    """Rectangles, graded towards the edge of the clamp, where the stress is singular."""
+def _mesh(shape: DiscShape, refinement: int) -> skfem.MeshQuad:
+    """Rectangles, graded towards the edge of the clamp, where the stress is singular, and of the patch."""
+    thickness, rim, contact = shape.thickness, shape.rim, shape.contact
     finest = min(thickness, 1.0) * 0.5 ** (2 * refinement + 2)
     radial = max(thickness, _RADIAL_SCALE) / refinement
-    inside = 1 - _graded(1.0, finest, radial)[::-1]
+    at_patch = min(contact, thickness) / refinement
+    parts = [contact - _graded(contact, at_patch, radial)[::-1]]
+    parts.append(contact + _graded_from_both(1 - contact, at_patch, finest, radial)[1:])
     if rim:
-        radii = np.concatenate([inside, 1 + _graded(rim, finest, radial)[1:]])
-        heights = _graded(thickness, finest, thickness / refinement)
-    else:
-        radii = inside
-        lower = _graded(thickness / 2, finest, thickness / refinement)
-        heights = np.concatenate([lower, thickness - lower[-2::-1]])
-    mesh = skfem.MeshQuad.init_tensor(radii, heights)
+        parts.append(1 + _graded(shape.glue, finest, radial)[1:])
+        if shape.glue < rim:
+            parts.append(1 + shape.glue + _graded(rim - shape.glue, min(radial, shape.glue), radial)[1:])
+    heights = _graded_from_both(thickness, finest, at_patch if rim else finest, thickness / refinement)
+    mesh = skfem.MeshQuad.init_tensor(np.concatenate(parts), heights)
 
     tiny = 1e-9 * min(thickness, 1.0)
     return mesh.with_boundaries(
         {
             "axis": lambda x: x[0] < tiny,
             "loaded": lambda x: (x[1] < tiny) & (x[0] < 1),
-            "held": (lambda x: (x[1] < tiny) & (x[0] > 1)) if rim else (lambda x: x[0] > 1 - tiny),
+            "patch": lambda x: (x[1] > thickness - tiny) & (x[0] < contact),
+            "upper": lambda x: x[1] > thickness - tiny,
+            "held": (lambda x: (x[1] < tiny) & (x[0] > 1) & (x[0] < 1 + shape.glue))
+            if rim
+            else (lambda x: x[0] > 1 - tiny),
         }
     )
 
 
-def _graded(length: float, first: float, largest: float) -> NDArray[np.float64]:
+def _graded(length: float, first: float, largest: float) -> Vector:
     """Nodes from 0 to length: steps double from ``first`` up to ``largest``."""
     steps = [first]
     while sum(steps) < length:
         steps.append(min(2 * steps[-1], largest))
+    return _nodes(steps, length)
+
+
+def _graded_from_both(length: float, first: float, last: float, largest: float) -> Vector:
+    """Nodes from 0 to length: steps double from both ends up to ``largest``."""
+    front, back = [first], [last]
+    while sum(front) + sum(back) < length:
+        shorter = front if front[-1] <= back[-1] else back
+        shorter.append(min(2 * shorter[-1], largest))
+    return _nodes([*front, *back[::-1]], length)
+
+
+def _nodes(steps: list[float], length: float) -> Vector:
     nodes = np.concatenate([[0.0], np.cumsum(steps)])
-    result: NDArray[np.float64] = nodes * (length / nodes[-1])
+    result: Vector = nodes * (length / nodes[-1])
+    result[-1] = length
     return result
