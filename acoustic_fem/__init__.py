@@ -35,6 +35,7 @@ _MODULES = (
     "microphone",
     "navier_stokes",
     "network",
+    "noise",
     "opening",
     "units",
 )

@@ -65,6 +65,35 @@ def noise_density(microphone: Microphone, frequency: ArrayLike) -> NDArray[np.fl
     return microphone.noise_density * np.sqrt(1 + ratio)
 
 
+def noise_rms(microphone: Microphone, low: float, high: float) -> float:
+    """Equivalent input noise in a band, n sqrt(f2 - f1 + fc ln(f2 / f1)), Pa rms: :func:`noise_density` integrated.
+
+    Args:
+        microphone: from the design.
+        low: lower edge f1 of the band, Hz.
+        high: upper edge f2, above f1, Hz.
+
+    Raises:
+        ValueError: an edge that is not finite and positive, or edges that do not ascend.
+    """
+    low, high = (float(positive(name, edge, "Hz")) for name, edge in (("low", low), ("high", high)))
+    if high <= low:
+        raise ValueError(f"high = {high:g} Hz must be above low = {low:g} Hz")
+    return float(microphone.noise_density * np.sqrt(high - low + microphone.noise_corner * np.log(high / low)))
+
+
+def noise_density_behind_vent(microphone: Microphone, frequency: ArrayLike, medium: Medium) -> NDArray[np.float64]:
+    """The same figures read as noise of the output over the sensitivity, referred to the pressure in front.
+
+    n sqrt(1 + fc / f) / |response|, Pa/sqrt(Hz). A data sheet states noise at the output divided by the
+    sensitivity above the vent's corner; since the vent takes signal away below its corner but not noise of
+    the electronics, the pressure in front that such noise is worth rises there by 20 dB per decade more.
+
+    Arguments and errors as :func:`response`.
+    """
+    return noise_density(microphone, frequency) / np.abs(response(microphone, frequency, medium))
+
+
 def _elements(
     microphone: Microphone, frequency: ArrayLike, medium: Medium
 ) -> tuple[float, NDArray[np.complex128], float]:

@@ -19,8 +19,8 @@ def shape(thickness, rim=0.0, prestress=0.0, contact=0.25, glue=None, poisson_ra
 def tensioned_plate(radius, thickness, modulus, tension, poisson_ratio=0.49):
     """Volume compliance of a thin clamped plate under tension.
 
-    D lap lap w - T lap w = p with w = w' = 0 at the edge gives w = p a^2 / (4 T) (1 - (r/a)^2 - 2 (I0(k) - I0(k r/a)) / (k I1(k))),
-    k = a sqrt(T / D); integrated over the plate.
+    D lap lap w - T lap w = p with w = w' = 0 at the edge gives, with k = a sqrt(T / D),
+    w = p a^2 / (4 T) (1 - (r/a)^2 - 2 (I0(k) - I0(k r/a)) / (k I1(k))); integrated over the plate.
     """
     stiffness = modulus * thickness**3 / (12 * (1 - poisson_ratio**2))
     k = radius * np.sqrt(tension / stiffness)
