@@ -25,6 +25,7 @@ _HOMES = {
 _MODULES = (
     "cavity",
     "cell",
+    "coil_bore",
     "duct",
     "frequency",
     "library",
@@ -37,6 +38,8 @@ _MODULES = (
     "network",
     "noise",
     "opening",
+    "section",
+    "tapered_duct",
     "units",
 )
 

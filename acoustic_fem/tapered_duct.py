@@ -37,7 +37,8 @@ class TaperedTwoPort:
     Attributes:
         admittance: (n_freq, 2, 2) complex128, volume velocity into each end per pressure, m^3/(Pa s).
         elements: used for it.
-        error: largest change of an entry relative to sqrt(|Y11 Y22|) at the last halving of the elements.
+        error: change at the last halving of the elements: of Y12 and of the row sums (the compliance, at low
+            frequency), each relative to its own size.
     """
 
     admittance: NDArray[np.complex128]
@@ -75,7 +76,7 @@ def solve(
         frequency: Hz, (n_freq,).
         medium: the gas.
         breaks: places (m) where the section jumps or has a kink, ascending; element ends are put there.
-        accuracy: of the entries, relative to sqrt(|Y11 Y22|); 1e-12 to 0.1.
+        accuracy: of Y12 and of the row sums of the two-port; 1e-12 to 0.1.
 
     Raises:
         ValueError: length, a frequency, a break or the accuracy out of range.
@@ -90,20 +91,28 @@ def solve(
     nodes = np.array([0.0, *breaks, whole])
     if not (np.diff(nodes) > 0).all():
         raise ValueError(f"breaks = {list(breaks)} m must ascend between 0 and {whole:g} m")
+    nodes = _halved(_halved(nodes))
     previous, error = None, np.inf
     while len(nodes) - 1 <= _MAX_ELEMENTS:
-        admittance = assemble(section, nodes, grid, medium)
+        circuit = assemble(section, nodes, grid, medium)
         if previous is not None:
-            scale = np.sqrt(np.abs(admittance[:, 0, 0] * admittance[:, 1, 1]))
-            error = float(np.max(np.abs(admittance - previous) / scale[:, None, None]))
+            transfer, shunts = np.abs(circuit - previous)[0], np.abs(circuit - previous)[1:].max(axis=0)
+            scales = np.abs(circuit[0]), np.abs(circuit[1:]).sum(axis=0)
+            error = float(max((transfer / np.maximum(*scales)).max(), (shunts / scales[1]).max()))
             if error <= accuracy:
+                own, far, other = circuit[0] + circuit[1], circuit[0] + circuit[2], -circuit[0]
+                admittance = np.stack([np.stack([own, other], -1), np.stack([other, far], -1)], -2)
                 return TaperedTwoPort(admittance, len(nodes) - 1, error)
-        previous = admittance
-        nodes = np.sort(np.concatenate([nodes, (nodes[1:] + nodes[:-1]) / 2]))
+        previous = circuit
+        nodes = _halved(nodes)
     raise TaperError(
         f"{_MAX_ELEMENTS} elements leave a change of {error:.2g}, above the accuracy {accuracy:g}: "
         "give the places where the section jumps as breaks"
     )
+
+
+def _halved(nodes: NDArray[np.float64]) -> NDArray[np.float64]:
+    return np.sort(np.concatenate([nodes, (nodes[1:] + nodes[:-1]) / 2]))
 
 
 def assemble(
@@ -113,7 +122,7 @@ def assemble(
     medium: Medium,
     degree: int = DEGREE,
 ) -> NDArray[np.complex128]:
-    """The two-port (n_freq, 2, 2) for the elements between given nodes (m, ascending), without refinement."""
+    """The duct on given elements (nodes in m, ascending): -Y12, Y11 + Y12 and Y22 + Y12, (3, n_freq)."""
     points, weights = leggauss(degree + 2)
     values, slopes = _shapes(degree, points)
     steps = np.diff(nodes)
@@ -125,7 +134,7 @@ def assemble(
     # (n_freq, n_element, degree + 1, degree + 1)
     stiffness = np.einsum("eqf,qij,e->feij", conductance, _products(slopes, 2 * weights), 1 / steps)
     storage = np.einsum("eqf,qij,e->feij", shunt, _products(values, weights / 2), steps)
-    return _joined(_condensed(stiffness + storage))
+    return _joined(_condensed(stiffness + storage, storage.sum(axis=-1)))
 
 
 def _products(functions: NDArray[np.float64], weights: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -133,28 +142,34 @@ def _products(functions: NDArray[np.float64], weights: NDArray[np.float64]) -> N
     return functions[:, :, None] * functions[:, None, :] * weights[:, None, None]
 
 
-def _condensed(element: NDArray[np.complex128]) -> NDArray[np.complex128]:
-    """Element matrices with the inner unknowns eliminated: (n_freq, n_element, 2, 2)."""
+def _condensed(element: NDArray[np.complex128], uniform: NDArray[np.complex128]) -> NDArray[np.complex128]:
+    """Elements with their inner unknowns eliminated, as Pi circuits: (3, n_freq, n_element).
+
+    A transfer -Y12 and the shunts Y11 + Y12, Y22 + Y12, which are the response to a uniform pressure: taken
+    from what the elements store then (``uniform``), they are not lost as differences of large conductances.
+    """
     ends, inner = element[..., [0, -1], :], element[..., 1:-1, 1:-1]
-    outer, coupling = ends[..., [0, -1]], ends[..., 1:-1]
-    if not inner.shape[-1]:
-        return outer
-    return np.asarray(outer - coupling @ np.linalg.solve(inner, coupling.swapaxes(-1, -2)))
+    coupling = ends[..., 1:-1]
+    transfer, shunt = -ends[..., 0, -1], uniform[..., [0, -1]]
+    if inner.shape[-1]:
+        right = np.concatenate([coupling.swapaxes(-1, -2), uniform[..., 1:-1, None]], axis=-1)
+        moved = coupling @ np.linalg.solve(inner, right)
+        transfer, shunt = transfer + moved[..., 0, 1], shunt - moved[..., 2]
+    return np.stack([transfer, shunt[..., 0], shunt[..., 1]])
 
 
 def _joined(chain: NDArray[np.complex128]) -> NDArray[np.complex128]:
-    """Two-ports (n_freq, n, 2, 2) in a row joined into one, neighbours first."""
-    while chain.shape[1] > 1:
-        odd = chain[:, -1:] if chain.shape[1] % 2 else chain[:, :0]
-        pairs = chain[:, : chain.shape[1] // 2 * 2]
-        left, right = pairs[:, ::2], pairs[:, 1::2]
-        between = left[..., 1, 1] + right[..., 0, 0]
-        own = left[..., 0, 0] - left[..., 0, 1] ** 2 / between
-        far = right[..., 1, 1] - right[..., 0, 1] ** 2 / between
-        transfer = -left[..., 0, 1] * right[..., 0, 1] / between
-        joined = np.stack([np.stack([own, transfer], -1), np.stack([transfer, far], -1)], -2)
-        chain = np.concatenate([joined, odd], axis=1)
-    return chain[:, 0]
+    """Pi circuits (3, n_freq, n) in a row joined into one, neighbours first: (3, n_freq)."""
+    while chain.shape[-1] > 1:
+        odd = chain[..., -1:] if chain.shape[-1] % 2 else chain[..., :0]
+        pairs = chain[..., : chain.shape[-1] // 2 * 2]
+        (t, first, near), (u, far, last) = pairs[..., ::2], pairs[..., 1::2]
+        middle = near + far
+        between = t + u + middle
+        chain = np.concatenate(
+            [np.stack([t * u / between, first + t * middle / between, last + u * middle / between]), odd], axis=-1
+        )
+    return chain[..., 0]
 
 
 def _shapes(degree: int, points: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

@@ -1,12 +1,18 @@
 """Ducts: reference numbers, limits, invariances."""
 
+import json
+from pathlib import Path
+
+import mpmath
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from reference_data import AIR, column
 
-from acoustic_fem import duct
+from acoustic_fem import duct, tapered_duct
+from acoustic_fem.medium import Medium
+from acoustic_fem.section import CircularSection
 
 radii = st.floats(5e-5, 2.5e-3)
 lengths = st.floats(1e-5, 1.0)
@@ -112,3 +118,176 @@ def test_a_value_that_is_not_positive_is_refused_by_name(arguments, message):
     with pytest.raises(ValueError) as error:
         duct.port_admittance(*arguments, AIR)
     assert message in str(error.value)
+
+
+def exact_per_length(radius, frequency):
+    """Z' and Y' of a round bore with 40 digits."""
+    a, omega = mpmath.mpf(radius), 2 * mpmath.pi * mpmath.mpf(frequency)
+    section, density, gamma = mpmath.pi * a**2, mpmath.mpf(AIR.density), mpmath.mpf(AIR.gamma)
+
+    def mean(diffusivity):
+        argument = a * mpmath.sqrt(-1j * omega / diffusivity)
+        return -mpmath.besselj(2, argument) / mpmath.besselj(0, argument)
+
+    viscous = mean(mpmath.mpf(AIR.viscosity) / density)
+    thermal = mean(mpmath.mpf(AIR.conductivity) / (density * mpmath.mpf(AIR.heat_capacity)))
+    stored = gamma - (gamma - 1) * thermal
+    return 1j * omega * density / (section * viscous), 1j * omega * section / (gamma * AIR.pressure) * stored
+
+
+def relative_error(value, exact):
+    return float(abs(mpmath.mpmathify(value.item()) - exact) / abs(exact))
+
+
+@pytest.fixture
+def forty_digits():
+    with mpmath.workdps(40):
+        yield
+
+
+@pytest.mark.usefixtures("forty_digits")
+@pytest.mark.parametrize("radius", np.geomspace(2.5e-5, 2.5e-3, 7))
+def test_per_length_values_hold_1e_12_against_high_precision_bessel_functions(radius):
+    """Modulus, real and imaginary part each; bores 0.05 to 5 mm, 0.01 Hz to 20 kHz."""
+    for frequency in np.geomspace(0.01, 2e4, 15):
+        for value, exact in zip(
+            (duct.series_impedance(radius, frequency, AIR), duct.shunt_admittance(radius, frequency, AIR)),
+            exact_per_length(radius, frequency),
+            strict=True,
+        ):
+            assert relative_error(value, exact) < 5e-15
+            assert relative_error(value.real, exact.real) < 1e-13
+            assert relative_error(value.imag, exact.imag) < 1e-13
+
+
+@pytest.mark.usefixtures("forty_digits")
+@pytest.mark.parametrize("length", [1e-9, 1e-5, 1e-3, 0.0125, 0.12, 1.0, 30.0, 1e3])
+def test_two_ports_hold_1e_12_against_high_precision_hyperbolic_functions(length):
+    """Up to |Gamma L| = 1000, and 1e-15 |Gamma L| beyond: what rounding the length costs. No overflow."""
+    for radius in np.geomspace(2.5e-5, 2.5e-3, 4):
+        for frequency in np.geomspace(0.01, 2e4, 7):
+            series, shunt = exact_per_length(radius, frequency)
+            exponent, characteristic = mpmath.sqrt(series * shunt) * mpmath.mpf(length), mpmath.sqrt(series / shunt)
+            admittance = duct.port_admittance(radius, length, frequency, AIR)
+            assert np.isfinite(admittance).all()
+            tolerance = 1e-12 * max(1.0, float(abs(exponent)) / 1000)
+            assert relative_error(admittance[0, 0], mpmath.coth(exponent) / characteristic) < tolerance
+            transfer = -1 / (mpmath.sinh(exponent) * characteristic)
+            if abs(transfer) > 1e-290:
+                assert relative_error(admittance[0, 1], transfer) < tolerance
+            else:
+                assert abs(admittance[0, 1]) < 1e-289
+
+
+def test_a_lossless_line_gives_the_cotangent():
+    admittance = duct.two_port(2e5j, 1e-6j, [0.1, 1.0, 10.0])
+    angle, characteristic = np.sqrt(0.2) * np.array([0.1, 1.0, 10.0]), np.sqrt(1e-6 / 2e5)
+    np.testing.assert_allclose(admittance[:, 0, 0], -1j * characteristic / np.tan(angle), rtol=1e-12)
+    np.testing.assert_allclose(admittance[:, 0, 1], 1j * characteristic / np.sin(angle), rtol=1e-12)
+
+
+def test_a_user_line_with_the_constants_of_a_bore_is_that_bore():
+    frequency = np.array([1.0, 30.0, 1000.0])
+    bore = CircularSection(2.2e-4)
+    expected = duct.port_admittance(2.2e-4, 0.0125, frequency, AIR)
+    np.testing.assert_allclose(bore.port_admittance(0.0125, frequency, AIR), expected, rtol=1e-14)
+    given_values = duct.UserLine(bore.propagation(frequency, AIR), bore.characteristic_impedance(frequency, AIR))
+    given_functions = duct.UserLine(lambda f: bore.propagation(f, AIR), lambda f: bore.characteristic_impedance(f, AIR))
+    for line in (given_values, given_functions):
+        np.testing.assert_allclose(line.port_admittance(0.0125, frequency, AIR), expected, rtol=1e-13)
+
+
+def test_a_user_line_refuses_gain_and_values_for_other_frequencies():
+    with pytest.raises(ValueError, match="gamma = -1"):
+        duct.UserLine(-1.0, 1e8).series_impedance(10.0, AIR)
+    with pytest.raises(ValueError, match=r"zc has shape \(2,\), the frequencies have \(3,\)"):
+        duct.UserLine(1.0, [1e8, 2e8]).shunt_admittance([1.0, 2.0, 3.0], AIR)
+
+
+@pytest.mark.parametrize(("series", "shunt", "name"), [(0.0, 1e-9, "series"), (1e8, np.nan, "shunt")])
+def test_a_two_port_refuses_values_without_meaning(series, shunt, name):
+    with pytest.raises(ValueError, match=name):
+        duct.two_port(series, shunt, 0.01)
+
+
+def test_a_compliant_wall_adds_its_compliance_and_its_losses():
+    frequency = np.array([1.0, 100.0])
+    rigid = CircularSection(2.5e-4)
+    wall = duct.tube_compliance(2.5e-4, 5e-4, 1e7, loss_factor=0.1)
+    soft = duct.CompliantWall(rigid, wall)
+    added = soft.shunt_admittance(frequency, AIR) - rigid.shunt_admittance(frequency, AIR)
+    np.testing.assert_allclose(added, 2j * np.pi * frequency * wall, rtol=1e-9)
+    assert (added.real > 0).all()
+    np.testing.assert_array_equal(soft.series_impedance(frequency, AIR), rigid.series_impedance(frequency, AIR))
+
+
+def test_a_thin_tube_tends_to_two_pi_a_cubed_over_e_h():
+    a, h, modulus = 1e-3, 1e-7, 1e8
+    thin = 2 * np.pi * a**3 / (modulus * h)
+    assert duct.tube_compliance(a, a + h, modulus, 0.3, axial="free") == pytest.approx(thin, rel=3e-4)
+    assert duct.tube_compliance(a, a + h, modulus, 0.3) == pytest.approx(thin * (1 - 0.3**2), rel=3e-4)
+
+
+def test_a_very_thick_tube_tends_to_a_hole_in_an_infinite_body():
+    compliance = duct.tube_compliance(1e-3, 1.0, 1e8, 0.49)
+    assert compliance == pytest.approx(2 * np.pi * 1e-6 * 1.49 / 1e8, rel=1e-5)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ((1e-3, 1e-3, 1e8), "outer_radius = 0.001 m must be above inner_radius"),
+        ((1e-3, 2e-3, 1e8, 0.6), "poisson_ratio = 0.6"),
+        ((1e-3, 2e-3, 1e8, 0.4, 0.0, "loose"), "axial = 'loose'"),
+    ],
+)
+def test_an_impossible_tube_wall_is_refused(arguments, message):
+    with pytest.raises(ValueError, match=message):
+        duct.tube_compliance(*arguments)
+
+
+def test_a_wall_that_gives_energy_is_refused():
+    with pytest.raises(ValueError, match="compliance"):
+        duct.CompliantWall(CircularSection(1e-3), 1e-12 + 1e-13j)
+
+
+def driven_impedance(pieces, frequency, air):
+    """Input impedance of pieces in a row with a closed end: tanh for tubes, finite elements for cones."""
+    beyond = np.zeros(len(frequency), dtype=complex)
+    for length, first, last in reversed(pieces):
+        if first == last:
+            bore = CircularSection(first)
+            tangent = np.tanh(bore.propagation(frequency, air) * length)
+            characteristic = bore.characteristic_impedance(frequency, air)
+            beyond = (beyond + tangent / characteristic) / (1 + beyond * characteristic * tangent)
+        else:
+            y = tapered_duct.port_admittance(
+                lambda x, start=first, slope=(last - first) / length: CircularSection(start + slope * x),
+                length,
+                frequency,
+                air,
+                accuracy=1e-11,
+            )
+            beyond = y[:, 0, 0] - y[:, 0, 1] ** 2 / (y[:, 1, 1] + beyond)
+    return 1 / beyond
+
+
+OPENWIND = json.loads((Path(__file__).parent / "reference" / "openwind.json").read_text())
+
+
+@pytest.mark.parametrize("case", OPENWIND["cases"], ids=[case["name"] for case in OPENWIND["cases"]])
+def test_tubes_agree_with_openwind(case):
+    """To 1e-12; the cone to 1e-9, where the input impedance at 0.01 Hz is a difference of admittances."""
+    impedance = driven_impedance(case["pieces"], np.array(OPENWIND["frequency"]), Medium(**OPENWIND["air"]))
+    stored = np.array([complex(*pair) for pair in case["impedance"]])
+    np.testing.assert_allclose(impedance, stored, rtol=1e-9 if case["name"].startswith("cone") else 1e-12)
+
+
+def test_the_stored_numbers_are_those_of_openwind():
+    pytest.importorskip("openwind")
+    import openwind_ladder
+
+    live = openwind_ladder.reference()
+    assert live["air"] == pytest.approx(OPENWIND["air"], rel=1e-12)
+    for now, stored in zip(live["cases"], OPENWIND["cases"], strict=True):
+        np.testing.assert_allclose(now["impedance"], stored["impedance"], rtol=1e-9, err_msg=stored["name"])
