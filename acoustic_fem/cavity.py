@@ -85,7 +85,7 @@ def _cylinder_mean(radius: float, height: float, rate: NDArray[np.complex128]) -
     """<Psi> = sum 4/l^2 s/q^2 (1 - tanh(q H/2)/(q H/2)), q^2 = (l/R)^2 + s, over the zeros l of J0.
 
     Explicit terms reach past both scales of the problem, l = 4 R |s|^(1/2) and q H/2 = 20; the rest is
-    summed by Hurwitz zeta functions of l = pi (n - 1/4).
+    summed by Hurwitz zeta functions of l = b + 1/(8 b), b = pi (n - 1/4).
     """
     largest = float(np.sqrt(np.abs(rate).max(initial=0.0)))
     count = int(np.ceil(max(64.0, 4 * radius * largest / np.pi, 40 * radius / (np.pi * height))))
@@ -95,7 +95,8 @@ def _cylinder_mean(radius: float, height: float, rate: NDArray[np.complex128]) -
     terms = 4 / zeros**2 * scaled / (zeros**2 + scaled) * _one_minus_tanh_over(wave)
 
     def tail(power: int) -> float:
-        return float(zeta(power, count + 0.75)) / np.pi**power
+        inner = float(zeta(power, count + 0.75)) / np.pi**power
+        return inner - power / 8 * float(zeta(power + 2, count + 0.75)) / np.pi ** (power + 2)
 
     sr2, aspect = scaled[..., 0], 2 * radius / height
     rest = 4 * sr2 * (tail(4) - sr2 * tail(6) + sr2**2 * tail(8)) - 4 * sr2 * aspect * (

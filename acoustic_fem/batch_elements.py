@@ -1,0 +1,158 @@
+"""Tubes, cavities, membranes and microphones in closed form on batches: (n_design, n_column, n_freq) arrays.
+
+The same models as the lumped fidelity (:mod:`acoustic_fem.duct`, :mod:`acoustic_fem.opening`,
+:mod:`acoustic_fem.cavity`, :mod:`acoustic_fem.microphone`), with their sources and validity, arranged so that
+nothing cancels at low frequency: a tube is a series admittance and a shunt at each end, not a matrix Y.
+"""
+
+from __future__ import annotations
+
+import warnings
+from dataclasses import dataclass, fields
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from acoustic_fem.batch_functions import Array, ball_mean, cylinder_mean, hyperbolic
+from acoustic_fem.batch_parameters import ArrayParameters, MediumParameters
+from acoustic_fem.medium import Medium
+from acoustic_fem.opening import INERTANCE, LARGEST_SHEAR_NUMBER, RESISTANCE
+
+
+@dataclass(frozen=True, eq=False)
+class Conditions:
+    """Frequencies and air, shaped to broadcast with (n_design, n_column, n_freq).
+
+    Attributes:
+        omega: (n_freq,) rad/s.
+        medium: numbers, or arrays of (n_design, 1, 1).
+    """
+
+    omega: Array
+    medium: Any
+
+    @classmethod
+    def of(cls, omega: Array, medium: Medium | MediumParameters) -> Conditions:
+        """From angular frequencies and the air of all designs or of each."""
+        if isinstance(medium, MediumParameters):
+            values = {field.name: getattr(medium, field.name).reshape(-1, 1, 1) for field in fields(medium)}
+            medium = MediumParameters(**values)
+        return cls(omega, medium)
+
+    @property
+    def viscous_rate(self) -> Array:
+        """Rate of viscous diffusion w / nu, 1/m^2."""
+        return self.omega * (self.medium.density / self.medium.viscosity)
+
+    @property
+    def thermal_rate(self) -> Array:
+        """Rate of heat diffusion w / alpha, 1/m^2."""
+        return self.omega * (self.medium.density * self.medium.heat_capacity / self.medium.conductivity)
+
+    def compliance(self, volume: Array, mean: Array) -> Array:
+        """V (gamma - (gamma - 1) <Psi>) / (gamma p), m^3/Pa."""
+        gamma = self.medium.gamma
+        return volume / self.medium.pressure - (volume * ((gamma - 1) / (gamma * self.medium.pressure))) * mean
+
+
+class Tubes(NamedTuple):
+    """Tubes with the entrance loss of both openings: a series admittance between shunts, m^3/(Pa s)."""
+
+    series: Array
+    shunt: Array
+
+
+class Chambers(NamedTuple):
+    """Microphone chambers.
+
+    Attributes:
+        shunt: admittance of chamber, sound hole and microphone, m^3/(Pa s).
+        ratio: pressure on the microphone per pressure in the chamber.
+        own: pressure on the microphone per volume velocity injected there while the chamber is at zero
+            pressure, Pa s/m^3.
+    """
+
+    shunt: Array
+    ratio: Array
+    own: Array
+
+
+def tubes(parameters: ArrayParameters, air: Conditions) -> Tubes:
+    """Tubes from cavity wall to cavity wall: Zwikker-Kosten ducts between two entrance impedances."""
+    radius, length = parameters.tube_radius[..., None], parameters.tube_length[..., None]
+    total, across, rise, ratio = _duct(radius, length, air)
+    entrance = _entrance(radius, air)
+    # chain matrix [[1 + a, b], [., 1 + a]]: a = cosh - 1 + Ze Y sinh, b = Z sinh + Ze (1 + a + cosh)
+    inward = entrance * across * ratio
+    excess = rise + inward
+    series = 1 / (total * ratio + entrance * (2 + rise + excess))
+    return Tubes(series, excess * series)
+
+
+def points(parameters: ArrayParameters, air: Conditions) -> Array:
+    """Admittance of cavities and their membranes, m^3/(Pa s)."""
+    cavity = _cylinder(parameters.cavity_radius[..., None], parameters.cavity_height[..., None], air)
+    modes, loss = parameters.membrane_frequency, parameters.membrane_loss[..., None]
+    kept = max(0, modes.shape[-1] - 3)  # the last two correct the statics
+    highest, limit = float(air.omega.max()) / (2 * np.pi), float(modes[..., kept].min()) / 2
+    if highest > limit:
+        warnings.warn(
+            f"membrane: {highest:.4g} Hz is above half of the highest mode that is kept ({2 * limit:.4g} Hz in vacuo)",
+            stacklevel=4,
+        )
+    real, imag = 0.0, 0.0
+    for mode in range(modes.shape[-1]):
+        dynamic = 1 - (air.omega / (2 * np.pi * modes[..., mode, None])) ** 2
+        weight = parameters.membrane_share[..., mode, None] / (dynamic * dynamic + loss * loss)
+        real, imag = real + weight * dynamic, imag + weight
+    membrane = parameters.membrane_compliance[..., None] * (real - 1j * (loss * imag))
+    return 1j * air.omega * (cavity + membrane)
+
+
+def chambers(parameters: ArrayParameters, air: Conditions) -> Chambers:
+    """Chambers with sound hole, diaphragm, vent and back volume."""
+    rate = 1j * air.omega
+    chamber = _cylinder(parameters.chamber_radius[..., None], parameters.chamber_height[..., None], air)
+    volume = parameters.back_volume[..., None]
+    sphere = (3 * volume / (4 * np.pi)) ** (1 / 3)
+    back = rate * air.compliance(volume, ball_mean(0.5, sphere**2 * air.thermal_rate))
+    front = rate * parameters.diaphragm_compliance[..., None] + parameters.vent_admittance[..., None]
+    load = back * front / (back + front)
+
+    radius, length = parameters.hole_radius[..., None], parameters.hole_length[..., None]
+    total, across, rise, ratio = _duct(radius, length, air)
+    entrance = _entrance(radius, air)
+    inward = across * ratio
+    through = total * ratio + entrance * (1 + rise)
+    opening = 1 / (1 + rise + entrance * inward + through * load)
+    return Chambers(rate * chamber + (inward + (1 + rise) * load) * opening, opening, through * opening)
+
+
+def _duct(radius: Array, length: Array, air: Conditions) -> tuple[Array, Array, Array, Array]:
+    """Z' L, Y' L, cosh(G L) - 1 and sinh(G L) / (G L)."""
+    square = radius * radius
+    section = np.pi * square
+    impedance = (air.medium.density * length / section) * (1j * air.omega) / ball_mean(0, square * air.viscous_rate)
+    admittance = (1j * air.omega) * air.compliance(section * length, ball_mean(0, square * air.thermal_rate))
+    return impedance, admittance, *hyperbolic(impedance * admittance)
+
+
+def _entrance(radius: Array, air: Conditions) -> Array:
+    """Z = 1.5 mu / a^3 + j w 0.42 rho / a, with the warning of :func:`acoustic_fem.opening.entrance_impedance`."""
+    shear = float((radius * radius * air.viscous_rate).max()) ** 0.5
+    if shear > LARGEST_SHEAR_NUMBER:
+        warnings.warn(
+            f"entrance loss of a tube: shear number a sqrt(w/nu) = {shear:.2g} is above {LARGEST_SHEAR_NUMBER:g}, "
+            f"the largest it is fit for (bore radius {float(radius.max()) * 1e3:.3g} mm, up to "
+            f"{float(air.omega.max()) / (2 * np.pi):.4g} Hz)",
+            stacklevel=5,
+        )
+    resistance = (RESISTANCE * air.medium.viscosity) / radius**3
+    return resistance + (1j * air.omega) * (INERTANCE * air.medium.density / radius)
+
+
+def _cylinder(radius: Array, height: Array, air: Conditions) -> Array:
+    """Compliance of closed cylinders, m^3/Pa."""
+    square = radius * radius
+    mean = cylinder_mean(square * air.thermal_rate, height / (2 * radius))
+    return air.compliance(np.pi * square * height, mean)
