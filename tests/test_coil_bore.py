@@ -2,10 +2,23 @@
 
 import numpy as np
 import pytest
+import scipy.sparse as sp
+import skfem
 from reference_data import AIR
+from scipy.sparse.linalg import spsolve
 
 from acoustic_fem import duct
-from acoustic_fem.coil_bore import CoilBore, _response, flow_system, half_pitch_mesh, heat_system
+from acoustic_fem.coil_bore import (
+    CUSP,
+    CoilBore,
+    _axial,
+    _divergence,
+    _response,
+    _viscous,
+    flow_system,
+    half_pitch_mesh,
+    heat_system,
+)
 from acoustic_fem.section import CircularSection
 
 #: Outer diameter and wire of the two springs, m.
@@ -47,6 +60,53 @@ def test_the_effective_bore_converges_with_the_mesh(outer, wire):
     # 4 times that in resistance; the default lies between the second and the third
     assert steps[1] < 2e-5
     assert steps[2] < 1.5e-6
+
+
+def effective_radius_of_a_full_pitch(outer, wire, count):
+    """The same bore on P2-P1 triangles over a whole pitch, its ends tied to each other: no mirror planes."""
+    crest = outer / 2 - wire
+    half = wire / 2 / crest
+    core = 1 - 3 * half
+    rows = np.concatenate([np.linspace(0, core, count // 2 + 1), np.linspace(core, 1, 2 * count + 1)[1:]])
+    arc = np.linspace(0, np.pi / 2 - CUSP, count + 1)
+    angles = np.concatenate([arc, arc[-1:], arc[::-1]])
+    columns = np.arange(len(angles), dtype=float)
+    straight = skfem.MeshTri2.from_mesh(skfem.MeshTri.init_tensor(rows, columns))
+    row, column = straight.doflocs
+    angle = np.interp(column, columns, angles)
+    bottom = half + (column - count - 1) * half * (1 - np.cos(CUSP))
+    arcs = [half * np.sin(angle), 2 * half - half * np.sin(angle)]
+    z = np.select([column <= count, column >= count + 2], arcs, bottom)
+    wall = 1 + half * (1 - np.cos(angle))
+    r = np.where(row <= core, row, core + (row - core) / (1 - core) * (wall - core))
+    curved = skfem.MeshTri2(np.stack([r, z]), straight.t)
+
+    velocity = skfem.Basis(curved, skfem.ElementVector(skfem.ElementTriP2()), intorder=6)
+    pressure = velocity.with_element(skfem.ElementTriP1())
+    divergence = _divergence.assemble(velocity, pressure)
+    system = sp.block_array([[_viscous.assemble(velocity), -divergence.T], [-divergence, None]], format="csr")
+    load = np.concatenate([_axial.assemble(velocity), np.zeros(pressure.N)])
+
+    # where each unknown lies on the straight mesh: row, column and component (2: pressure)
+    flat = skfem.Basis(straight, velocity.elem)
+    component = np.full(flat.N, 1)
+    component[flat.get_dofs(elements=True).all("u^1")] = 0
+    places = np.hstack([flat.doflocs, flat.with_element(skfem.ElementTriP1()).doflocs])
+    component = np.concatenate([component, np.full(pressure.N, 2)])
+    tied = np.column_stack([places[0], places[1] % columns[-1], component]).round(9)
+    _, group = np.unique(tied, axis=0, return_inverse=True)
+    held = (component < 2) & (places[0] > 1 - 1e-9) | (component == 0) & (places[0] < 1e-9)
+    held[velocity.N] = True  # one pressure, else free up to a constant
+    free = np.setdiff1d(np.arange(group.max() + 1), group[held])
+    tie = sp.csr_array((np.ones(len(group)), (np.arange(len(group)), group.ravel())))[:, free]
+    solution = spsolve((tie.T @ system @ tie).tocsc(), tie.T @ load)
+    return crest * (8 * 2 * (tie.T @ load) @ solution / (2 * half)) ** 0.25
+
+
+@pytest.mark.parametrize(("outer", "wire"), SPRINGS)
+def test_a_whole_pitch_with_tied_ends_on_triangles_has_the_same_effective_bore(outer, wire):
+    radius = effective_radius_of_a_full_pitch(outer, wire, 12)
+    assert radius == pytest.approx(CoilBore(outer, wire, 16).effective_radius, rel=5e-5)
 
 
 @pytest.mark.parametrize(("outer", "wire"), SPRINGS)
