@@ -235,7 +235,7 @@ def _mesh(shape: DiscShape, refinement: int) -> skfem.MeshQuad:
     thickness, rim, contact = shape.thickness, shape.rim, shape.contact
     finest = min(thickness, 1.0) * 0.5 ** (2 * refinement + 2)
     radial = max(thickness, _RADIAL_SCALE) / refinement
-    at_patch = min(contact, thickness) / refinement
+    at_patch = min(contact, 1 - contact, thickness) / refinement
     parts = [contact - _graded(contact, at_patch, radial)[::-1]]
     parts.append(contact + _graded_from_both(1 - contact, at_patch, finest, radial)[1:])
     if rim:

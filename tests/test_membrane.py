@@ -59,14 +59,16 @@ def test_each_refinement_at_least_halves_the_error(thickness, rim):
     assert steps[-1] < 1.2e-4  # what refinement 4, the default, lacks
 
 
-@pytest.mark.parametrize("rim", [0.0, 0.5], ids=["clamped", "glued"])
-@pytest.mark.parametrize("thickness", [0.05, 0.17, 1.0])
-def test_touch_and_modes_are_converged_at_the_default_refinement(thickness, rim):
-    default, finer = (solve_dimensionless(shape(thickness, rim), n) for n in (4, 5))
+@pytest.mark.parametrize(
+    ("thickness", "rim", "contact"), [(0.05, 0.0, 0.25), (0.17, 0.5, 0.25), (1.0, 0.0, 0.02), (1.0, 0.5, 0.9)]
+)
+def test_touch_and_modes_are_converged_at_the_default_refinement(thickness, rim, contact):
+    default, finer = (solve_dimensionless(shape(thickness, rim, contact=contact), n) for n in (4, 5))
+    assert default.compliance == pytest.approx(finer.compliance, rel=2e-4)
     assert default.volume_per_force == pytest.approx(finer.volume_per_force, rel=2e-4)
     assert default.displacement_per_force == pytest.approx(finer.displacement_per_force, rel=3e-4)
-    np.testing.assert_allclose(default.eigenvalues[:2], finer.eigenvalues[:2], rtol=3e-4)
-    np.testing.assert_allclose(default.eigenvalues[:4], finer.eigenvalues[:4], rtol=5e-4)
+    np.testing.assert_allclose(default.eigenvalues[:2], finer.eigenvalues[:2], rtol=6e-4)
+    np.testing.assert_allclose(default.eigenvalues[:4], finer.eigenvalues[:4], rtol=7e-4)
 
 
 def test_thin_discs_tend_to_the_thin_plate():
@@ -155,15 +157,18 @@ def test_at_low_frequency_the_modal_sum_is_the_static_answer(rim, thickness, pre
         assert 0 < -lossy.imag / lossy.real < loss
 
 
-def test_the_compliance_is_that_of_many_modes():
-    """Against the sum over 25 modes and no correction, below and between the first two resonances."""
+def test_four_modes_and_two_corrections_are_as_good_as_many():
+    """Against 25 modes with their corrections, below and above the first resonance."""
     disc = solve_disc(3e-3, 0.5e-3, 1e6)
-    frequency = np.array([100.0, 0.8, 1.5]) * [1, disc.first_frequency, disc.first_frequency]
+    frequency = disc.first_frequency * np.array([0.1, 0.8, 1.5, 3])
     many = solve_dimensionless(shape(0.5 / 3), modes=25)
-    share = many.swept[:25] ** 2 * 3e-3**3 / 1e6
     square = (2 * np.pi * frequency * 3e-3) ** 2 * 1070 / 1e6
-    expected = (share / (many.eigenvalues[:25] * (1 + 0.1j) - square[:, None])).sum(axis=1)
-    np.testing.assert_allclose(disc.compliance(frequency, 0.1), expected, rtol=2e-3)
+    expected = (many.swept**2 / (many.eigenvalues * (1 + 0.1j) - square[:, None])).sum(axis=1) * 3e-3**3 / 1e6
+    np.testing.assert_allclose(disc.compliance(frequency[:3], 0.1), expected[:3], rtol=2e-6)
+    assert disc.compliance(frequency[3], 0.1) == pytest.approx(expected[3], rel=2e-4)
+    # without correction the modes alone sweep less
+    alone = (many.swept[:4] ** 2 / many.eigenvalues[:4]).sum() * 3e-3**3 / 1e6
+    assert 1e-3 < 1 - alone / disc.static_compliance < 1e-2
 
 
 @settings(max_examples=20)
@@ -209,8 +214,8 @@ def test_a_thin_disc_under_a_central_force_bends_as_a_plate():
     """Clamped plate under a point force: centre F a^2 / (16 pi D), volume F a^4 / (64 D) (Timoshenko 1959, 19)."""
     disc = solve_disc(1.0, 0.02, 1.0, contact_radius=0.03)
     stiffness = 0.02**3 / (12 * (1 - 0.49**2))
-    assert disc.volume_per_force == pytest.approx(1 / (64 * stiffness), rel=5e-3)
-    assert disc.displacement_per_force == pytest.approx(1 / (16 * np.pi * stiffness), rel=1.5e-2)
+    assert disc.volume_per_force == pytest.approx(1 / (64 * stiffness), rel=4e-3)
+    assert disc.displacement_per_force == pytest.approx(1 / (16 * np.pi * stiffness), rel=1e-2)
 
 
 def test_pressure_from_above_sweeps_what_pressure_from_below_does():
