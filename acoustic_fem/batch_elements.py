@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from acoustic_fem.batch_functions import Array, ball_mean, cylinder_mean, hyperbolic
+from acoustic_fem.batch_functions import Array, ball_mean, cylinder_mean, hyperbolic, inverse, largest
 from acoustic_fem.batch_parameters import ArrayParameters, MediumParameters
 from acoustic_fem.medium import Medium
 from acoustic_fem.opening import INERTANCE, LARGEST_SHEAR_NUMBER, RESISTANCE
@@ -85,7 +85,7 @@ def tubes(parameters: ArrayParameters, air: Conditions) -> Tubes:
     # chain matrix [[1 + a, b], [., 1 + a]]: a = cosh - 1 + Ze Y sinh, b = Z sinh + Ze (1 + a + cosh)
     inward = entrance * across * ratio
     excess = rise + inward
-    series = 1 / (total * ratio + entrance * (2 + rise + excess))
+    series = inverse(total * ratio + entrance * (2 + rise + excess))
     return Tubes(series, excess * series)
 
 
@@ -94,7 +94,7 @@ def points(parameters: ArrayParameters, air: Conditions) -> Array:
     cavity = _cylinder(parameters.cavity_radius[..., None], parameters.cavity_height[..., None], air)
     modes, loss = parameters.membrane_frequency, parameters.membrane_loss[..., None]
     kept = max(0, modes.shape[-1] - 3)  # the last two correct the statics
-    highest, limit = float(air.omega.max()) / (2 * np.pi), float(modes[..., kept].min()) / 2
+    highest, limit = largest(air.omega) / (2 * np.pi), 1 / largest(1 / modes[..., kept]) / 2
     if highest > limit:
         warnings.warn(
             f"membrane: {highest:.4g} Hz is above half of the highest mode that is kept ({2 * limit:.4g} Hz in vacuo)",
@@ -124,7 +124,7 @@ def chambers(parameters: ArrayParameters, air: Conditions) -> Chambers:
     entrance = _entrance(radius, air)
     inward = across * ratio
     through = total * ratio + entrance * (1 + rise)
-    opening = 1 / (1 + rise + entrance * inward + through * load)
+    opening = inverse(1 + rise + entrance * inward + through * load)
     return Chambers(rate * chamber + (inward + (1 + rise) * load) * opening, opening, through * opening)
 
 
@@ -139,12 +139,12 @@ def _duct(radius: Array, length: Array, air: Conditions) -> tuple[Array, Array, 
 
 def _entrance(radius: Array, air: Conditions) -> Array:
     """Z = 1.5 mu / a^3 + j w 0.42 rho / a, with the warning of :func:`acoustic_fem.opening.entrance_impedance`."""
-    shear = float((radius * radius * air.viscous_rate).max()) ** 0.5
+    shear = largest(radius * radius * air.viscous_rate) ** 0.5
     if shear > LARGEST_SHEAR_NUMBER:
         warnings.warn(
             f"entrance loss of a tube: shear number a sqrt(w/nu) = {shear:.2g} is above {LARGEST_SHEAR_NUMBER:g}, "
-            f"the largest it is fit for (bore radius {float(radius.max()) * 1e3:.3g} mm, up to "
-            f"{float(air.omega.max()) / (2 * np.pi):.4g} Hz)",
+            f"the largest it is fit for (bore radius {largest(radius) * 1e3:.3g} mm, up to "
+            f"{largest(air.omega) / (2 * np.pi):.4g} Hz)",
             stacklevel=5,
         )
     resistance = (RESISTANCE * air.medium.viscosity) / radius**3

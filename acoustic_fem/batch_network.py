@@ -17,7 +17,7 @@ from typing import Any, NamedTuple
 from numpy.typing import ArrayLike
 
 from acoustic_fem.batch_elements import Chambers, Conditions, Tubes, chambers, points, tubes
-from acoustic_fem.batch_functions import Array
+from acoustic_fem.batch_functions import Array, inverse
 from acoustic_fem.batch_parameters import (
     ArrayParameters,
     LineWiring,
@@ -51,7 +51,7 @@ class BatchResponse:
     @property
     def transfer_function(self) -> Array:
         """(n_design, n_point, n_microphone, n_freq) microphone pressure per pressure in the touched cavity."""
-        return self.source_response * (1 / self.point_impedance)[:, :, None]
+        return self.source_response * inverse(self.point_impedance)[:, :, None]
 
 
 def batch_transfer_function(
@@ -88,7 +88,7 @@ def batch_response(
     xp, count = parameters.namespace, parameters.design_count
     if isinstance(medium, MediumParameters):
         count = check_medium(medium, count, xp)
-    omega = xp.asarray(2 * math.pi * grid)
+    omega = xp.asarray(2 * math.pi * grid, device=parameters.tube_radius.device)
     step = max(1, _CHUNK // (topology.point_count * len(grid)))
     pieces = []
     for first in range(0, count, step):
@@ -150,8 +150,7 @@ def _respond(
         at_point = chain.own + at_point
         for place, number in enumerate(members):
             sources[number], at_points[number] = source[:, place], at_point[:, place]
-    size = range(len(topology.microphones))
-    diagonal = xp.asarray([[[float(row == column)] for column in size] for row in size])
+    diagonal = xp.eye(len(topology.microphones), dtype=xp.float64, device=air.omega.device)[..., None]
     at_microphones = received * chamber.ratio[:, :, None] + diagonal * chamber.own[:, None]
     return _joined(xp, sources, 1), _joined(xp, at_points, 1), at_microphones
 
@@ -182,7 +181,7 @@ def _fold(xp: ModuleType, lines: list[LineWiring], tube: Tubes, point: Array) ->
         grounds_after.append(at_next + shunt[place])
 
     near, far = xp.stack(before[:-1], 2), xp.stack(after[::-1], 2)
-    own = 1 / (near + far + xp.stack(grounds_before[:-1], 2) + xp.stack(grounds_after[::-1], 2))
+    own = inverse(near + far + xp.stack(grounds_before[:-1], 2) + xp.stack(grounds_after[::-1], 2))
     return _Chain(before[-1], (at_first, grounds_before[-1]), own, near * own, far * own)
 
 
@@ -192,9 +191,9 @@ def _star_mesh(first: Array, ground: Array, last: Array) -> tuple[Array, Array, 
     Returns:
         The admittance between the two, and the grounds left at the last and at the first.
     """
-    inverse = 1 / (first + ground + last)
-    share = ground * inverse
-    return first * (last * inverse), last * share, first * share
+    total = inverse(first + ground + last)
+    share = ground * total
+    return first * (last * total), last * share, first * share
 
 
 def _impedance(xp: ModuleType, grounds: list[Array], series: dict[tuple[int, int], Array]) -> Array:
@@ -206,21 +205,21 @@ def _impedance(xp: ModuleType, grounds: list[Array], series: dict[tuple[int, int
     shares: list[tuple[Array, dict[int, Array]]] = []
     for node in range(len(grounds) - 1, 0, -1):
         joined = {other: series.pop((other, node)) for other in range(node) if (other, node) in series}
-        inverse = 1 / sum(joined.values(), grounds[node])
-        share = {other: admittance * inverse for other, admittance in joined.items()}
+        held = inverse(sum(joined.values(), grounds[node]))
+        share = {other: admittance * held for other, admittance in joined.items()}
         for other, admittance in joined.items():
             grounds[other] = grounds[other] + share[other] * grounds[node]
             for third in range(other + 1, node):
                 if third in share:
                     _add(series, (other, third), admittance * share[third])
-        shares.append((inverse, share))
-    rows = [[1 / grounds[0]]]
-    for inverse, share in reversed(shares):
+        shares.append((held, share))
+    rows = [[inverse(grounds[0])]]
+    for held, share in reversed(shares):
         new = [
             _total([part * rows[max(k, other)][min(k, other)] for other, part in share.items()])
             for k in range(len(rows))
         ]
-        own = inverse + _total([part * new[other] for other, part in share.items()])
+        own = held + _total([part * new[other] for other, part in share.items()])
         rows.append([*new, own])
     size = range(len(rows))
     return xp.stack([xp.stack([rows[max(i, k)][min(i, k)] for k in size], 1) for i in size], 1)

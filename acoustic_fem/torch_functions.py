@@ -19,7 +19,7 @@ class BallMean(Function):
     """I_{order+2}(x) / I_{order}(x), x^2 = j t, of real t; as often differentiable as asked for."""
 
     @staticmethod
-    def forward(ctx: Any, order: float, t: Tensor) -> Tensor:  # type: ignore[override]
+    def forward(ctx: Any, order: float, t: Tensor) -> Tensor:
         """The values."""
         mean: Tensor = ball_mean_values(order, t)
         ctx.order = order
@@ -27,7 +27,7 @@ class BallMean(Function):
         return mean
 
     @staticmethod
-    def backward(ctx: Any, gradient: Tensor) -> tuple[None, Tensor]:  # type: ignore[override]
+    def backward(ctx: Any, gradient: Tensor) -> tuple[None, Tensor]:
         """By the Riccati equation."""
         t, mean = ctx.saved_tensors
         return None, _real_product(ball_mean_slope(ctx.order, t, mean), gradient)
@@ -37,18 +37,18 @@ class CylinderMean(Function):
     """Mean thermal field of a closed cylinder of real t and H/(2R); differentiable once."""
 
     @staticmethod
-    def forward(ctx: Any, t: Tensor, aspect: Tensor) -> Tensor:  # type: ignore[override]
+    def forward(ctx: Any, t: Tensor, aspect: Tensor) -> Tensor:
         """The values; the derivatives are summed on the way where they will be needed."""
         wanted = any(ctx.needs_input_grad)
         mean, *slopes = cylinder_mean_values(t, aspect, slopes=wanted)
         if wanted:
             ctx.save_for_backward(*slopes)
             ctx.shapes = t.shape, aspect.shape
-        return mean  # type: ignore[no-any-return]
+        return mean
 
     @staticmethod
     @once_differentiable
-    def backward(ctx: Any, gradient: Tensor) -> tuple[Tensor, Tensor]:  # type: ignore[override]
+    def backward(ctx: Any, gradient: Tensor) -> tuple[Tensor, Tensor]:
         """From the sums kept."""
         slopes = zip(ctx.saved_tensors, ctx.shapes, strict=True)
         by_t, by_aspect = (_real_product(slope, gradient).sum_to_size(shape) for slope, shape in slopes)
