@@ -23,6 +23,8 @@ _HOMES = {
     "solve": "library",
 }
 _MODULES = (
+    "batch_network",
+    "batch_parameters",
     "cavity",
     "cell",
     "coil_bore",
