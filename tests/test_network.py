@@ -149,10 +149,10 @@ def designs(draw, microphones=None):
             "lines": lines,
             "tube": draw(tubes()),
             "microphone_tube": draw(tubes()),
-            "resonator.cavity_height": draw(st.floats(2.0, 5.0)),
+            "resonator.cavity_height": draw(st.floats(2.2, 5.0)),
             "resonator.port_height": None,
             "membrane.thickness": draw(st.sampled_from([0.4, 0.6])),
-            "microphone.chamber_height": draw(st.floats(1.2, 3.0)),
+            "microphone.chamber_height": draw(st.floats(2.0, 3.0)),
             "microphone.back_volume": draw(st.floats(0.5, 10.0)),
             "microphone.vent_corner": draw(st.floats(1.0, 100.0)),
         }
