@@ -21,7 +21,7 @@ from geometry.design import ArrayDesign
 from geometry.layout import ArrayLayout, place
 
 #: What the air of a cell may be computed with, cheapest first.
-FIDELITIES = ("lumped", "navier-stokes")
+FIDELITIES = ("lumped", "helmholtz", "navier-stokes")
 
 #: Name -> dimensions, units and description of the results.
 VARIABLES = {
@@ -155,17 +155,13 @@ def _cell_admittances(
             {cell: lumped_admittance(cell, frequency, medium) for cell in cells},
             [{"cell": cell.label, "method": "closed form"} for cell in cells],
         )
-    from acoustic_fem.cell import solve_cells
+    from acoustic_fem.design_cells import solve_cells
 
-    admittances, solved = {}, []
-    for index, cell in enumerate(cells):
-
-        def report_cell(message: str, fraction: float, done: int = index) -> None:
-            report(message, 0.95 * (done + fraction) / len(cells))
-
-        solution = solve_cells([cell], frequency, medium, progress=report_cell)[cell]
-        admittances[cell] = solution.admittance
-        solved.append({"cell": cell.label, **solution.summary()})
+    solutions = solve_cells(
+        cells, frequency, medium, fidelity, progress=lambda label, fraction: report(label, 0.95 * fraction)
+    )
+    admittances = {cell: solution.admittance for cell, solution in solutions.items()}
+    solved = [{"cell": cell.label, **solution.summary()} for cell, solution in solutions.items()]
     return admittances, solved
 
 

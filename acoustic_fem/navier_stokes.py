@@ -9,7 +9,8 @@ cell whose walls are rigid, no-slip and isothermal:
     -\int q\, \nabla\!\cdot u - \int \frac{j\omega}{\rho c^2}\,
         \bigl(\gamma - (\gamma-1)\Psi_h\bigr)\, p\, q = 0 ,
 
-with u = 0 on walls, no tangential velocity on ports, and a given normal velocity on the moving wall.
+with u = 0 on walls, no tangential velocity on ports, a given normal velocity on moving walls, and no normal
+velocity on a mirror plane.
 :math:`\Psi_h` is the thermal field, :math:`\alpha\nabla^2\Psi_h = j\omega(\Psi_h - 1)`, zero on walls
 (Cummings 1993; Kampinga 2010). Bulk viscosity is left out: the flow is nearly divergence-free.
 
@@ -84,12 +85,11 @@ class CellSystem:
     compliance: sp.csr_array
     port_flux: NDArray[np.float64]
     """(n, n_port): column i gives the volume velocity out through port i, mm^2 times the velocity."""
-    lift: NDArray[np.float64]
-    """(n_full,): velocity of the moving wall at unit volume velocity into the cell; zero without one."""
-    lift_terms: tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]
-    """viscous, inertia and coupling applied to the lift, restricted to the unknowns, each (n,)."""
-    lift_energy: tuple[float, float]
-    """viscous and inertia energy of the lift itself."""
+    motion_terms: tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]
+    """viscous, inertia and coupling applied to the scaled wall motions, restricted to the unknowns, each
+    (n, n_motion)."""
+    motion_energy: NDArray[np.float64]
+    """(2, n_motion, n_motion): viscous and inertia energy of the wall motions themselves."""
     n_velocity: int
     pressure: skfem.CellBasis
 
@@ -120,17 +120,32 @@ def dirichlet_nodes(
     return np.unique(np.concatenate([scalar.get_dofs(index).all() for index in walls]))
 
 
+@dataclass(frozen=True, eq=False)
+class WallMotion:
+    """A flat face that moves along its normal with a shape that depends on the distance from a centre.
+
+    Attributes:
+        face: name of the face.
+        profile: (n, 2) radius (mm) and normal velocity; scaled so that the integral of its magnitude over
+            the face is 1: unit volume velocity into the cell, where the shape has one sign.
+        centre: of the profile, mm.
+    """
+
+    face: str
+    profile: NDArray[np.float64]
+    centre: tuple[float, float, float]
+
+
 def cell_system(
-    mesh: SolidMesh, ports: Sequence[str], moving_wall: str | None = None, profile: NDArray | None = None
+    mesh: SolidMesh, ports: Sequence[str], motions: Sequence[WallMotion] = (), mirror: str | None = None
 ) -> CellSystem:
     """Assemble a cell.
 
     Args:
-        mesh: the air, with every port and the moving wall named.
+        mesh: the air, with every port, moving wall and the mirror plane named.
         ports: names of the ports, in order.
-        moving_wall: name of the face that moves, if any.
-        profile: ``(n, 2)`` radius (mm) and normal velocity (any scale) of the moving wall about its centre;
-            None moves it as a piston whose edge is at rest.
+        motions: walls that move, in order; several may share a face.
+        mirror: name of the plane that halves the cell; ports and moving walls are then halves as well.
     """
     tetrahedra, facets = tetrahedral_mesh(mesh)
     velocity = skfem.Basis(tetrahedra, skfem.ElementVector(skfem.ElementTetP2()), intorder=4)
@@ -138,10 +153,15 @@ def cell_system(
     quadratic = velocity.with_element(skfem.ElementTetP2())
 
     n_scalar, n_pressure = quadratic.N, linear.N
+    free_faces = [*ports] if mirror is None else [*ports, mirror]
+    across = {name: mesh.normals[name][:, None] for name in ports}
+    if mirror is not None:
+        # Listed first: where a port meets the mirror, the port's direction, which lies in the plane, holds.
+        across = {mirror: _tangents(mesh.normals[mirror]), **across}
     reduction = _velocity_reduction(
         n_scalar,
-        dirichlet_nodes(quadratic, facets, ports),
-        {name: (quadratic.get_dofs(facets[name]).all(), mesh.normals[name]) for name in ports},
+        dirichlet_nodes(quadratic, facets, free_faces),
+        [(quadratic.get_dofs(facets[name]).all(), directions) for name, directions in across.items()],
         velocity,
     )
 
@@ -159,15 +179,16 @@ def cell_system(
         face = skfem.FacetBasis(tetrahedra, velocity.elem, facets=facets[name], intorder=4)
         flux[:n_velocity, k] = reduction.T @ normal_flux.assemble(face)
 
-    lift = np.zeros(velocity.N)
-    if moving_wall is not None:
-        lift = _wall_motion(velocity, tetrahedra, facets, moving_wall, mesh.normals[moving_wall], profile)
+    lift = np.zeros((velocity.N, len(motions)))
+    for k, motion in enumerate(motions):
+        resting = [index for name, index in facets.items() if name not in (motion.face, mirror)]
+        lift[:, k] = _wall_motion(velocity, tetrahedra, facets[motion.face], resting, mesh.normals[motion.face], motion)
     terms = (full_viscous @ lift, full_inertia @ lift)
-    zeros = np.zeros(n_pressure)
-    lift_terms = (
+    zeros = np.zeros((n_pressure, len(motions)))
+    motion_terms = (
         np.concatenate([reduction.T @ terms[0], zeros]),
         np.concatenate([reduction.T @ terms[1], zeros]),
-        np.concatenate([np.zeros(n_velocity), full_divergence @ lift]),
+        np.concatenate([np.zeros((n_velocity, len(motions))), full_divergence @ lift]),
     )
     return CellSystem(
         viscous=viscous,
@@ -175,9 +196,8 @@ def cell_system(
         coupling=coupling,
         compliance=compliance_mass(linear, np.ones(tetrahedra.nelements)),
         port_flux=flux,
-        lift=lift,
-        lift_terms=lift_terms,
-        lift_energy=(float(lift @ terms[0]), float(lift @ terms[1])),
+        motion_terms=motion_terms,
+        motion_energy=np.stack([lift.T @ terms[0], lift.T @ terms[1]]),
         n_velocity=n_velocity,
         pressure=linear,
     )
@@ -209,30 +229,36 @@ def _facets(mesh: skfem.MeshTet2, triangles: NDArray[np.int64]) -> NDArray[np.in
     return boundary[order[place]]
 
 
+def _tangents(normal: NDArray[np.float64]) -> NDArray[np.float64]:
+    """(3, 2): an orthonormal pair across the normal."""
+    return np.linalg.svd(normal[None, :])[2][1:].T
+
+
 def _velocity_reduction(
     n_scalar: int,
     wall_nodes: NDArray[np.int64],
-    ports: dict[str, tuple[NDArray[np.int64], NDArray[np.float64]]],
+    guided: Sequence[tuple[NDArray[np.int64], NDArray[np.float64]]],
     velocity: skfem.CellBasis,
 ) -> sp.csr_array:
-    """Map from free velocities to all: none on walls, only the normal component on ports."""
+    """Map from free velocities to all: none on walls, only the given directions (3, d) on guided nodes."""
     components = _components(velocity, n_scalar)
     kind = np.zeros(n_scalar, dtype=np.int64)
-    for number, (nodes, _) in enumerate(ports.values(), start=1):
+    for number, (nodes, _) in enumerate(guided, start=1):
         kind[nodes] = number
     kind[wall_nodes] = -1
-    free = np.flatnonzero(kind == 0)
-    rows, columns, values = [components[:, free].ravel()], [np.arange(3 * len(free))], [np.ones(3 * len(free))]
-    count = 3 * len(free)
-    for number, (_, normal) in enumerate(ports.values(), start=1):
+    rows, columns, values, count = [], [], [], 0
+    for number, directions in enumerate([np.eye(3), *(directions for _, directions in guided)]):
         nodes = np.flatnonzero(kind == number)
-        rows.append(components[:, nodes].ravel())
-        columns.append(np.tile(count + np.arange(len(nodes)), 3))
-        values.append(np.repeat(normal, len(nodes)))
-        count += len(nodes)
-    return sp.csr_array(
+        for direction in directions.T:
+            rows.append(components[:, nodes].ravel())
+            columns.append(np.tile(count + np.arange(len(nodes)), 3))
+            values.append(np.repeat(direction, len(nodes)))
+            count += len(nodes)
+    matrix = sp.coo_array(
         (np.concatenate(values), (np.concatenate(rows), np.concatenate(columns))), shape=(velocity.N, count)
     )
+    matrix.eliminate_zeros()
+    return sp.csr_array(matrix)
 
 
 def _components(velocity: skfem.CellBasis, n_scalar: int) -> NDArray[np.int64]:
@@ -247,23 +273,21 @@ def _components(velocity: skfem.CellBasis, n_scalar: int) -> NDArray[np.int64]:
 def _wall_motion(
     velocity: skfem.CellBasis,
     mesh: skfem.MeshTet2,
-    facets: dict[str, NDArray[np.int64]],
-    name: str,
+    face: NDArray[np.int64],
+    resting: Sequence[NDArray[np.int64]],
     normal: NDArray[np.float64],
-    profile: NDArray | None,
+    motion: WallMotion,
 ) -> NDArray[np.float64]:
-    """Velocity of the moving wall, scaled to unit volume velocity into the cell (mm^2 x velocity = 1)."""
+    """Velocity of a moving wall, positive into the cell and scaled to a unit integral of its magnitude, mm^2."""
     scalar = velocity.with_element(skfem.ElementTetP2())
-    on_face = np.unique(scalar.get_dofs(facets[name]).all())
-    others = [index for other, index in facets.items() if other != name]
-    rim = np.unique(np.concatenate([scalar.get_dofs(index).all() for index in others]))
-    surface = skfem.FacetBasis(mesh, velocity.elem, facets=facets[name], intorder=4)
-    centre = (surface.global_coordinates() * surface.dx).sum(axis=(1, 2)) / surface.dx.sum()
-    radius = np.linalg.norm(scalar.doflocs[:, on_face] - centre[:, None], axis=0)
-    shape = np.ones(len(on_face)) if profile is None else np.interp(radius, profile[:, 0], profile[:, 1])
+    on_face = np.unique(scalar.get_dofs(face).all())
+    rim = np.unique(np.concatenate([scalar.get_dofs(index).all() for index in resting]))
+    radius = np.linalg.norm(scalar.doflocs[:, on_face] - np.array(motion.centre)[:, None], axis=0)
+    shape = np.interp(radius, motion.profile[:, 0], motion.profile[:, 1])
     shape[np.isin(on_face, rim)] = 0.0
     components = _components(velocity, scalar.N)
-    lift = np.zeros(velocity.N)
+    inwards = np.zeros((velocity.N, 2))
     for axis in range(3):
-        lift[components[axis, on_face]] = -normal[axis] * shape
-    return lift / (-normal_flux.assemble(surface) @ lift)
+        inwards[components[axis, on_face]] = -normal[axis] * np.column_stack([shape, np.abs(shape)])
+    surface = skfem.FacetBasis(mesh, velocity.elem, facets=face, intorder=4)
+    return inwards[:, 0] / (-normal_flux.assemble(surface) @ inwards[:, 1])

@@ -16,6 +16,8 @@ if TYPE_CHECKING:
 
 #: Name of the face that the membrane or the microphone's diaphragm closes.
 OPENING = "opening"
+#: Name of the plane that halves a symmetric cell.
+MIRROR = "mirror"
 
 
 @dataclass(frozen=True)
@@ -27,6 +29,10 @@ class AirVolume:
     """Per tube port a point on the flat end of its stub, in the order of ``Cell.ports``."""
     opening: Point
     """A point on the membrane, or on the inner end of the microphone's sound hole."""
+    centre: Point
+    """Centre of the opening."""
+    mirror: Point | None
+    """A point on the plane y = 0 where only one half of the cell is drawn, that of positive y."""
 
 
 def port_names(cell: Cell) -> tuple[str, ...]:
@@ -36,6 +42,8 @@ def port_names(cell: Cell) -> tuple[str, ...]:
 
 def air_volume(cell: Cell) -> AirVolume:
     """Draw the air of a cell: the cavity, its tube stubs and, for a microphone, the sound hole.
+
+    Where every tube lies in the plane y = 0 the cell is its own mirror image and one half is drawn.
 
     A stub of length L ends at the distance diameter / 2 + L from the axis: tube lengths count from the
     point where the tube's axis meets the cavity wall.
@@ -62,11 +70,21 @@ def air_volume(cell: Cell) -> AirVolume:
         stub = cq.Solid.makeCylinder(bore, (end - start).Length, start, direction)
         air = air.fuse(stub)
         ports[name] = end.toTuple()
-    opening = (0.0, 0.0, cell.height + cell.opening_length)
+    centre = (0.0, 0.0, cell.height + cell.opening_length)
     if cell.opening_length > 0:
         hole = cell.opening_diameter / 2
         air = air.fuse(cq.Solid.makeCylinder(hole, cell.opening_length, cq.Vector(0, 0, cell.height)))
+    mirror = None
+    opening = centre
+    if all(port.angle in (0.0, 180.0) for port in cell.ports):
+        size = 2 * max(radius + port.stub_length for port in cell.ports) + 2 * (cell.height + cell.opening_length)
+        half = cq.Solid.makeBox(2 * size, size, 2 * size, cq.Vector(-size, 0, -size))
+        air = air.intersect(half)
+        inwards = 0.1 * min(cell.opening_diameter, *(port.bore_diameter for port in cell.ports))
+        ports = {name: (x, y + inwards, z) for name, (x, y, z) in ports.items()}
+        opening = (0.0, inwards, centre[2])
+        mirror = (0.0, 0.0, cell.height / 2)
     solids = air.Solids()
     if len(solids) != 1 or not solids[0].isValid():
         raise ValueError(f"the air of {cell.label} is not one valid solid")
-    return AirVolume(solids[0], ports, opening)
+    return AirVolume(solids[0].clean(), ports, opening, centre, mirror)

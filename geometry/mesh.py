@@ -134,14 +134,16 @@ def _run_gmsh(
             gmsh.model.occ.importShapes(str(brep))
         gmsh.model.occ.synchronize()
         surfaces = {name: _matching_surface(name, face) for name, face in named.items()}
-        _set_sizes({name: surfaces[name] for name in tubes}, named, sizes)
+        _set_sizes(surfaces, tubes, named, sizes)
         gmsh.option.setNumber("Mesh.MeshSizeExtendFromBoundary", 0)
         gmsh.option.setNumber("Mesh.MeshSizeFromPoints", 0)
         gmsh.option.setNumber("Mesh.MeshSizeFromCurvature", 0)
         gmsh.option.setNumber("Mesh.MeshSizeMax", sizes.largest)
         gmsh.option.setNumber("Mesh.Algorithm3D", 1)
+        # gmsh's optimiser of curved elements is left off: where it fails it ends the whole program. The
+        # Jacobians are checked instead.
+        gmsh.option.setNumber("Mesh.HighOrderOptimize", 0)
         gmsh.option.setNumber("Mesh.ElementOrder", 2)
-        gmsh.option.setNumber("Mesh.HighOrderOptimize", 1)
         gmsh.model.mesh.generate(3)
         return _read_mesh(surfaces)
     except Exception as error:
@@ -171,20 +173,29 @@ def _matching_surface(name: str, face: cadquery.Face) -> int:
     return hits[0]
 
 
-def _set_sizes(tubes: Mapping[str, int], named: Mapping[str, cadquery.Face], sizes: MeshSizes) -> None:
+def _set_sizes(
+    surfaces: Mapping[str, int], tubes: tuple[str, ...], named: Mapping[str, cadquery.Face], sizes: MeshSizes
+) -> None:
     """Background field: fine at the mouth edges, even along the stubs, growing into the cavity."""
     import gmsh
 
     field = gmsh.model.mesh.field
     fields = []
-    for name, surface in tubes.items():
-        radius = math.sqrt(named[name].Area() / math.pi)
+    # A mirror plane cuts through tubes without being their wall.
+    others = {tag for name, tag in surfaces.items() if name not in tubes}
+    for name in tubes:
+        surface = surfaces[name]
+        radius = _port_radius(surface, others, named[name])
         edges = [tag for _, tag in gmsh.model.getBoundary([(2, surface)], oriented=False)]
-        walls = {wall for edge in edges for wall in gmsh.model.getAdjacencies(1, edge)[0]} - {surface}
-        wall_edges = {tag for wall in walls for _, tag in gmsh.model.getBoundary([(2, int(wall))], oriented=False)}
+        walls = {int(wall) for edge in edges for wall in gmsh.model.getAdjacencies(1, edge)[0]} - {surface} - others
+        wall_edges = {tag for wall in walls for _, tag in gmsh.model.getBoundary([(2, wall)], oriented=False)}
         # A seam joins a face to itself; a mouth edge joins the tube's wall to another face.
-        mouth = [tag for tag in wall_edges - set(edges) if len(set(gmsh.model.getAdjacencies(1, tag)[0])) > 1]
-        stub = [surface, *map(int, walls)]
+        mouth = [
+            tag
+            for tag in wall_edges - set(edges)
+            if len(beside := set(gmsh.model.getAdjacencies(1, tag)[0])) > 1 and not beside & others
+        ]
+        stub = [surface, *walls]
         at_mouth = min(sizes.mouth_edge * radius, sizes.tube_layer)
         fields.append(_size_around("CurvesList", mouth, at_mouth, 0.0, sizes))
         along = min(sizes.tube * radius, sizes.tube_layer)
@@ -196,6 +207,15 @@ def _set_sizes(tubes: Mapping[str, int], named: Mapping[str, cadquery.Face], siz
         smallest = field.add("Min")
         field.setNumbers(smallest, "FieldsList", fields)
         field.setAsBackgroundMesh(smallest)
+
+
+def _port_radius(surface: int, others: set[int], face: cadquery.Face) -> float:
+    """Radius of the circle with the port's area; a mirror plane leaves half of it."""
+    import gmsh
+
+    edges = [tag for _, tag in gmsh.model.getBoundary([(2, surface)], oriented=False)]
+    halved = any(set(gmsh.model.getAdjacencies(1, edge)[0]) & others for edge in edges)
+    return math.sqrt((2 if halved else 1) * face.Area() / math.pi)
 
 
 def _size_around(kind: str, tags: list[int], near: float, reach: float, sizes: MeshSizes) -> int:

@@ -4,7 +4,7 @@ import cadquery as cq
 import numpy as np
 import pytest
 
-from geometry.air import OPENING, air_volume
+from geometry.air import MIRROR, OPENING, air_volume
 from geometry.cells import Cell, CellPort, canonical_ports
 from geometry.mesh import WALL, MeshError, MeshSizes, mesh_solid
 
@@ -21,29 +21,40 @@ def straight_volume(mesh):
 
 @pytest.mark.parametrize("cell", [STRAIGHT, CHAMBER], ids=["resonator", "microphone"])
 def test_curved_elements_hold_the_cad_volume_where_straight_ones_lose_it(cell):
-    air = air_volume(cell)
-    mesh = mesh_solid(air.solid, {**air.ports, OPENING: air.opening}, tuple(air.ports), SIZES)
+    mesh = mesh_of(air_volume(cell))
     assert mesh.mesh_volume == pytest.approx(mesh.volume, rel=2e-4)
     assert straight_volume(mesh) < mesh.volume * 0.995
 
 
-def test_air_of_a_cell_is_the_cylinder_and_its_stubs():
+def mesh_of(air):
+    mirror = {} if air.mirror is None else {MIRROR: air.mirror}
+    return mesh_solid(air.solid, {**air.ports, OPENING: air.opening, **mirror}, tuple(air.ports), SIZES)
+
+
+def test_air_of_a_symmetric_cell_is_half_of_the_cylinder_and_its_stubs():
     stubs = 2 * np.pi * 0.25**2 * STRAIGHT.ports[0].stub_length
     # The stub starts on the curved wall, up to a^2 / (2 R) behind the point where its axis meets it.
-    assert air_volume(STRAIGHT).solid.Volume() == pytest.approx(np.pi * 9 * 2.5 + stubs, rel=2e-4)
+    assert 2 * air_volume(STRAIGHT).solid.Volume() == pytest.approx(np.pi * 9 * 2.5 + stubs, rel=2e-4)
 
 
-def test_ports_and_membrane_are_named_with_their_area_and_outward_normal():
-    air = air_volume(STRAIGHT)
-    mesh = mesh_solid(air.solid, {**air.ports, OPENING: air.opening}, tuple(air.ports), SIZES)
-    assert set(mesh.faces) == {"port-0", "port-1", OPENING, WALL}
+def test_ports_membrane_and_mirror_are_named_with_their_area_and_outward_normal():
+    mesh = mesh_of(air_volume(STRAIGHT))
+    assert set(mesh.faces) == {"port-0", "port-1", OPENING, MIRROR, WALL}
     np.testing.assert_allclose(mesh.normals["port-0"], [1, 0, 0], atol=1e-12)
     np.testing.assert_allclose(mesh.normals["port-1"], [-1, 0, 0], atol=1e-12)
     np.testing.assert_allclose(mesh.normals[OPENING], [0, 0, 1], atol=1e-12)
+    np.testing.assert_allclose(mesh.normals[MIRROR], [0, -1, 0], atol=1e-12)
     corners = mesh.nodes[mesh.faces[OPENING]]
     np.testing.assert_allclose(corners[..., 2], 2.5, atol=1e-9)
     area = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1).sum() / 2
-    assert area == pytest.approx(np.pi * 9, rel=0.02)
+    assert area == pytest.approx(np.pi * 9 / 2, rel=0.02)
+
+
+def test_mirror_plane_does_not_count_as_a_wall_of_the_tubes():
+    """It did once: the whole plane was meshed as finely as a tube."""
+    half = mesh_of(air_volume(STRAIGHT))
+    turned = Cell("resonator", 6.0, 2.5, 1.25, (CellPort(0.0, 0.5), CellPort(179.5, 0.5)), 6.0, 0.0)
+    assert len(half.tetrahedra) < 0.7 * len(mesh_of(air_volume(turned)).tetrahedra)
 
 
 def test_no_tetrahedron_keeps_three_faces_on_the_wall_of_a_box():

@@ -1,0 +1,330 @@
+"""The cells of a design in 3-D: solved once each, side by side in processes, and kept on disk."""
+
+from __future__ import annotations
+
+import json
+import os
+import queue
+import subprocess
+import sys
+import threading
+from collections.abc import Callable, Sequence
+from dataclasses import asdict, dataclass
+from functools import partial
+from importlib.metadata import version
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from acoustic_fem import cell_cache
+from acoustic_fem.cell import Progress, checked_physics, converge
+from acoustic_fem.checks import frequency_grid
+from acoustic_fem.medium import Medium
+from geometry.cells import Cell, CellPort
+
+#: Cells of a design are solved over at least this band (Hz), so that another grid finds them in the cache.
+DESIGN_BAND = (1.0, 500.0)
+
+#: Relative error aimed at in the admittances of a design's cells up to this frequency (Hz), and at higher
+#: ones where they are asked for beyond the band. A stub's opening is a quarter of its cell's resistance and a
+#: hundredth of a tube's: seen through the tubes the error is ten to twenty times smaller.
+DESIGN_ACCURACY = 5e-3
+CHECKED_UP_TO = 200.0
+
+#: Scale of the first mesh: it meets the accuracy in the cells of all prototypes, so that none is meshed again.
+_FIRST_SCALE = 1.2
+
+#: Part of the cache key: raise it when the mesh or the equations of a cell change.
+CELL_MODEL_VERSION = 3
+
+_MODELS = ("heat", "viscous", "flow")
+
+
+class CellError(RuntimeError):
+    """A cell could not be solved; the message says which and why."""
+
+
+@dataclass(frozen=True, eq=False)
+class CellSolution:
+    """Responses of one cell and how they were obtained."""
+
+    admittance: NDArray[np.complex128]
+    """(n_freq, k+1, k+1), m^3/(Pa s): the k tube ports in order, then the opening."""
+    physics: str
+    unknowns: int
+    sampled: tuple[float, ...]
+    """Frequencies solved in 3-D, Hz; the others come from the rational model."""
+    sweep_error: float
+    """Estimated relative error of the rational model."""
+    mesh_error: float
+    """Estimated relative error from the mesh."""
+    seconds: float
+    """Time the 3-D solves took, when they were made."""
+    cached: bool
+
+    def summary(self) -> dict[str, Any]:
+        """Everything but the responses, as plain values."""
+        return {
+            "method": f"3-D {self.physics}",
+            "unknowns": self.unknowns,
+            "sampled_frequencies": list(self.sampled),
+            "sweep_error": self.sweep_error,
+            "mesh_error": self.mesh_error,
+            "seconds": self.seconds,
+            "cached": self.cached,
+        }
+
+
+@dataclass(frozen=True)
+class _Task:
+    """All that the solution of a cell depends on."""
+
+    cell: Cell
+    medium: Medium
+    band: tuple[float, float]
+    fidelity: str
+
+    @property
+    def key(self) -> str:
+        about = {"model": CELL_MODEL_VERSION, "accuracy": DESIGN_ACCURACY, "gmsh": version("gmsh")}
+        return cell_cache.key_of({**asdict(self), **about})
+
+    def as_json(self) -> str:
+        return json.dumps(asdict(self))
+
+    @classmethod
+    def from_json(cls, text: str) -> _Task:
+        plain = json.loads(text)
+        ports = tuple(CellPort(**port) for port in plain["cell"].pop("ports"))
+        return cls(
+            cell=Cell(**plain["cell"], ports=ports),
+            medium=Medium(**plain["medium"]),
+            band=tuple(plain["band"]),
+            fidelity=plain["fidelity"],
+        )
+
+
+def solve_cells(
+    cells: Sequence[Cell],
+    frequency: ArrayLike,
+    medium: Medium,
+    fidelity: str = "navier-stokes",
+    progress: Progress | None = None,
+) -> dict[Cell, CellSolution]:
+    """Nodal admittances of the cells of a design, in 3-D.
+
+    The membrane (or the microphone's diaphragm) is a moving wall with a fixed shape, (1 - (r/a)^2)^2 for a
+    membrane and 1 - (r/a)^2 at the end of a sound hole; the pressure of its node is the mean weighted by
+    that shape. Its mechanics belong to the network, so another membrane needs no new solve.
+
+    Cells that are not in the cache are solved in one process per core. A run that is killed keeps the
+    cells it had finished.
+
+    Args:
+        cells: distinct cells.
+        frequency: (n_freq,) Hz, ascending, 1e-3 to 2000.
+        medium: the gas.
+        fidelity: ``"navier-stokes"`` or ``"helmholtz"``.
+        progress: called with the label of a cell and the fraction done of all.
+
+    Returns:
+        Per cell its solution.
+
+    Raises:
+        ValueError: bad frequencies or fidelity.
+        CellError: a cell could not be meshed or solved.
+    """
+    grid = frequency_grid(frequency)
+    checked_physics(fidelity)
+    band = (min(DESIGN_BAND[0], float(grid[0])), max(DESIGN_BAND[1], float(grid[-1])))
+    tasks = [_Task(cell, medium, band, fidelity) for cell in cells]
+    missing = [task for task in tasks if cell_cache.fetch(task.key) is None]
+    done = {task: float(task not in missing) for task in tasks}
+
+    def report(task: _Task, fraction: float) -> None:
+        done[task] = fraction
+        if progress is not None:
+            origin = "" if task in missing else " (from the cache)"
+            progress(task.cell.label + origin, sum(done.values()) / len(tasks))
+
+    for task in tasks:
+        if task not in missing:
+            report(task, 1.0)
+    workers = min(len(missing), os.cpu_count() or 1)
+    if workers > 1:
+        _solve_side_by_side(missing, workers, report)
+    else:
+        for task in missing:
+            _solve(task, partial(report, task))
+    return {task.cell: _stored_solution(task, grid, cached=task not in missing) for task in tasks}
+
+
+def _solve(task: _Task, report: Callable[[float], None]) -> None:
+    """Solve one cell and put it into the cache."""
+    from acoustic_fem.navier_stokes import WallMotion
+    from geometry.air import MIRROR, OPENING, air_volume
+
+    cell = task.cell
+    try:
+        air = air_volume(cell)
+        radius = np.linspace(0, cell.opening_diameter / 2, 200)
+        bowl = 1 - (radius / radius[-1]) ** 2
+        profile = np.column_stack([radius, bowl**2 if cell.opening_length == 0 else bowl])
+        faces = {**air.ports, OPENING: air.opening, **({} if air.mirror is None else {MIRROR: air.mirror})}
+        solved = converge(
+            air.solid,
+            faces,
+            tuple(air.ports),
+            [WallMotion(OPENING, profile, air.centre)],
+            None if air.mirror is None else MIRROR,
+            task.medium,
+            task.band,
+            checked_physics(task.fidelity),
+            DESIGN_ACCURACY,
+            min(cell.height, cell.diameter),
+            report,
+            checked_band=(task.band[0], task.band[1] if task.band[1] > DESIGN_BAND[1] else CHECKED_UP_TO),
+            scale=_FIRST_SCALE,
+        )
+    except (ValueError, RuntimeError) as error:
+        raise CellError(f"{cell.label}: {error}") from error
+    body = solved.body
+    arrays = {"energies": body.energies}
+    models = {}
+    for name in _MODELS:
+        model = getattr(body, name)
+        if model is not None:
+            arrays[f"{name}_matrices"], arrays[f"{name}_excitations"] = model.matrices, model.excitations
+            models[name] = {
+                "sampled": model.sampled,
+                "error": model.error,
+                "lowest": model.lowest,
+                "highest": model.highest,
+            }
+    about = {
+        "physics": body.physics,
+        "n_port": body.n_port,
+        "copies": body.copies,
+        "unknowns": body.unknowns,
+        "mesh_error": solved.mesh_error,
+        "seconds": solved.seconds,
+        "models": models,
+    }
+    cell_cache.store(task.key, arrays, about)
+
+
+def _stored_solution(task: _Task, grid: NDArray[np.float64], cached: bool) -> CellSolution:
+    from acoustic_fem.condensed import CondensedBody
+    from acoustic_fem.frequency import ReducedModel
+
+    stored = cell_cache.fetch(task.key)
+    if stored is None:
+        raise CellError(f"{task.cell.label}: its solution is not in {cell_cache.cache_folder()}; was it deleted?")
+    arrays, about = stored
+
+    def model(name: str) -> ReducedModel:
+        kept = about["models"][name]
+        return ReducedModel(
+            matrices=arrays[f"{name}_matrices"],
+            excitations=arrays[f"{name}_excitations"],
+            basis=None,
+            sampled=tuple(kept["sampled"]),
+            error=kept["error"],
+            lowest=kept["lowest"],
+            highest=kept["highest"],
+        )
+
+    body = CondensedBody(
+        physics=about["physics"],
+        medium=task.medium,
+        n_port=about["n_port"],
+        copies=about["copies"],
+        heat=model("heat"),
+        viscous=model("viscous") if "viscous" in about["models"] else None,
+        flow=model("flow"),
+        energies=arrays["energies"],
+        unknowns=about["unknowns"],
+    )
+    return CellSolution(
+        admittance=body.nodal_admittance(grid),
+        physics=body.physics,
+        unknowns=body.unknowns,
+        sampled=body.flow.sampled,
+        sweep_error=body.flow.error,
+        mesh_error=about["mesh_error"],
+        seconds=about["seconds"],
+        cached=cached,
+    )
+
+
+def _solve_side_by_side(tasks: Sequence[_Task], workers: int, report: Callable[[_Task, float], None]) -> None:
+    """Solve cells in processes of their own, which hand their results over through the cache.
+
+    Plain child programs rather than a process pool: a pool would import the caller's main program again.
+    """
+    waiting = list(tasks)
+    messages: queue.Queue[tuple[int, str | None]] = queue.Queue()
+    running: dict[int, tuple[_Task, subprocess.Popen[str]]] = {}
+
+    def start() -> None:
+        number = len(tasks) - len(waiting)
+        task = waiting.pop(0)
+        environment = {**os.environ, "PYTHONPATH": os.pathsep.join(p for p in sys.path if p)}
+        for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"):
+            environment[name] = "1"
+        child = subprocess.Popen(
+            [sys.executable, "-m", "acoustic_fem.design_cells"],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+            env=environment,
+        )
+        running[number] = (task, child)
+        threading.Thread(target=listen, args=(number, task, child), daemon=True).start()
+
+    def listen(number: int, task: _Task, child: subprocess.Popen[str]) -> None:
+        if child.stdin is None or child.stdout is None:
+            raise RuntimeError("the child program has no pipes")
+        child.stdin.write(task.as_json())
+        child.stdin.close()
+        for line in child.stdout:
+            messages.put((number, line))
+        child.stdin = None  # closed above; communicate() would flush it
+        messages.put((number, None))
+
+    try:
+        for _ in range(workers):
+            start()
+        while running:
+            number, line = messages.get()
+            task, child = running[number]
+            if line is not None:
+                report(task, float(line))
+                continue
+            complaint = child.communicate()[1].strip()
+            if child.returncode != 0:
+                raise CellError(complaint.splitlines()[-1] if complaint else f"{task.cell.label}: the solver died")
+            del running[number]
+            if waiting:
+                start()
+    finally:
+        for _, child in running.values():
+            child.kill()
+            child.wait()
+
+
+def _child() -> int:
+    """Solve the cell described on standard input; write the fraction done to standard output."""
+    task = _Task.from_json(sys.stdin.read())
+    try:
+        _solve(task, lambda fraction: print(fraction, flush=True))
+    except CellError as error:
+        print(error, file=sys.stderr)
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(_child())
