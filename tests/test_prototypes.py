@@ -61,7 +61,7 @@ def test_the_reference_array_has_the_cavity_of_the_reference_cell() -> None:
     design = geometry.prototype("array-2x6")
     assert (design.resonator.cavity_diameter, design.resonator.cavity_height) == (6.0, 2.5)
     assert design.tube.outer_diameter == 0.9
-    assert design.microphone.chamber_volume == pytest.approx(5.0, rel=0.02)
+    assert design.microphone.chamber_volume == pytest.approx(5.0, rel=0.05)
 
 
 def test_fingertip_tubes_are_longer_than_the_pitch_leaves() -> None:
