@@ -1,0 +1,255 @@
+"""Training of the network on touches made from a library."""
+
+from __future__ import annotations
+
+import math
+import platform
+from collections.abc import Callable
+from dataclasses import asdict, dataclass
+from datetime import UTC, datetime
+from importlib.metadata import PackageNotFoundError, version
+from time import perf_counter
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import torch
+from numpy.typing import NDArray
+from torch import Tensor, nn
+
+from localize.dataset import ArrayResponse, TouchGenerator, TouchSignals, response_of
+from localize.features import map_count
+from localize.frames import FRAME
+from localize.localizer import Localizer
+from localize.model import NetworkShape, TouchClassifier
+
+if TYPE_CHECKING:
+    from acoustic_fem import Library
+
+WARM_UP = 20
+"""Steps over which the learning rate rises: a fresh batch normalisation does not bear the full one."""
+NORMALISATION_TOUCHES = 20
+"""Touches per point from which the normalisation of the maps is taken."""
+
+
+@dataclass(frozen=True)
+class TrainingPlan:
+    """How to train. The same plan on the same library and machine gives the same localizer.
+
+    Raises:
+        ValueError: a field outside its range, with field, value and range.
+    """
+
+    seconds_per_point: int = 400
+    """One-second touches of every point in an epoch; each epoch draws new ones and each touch gives one frame."""
+    epochs: int = 10
+    held_out_fraction: float = 0.25
+    """Held-out touches, drawn once from seeds of their own, as a fraction of an epoch's."""
+    batch: int = 128
+    learning_rate: float = 3e-3
+    """The highest; a cosine takes it to zero."""
+    weight_decay: float = 0.01
+    label_sigma: float = 1.0
+    """Places along a line over which labels are smoothed; 0 for hard labels. Lines never mix."""
+    microphone_noise: float = 1e-3
+    """Pa rms over 0 to 500 Hz, added to the training signals; held-out ones have the same."""
+    seed: int = 0
+    time_limit: float | None = None
+    """Seconds. Where the epochs would take longer, fewer are run, with the cosine still ending at zero; the result
+    then depends on the speed of the machine."""
+    width: int = 32
+    """Channels of the network's embedding."""
+    depths: tuple[int, ...] = (1, 2, 2)
+    """Blocks per stage of the network."""
+
+    def __post_init__(self) -> None:
+        for name, least, most in (
+            ("seconds_per_point", 1, 1_000_000),
+            ("epochs", 1, 10_000),
+            ("batch", 2, 65_536),
+            ("seed", 0, 2**63 - 1),
+        ):
+            value = getattr(self, name)
+            if isinstance(value, bool) or not isinstance(value, int) or not least <= value <= most:
+                raise ValueError(f"{name} = {value!r} must be a whole number from {least} to {most}")
+        for name, low, high in (
+            ("held_out_fraction", 1e-6, 10.0),
+            ("learning_rate", 1e-8, 1.0),
+            ("weight_decay", 0.0, 1.0),
+            ("label_sigma", 0.0, 100.0),
+            ("microphone_noise", 0.0, 100.0),
+            ("time_limit", 1e-3, 1e9),
+        ):
+            value = getattr(self, name)
+            if not (name == "time_limit" and value is None) and not low <= value <= high:
+                raise ValueError(f"{name} = {value!r} must be between {low:g} and {high:g}")
+
+
+@dataclass(frozen=True)
+class TrainingProgress:
+    """One finished epoch."""
+
+    epoch: int
+    """From 1."""
+    epochs: int
+    """How many there will be."""
+    loss: float
+    """Mean soft-target cross-entropy over the epoch."""
+    accuracy: float
+    """Share of held-out touches whose most probable point is the right one."""
+    seconds: float
+    """Since training began."""
+
+
+def train(
+    library: Library | ArrayResponse,
+    plan: TrainingPlan | None = None,
+    progress: Callable[[TrainingProgress], None] | None = None,
+) -> Localizer:
+    """Train a localizer for the array of a library.
+
+    Args:
+        library: transfer functions that cover 1 to 100 Hz, of at least two points and two microphones.
+        plan: by default one that takes about 20 s for 12 points on two cores.
+        progress: called after every epoch.
+
+    Raises:
+        ValueError: the library does not cover 1 to 100 Hz, or the plan's network does not fit the maps.
+    """
+    plan = plan or TrainingPlan()
+    response = response_of(library)
+    shape = NetworkShape(
+        maps=map_count(len(response.microphones)), points=response.point_count, width=plan.width, depths=plan.depths
+    )
+    started = perf_counter()
+    touches = TouchGenerator(response, plan.seed, "training", plan.microphone_noise)
+    held_out = _held_out(response, plan)
+    # The global state of torch's generator is left as it was found.
+    with torch.random.fork_rng(devices=[]):
+        torch.manual_seed(plan.seed)
+        classifier = TouchClassifier(len(response.microphones), shape)
+        classifier.fit_normalisation(_frames(touches.samples(0, NORMALISATION_TOUCHES * response.point_count)))
+        curve = _run_epochs(classifier, touches, held_out, plan, started, progress)
+    classifier.eval()
+    return Localizer(
+        classifier=classifier,
+        shape=shape,
+        design=response.name,
+        microphones=response.microphones,
+        line=response.line,
+        place=response.place,
+        plan=asdict(plan),
+        training={
+            "loss": [entry.loss for entry in curve],
+            "held_out_accuracy": [entry.accuracy for entry in curve],
+            "epochs": len(curve),
+            "touches": len(curve) * plan.seconds_per_point * response.point_count,
+            "held_out_touches": len(held_out.point),
+            "seconds": curve[-1].seconds,
+        },
+        provenance={**response.provenance, "localizer": _versions(plan.seed)},
+    )
+
+
+def soft_labels(line: NDArray[np.int64], place: NDArray[np.int64], sigma: float) -> NDArray[np.float64]:
+    """Target probabilities of each point: a Gaussian over places of its own line, zero on the others.
+
+    Args:
+        line: (n_point,).
+        place: (n_point,) along the line.
+        sigma: in places; 0 gives the identity.
+
+    Returns:
+        (n_point, n_point) float64, rows sum to 1.
+    """
+    distance = place[:, None] - place[None, :]
+    same_line = line[:, None] == line[None, :]
+    weight = np.exp(-0.5 * (distance / sigma) ** 2) if sigma > 0 else (distance == 0).astype(np.float64)
+    weight = np.where(same_line, weight, 0.0)
+    return np.asarray(weight / weight.sum(1, keepdims=True))
+
+
+def _run_epochs(
+    classifier: TouchClassifier,
+    touches: TouchGenerator,
+    held_out: TouchSignals,
+    plan: TrainingPlan,
+    started: float,
+    progress: Callable[[TrainingProgress], None] | None,
+) -> list[TrainingProgress]:
+    """Train in place; one entry per epoch."""
+    response = touches.response
+    target = torch.from_numpy(soft_labels(response.line, response.place, plan.label_sigma)).float()
+    optimizer = torch.optim.AdamW(classifier.parameters(), lr=plan.learning_rate, weight_decay=plan.weight_decay)
+    per_epoch = plan.seconds_per_point * response.point_count
+    steps_per_epoch = math.ceil(per_epoch / plan.batch)
+    epochs, epoch, step, done = plan.epochs, 0, 0, 0.0
+    curve: list[TrainingProgress] = []
+    epoch_start = perf_counter()
+    while epoch < epochs:
+        classifier.train()
+        loss_sum = 0.0
+        for part in touches.stream(epoch * per_epoch, per_epoch, plan.batch):
+            rate = plan.learning_rate * min(1.0, (step + 1) / WARM_UP) * 0.5 * (1 + math.cos(math.pi * done))
+            for group in optimizer.param_groups:
+                group["lr"] = rate
+            loss = nn.functional.cross_entropy(classifier(_frames(part)), target[part.point])
+            optimizer.zero_grad()
+            loss.backward()
+            optimizer.step()
+            loss_sum += loss.item() * len(part.point)
+            step += 1
+            # The rest of the cosine is spread over the steps that are left.
+            steps_left = steps_per_epoch * epochs - step
+            done += (1 - done) / (steps_left + 1)
+        epoch += 1
+        now = perf_counter()
+        if plan.time_limit is not None:
+            affordable = (plan.time_limit - (now - started)) / ((now - epoch_start) / epoch)
+            epochs = min(epochs, epoch + max(0, math.floor(affordable)))
+        entry = TrainingProgress(
+            epoch, epochs, loss_sum / per_epoch, _accuracy(classifier, held_out), perf_counter() - started
+        )
+        curve.append(entry)
+        if progress:
+            progress(entry)
+    return curve
+
+
+def _frames(touches: TouchSignals) -> Tensor:
+    """The last frame of each touch."""
+    return touches.signals[..., -FRAME:]
+
+
+def _held_out(response: ArrayResponse, plan: TrainingPlan) -> TouchSignals:
+    """Held-out touches, cut to their last frame at once to keep them small."""
+    count = max(1, round(plan.held_out_fraction * plan.seconds_per_point)) * response.point_count
+    parts = list(TouchGenerator(response, plan.seed, "held-out", plan.microphone_noise).stream(0, count))
+    return TouchSignals(
+        signals=torch.cat([_frames(part).clone() for part in parts]),
+        point=torch.cat([part.point for part in parts]),
+        interval=torch.cat([part.interval for part in parts]),
+    )
+
+
+def _accuracy(classifier: TouchClassifier, touches: TouchSignals) -> float:
+    classifier.eval()
+    with torch.inference_mode():
+        named = torch.cat([classifier(part).argmax(1) for part in touches.signals.split(512)])
+    return float((named == touches.point).double().mean())
+
+
+def _versions(seed: int) -> dict[str, Any]:
+    def installed(name: str) -> str:
+        try:
+            return version(name)
+        except PackageNotFoundError:
+            return "not installed"
+
+    return {
+        "code_version": installed("acoustic-fem"),
+        "created": datetime.now(UTC).isoformat(timespec="seconds"),
+        "seed": seed,
+        "python": platform.python_version(),
+        "threads": torch.get_num_threads(),
+        "libraries": {name: installed(name) for name in ("numpy", "safetensors", "scipy", "torch")},
+    }
