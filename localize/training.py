@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import math
 import platform
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import asdict, dataclass
 from datetime import UTC, datetime
 from importlib.metadata import PackageNotFoundError, version
@@ -27,6 +28,8 @@ if TYPE_CHECKING:
 
 WARM_UP = 20
 """Steps over which the learning rate rises: a fresh batch normalisation does not bear the full one."""
+SETTLING = 0.25
+"""Share of a time limit after which the speed of training is judged."""
 NORMALISATION_TOUCHES = 20
 """Touches per point from which the normalisation of the maps is taken."""
 
@@ -39,9 +42,9 @@ class TrainingPlan:
         ValueError: a field outside its range, with field, value and range.
     """
 
-    seconds_per_point: int = 400
+    seconds_per_point: int = 200
     """One-second touches of every point in an epoch; each epoch draws new ones and each touch gives one frame."""
-    epochs: int = 10
+    epochs: int = 20
     held_out_fraction: float = 0.25
     """Held-out touches, drawn once from seeds of their own, as a fraction of an epoch's."""
     batch: int = 128
@@ -54,7 +57,7 @@ class TrainingPlan:
     """Pa rms over 0 to 500 Hz, added to the training signals; held-out ones have the same."""
     seed: int = 0
     time_limit: float | None = None
-    """Seconds. Where the epochs would take longer, fewer are run, with the cosine still ending at zero; the result
+    """Seconds. Where the plan would take longer, training is shortened, the cosine still ending at zero; the result
     then depends on the speed of the machine."""
     width: int = 32
     """Channels of the network's embedding."""
@@ -86,7 +89,7 @@ class TrainingPlan:
 
 @dataclass(frozen=True)
 class TrainingProgress:
-    """One finished epoch."""
+    """One finished epoch; where time runs out, the last one is a part of one."""
 
     epoch: int
     """From 1."""
@@ -109,7 +112,7 @@ def train(
 
     Args:
         library: transfer functions that cover 1 to 100 Hz, of at least two points and two microphones.
-        plan: by default one that takes about 20 s for 12 points on two cores.
+        plan: by default one that takes about 25 s for 12 points on one core.
         progress: called after every epoch.
 
     Raises:
@@ -122,13 +125,13 @@ def train(
     )
     started = perf_counter()
     touches = TouchGenerator(response, plan.seed, "training", plan.microphone_noise)
-    held_out = _held_out(response, plan)
     # The global state of torch's generator is left as it was found.
-    with torch.random.fork_rng(devices=[]):
+    with torch.random.fork_rng(devices=[]), _one_thread():
         torch.manual_seed(plan.seed)
+        held_out = _held_out(response, plan)
         classifier = TouchClassifier(len(response.microphones), shape)
         classifier.fit_normalisation(_frames(touches.samples(0, NORMALISATION_TOUCHES * response.point_count)))
-        curve = _run_epochs(classifier, touches, held_out, plan, started, progress)
+        curve, touch_count = _run_epochs(classifier, touches, held_out, plan, started, progress)
     classifier.eval()
     return Localizer(
         classifier=classifier,
@@ -142,7 +145,7 @@ def train(
             "loss": [entry.loss for entry in curve],
             "held_out_accuracy": [entry.accuracy for entry in curve],
             "epochs": len(curve),
-            "touches": len(curve) * plan.seconds_per_point * response.point_count,
+            "touches": touch_count,
             "held_out_touches": len(held_out.point),
             "seconds": curve[-1].seconds,
         },
@@ -175,44 +178,62 @@ def _run_epochs(
     plan: TrainingPlan,
     started: float,
     progress: Callable[[TrainingProgress], None] | None,
-) -> list[TrainingProgress]:
-    """Train in place; one entry per epoch."""
+) -> tuple[list[TrainingProgress], int]:
+    """Train in place; one entry per epoch, and the number of touches used."""
     response = touches.response
     target = torch.from_numpy(soft_labels(response.line, response.place, plan.label_sigma)).float()
     optimizer = torch.optim.AdamW(classifier.parameters(), lr=plan.learning_rate, weight_decay=plan.weight_decay)
-    per_epoch = plan.seconds_per_point * response.point_count
-    steps_per_epoch = math.ceil(per_epoch / plan.batch)
-    epochs, epoch, step, done = plan.epochs, 0, 0, 0.0
+    steps_per_epoch = math.ceil(plan.seconds_per_point * response.point_count / plan.batch)
+    planned, step, turned = plan.epochs * steps_per_epoch, 0, 0.0
+    steps = planned
+    losses: list[float] = []
     curve: list[TrainingProgress] = []
-    epoch_start = perf_counter()
-    while epoch < epochs:
+    while step < steps:
         classifier.train()
-        loss_sum = 0.0
-        for part in touches.stream(epoch * per_epoch, per_epoch, plan.batch):
-            rate = plan.learning_rate * min(1.0, (step + 1) / WARM_UP) * 0.5 * (1 + math.cos(math.pi * done))
-            for group in optimizer.param_groups:
-                group["lr"] = rate
-            loss = nn.functional.cross_entropy(classifier(_frames(part)), target[part.point])
-            optimizer.zero_grad()
-            loss.backward()
-            optimizer.step()
-            loss_sum += loss.item() * len(part.point)
-            step += 1
-            # The rest of the cosine is spread over the steps that are left.
-            steps_left = steps_per_epoch * epochs - step
-            done += (1 - done) / (steps_left + 1)
-        epoch += 1
-        now = perf_counter()
+        rate = plan.learning_rate * min(1.0, (step + 1) / WARM_UP) * 0.5 * (1 + math.cos(math.pi * turned))
+        for group in optimizer.param_groups:
+            group["lr"] = rate
+        part = touches.samples(step * plan.batch, plan.batch)
+        loss = nn.functional.cross_entropy(classifier(_frames(part)), target[part.point])
+        optimizer.zero_grad()
+        loss.backward()
+        optimizer.step()
+        losses.append(loss.item())
+        step += 1
         if plan.time_limit is not None:
-            affordable = (plan.time_limit - (now - started)) / ((now - epoch_start) / epoch)
-            epochs = min(epochs, epoch + max(0, math.floor(affordable)))
-        entry = TrainingProgress(
-            epoch, epochs, loss_sum / per_epoch, _accuracy(classifier, held_out), perf_counter() - started
-        )
-        curve.append(entry)
-        if progress:
-            progress(entry)
-    return curve
+            steps = _affordable(step, perf_counter() - started, plan.time_limit, planned)
+        # What is left of the cosine is spread evenly over the steps that are left.
+        turned += (1 - turned) / (max(steps - step, 0) + 1)
+        if step % steps_per_epoch == 0 or step >= steps:
+            epoch, epochs = (math.ceil(k / steps_per_epoch) for k in (step, max(step, steps)))
+            accuracy = _accuracy(classifier, held_out)
+            curve.append(TrainingProgress(epoch, epochs, float(np.mean(losses)), accuracy, perf_counter() - started))
+            losses = []
+            if progress:
+                progress(curve[-1])
+    return curve, step * plan.batch
+
+
+@contextmanager
+def _one_thread() -> Iterator[None]:
+    """Torch on one thread: at this size a second one gains a fifth, and on a busy machine loses most of the speed.
+
+    Results then do not depend on the number of cores either.
+    """
+    before = torch.get_num_threads()
+    torch.set_num_threads(1)
+    try:
+        yield
+    finally:
+        torch.set_num_threads(before)
+
+
+def _affordable(step: int, seconds: float, limit: float, planned: int) -> int:
+    """How many of the planned steps there may be in all, judged by those done so far."""
+    # The first ones are slow and say little; a plan that fits easily is then never touched, and repeats exactly.
+    if seconds < SETTLING * limit:
+        return planned
+    return min(planned, step + max(0, math.floor((limit - seconds) * step / seconds)))
 
 
 def _frames(touches: TouchSignals) -> Tensor:
@@ -250,6 +271,5 @@ def _versions(seed: int) -> dict[str, Any]:
         "created": datetime.now(UTC).isoformat(timespec="seconds"),
         "seed": seed,
         "python": platform.python_version(),
-        "threads": torch.get_num_threads(),
         "libraries": {name: installed(name) for name in ("numpy", "safetensors", "scipy", "torch")},
     }

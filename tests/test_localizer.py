@@ -74,13 +74,20 @@ def test_training_leaves_the_global_random_state_alone(array):
     assert torch.equal(before, torch.get_rng_state())
 
 
-def test_a_time_limit_runs_fewer_epochs_and_ends_the_cosine(array):
+def test_a_time_limit_shortens_training_and_still_ends_it_well(array):
     reports = []
-    plan = replace(PLAN, seconds_per_point=50, epochs=5000, time_limit=2.0)
+    plan = replace(PLAN, seconds_per_point=50, epochs=5000, time_limit=2.5)
     localizer = localize.train(array, plan, reports.append)
-    assert 1 <= len(reports) < 1000
-    assert reports[-1].epoch == reports[-1].epochs
+    assert reports[-1].epoch == reports[-1].epochs < 1000
     assert localizer.training["epochs"] == len(reports)
+    assert localizer.training["touches"] < 1000 * 50 * POINTS
+    # A run cut off at a high learning rate would be far worse than chance of two neighbours.
+    assert reports[-1].accuracy > 0.7
+
+
+def test_a_time_limit_that_is_ample_changes_nothing(tiny, array):
+    weights = localize.train(array, replace(TINY, time_limit=600.0)).classifier.state_dict()
+    assert all(torch.equal(value, weights[name]) for name, value in tiny.classifier.state_dict().items())
 
 
 def test_probabilities_of_a_batch_are_those_of_its_signals_and_sum_to_one(trained, touches):
