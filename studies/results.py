@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from geometry.layout import place
+from studies.display import number
 from studies.folders import write_json
 from studies.metrics import BAND, attenuation, sensitivity, worst_heard
 
@@ -69,14 +70,14 @@ def confusion_sentence(result: RunResult) -> str:
     pair = result.network.hardest_pair
     if pair is None:
         return f"The localizer missed none of {result.network.touches} held-out touches."
-    number, share = _numbers(result, pair), pair[2]
+    named, share = _numbers(result, pair), pair[2]
     text = (
-        f"The localizer most often takes points {number[0]} and {number[1]} for each other: {_percent(share)} of their "
+        f"The localizer most often takes points {named[0]} and {named[1]} for each other: {_percent(share)} of their "
         "touches. "
     )
-    if number in result.separability.equally_hard:
+    if named in result.separability.equally_hard:
         return text + "That is the hardest pair by distance too."
-    rank = 1 + result.separability.hardest_pairs.index(number)
+    rank = 1 + result.separability.hardest_pairs.index(named)
     return text + (
         f"By distance this pair is number {rank} of {len(result.separability.hardest_pairs)}, hardest first. The two "
         "need not agree: the distance weighs all frequencies alike and knows no noise, whereas each touch holds some "
@@ -142,8 +143,8 @@ def key_figures(result: RunResult) -> list[KeyFigure]:
         figures.append(
             KeyFigure(
                 f"weakest signal at {frequency:g} Hz",
-                f"{weakest:.1f} dB",
-                f"point {point} at its second-loudest microphone, pressure there per pressure in the cavity",
+                f"{number(weakest, 1)} dB",
+                f"point {point} at its second-loudest microphone",
             )
         )
     bores = sorted({tube.inner_diameter for tube in tubes_of(design)})
@@ -179,12 +180,12 @@ def point_rows(result: RunResult) -> list[dict[str, Any]]:
     confusion = result.network.confusion
     found = np.diag(confusion) / np.maximum(confusion.sum(axis=1), 1)
     rows = []
-    for index, number in enumerate(result.separability.points):
-        nearest = result.separability.nearest(number)
-        level, phase, distance = result.separability.between(number, nearest)
+    for index, point in enumerate(result.separability.points):
+        nearest = result.separability.nearest(point)
+        level, phase, distance = result.separability.between(point, nearest)
         rows.append(
             {
-                "point": number,
+                "point": point,
                 "line": int(h["line"].values[index]) + 1,
                 "level_10_hz_db": [float(value) for value in low[index]],
                 "level_100_hz_db": [float(value) for value in high[index]],

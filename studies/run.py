@@ -206,7 +206,7 @@ def _make_parts(
 def _picture_height(design: ArrayDesign) -> int:
     """Pixels of a picture 1600 wide that leave little white above and below the array."""
     width, depth, _ = array_size(design)
-    return int(np.clip(1600 * (0.2 + depth / width), 500, 1400))
+    return int(np.clip(1600 * (0.15 + depth / width), 500, 1400))
 
 
 def _draw_figures(
