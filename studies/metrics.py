@@ -59,9 +59,9 @@ class Separability:
 
     @property
     def equally_hard(self) -> tuple[tuple[int, int], ...]:
-        """The hardest pair and those within 1 % of its combined distance, such as its mirror image."""
+        """The hardest pair and those within 1 % of its combined distance, such as its mirror image, by number."""
         least = self.between(*self.hardest_pairs[0])[2]
-        return tuple(pair for pair in self.hardest_pairs if self.between(*pair)[2] <= 1.01 * least)
+        return tuple(sorted(pair for pair in self.hardest_pairs if self.between(*pair)[2] <= 1.01 * least))
 
     def nearest(self, point: int) -> int:
         """Number of the point that is hardest to tell from ``point``."""

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from geometry.layout import place
 from geometry.tube import cutting_list
 from studies.check import cell_uses
 from studies.display import number
@@ -22,6 +23,7 @@ from studies.results import (
     key_figures,
     point_rows,
     printing_sentence,
+    training_sentence,
     verdict,
 )
 
@@ -30,6 +32,8 @@ if TYPE_CHECKING:
 
 #: Frequencies at which lumped cells are compared with 3-D cells, Hz.
 CELLS_COMPARED_AT = (1.0, 10.0, 100.0)
+#: A table of more points is folded away.
+LONG_TABLE = 36
 _ORDER = {"fail": 0, "warn": 1, "ok": 2}
 
 
@@ -61,6 +65,9 @@ def render(result: RunResult) -> str:
         confusion=confusion_sentence(result),
         agreement=agreement_sentence(result),
         printing=printing_sentence(result),
+        training=training_sentence(result),
+        long_table=LONG_TABLE,
+        schematic=any(tube.schematic for tube in place(result.design).tubes),
         sensitivity_at=SENSITIVITY_AT,
         points=point_rows(result),
         microphones=list(result.design.microphones),

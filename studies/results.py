@@ -85,6 +85,18 @@ def confusion_sentence(result: RunResult) -> str:
     )
 
 
+def training_sentence(result: RunResult) -> str:
+    """How long the localizer was trained, and whether the time ran out."""
+    training, planned = result.training, result.training["plan"]
+    touches = planned["epochs"] * planned["seconds_per_point"] * result.design.point_count
+    text = f"The localizer was trained on {training['touches']} touches in {training['seconds']:.0f} s"
+    if training["touches"] >= touches:
+        return text + "."
+    return text + (
+        f" of {touches} planned; then its time was up. More time makes it better: acoustic-fem train, --seconds."
+    )
+
+
 def agreement_sentence(result: RunResult) -> str:
     """How far the closed forms are from the 3-D cells, and why."""
     found = result.disagreement
@@ -116,7 +128,7 @@ def key_figures(result: RunResult) -> list[KeyFigure]:
     """The table of key figures."""
     design, h = result.design, result.library.transfer_function
     width, depth, height = array_size(design)
-    (first, second), *_ = result.separability.hardest_pairs
+    first, second = result.separability.equally_hard[0]
     level, phase, distance = result.separability.between(first, second)
     network, bayes = result.network, result.bayes
     noise = f"touches of {network.samples / 1000:g} s, microphone noise {network.microphone_noise:g} Pa rms"

@@ -30,10 +30,10 @@ if TYPE_CHECKING:
 
 #: Whole hertz up to half the sample rate of the signals: the stimuli's white noise needs all of them.
 FREQUENCY = tuple(float(f) for f in range(1, 501))
-#: The localizer is trained within this time, s.
-TRAINING_SECONDS = 40.0
+#: The localizer is trained within this time: for few points, per point, and at most, s.
+TRAINING_SECONDS, TRAINING_SECONDS_PER_POINT, LONGEST_TRAINING = 40.0, 3.0, 300.0
 #: Held-out touches in all, and at least per point.
-EVALUATION_TOUCHES, LEAST_TOUCHES_PER_POINT = 6000, 40
+EVALUATION_TOUCHES, LEAST_TOUCHES_PER_POINT = 3000, 40
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,7 +85,7 @@ def run_design(
         display: shows what is being done.
         fidelity: of the library, see :func:`acoustic_fem.solve`.
         frequency: (n_freq,) Hz, covering 1 to 100 Hz; by default 1, 2, ..., 500 Hz.
-        training: how to train the localizer; by default within 40 s.
+        training: how to train the localizer; by default within :func:`training_seconds`.
 
     Raises:
         ValueError: the folder holds something else, or the design cannot be built, solved or decoded.
@@ -98,7 +98,7 @@ def run_design(
 
     show = display or Display()
     folder = claim_folder(out)
-    training = training or TrainingPlan(time_limit=TRAINING_SECONDS)
+    training = training or TrainingPlan(time_limit=training_seconds(design.point_count))
     grid = np.asarray(FREQUENCY if frequency is None else frequency, np.float64)
     geometry.save_design(design.completed(), folder / "design.toml")
 
@@ -162,6 +162,11 @@ def run_design(
     write_results(result, folder / "results.json")
     write_report(result, folder / "report.html")
     return result
+
+
+def training_seconds(points: int) -> float:
+    """Time limit of the localizer's training: 40 s for up to 13 points, then 3 s per point, at most 300 s."""
+    return min(max(TRAINING_SECONDS, TRAINING_SECONDS_PER_POINT * points), LONGEST_TRAINING)
 
 
 def cell_lines(library: Library) -> list[str]:

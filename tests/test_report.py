@@ -18,7 +18,14 @@ from studies.display import number
 from studies.figures import draw_confusion, draw_transfer_functions
 from studies.metrics import Disagreement
 from studies.report import render
-from studies.results import agreement_sentence, confusion_sentence, key_figures, printing_sentence, verdict
+from studies.results import (
+    agreement_sentence,
+    confusion_sentence,
+    key_figures,
+    printing_sentence,
+    training_sentence,
+    verdict,
+)
 
 VOID = {"meta", "img", "br", "link", "input", "hr"}
 
@@ -143,6 +150,15 @@ def test_what_the_localizer_confuses_is_set_against_the_distances() -> None:
     i, j = pairs[-1]
     other[j - 1, i - 1] = 10
     assert "By distance this pair is number 3 of 3" in judged(other)
+
+
+def test_a_training_cut_short_is_said() -> None:
+    result = small_run()
+    assert f"{result.training['touches']} touches" in training_sentence(result)
+    assert "time was up" not in training_sentence(result)
+    short = replace(result, training={**result.training, "touches": 450})
+    assert "450 touches" in training_sentence(short)
+    assert "of 1350 planned; then its time was up" in training_sentence(short)
 
 
 def test_a_failing_part_is_named_at_the_top() -> None:

@@ -19,7 +19,7 @@ from studies import run as run_module
 from studies.folders import MARK, check_folder, check_new_file, claim_folder, replaced_folder
 from studies.metrics import separability
 from studies.results import array_size, membrane_compliance
-from studies.run import run_design
+from studies.run import run_design, training_seconds
 
 ROOT = Path(__file__).parents[1]
 
@@ -61,10 +61,10 @@ def test_the_results_are_those_of_the_library() -> None:
     distances = separability(result.library.transfer_function)
     assert found["separability"]["combined"] == distances.combined.tolist()
     assert found["separability"]["hardest_pairs"][0] == list(distances.hardest_pairs[0])
-    assert np.sum(found["network"]["confusion"]) == found["network"]["touches"] == 6000
+    assert np.sum(found["network"]["confusion"]) == found["network"]["touches"] == 3000
     for row, levels in zip(found["points"], np.abs(result.library.transfer_function.values[..., 9]), strict=True):
         assert row["level_10_hz_db"] == pytest.approx(20 * np.log10(levels))
-    assert found["network"]["top1"] == pytest.approx(np.trace(found["network"]["confusion"]) / 6000)
+    assert found["network"]["top1"] == pytest.approx(np.trace(found["network"]["confusion"]) / 3000)
 
 
 def test_three_points_are_told_apart() -> None:
@@ -100,6 +100,10 @@ def test_the_size_and_the_compliance_are_those_of_the_design() -> None:
     rigidity = 1.1424 * 0.5**3 / (12 * (1 - 0.49**2))
     assert compliance == pytest.approx(1.64 * np.pi * 3**6 / (192 * rigidity) * 1e-3, rel=0.005)
     assert ratio == pytest.approx(compliance / (70.686 / 101.325), rel=1e-3)
+
+
+def test_larger_arrays_are_trained_longer() -> None:
+    assert [training_seconds(points) for points in (3, 12, 64, 216)] == [40.0, 40.0, 192.0, 300.0]
 
 
 # -- folders ------------------------------------------------------------------------------------------------
