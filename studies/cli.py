@@ -286,6 +286,8 @@ def evaluate(
 
     Example: [bold]acoustic-fem evaluate localizer library.nc[/bold]
     """
+    from threadpoolctl import threadpool_limits
+
     import acoustic_fem
     from localize import BayesDecoder, load_localizer
     from localize import evaluate as evaluate_localizer
@@ -295,7 +297,7 @@ def evaluate(
     localizer = load_localizer(model)
     loaded = acoustic_fem.load(library)
     results: dict[str, Evaluation] = {}
-    with _display() as display, display.stage("Evaluation") as report:
+    with _display() as display, display.stage("Evaluation") as report, threadpool_limits(1):
         report("network", 0.0)
         results["network"] = evaluate_localizer(localizer, loaded, touches, noise, seed=seed)
         report("Bayes decoder", 0.5)

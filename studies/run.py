@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
+from threadpoolctl import threadpool_limits
 
 from geometry.design import ArrayDesign
 from geometry.layout import place
@@ -124,7 +125,8 @@ def run_design(
         )
         with replaced_folder(folder / "localizer") as fresh:
             localizer.save(fresh)
-    with show.stage("Evaluation") as report:
+    # One thread: the matrices are small, and on a busy machine threads that wait for each other cost five times more.
+    with show.stage("Evaluation") as report, threadpool_limits(1):
         touches = max(LEAST_TOUCHES_PER_POINT, EVALUATION_TOUCHES // design.point_count)
         report("network", 0.0)
         network = evaluate(localizer, library, touches, training.microphone_noise)
