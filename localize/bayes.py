@@ -23,7 +23,9 @@ from torch import Tensor
 
 from localize.dataset import ArrayResponse, response_of
 from localize.frames import FRAME, checked_signals, combined_probability, cut_frames
+from localize.noise import NoiseChoice, NoiseSpectrum
 from localize.stimulus import BAND, NOISE, SAMPLE_RATE
+from localize.threads import one_thread
 
 if TYPE_CHECKING:
     from acoustic_fem import Library
@@ -52,15 +54,17 @@ class BayesDecoder:
 
     Args:
         library: transfer functions that cover 1 to 100 Hz, of at least two points and two microphones.
-        microphone_noise: the noise floor to assume, Pa rms over 0 to 500 Hz, 1e-9 to 10. It also stands for what
-            the library does not know; a higher one is kinder to a sensor that differs from its design.
+        microphone_noise: the noise floor to assume: white, Pa rms over 0 to 500 Hz, 1e-9 to 10; or "design" for
+            that of the library's design, see :mod:`localize.noise`. It also stands for what the library does not
+            know; a higher one is kinder to a sensor that differs from its design.
 
     Raises:
         ValueError: the library does not cover 1 to 100 Hz, or the noise is outside its range.
     """
 
-    def __init__(self, library: Library | ArrayResponse, microphone_noise: float = 1e-3) -> None:
-        if not 1e-9 <= microphone_noise <= 10.0:
+    @one_thread()
+    def __init__(self, library: Library | ArrayResponse, microphone_noise: NoiseChoice = 1e-3) -> None:
+        if microphone_noise != "design" and not 1e-9 <= microphone_noise <= 10.0:
             raise ValueError(f"microphone_noise = {microphone_noise} Pa must be between 1e-9 and 10 Pa")
         response = response_of(library)
         self.design = response.name
@@ -68,7 +72,7 @@ class BayesDecoder:
         self.line = response.line
         self.place = response.place
         self.microphone_noise = microphone_noise
-        noise = scipy.linalg.toeplitz(_noise_covariance(microphone_noise))
+        noise = scipy.linalg.toeplitz(_noise_covariance(response.noise(microphone_noise)))
         whiten = np.linalg.inv(np.linalg.cholesky(noise))
         # From the 250 samples of a microphone to SAMPLES ones with white noise of variance 1.
         self._reduce = (whiten @ _low_pass()).T.copy()
@@ -83,6 +87,7 @@ class BayesDecoder:
         """Number of sensing points."""
         return len(self.line)
 
+    @one_thread()
     def locate(self, signals: ArrayLike | Tensor) -> NDArray[np.float64]:
         """Where the array was touched, all points equally likely beforehand.
 
@@ -147,12 +152,17 @@ def _low_pass() -> NDArray[np.float64]:
     return matrix
 
 
-def _noise_covariance(rms: float) -> NDArray[np.float64]:
-    """Covariance of filtered white noise at the lags of the decimated samples, (SAMPLES,), Pa^2."""
+def _noise_covariance(noise: float | NoiseSpectrum) -> NDArray[np.float64]:
+    """Covariance of filtered noise, white ones in Pa rms, at the lags of the decimated samples, (SAMPLES,), Pa^2."""
     taps = scipy.signal.firwin(TAPS, CUTOFF, fs=SAMPLE_RATE)
+    if isinstance(noise, NoiseSpectrum):
+        frequency = np.arange(len(noise.power), dtype=np.float64)
+        _, gain = scipy.signal.freqz(taps, worN=frequency, fs=SAMPLE_RATE)
+        lag = np.arange(SAMPLES) * DECIMATION / SAMPLE_RATE
+        return np.asarray(np.cos(2 * math.pi * lag[:, None] * frequency) @ (noise.power * np.abs(gain) ** 2))
     correlation = np.zeros(max(SAMPLES * DECIMATION, TAPS))
     correlation[:TAPS] = np.correlate(taps, taps, "full")[TAPS - 1 :]
-    return rms**2 * correlation[: SAMPLES * DECIMATION : DECIMATION]
+    return noise**2 * correlation[: SAMPLES * DECIMATION : DECIMATION]
 
 
 def _eigenvectors(

@@ -19,7 +19,9 @@ from scipy.interpolate import CubicSpline
 from torch import Tensor
 
 from localize import stimulus
+from localize.noise import NoiseChoice, NoiseSpectrum, microphone_noise
 from localize.stimulus import BAND, Purpose
+from localize.threads import one_thread
 
 if TYPE_CHECKING:
     from acoustic_fem import Library
@@ -45,6 +47,8 @@ class ArrayResponse:
     """Name of the design."""
     provenance: Mapping[str, Any] = field(default_factory=dict)
     """Design, fidelity, air, frequencies and versions, as JSON can hold them."""
+    own_noise: NoiseSpectrum | None = None
+    """Noise of the design's microphone; None where there is no design."""
 
     def __post_init__(self) -> None:
         h, f = self.transfer_function, self.frequency
@@ -78,6 +82,20 @@ class ArrayResponse:
     def point_count(self) -> int:
         """Number of sensing points."""
         return len(self.transfer_function)
+
+    def noise(self, choice: NoiseChoice) -> float | NoiseSpectrum:
+        """What is added to every microphone: white noise in Pa rms over 0 to 500 Hz, or that of the design.
+
+        Raises:
+            ValueError: "design" where there is none, or a number that is not finite or below zero.
+        """
+        if choice == "design":
+            if self.own_noise is None:
+                raise ValueError("microphone_noise = 'design' needs a library with a design; else give Pa rms")
+            return self.own_noise
+        if not 0 <= choice < np.inf:
+            raise ValueError(f"microphone_noise = {choice} must be 'design' or a finite number, zero or above")
+        return float(choice)
 
     def at(self, frequency: NDArray[np.float64]) -> NDArray[np.complex128]:
         """Transfer functions interpolated to frequencies inside the library's range.
@@ -117,6 +135,7 @@ def response_of(library: Library | ArrayResponse) -> ArrayResponse:
             "frequency": [float(f) for f in h.coords["frequency"].values],
             "library": dict(library.provenance),
         },
+        own_noise=microphone_noise(library.design.microphone, library.medium),
     )
 
 
@@ -139,14 +158,20 @@ class TouchGenerator:
         response: the array.
         seed: any non-negative integer.
         purpose: streams of different purposes never share a stimulus.
-        microphone_noise: Pa rms over 0 to 500 Hz, white and Gaussian, added to every microphone.
+        microphone_noise: added to every microphone, Gaussian: Pa rms over 0 to 500 Hz, white, or "design" for that of
+            the design's microphone, see :mod:`localize.noise`.
+
+    Raises:
+        ValueError: as :meth:`ArrayResponse.noise`.
     """
 
-    def __init__(self, response: ArrayResponse, seed: int, purpose: Purpose, microphone_noise: float = 0.0) -> None:
+    def __init__(
+        self, response: ArrayResponse, seed: int, purpose: Purpose, microphone_noise: NoiseChoice = 0.0
+    ) -> None:
         self.response = response
         self.seed = seed
         self.purpose: Purpose = purpose
-        self.microphone_noise = microphone_noise
+        self.microphone_noise = response.noise(microphone_noise)
         lines = stimulus.line_frequencies()
         self._noise_band = (float(response.frequency[0]), float(response.frequency[-1]))
         self._lines = stimulus.lines_within(self._noise_band)
@@ -154,15 +179,17 @@ class TouchGenerator:
         on_lines[..., self._lines] = response.at(np.clip(lines[self._lines], *self._noise_band))
         self._transfer_function = torch.from_numpy(on_lines)
 
+    @one_thread()
     def samples(self, start: int, count: int) -> TouchSignals:
         """Samples ``start`` to ``start + count - 1``, the same whatever was asked for before."""
         stimuli = stimulus.multi_sines(self.seed, self.purpose, start, count, self._noise_band)
         point = torch.arange(start, start + count) % self.response.point_count
         signals = microphone_signals(stimuli.spectrum[:, : self._lines.stop], self._transfer_function[point])
-        if self.microphone_noise:
-            signals = signals + stimulus.white_noise(
-                self.seed, self.purpose, start, count, len(self.response.microphones), self.microphone_noise
-            )
+        stream = (self.seed, self.purpose, start, count, len(self.response.microphones))
+        if isinstance(self.microphone_noise, NoiseSpectrum):
+            signals = signals + stimulus.coloured_noise(*stream, self.microphone_noise.power)
+        elif self.microphone_noise:
+            signals = signals + stimulus.white_noise(*stream, self.microphone_noise)
         return TouchSignals(signals=signals, point=point, interval=stimuli.interval)
 
     def stream(self, start: int, count: int, shard: int = SHARD) -> Iterator[TouchSignals]:

@@ -11,7 +11,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from localize.dataset import ArrayResponse, TouchGenerator, response_of
 from localize.frames import FRAME
+from localize.noise import NoiseChoice, NoiseSpectrum
 from localize.stimulus import COMPONENT_INTERVALS, SAMPLE_LENGTH
+from localize.threads import one_thread
 
 if TYPE_CHECKING:
     from acoustic_fem import Library
@@ -49,7 +51,9 @@ class Evaluation:
     touches: int
     seed: int
     microphone_noise: float
-    """Pa rms over 0 to 500 Hz."""
+    """Pa rms: over 0 to 500 Hz where white, over 1 to 500 Hz where that of the design's microphone."""
+    noise_source: str
+    """"white", or what the noise is that of."""
     samples: int
     """Samples of each signal, at 1 kHz."""
 
@@ -78,15 +82,17 @@ class Evaluation:
             "touches": self.touches,
             "seed": self.seed,
             "microphone_noise": self.microphone_noise,
+            "noise_source": self.noise_source,
             "samples": self.samples,
         }
 
 
+@one_thread()
 def evaluate(
     localizer: Locator,
     library: Library | ArrayResponse,
     touches_per_point: int = 200,
-    microphone_noise: float = 0.0,
+    microphone_noise: NoiseChoice = 0.0,
     samples: int = FRAME,
     seed: int = 0,
 ) -> Evaluation:
@@ -99,7 +105,8 @@ def evaluate(
         library: the array that is touched, which need not be the one the localizer was made for, as long as points
             and microphones agree.
         touches_per_point: at least 1.
-        microphone_noise: Pa rms over 0 to 500 Hz, white, added to every microphone.
+        microphone_noise: added to every microphone: Pa rms over 0 to 500 Hz, white, or "design" for that of the
+            microphone of the library's design, see :mod:`localize.noise`.
         samples: length of each signal, 250 (one frame) to 1000.
         seed: any non-negative integer.
 
@@ -107,6 +114,30 @@ def evaluate(
         ValueError: points or microphones do not agree, or an argument is outside its range.
     """
     response = response_of(library)
+    check_evaluation(localizer, response, touches_per_point, microphone_noise, samples)
+    touches = TouchGenerator(response, seed, "evaluation", microphone_noise)
+    probability, point, interval = [], [], []
+    for part in touches.stream(0, touches_per_point * response.point_count):
+        probability.append(localizer.locate(part.signals[..., -samples:].numpy()))
+        point.append(part.point.numpy())
+        interval.append(part.interval.numpy())
+    return _judged(
+        np.concatenate(probability), np.concatenate(point), np.concatenate(interval), touches, samples
+    )  # fmt: skip
+
+
+def check_evaluation(
+    localizer: Locator,
+    response: ArrayResponse,
+    touches_per_point: int,
+    microphone_noise: NoiseChoice,
+    samples: int = FRAME,
+) -> None:
+    """Refuse what :func:`evaluate` would, before any work.
+
+    Raises:
+        ValueError: points or microphones do not agree, or an argument is outside its range.
+    """
     if tuple(localizer.microphones) != response.microphones or localizer.point_count != response.point_count:
         raise ValueError(
             f"the localizer is for {localizer.point_count} points and microphones {', '.join(localizer.microphones)}; "
@@ -116,30 +147,17 @@ def evaluate(
         raise ValueError(f"touches_per_point = {touches_per_point} must be at least 1")
     if not FRAME <= samples <= SAMPLE_LENGTH:
         raise ValueError(f"samples = {samples} must be between {FRAME} and {SAMPLE_LENGTH}")
-    if not 0 <= microphone_noise < np.inf:
-        raise ValueError(f"microphone_noise = {microphone_noise} must be a finite number, zero or above")
-
-    touches = TouchGenerator(response, seed, "evaluation", microphone_noise)
-    probability, point, interval = [], [], []
-    for part in touches.stream(0, touches_per_point * response.point_count):
-        probability.append(localizer.locate(part.signals[..., -samples:].numpy()))
-        point.append(part.point.numpy())
-        interval.append(part.interval.numpy())
-    return _judged(
-        np.concatenate(probability), np.concatenate(point), np.concatenate(interval), response, seed,
-        microphone_noise, samples,
-    )  # fmt: skip
+    response.noise(microphone_noise)
 
 
 def _judged(
     probability: NDArray[np.float64],
     point: NDArray[np.int64],
     interval: NDArray[np.int64],
-    response: ArrayResponse,
-    seed: int,
-    microphone_noise: float,
+    touches: TouchGenerator,
     samples: int,
 ) -> Evaluation:
+    response, noise = touches.response, touches.microphone_noise
     order = np.argsort(-probability, axis=1, kind="stable")
     named = order[:, 0]
     right = named == point
@@ -158,7 +176,8 @@ def _judged(
             if (interval == k).any()
         },
         touches=len(point),
-        seed=seed,
-        microphone_noise=microphone_noise,
+        seed=touches.seed,
+        microphone_noise=noise.rms if isinstance(noise, NoiseSpectrum) else noise,
+        noise_source=noise.source if isinstance(noise, NoiseSpectrum) else "white",
         samples=samples,
     )

@@ -17,6 +17,7 @@ from torch import Tensor
 
 from localize.frames import checked_signals, combined_probability, cut_frames
 from localize.model import NetworkShape, TouchClassifier
+from localize.threads import one_thread
 
 FORMAT = "acoustic-fem localizer"
 VERSION = 1
@@ -52,6 +53,7 @@ class Localizer:
         """Number of sensing points."""
         return self.shape.points
 
+    @one_thread()
     def locate(self, signals: ArrayLike | Tensor) -> NDArray[np.float64]:
         """Where the array was touched.
 

@@ -131,6 +131,29 @@ def white_noise(seed: int, purpose: Purpose, start: int, count: int, channels: i
     return rms * torch.view_as_real(_complex_normal(words)).reshape(count, channels, SAMPLE_LENGTH)
 
 
+def coloured_noise(
+    seed: int, purpose: Purpose, start: int, count: int, channels: int, power: NDArray[np.float64]
+) -> Tensor:
+    """Gaussian noise of a given spectrum on lines 1 Hz apart, from the same random numbers as the white one.
+
+    Args:
+        seed: any non-negative integer.
+        purpose: streams of different purposes never share a number.
+        start: index of the first sample.
+        count: how many.
+        channels: independent of each other.
+        power: (SAMPLE_LENGTH / 2,) mean square at 0, 1, ..., 499 Hz, in the square of the unit of the result.
+
+    Returns:
+        (count, channels, SAMPLE_LENGTH) float32; the noise repeats after this length.
+    """
+    lines = SAMPLE_LENGTH // 2
+    words = random_words(seed, purpose, "microphone", start, count, channels * lines)
+    # A line of 2 Re X exp(2 pi j f t) has the mean square 2 |X|^2, and a normal X of unit parts |X|^2 = 2.
+    spectrum = _complex_normal(words).reshape(count, channels, lines) * torch.from_numpy(np.sqrt(power) / 2).float()
+    return torch.fft.irfft(spectrum, n=SAMPLE_LENGTH, norm="forward")
+
+
 def random_words(seed: int, purpose: Purpose, kind: str, start: int, count: int, words: int) -> NDArray[np.uint64]:
     """Random words of consecutive samples; sample i always gets the same ones.
 

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import math
 import platform
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from dataclasses import asdict, dataclass
 from datetime import UTC, datetime
 from importlib.metadata import PackageNotFoundError, version
@@ -22,6 +21,8 @@ from localize.features import map_count
 from localize.frames import FRAME
 from localize.localizer import Localizer
 from localize.model import NetworkShape, TouchClassifier
+from localize.noise import NoiseChoice, NoiseSpectrum
+from localize.threads import one_thread
 
 if TYPE_CHECKING:
     from acoustic_fem import Library
@@ -54,12 +55,14 @@ class TrainingPlan:
     label_sigma: float = 0.35
     """Places along a line over which labels are smoothed; 0 for hard labels. Lines never mix. The paper's 1 made half
     a percent more errors on array-2x6 with microphone noise, and its probabilities say too little of the point."""
-    microphone_noise: float = 1e-3
-    """Pa rms over 0 to 500 Hz, added to the training signals; held-out ones have the same."""
+    microphone_noise: NoiseChoice = 1e-3
+    """Added to the training signals; held-out ones have the same. Pa rms over 0 to 500 Hz, white; or "design" for the
+    noise of the microphone of the library's design, see :mod:`localize.noise`."""
     seed: int = 0
     time_limit: float | None = None
-    """Seconds. Where the plan would take longer, training is shortened, the cosine still ending at zero; the result
-    then depends on the speed of the machine."""
+    """Seconds; None trains as planned, with the same result on a busy machine. Where the plan would take longer,
+    training is cut short, the cosine still ending at zero: the result then depends on the speed of the machine, and
+    ``training["cut_short"]`` of the localizer says so."""
     width: int = 32
     """Channels of the network's embedding."""
     depths: tuple[int, ...] = (1, 2, 2)
@@ -84,7 +87,9 @@ class TrainingPlan:
             ("time_limit", 1e-3, 1e9),
         ):
             value = getattr(self, name)
-            if not (name == "time_limit" and value is None) and not low <= value <= high:
+            if (name, value) in (("time_limit", None), ("microphone_noise", "design")):
+                continue
+            if isinstance(value, str) or not low <= value <= high:
                 raise ValueError(f"{name} = {value!r} must be between {low:g} and {high:g}")
 
 
@@ -111,6 +116,9 @@ def train(
 ) -> Localizer:
     """Train a localizer for the array of a library.
 
+    Where the plan has a time limit and it is reached, training is cut short and the result depends on the machine's
+    load; without one it does not.
+
     Args:
         library: transfer functions that cover 1 to 100 Hz, of at least two points and two microphones.
         plan: by default one that takes about 25 s for 12 points on one core.
@@ -126,8 +134,9 @@ def train(
     )
     started = perf_counter()
     touches = TouchGenerator(response, plan.seed, "training", plan.microphone_noise)
+    noise = touches.microphone_noise
     # The global state of torch's generator is left as it was found.
-    with torch.random.fork_rng(devices=[]), _one_thread():
+    with torch.random.fork_rng(devices=[]), one_thread():
         torch.manual_seed(plan.seed)
         held_out = _held_out(response, plan)
         classifier = TouchClassifier(len(response.microphones), shape)
@@ -149,6 +158,8 @@ def train(
             "touches": touch_count,
             "held_out_touches": len(held_out.point),
             "seconds": curve[-1].seconds,
+            "cut_short": touch_count < plan.epochs * _steps_per_epoch(plan, response) * plan.batch,
+            "microphone_noise": noise.rms if isinstance(noise, NoiseSpectrum) else noise,
         },
         provenance={**response.provenance, "localizer": _versions(plan.seed)},
     )
@@ -184,7 +195,7 @@ def _run_epochs(
     response = touches.response
     target = torch.from_numpy(soft_labels(response.line, response.place, plan.label_sigma)).float()
     optimizer = torch.optim.AdamW(classifier.parameters(), lr=plan.learning_rate, weight_decay=plan.weight_decay)
-    steps_per_epoch = math.ceil(plan.seconds_per_point * response.point_count / plan.batch)
+    steps_per_epoch = _steps_per_epoch(plan, response)
     planned, step, turned = plan.epochs * steps_per_epoch, 0, 0.0
     steps = planned
     losses: list[float] = []
@@ -215,18 +226,8 @@ def _run_epochs(
     return curve, step * plan.batch
 
 
-@contextmanager
-def _one_thread() -> Iterator[None]:
-    """Torch on one thread: at this size a second one gains a fifth, and on a busy machine loses most of the speed.
-
-    Results then do not depend on the number of cores either.
-    """
-    before = torch.get_num_threads()
-    torch.set_num_threads(1)
-    try:
-        yield
-    finally:
-        torch.set_num_threads(before)
+def _steps_per_epoch(plan: TrainingPlan, response: ArrayResponse) -> int:
+    return math.ceil(plan.seconds_per_point * response.point_count / plan.batch)
 
 
 def _affordable(step: int, seconds: float, limit: float, planned: int) -> int:

@@ -5,10 +5,12 @@ import pytest
 import scipy.linalg
 import torch
 from rc_line import rc_line
+from threadpoolctl import threadpool_info, threadpool_limits
 
 import localize
 from localize import bayes, stimulus
 from localize.dataset import microphone_signals
+from localize.noise import NoiseSpectrum
 
 
 @pytest.fixture(scope="module")
@@ -128,3 +130,42 @@ def test_bad_signals_and_libraries_are_refused(decoder):
         decoder.locate(np.stack([np.zeros(250), np.sin(np.arange(250))]))
     with pytest.raises(ValueError, match="must cover 1 to 100 Hz"):
         localize.BayesDecoder(rc_line(3, np.linspace(5, 100, 50)))
+
+
+def test_coloured_noise_has_the_covariance_that_is_assumed():
+    power = np.zeros(500)
+    power[1:] = 1e-6 / np.arange(1.0, 500.0) ** 2
+    noise = stimulus.coloured_noise(0, "evaluation", 0, 4000, 1, power)[:, 0, -250:].double().numpy()
+    filtered = noise @ bayes._low_pass().T
+    found = filtered.T @ filtered / len(filtered)
+    expected = scipy.linalg.toeplitz(bayes._noise_covariance(NoiseSpectrum(power, "a test")))
+    assert np.abs(found - expected).max() < 0.06 * expected[0, 0]
+    white = NoiseSpectrum(np.full(500, 1e-6 / 500), "a test")
+    assert bayes._noise_covariance(white) == pytest.approx(bayes._noise_covariance(1e-3), abs=0.01 * 1e-6)
+
+
+def test_decoding_and_evaluation_run_on_one_thread_and_leave_the_setting_alone(array, decoder, monkeypatch):
+    seen = []
+    original = bayes._vertex
+
+    def spied(values):
+        seen.append({torch.get_num_threads(), *(lib["num_threads"] for lib in blas_of_this_process())})
+        return original(values)
+
+    monkeypatch.setattr(bayes, "_vertex", spied)
+    before = torch.get_num_threads()
+    torch.set_num_threads(2)
+    try:
+        with threadpool_limits(2, user_api="blas"):
+            decoder.locate(np.random.default_rng(0).standard_normal((2, 250)))
+            localize.evaluate(decoder, array, 1)
+            assert {lib["num_threads"] for lib in blas_of_this_process()} == {2}
+            assert torch.get_num_threads() == 2
+    finally:
+        torch.set_num_threads(before)
+    assert len(seen) >= 2
+    assert all(threads == {1} for threads in seen)
+
+
+def blas_of_this_process():
+    return [lib for lib in threadpool_info() if lib["user_api"] == "blas"]

@@ -8,8 +8,12 @@ import torch
 from rc_line import rc_line
 from scipy.signal import lfilter
 
+import acoustic_fem
+import geometry
+import localize
 from localize import ArrayResponse, TouchGenerator, stimulus
 from localize.dataset import microphone_signals, response_of
+from localize.noise import input_density, microphone_noise
 
 
 def response(transfer_function, frequency) -> ArrayResponse:
@@ -118,9 +122,6 @@ def test_arrays_that_do_not_fit_together_are_refused(change, message):
 
 
 def test_a_solved_library_gives_its_numbers_names_and_provenance():
-    import acoustic_fem
-    import geometry
-
     design = geometry.prototype("array-2x6")
     library = acoustic_fem.solve(design, np.linspace(1, 100, 30), fidelity="lumped")
     taken = response_of(library)
@@ -129,3 +130,55 @@ def test_a_solved_library_gives_its_numbers_names_and_provenance():
     assert taken.name == "array-2x6"
     assert taken.provenance["fidelity"] == "lumped"
     assert 'name = "array-2x6"' in taken.provenance["design"]
+
+
+# -- noise of the design's microphone -------------------------------------------------------------------------------
+def design_response(noise_density: float = 5e-6) -> ArrayResponse:
+    design = geometry.prototype("array-2x6").with_values({"microphone.noise_density": noise_density})
+    return response_of(acoustic_fem.solve(design, np.arange(1.0, 101.0), fidelity="lumped"))
+
+
+def test_noise_as_a_pressure_in_the_chamber_is_that_of_the_microphone_over_its_response():
+    microphone = geometry.prototype("array-2x6").microphone
+    medium = acoustic_fem.Medium.at(20.0)
+    # Far above vent (20 Hz) and 1/f corner (100 Hz) n (Cb + Cd) / Cb, nearly n; far below n sqrt(100 / f) 20 / f.
+    density = input_density(microphone, [1e4, 0.1], medium)
+    assert density[0] == pytest.approx(5e-6, rel=0.05)
+    assert density[1] == pytest.approx(5e-6 * np.sqrt(1000) * 200, rel=0.05)
+
+
+def test_the_signals_carry_the_noise_of_the_design_with_its_spectrum():
+    response = design_response()
+    quiet, noisy = (TouchGenerator(response, 0, "training", n).samples(0, 600).signals for n in (0.0, "design"))
+    noise = (noisy - quiet).double().numpy()
+    assert noise.std((0, 2)) == pytest.approx([response.own_noise.rms] * 2, rel=0.1)
+    assert abs(np.corrcoef(noise[:, 0].ravel(), noise[:, 1].ravel())[0, 1]) < 0.05
+    # One second: lines of the transform are 1 Hz apart, and a mean square is twice that of one side.
+    power = 2 * (np.abs(np.fft.rfft(noise, norm="forward")) ** 2).mean((0, 1))
+    microphone, medium = geometry.prototype("array-2x6").microphone, acoustic_fem.Medium.at(20.0)
+    for f in (2, 5, 20, 100, 400):
+        inside = input_density(microphone, np.linspace(f - 0.5, f + 0.5, 401), medium)
+        assert power[f] == pytest.approx((inside**2).mean(), rel=0.15)
+    assert power[0] < 1e-3 * power[1]
+
+
+def test_rms_is_the_integral_of_the_density_from_1_to_500_hz():
+    microphone, medium = geometry.prototype("array-2x6").microphone, acoustic_fem.Medium.at(20.0)
+    f = np.geomspace(1, 500, 20001)
+    expected = np.sqrt(np.trapezoid(input_density(microphone, f, medium) ** 2, f))
+    assert microphone_noise(microphone, medium).rms == pytest.approx(expected, rel=0.005)
+
+
+def test_a_worse_microphone_lowers_the_accuracy():
+    top1 = []
+    for noise_density in (5e-6, 300 * 5e-6):
+        response = design_response(noise_density)
+        decoder = localize.BayesDecoder(response, microphone_noise="design")
+        top1.append(localize.evaluate(decoder, response, 50, microphone_noise="design").top1)
+    assert top1[0] > 0.98
+    assert top1[1] < top1[0] - 0.03
+
+
+def test_arrays_without_a_design_have_no_microphone():
+    with pytest.raises(ValueError, match="microphone_noise = 'design' needs a library with a design"):
+        TouchGenerator(rc_line(3), 0, "training", "design")

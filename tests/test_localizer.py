@@ -79,6 +79,7 @@ def test_a_time_limit_shortens_training_and_still_ends_it_well(array):
     plan = replace(PLAN, seconds_per_point=50, epochs=5000, time_limit=2.5)
     localizer = localize.train(array, plan, reports.append)
     assert reports[-1].epoch == reports[-1].epochs < 1000
+    assert localizer.training["cut_short"]
     assert localizer.training["epochs"] == len(reports)
     assert localizer.training["touches"] < 1000 * 50 * POINTS
     # A run cut off at a high learning rate would be far worse than chance of two neighbours.
@@ -86,7 +87,9 @@ def test_a_time_limit_shortens_training_and_still_ends_it_well(array):
 
 
 def test_a_time_limit_that_is_ample_changes_nothing(tiny, array):
-    weights = localize.train(array, replace(TINY, time_limit=600.0)).classifier.state_dict()
+    ample = localize.train(array, replace(TINY, time_limit=600.0))
+    assert not ample.training["cut_short"]
+    weights = ample.classifier.state_dict()
     assert all(torch.equal(value, weights[name]) for name, value in tiny.classifier.state_dict().items())
 
 
@@ -146,6 +149,7 @@ def test_soft_labels_are_gaussian_along_a_line_and_never_cross_to_another():
         ("held_out_fraction", 0.0),
         ("label_sigma", -0.1),
         ("microphone_noise", -1e-3),
+        ("microphone_noise", "own"),
         ("seed", -1),
         ("time_limit", 0.0),
     ],
