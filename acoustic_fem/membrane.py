@@ -91,10 +91,12 @@ def solve_disc(
         ("density", density, "kg/m^3"),
     ):
         positive(name, value, unit)
-    in_range("thickness", thickness, 0.01 * radius, 2 * radius, "m")
+    # limits stated in millimetres are kept after conversion
+    less, more = 1 - 1e-9, 1 + 1e-9
+    in_range("thickness", thickness, 0.01 * radius * less, 2 * radius * more, "m")
     in_range("poisson_ratio", poisson_ratio, 0.01, 0.49999)
     if rim_width != 0:
-        in_range("rim_width", rim_width, 0.05 * thickness, 50 * radius, "m")
+        in_range("rim_width", rim_width, 0.05 * thickness * less, 50 * radius * more, "m")
     # rounding lets equal discs in different units share one solution
     disc: ElasticDisc = _cached_disc(round(thickness / radius, 12), float(poisson_ratio), round(rim_width / radius, 12))
     return DiscSolution(
