@@ -6,6 +6,7 @@ foreign is recognised by its checksum, said so, and made again.
 
 from __future__ import annotations
 
+import contextlib
 import hashlib
 import io
 import json
@@ -21,6 +22,10 @@ from numpy.typing import NDArray
 _MAGIC = b"acoustic-fem cell 1\n"
 
 
+class CacheWarning(UserWarning):
+    """A cached cell or its folder that cannot be used: it costs time, and changes no result."""
+
+
 def cache_folder() -> Path:
     """Where solved cells are kept."""
     configured = os.environ.get("ACOUSTIC_FEM_CACHE")
@@ -33,16 +38,32 @@ def key_of(description: dict[str, Any]) -> str:
 
 
 def store(key: str, arrays: dict[str, NDArray], about: dict[str, Any]) -> None:
-    """Write arrays and plain values; the file appears whole or not at all."""
+    """Write arrays and plain values; the file appears whole or not at all.
+
+    A folder that cannot be written loses no work: it is said in a warning, and the cell is not kept.
+    """
     buffer = io.BytesIO()
     named: dict[str, Any] = {**arrays, "about": np.array(json.dumps(about))}
     np.savez(buffer, **named)
     content = buffer.getvalue()
     folder = cache_folder()
-    folder.mkdir(parents=True, exist_ok=True)
     beside = folder / f"{key}.{os.getpid()}.part"
-    beside.write_bytes(_MAGIC + hashlib.sha256(content).hexdigest().encode() + b"\n" + content)
-    beside.replace(folder / f"{key}.cell")
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        try:
+            beside.write_bytes(_MAGIC + hashlib.sha256(content).hexdigest().encode() + b"\n" + content)
+            beside.replace(folder / f"{key}.cell")
+        except OSError:
+            with contextlib.suppress(OSError):
+                beside.unlink()
+            raise
+    except OSError as error:
+        warnings.warn(
+            f"{folder}: cannot be written ({error.strerror or error}); the solved cell is not kept. "
+            "ACOUSTIC_FEM_CACHE names the folder",
+            CacheWarning,
+            stacklevel=2,
+        )
 
 
 def fetch(key: str) -> tuple[dict[str, NDArray], dict[str, Any]] | None:
@@ -50,11 +71,15 @@ def fetch(key: str) -> tuple[dict[str, NDArray], dict[str, Any]] | None:
     path = cache_folder() / f"{key}.cell"
     try:
         raw = path.read_bytes()
-    except FileNotFoundError:
+    except (FileNotFoundError, NotADirectoryError):
+        return None
+    except OSError as error:
+        reason = error.strerror or error
+        warnings.warn(f"{path} cannot be read ({reason}); the cell is solved again", CacheWarning, stacklevel=2)
         return None
     head, _, content = raw[len(_MAGIC) :].partition(b"\n")
     if not raw.startswith(_MAGIC) or hashlib.sha256(content).hexdigest().encode() != head:
-        warnings.warn(f"{path} is damaged; the cell is solved again", stacklevel=2)
+        warnings.warn(f"{path} is damaged; the cell is solved again", CacheWarning, stacklevel=2)
         return None
     with np.load(io.BytesIO(content), allow_pickle=False) as archive:
         arrays = {name: archive[name] for name in archive.files}

@@ -6,18 +6,26 @@ import contextlib
 import json
 import os
 import tempfile
-from dataclasses import asdict
+from dataclasses import asdict, fields
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import xarray as xr
+from numpy.typing import NDArray
 
-from acoustic_fem.library import OPTIONAL, VARIABLES, Library
+from acoustic_fem.checks import frequency_grid
+from acoustic_fem.library import FIDELITIES, OPTIONAL, VARIABLES, Library, labelled
 from acoustic_fem.medium import Medium
+from geometry.design_file import read_design, write_design
+from geometry.layout import place
 
 #: Global attributes of every library file.
 _TITLE = "acoustic-fem library"
 _LAYOUT_VERSION = 1
+#: Text attributes that every library carries, and its coordinates.
+_ATTRIBUTES = ("fidelity", "design_toml", "medium", "provenance")
+_COORDINATES = ("point", "line", "place", "microphone", "frequency")
 
 
 class LibraryError(ValueError):
@@ -33,8 +41,6 @@ def save(library: Library, path: str | os.PathLike[str]) -> None:
     Raises:
         LibraryError: the file cannot be written.
     """
-    from geometry.design_file import write_design
-
     path = Path(path)
     variables = {}
     for name in VARIABLES:
@@ -75,43 +81,133 @@ def save(library: Library, path: str | os.PathLike[str]) -> None:
 def load(path: str | os.PathLike[str]) -> Library:
     """Read a library that :func:`save` wrote; every number is the one that was saved.
 
-    Raises:
-        LibraryError: no such file, cut short, or not a library.
-    """
-    from geometry.design_file import read_design
+    The arrays are compared with the design in the file: another number of points, other microphones or values
+    that are not finite are refused.
 
+    Raises:
+        LibraryError: no such file, cut short, not a library, or altered; names the attribute or variable.
+    """
     path = Path(path)
     if not path.is_file():
         raise LibraryError(f"{path}: {'is a folder, not a library' if path.is_dir() else 'no such file'}")
     try:
-        with xr.open_dataset(path, engine="netcdf4", decode_times=False) as opened:
+        with xr.open_dataset(path, engine="netcdf4", decode_times=False, mask_and_scale=False) as opened:
             dataset = opened.load()
-    except (OSError, RuntimeError, ValueError) as error:
-        raise LibraryError(f"{path}: is no netCDF file or is cut short ({error})") from None
+    except Exception as error:  # foreign and damaged files make netCDF4 and xarray raise all kinds
+        raise LibraryError(f"{path}: is no netCDF file or is cut short ({_one_line(error)})") from None
     if dataset.attrs.get("title") != _TITLE:
         raise LibraryError(f"{path}: is a netCDF file but no library (title is not {_TITLE!r})")
     if dataset.attrs.get("layout_version") != _LAYOUT_VERSION:
         found = dataset.attrs.get("layout_version")
         raise LibraryError(f"{path}: layout_version = {found} must be {_LAYOUT_VERSION}")
+    try:
+        return _library(dataset)
+    except ValueError as error:
+        raise LibraryError(f"{path}: {_one_line(error)}") from None
+
+
+def _library(dataset: xr.Dataset) -> Library:
+    """The library in a data set.
+
+    Raises:
+        ValueError: an attribute or variable is not that of a library; says which.
+    """
     absent = {name for name in OPTIONAL if f"{name}_real" not in dataset and f"{name}_imag" not in dataset}
     present = [name for name in VARIABLES if name not in absent]
-    missing = [f"{name}_{part}" for name in present for part in ("real", "imag") if f"{name}_{part}" not in dataset]
-    missing += [name for name in ("fidelity", "design_toml", "medium", "provenance") if name not in dataset.attrs]
+    missing = [f"{name}_{part}" for name in present for part in ("real", "imag")]
+    missing = [name for name in (*missing, *_COORDINATES) if name not in dataset.variables]
+    missing += [name for name in _ATTRIBUTES if name not in dataset.attrs]
     if missing:
-        raise LibraryError(f"{path}: is no complete library, {missing[0]} is missing")
-    return Library(
-        **{name: _complex(dataset, name) for name in present},
-        design=read_design(dataset.attrs["design_toml"], f"{path}, attribute design_toml"),
-        fidelity=dataset.attrs["fidelity"],
-        medium=Medium(**json.loads(dataset.attrs["medium"])),
-        provenance=json.loads(dataset.attrs["provenance"]),
+        raise ValueError(f"is no complete library, {missing[0]} is missing")
+    for name in _ATTRIBUTES:
+        if not isinstance(dataset.attrs[name], str):
+            raise ValueError(f"attribute {name} must be a text")
+    fidelity = dataset.attrs["fidelity"]
+    if fidelity not in FIDELITIES:
+        raise ValueError(f"attribute fidelity = {fidelity!r} must be one of: {', '.join(FIDELITIES)}")
+    design = read_design(dataset.attrs["design_toml"], "attribute design_toml")
+    layout = place(design)
+    for name, expected in (
+        ("point", [point.number for point in layout.points]),
+        ("line", [point.line for point in layout.points]),
+        ("place", [point.place for point in layout.points]),
+        ("microphone", list(design.microphones)),
+    ):
+        _check_coordinate(dataset[name], expected)
+    return labelled(
+        design,
+        layout,
+        _frequency(dataset["frequency"]),
+        {name: _complex(dataset, name) for name in present},
+        fidelity,
+        _medium(dataset.attrs["medium"]),
+        _json_object(dataset.attrs["provenance"], "provenance"),
     )
 
 
-def _complex(dataset: xr.Dataset, name: str) -> xr.DataArray:
-    dimensions, units, description = VARIABLES[name]
-    real = dataset[f"{name}_real"].transpose(*dimensions)
-    values = np.empty(real.shape, dtype=np.complex128)
-    values.real = real.values
-    values.imag = dataset[f"{name}_imag"].transpose(*dimensions).values
-    return real.copy(data=values).rename(name).assign_attrs({"units": units, "long_name": description})
+def _check_coordinate(found: xr.DataArray, expected: list[int] | list[str]) -> None:
+    """A coordinate must be what the design in the same file says."""
+    values = found.values.ravel().tolist()
+    if len(values) != len(expected):
+        raise ValueError(f"variable {found.name} has {len(values)} values, its design has {len(expected)}")
+    for index, (value, wanted) in enumerate(zip(values, expected, strict=True)):
+        if value != wanted:
+            raise ValueError(f"variable {found.name}[{index}] = {value!r} must be {wanted!r} as in its design")
+
+
+def _frequency(found: xr.DataArray) -> NDArray[np.float64]:
+    if found.dtype.kind not in "fiu":
+        raise ValueError(f"variable frequency holds {found.dtype}, not numbers")
+    return frequency_grid(found.values)
+
+
+def _complex(dataset: xr.Dataset, name: str) -> NDArray[np.complex128]:
+    dimensions = VARIABLES[name][0]
+    parts = []
+    for variable in (f"{name}_real", f"{name}_imag"):
+        array = dataset[variable]
+        if sorted(map(str, array.dims)) != sorted(dimensions):
+            found = ", ".join(map(str, array.dims))
+            raise ValueError(f"variable {variable} has the dimensions ({found}), must be ({', '.join(dimensions)})")
+        if array.dtype.kind != "f":
+            raise ValueError(f"variable {variable} holds {array.dtype}, not floating-point numbers")
+        array = array.transpose(*dimensions)
+        bad = np.argwhere(~np.isfinite(array.values))
+        if len(bad):
+            where = ", ".join(f"{key} {dataset[key].values[k]}" for key, k in zip(dimensions, bad[0], strict=True))
+            raise ValueError(f"variable {variable} = {array.values[tuple(bad[0])]} at {where}; it must be finite")
+        parts.append(array.values)
+    values = np.empty(parts[0].shape, dtype=np.complex128)
+    values.real, values.imag = parts
+    return values
+
+
+def _medium(text: str) -> Medium:
+    values = _json_object(text, "medium")
+    known = [field.name for field in fields(Medium)]
+    for name in known:
+        if name not in values:
+            raise ValueError(f"attribute medium: {name} is missing")
+    for name, value in values.items():
+        if name not in known:
+            raise ValueError(f"attribute medium: {name!r} is unknown; known: {', '.join(known)}")
+        if not isinstance(value, (int, float)) or isinstance(value, bool):
+            raise ValueError(f"attribute medium: {name} = {value!r} must be a number")
+    try:
+        return Medium(**values)
+    except (ValueError, OverflowError) as error:
+        raise ValueError(f"attribute medium: {error}") from None
+
+
+def _json_object(text: str, attribute: str) -> dict[str, Any]:
+    try:
+        values = json.loads(text)
+    except (ValueError, RecursionError) as error:
+        raise ValueError(f"attribute {attribute} is not JSON: {error}") from None
+    if not isinstance(values, dict):
+        raise ValueError(f"attribute {attribute} must be a JSON object")
+    return values
+
+
+def _one_line(error: Exception) -> str:
+    return " ".join(str(error).split())

@@ -16,7 +16,7 @@ from geometry.cells import Cell
 def lumped_admittance(cell: Cell, frequency: NDArray[np.float64], medium: Medium) -> NDArray[np.complex128]:
     """Volume velocities into a cell per pressure at its nodes, in m^3/(Pa s).
 
-    Against 3-D Navier-Stokes: 0.1 to 0.7 % in the two-port of a 6 x 2.5 mm cavity with tubes of 0.25 mm
+    Against 3-D Navier-Stokes: 0.04 to 0.15 % in the two-port of a 6 x 2.5 mm cavity with tubes of 0.25 mm
     radius, 1 to 100 Hz. Valid while the cavity is far below the wavelength and much wider than the bores.
 
     Args:

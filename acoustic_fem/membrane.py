@@ -193,21 +193,23 @@ def solve_disc(
         ("density", density, "kg/m^3"),
     ):
         positive(name, value, unit)
+    # limits stated in millimetres are kept after conversion
+    less, more = 1 - 1e-9, 1 + 1e-9
     in_range("stretch", stretch, 1, _LARGEST_STRETCH)
     if stretch != 1 and tension != 0:
         raise ValueError(
             f"stretch = {stretch:g} must not be given beside tension = {tension:g} N/m; give one of the two"
         )
     if stretch != 1:
-        in_range("thickness", thickness, 0.01 * radius, np.inf, "m")
+        in_range("thickness", thickness, 0.01 * radius * less, np.inf, "m")
         tension = thickness * youngs_modulus * (1 - stretch**-6) / 3
         thickness, youngs_modulus = thickness / stretch**2, youngs_modulus / stretch**4
-    in_range("thickness", thickness, 0.01 * radius, 2 * radius, "m")
+    in_range("thickness", thickness, 0.01 * radius * less, 2 * radius * more, "m")
     in_range("poisson_ratio", poisson_ratio, 0.01, 0.49999)
     in_range("tension", tension, 0, _LARGEST_PRESTRESS * thickness * youngs_modulus, "N/m")
     glue = 0.0
     if rim_width != 0:
-        in_range("rim_width", rim_width, 0.05 * thickness, 50 * radius, "m")
+        in_range("rim_width", rim_width, 0.05 * thickness * less, 50 * radius * more, "m")
         glue = rim_width if glue_width is None else glue_width
         in_range("glue_width", glue, 0.05 * thickness, rim_width, "m")
     elif glue_width is not None:

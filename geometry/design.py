@@ -182,8 +182,8 @@ class Layout(Section):
     """Where the resonators lie."""
 
     kind: Literal["serpentine", "ring"] = Field(
-        description="serpentine: rows of `columns` points, one block per line; ring: lines on the sides of a "
-        "polygon whose corners are the microphones"
+        description="serpentine: rows of `columns` points, one block per line; ring: lines are the sides of a "
+        "polygon, microphones its corners"
     )
     columns: Count = Field(default=1000, ge=1, le=1000, description="points per row of a serpentine")
     pitch: Millimetre | None = Field(default=None, description="distance of neighbours; default: tubes lie straight")
@@ -258,6 +258,15 @@ class ArrayDesign(Section):
     def microphone_tube_of(self, line: Line) -> Tube:
         """Tube from the ends of a line to its microphones."""
         return line.microphone_tube or self.microphone_tube
+
+    def pitch_of(self, line: Line) -> float:
+        """Distance of neighbouring axes on a line, mm."""
+        return self.layout.pitch or self.resonator.cavity_diameter + self.tube_of(line).length
+
+    def microphone_reach_of(self, line: Line) -> float:
+        """From the axis of a line's last point to the axis of its microphone's chamber if the tube is straight, mm."""
+        length = self.microphone_tube_of(line).length
+        return self.resonator.cavity_diameter / 2 + length + self.microphone.chamber_diameter / 2
 
     # -- changed copies -----------------------------------------------------------------------------
     def with_values(self, values: Mapping[str, Any]) -> ArrayDesign:

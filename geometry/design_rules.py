@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from geometry import ring
 from geometry.materials import MATERIALS
 
 if TYPE_CHECKING:
@@ -21,7 +22,7 @@ def check_consistency(design: ArrayDesign) -> None:
     Raises:
         ValueError: the first broken rule, with field, value and range.
     """
-    for rule in (_materials, _membrane, _tubes, _sockets, _microphone, _layout):
+    for rule in (_materials, _membrane, _tubes, _sockets, _sound_hole, _layout, _sockets_around_microphones):
         for message in rule(design):
             raise ValueError(message)
 
@@ -36,7 +37,22 @@ def _materials(design: ArrayDesign) -> Iterator[str]:
 
 
 def _membrane(design: ArrayDesign) -> Iterator[str]:
+    """What the shell holds, and the proportions that ``acoustic_fem.membrane.solve_disc`` covers.
+
+    Its widest rim, 50 radii, is beyond every rim and cavity that the fields allow.
+    """
+    radius, thickness = design.resonator.cavity_diameter / 2, design.membrane.thickness
+    cavity = f"of resonator.cavity_diameter ({2 * radius:g} mm)"
+    if thickness < 0.01 * radius:
+        yield f"membrane.thickness = {thickness:g} mm must be at least {0.01 * radius:g} mm, 0.01 radii {cavity}"
+    if thickness > 2 * radius:
+        yield f"membrane.thickness = {thickness:g} mm must be at most {2 * radius:g} mm, 2 radii {cavity}"
     rim, wall = design.membrane.rim_width, design.resonator.wall_thickness
+    if rim < 0.05 * thickness:
+        yield (
+            f"membrane.rim_width = {rim:g} mm must be at least {0.05 * thickness:g} mm, "
+            f"a twentieth of membrane.thickness ({thickness:g} mm)"
+        )
     if rim > wall:
         yield f"membrane.rim_width = {rim:g} mm must be at most resonator.wall_thickness ({wall:g} mm)"
 
@@ -126,23 +142,13 @@ def _socket_depth(outside: float, hole: float) -> float:
     return math.sqrt(max(outside**2 - hole**2, 0.0))
 
 
-def _microphone(design: ArrayDesign) -> Iterator[str]:
-    chamber, printing = design.microphone, design.printing
+def _sound_hole(design: ArrayDesign) -> Iterator[str]:
+    chamber = design.microphone
     if chamber.sound_hole_diameter >= chamber.chamber_diameter:
         yield (
             f"microphone.sound_hole_diameter = {chamber.sound_hole_diameter:g} mm must be below "
             f"microphone.chamber_diameter ({chamber.chamber_diameter:g} mm)"
         )
-    for name in design.microphones:
-        ends = [design.microphone_tube_of(line) for line in design.lines if name in line.between]
-        if len(ends) > 1:
-            hole = max(tube.outer_diameter for tube in ends) / 2 + printing.glue_gap
-            least = 2 * (hole / math.sin(math.pi / len(ends)) - printing.port_lip)
-            if chamber.chamber_diameter < least:
-                yield (
-                    f"microphone.chamber_diameter = {chamber.chamber_diameter:g} mm must be at least {least:.4g} mm "
-                    f"for the sockets of the {len(ends)} lines that end at {name!r} to fit around it"
-                )
 
 
 def _layout(design: ArrayDesign) -> Iterator[str]:
@@ -165,6 +171,36 @@ def _layout(design: ArrayDesign) -> Iterator[str]:
                 yield (
                     f"lines.{index}.between = {list(line.between)} must join neighbours of {list(design.microphones)} "
                     "for layout.kind = 'ring'"
+                )
+        sides = ring.side_lengths(design)
+        lengths = [side for side in sides if side is not None]
+        others = sum(lengths) - max(lengths)
+        if len(lengths) == count and max(lengths) > (1 - 1e-9) * others:
+            start = sides.index(max(lengths))
+            pair = (design.microphones[start], design.microphones[(start + 1) % count])
+            index = next(index for index, line in enumerate(design.lines) if set(line.between) == set(pair))
+            yield (
+                f"layout.kind = 'ring': lines.{index}, {max(lengths):g} mm from microphone to microphone, must be "
+                f"shorter than the other lines together ({others:g} mm) for the ring to close"
+            )
+
+
+def _sockets_around_microphones(design: ArrayDesign) -> Iterator[str]:
+    """Lines enter a chamber at equal angles, at a corner of a ring along its two sides."""
+    chamber, printing = design.microphone, design.printing
+    at_corners = design.layout.kind == "ring"
+    angles = ring.corner_angles(ring.corners(ring.side_lengths(design))) if at_corners else None
+    for index, name in enumerate(design.microphones):
+        ends = [design.microphone_tube_of(line) for line in design.lines if name in line.between]
+        if len(ends) > 1:
+            apart = 360 / len(ends) if angles is None else float(angles[index])
+            hole = max(tube.outer_diameter for tube in ends) / 2 + printing.glue_gap
+            least = 2 * (hole / math.sin(math.radians(apart) / 2) - printing.port_lip)
+            if chamber.chamber_diameter < least:
+                yield (
+                    f"microphone.chamber_diameter = {chamber.chamber_diameter:g} mm must be at least {least:.4g} mm "
+                    f"for the sockets of the {len(ends)} lines that end at {name!r} to fit around it, "
+                    f"{apart:.4g} degrees apart"
                 )
 
 

@@ -9,9 +9,13 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from geometry import ring
 from geometry.design import ArrayDesign, Tube
 from geometry.overlaps import overlaps
 from geometry.routing import bow_angle, bowed_path, drawn_path, path_length, unit
+
+#: Directions are rounded to 1e-6 degrees: places closer than this are one, mm.
+_SAME_PLACE = 1e-4
 
 
 @dataclass(frozen=True)
@@ -89,9 +93,8 @@ def place(design: ArrayDesign) -> ArrayLayout:
     straight out at its tube's length. A microphone that joins several ends cannot lie at its tubes' length
     from all of them: it is drawn beside the blocks and noted.
 
-    ``ring``: the microphones are the corners of a regular polygon, each line lies centred on the side
-    between its two. The polygon fits the longest line; microphone tubes of shorter ones are drawn too long
-    and noted.
+    ``ring``: the lines are the sides of a polygon at their true length, the microphones its corners (see
+    :func:`geometry.ring.corners`). Microphone tubes lie straight, other tubes bow outwards.
 
     Overlaps of shells, housings and tubes are measured and noted by name.
     """
@@ -104,12 +107,6 @@ def place(design: ArrayDesign) -> ArrayLayout:
     points, tubes = _points_and_tubes(design, runs, {m.name: m for m in microphones})
     layout = ArrayLayout(tuple(points), tuple(microphones), tuple(tubes), ())
     return replace(layout, notes=(*_schematic_notes(design, layout), *overlaps(design, layout)))
-
-
-def pitch_of(design: ArrayDesign, line: int) -> float:
-    """Distance of neighbouring axes on a line, mm."""
-    tube = design.tube_of(design.lines[line])
-    return design.layout.pitch or design.resonator.cavity_diameter + tube.length
 
 
 # -- lines ------------------------------------------------------------------------------------------
@@ -144,21 +141,16 @@ def _run(
     design: ArrayDesign, line: int, positions: NDArray[np.float64], sides: tuple[int, ...], out: tuple[float, float]
 ) -> _Run:
     microphones = design.lines[line].between
-    reach = _microphone_reach(design, line)
+    reach = design.microphone_reach_of(design.lines[line])
     first = _End(line, 0, microphones[0], positions[0], out[0], reach)
     last = _End(line, 1, microphones[1], positions[-1], out[1], reach)
     return _Run(positions, sides, (first, last))
 
 
-def _microphone_reach(design: ArrayDesign, line: int) -> float:
-    tube = design.microphone_tube_of(design.lines[line])
-    return design.resonator.cavity_diameter / 2 + tube.length + design.microphone.chamber_diameter / 2
-
-
 def _serpentine_runs(design: ArrayDesign) -> list[_Run]:
     runs, bottom = [], 0.0
     for index, line in enumerate(design.lines):
-        pitch, columns = pitch_of(design, index), min(design.layout.columns, line.points)
+        pitch, columns = design.pitch_of(line), min(design.layout.columns, line.points)
         place = np.arange(line.points)
         row, column = place // columns, place % columns
         column = np.where(row % 2 == 0, column, columns - 1 - column)
@@ -181,27 +173,18 @@ def _serpentine_runs(design: ArrayDesign) -> list[_Run]:
 
 
 def _ring_runs(design: ArrayDesign) -> list[_Run]:
-    # Lines join neighbouring corners only (a rule of the design), so every chord is a side.
-    sides_needed = [
-        (line.points - 1) * pitch_of(design, index) + 2 * _microphone_reach(design, index)
-        for index, line in enumerate(design.lines)
-    ]
-    count = len(design.microphones)
-    radius = max(sides_needed) / (2 * math.sin(math.pi / count))
-    corners = {name: radius * unit(360 * k / count) for k, name in enumerate(design.microphones)}
+    # Lines join neighbouring corners only (a rule of the design), so every line is a side.
+    corners = dict(zip(design.microphones, ring.corners(ring.side_lengths(design)), strict=True))
     runs = []
     for index, line in enumerate(design.lines):
         start, end = (corners[name] for name in line.between)
         direction = _bearing(start, end)
-        middle = (start + end) / 2
-        along = (np.arange(line.points) - (line.points - 1) / 2) * pitch_of(design, index)
-        outward = float(middle @ unit(direction + 90)) > -1e-9
-        positions = middle + np.outer(along, unit(direction))
+        middle, along = (start + end) / 2, (end - start) / np.linalg.norm(end - start)
+        steps = (np.arange(line.points) - (line.points - 1) / 2) * design.pitch_of(line)
+        positions = middle + np.outer(steps, along)
+        outward = float(middle @ unit(direction + 90)) > 0
         sides = (1 if outward else -1,) * (line.points - 1)
-        run = _run(design, index, positions, sides, ((direction + 180) % 360, direction))
-        first, last = run.ends
-        distance = float(np.linalg.norm(start - positions[0]))
-        runs.append(replace(run, ends=(replace(first, distance=distance), replace(last, distance=distance))))
+        runs.append(_run(design, index, positions, sides, ((direction + 180) % 360, direction)))
     return runs
 
 
@@ -308,7 +291,7 @@ def _microphone_tube(
     tube = design.microphone_tube_of(line)
     cavity, chamber = design.resonator.cavity_diameter / 2, design.microphone.chamber_diameter / 2
     centre = np.array(microphone.position)
-    if np.linalg.norm(centre - end.target) < 1e-6:
+    if np.linalg.norm(centre - end.target) < _SAME_PLACE:
         out = unit(end.direction)
         plan = np.array([end.point + cavity * out, end.target - chamber * out])
         path = _at_port_height(design, plan)
@@ -350,6 +333,9 @@ def _schematic_notes(design: ArrayDesign, layout: ArrayLayout) -> list[str]:
         if drawn:
             ends = f"{len(microphone.ports)} line end" + ("s" if len(microphone.ports) > 1 else "")
             notes.append(f"microphone {microphone.name} joins {ends} and is drawn schematically: {'; '.join(drawn)}")
+    if notes:
+        count = sum(tube.schematic for tube in layout.tubes)
+        notes.insert(0, f"simulated study: not buildable as drawn; {count} microphone tubes are drawn schematically")
     return notes
 
 

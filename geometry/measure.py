@@ -73,7 +73,11 @@ def tessellate(solid: cq.Shape, tolerance: float, facet_angle: float = FACET_ANG
         count += len(points)
     # Faces share the nodes of their common edges bit by bit, up to rounding of the last places.
     joined, place = np.unique(np.round(np.vstack(vertices), 9) + 0.0, axis=0, return_inverse=True)
-    return Tessellation(joined, place.reshape(-1)[np.vstack(triangles)], np.concatenate(faces), deviation)
+    joined_triangles = place.reshape(-1)[np.vstack(triangles)]
+    # At the pole of a sphere or the tip of a cone the kernel writes facets with one edge of no length.
+    a, b, c = joined_triangles.T
+    real = (a != b) & (b != c) & (c != a)
+    return Tessellation(joined, joined_triangles[real], np.concatenate(faces)[real], deviation)
 
 
 def _deviation(

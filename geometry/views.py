@@ -14,6 +14,7 @@ from geometry.assembly import build_parts, place_parts
 from geometry.design import ArrayDesign
 from geometry.layout import ArrayLayout, place
 from geometry.measure import tessellate
+from geometry.routing import unit
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -22,6 +23,8 @@ _SHELL, _MEMBRANE, _MOLD, _HOUSING, _LID = "#9fb8cc", "#e39a7b", "#d9c27a", "#4f
 _TUBE, _SCHEMATIC = "#4a4a4a", "#b08fc7"
 #: Facets for the eye: within this distance (mm) and angle (rad).
 _DEVIATION, _FACET_ANGLE = 0.05, 0.2
+#: Tubes of a microphone lead away from the viewer where their directions add up to more than this.
+_LEADS_AWAY = 0.1
 
 
 def draw_array(
@@ -139,7 +142,7 @@ def _aim(plotter: pv.Plotter, seen_from: tuple[float, float, float]) -> None:
     distance = 2 * float(np.linalg.norm(points.max(axis=0) - points.min(axis=0)))
     plotter.camera.focal_point = centre
     plotter.camera.position = centre + distance * towards
-    plotter.camera.parallel_scale = 1.12 * half
+    plotter.camera.parallel_scale = 1.16 * half
     plotter.reset_camera_clipping_range()
 
 
@@ -187,10 +190,16 @@ def _add_labels(
 ) -> None:
     top = design.resonator.cavity_height + design.membrane.thickness
     _labels(plotter, [(*p.position, top) for p in layout.points], [str(p.number) for p in layout.points], 16)
-    # Names stand behind their housing as seen in the picture.
-    behind = -0.8 * (design.microphone.chamber_diameter + 2 * design.microphone.wall_thickness) * np.array(seen_from)
-    places = [(m.position[0] + behind[0], m.position[1] + behind[1], top) for m in layout.microphones]
-    _labels(plotter, places, [f"microphone {m.name}" for m in layout.microphones], 20, ("center", "bottom"))
+    # Names stand behind their housing as seen in the picture, before it where its tubes lead away from the viewer.
+    towards = np.array(seen_from[:2]) / np.linalg.norm(seen_from[:2])
+    housing = design.microphone.chamber_diameter + 2 * design.microphone.wall_thickness
+    reach = max(0.8 * housing, design.resonator.outer_diameter / 2)
+    for microphone in layout.microphones:
+        before = sum(float(unit(port.angle) @ towards) for port in microphone.ports) < -_LEADS_AWAY
+        x, y = np.add(microphone.position, (reach if before else -reach) * towards)
+        words = [f"microphone {microphone.name}"]
+        height = -design.resonator.floor_thickness if before else top
+        _labels(plotter, [(x, y, height)], words, 20, ("center", "top" if before else "bottom"))
 
 
 def _labels(

@@ -1,5 +1,8 @@
 """3-D cells against the reference cell, exact ducts, limits and symmetries."""
 
+import errno
+import os
+
 import cadquery as cq
 import numpy as np
 import pytest
@@ -103,6 +106,20 @@ def test_half_a_symmetric_cell_answers_as_the_whole_one():
     assert difference.max() < half.mesh_error + whole.mesh_error
 
 
+def test_what_flows_at_one_port_for_a_pressure_at_the_other_is_the_same_both_ways():
+    """Before the response is averaged with its transpose: each column is a solution of its own."""
+    bent = cq.Workplane("YZ").circle(0.25).extrude(2).union(cq.Workplane("XZ").circle(0.4).extrude(-2))
+    body = solve_solid(bent, {"a": (2, 0, 0), "b": (0, 2, 0)}, (1.0, 100.0), AIR, accuracy=3e-3).body
+    size = len(body.flow.matrices)
+    theta, phi = np.ones((1, size), dtype=complex), np.ones((1, len(body.flow.excitations)), dtype=complex)
+    theta[0, 1:] *= 1e-2j
+    theta[0, 2] = -1.0
+    solution, excitation = body.flow.coordinates(theta, phi)
+    response = np.einsum("frm,frn->fmn", excitation, solution)
+    assert abs(response[0, 0, 1] / response[0, 0, 0]) > 0.01
+    np.testing.assert_allclose(response[0, 0, 1], response[0, 1, 0], rtol=1e-9)
+
+
 def test_mesh_error_reported_covers_the_error_in_a_straight_tube():
     tube = cq.Workplane("YZ").circle(0.25).extrude(5)
     solved = solve_solid(tube, {"a": (0, 0, 0), "b": (5, 0, 0)}, (1.0, 100.0), AIR, accuracy=2e-3)
@@ -175,6 +192,49 @@ def test_cells_are_reused_from_the_cache_and_damaged_files_made_again(tmp_path, 
         mended = solve_cells([CHAMBER], [10.0], AIR)[CHAMBER]
     assert not mended.cached
     np.testing.assert_allclose(mended.admittance, first.admittance, rtol=1e-9)
+
+
+@pytest.mark.parametrize("place", ["a-file", "below-a-file/cells", "read-only/cells"])
+def test_a_cache_folder_that_cannot_be_written_is_said_and_loses_nothing(tmp_path, monkeypatch, place):
+    (tmp_path / "a-file").write_text("not a folder")
+    (tmp_path / "below-a-file").write_text("not a folder")
+    monkeypatch.setenv("ACOUSTIC_FEM_CACHE", str(tmp_path / place))
+    if place.startswith("read-only"):  # the file system's own word: permissions do not bind every user
+        monkeypatch.setattr("pathlib.Path.mkdir", read_only)
+    expected = r"cannot be written \((File exists|Not a directory|Read-only file system)\); the solved cell is not kept"
+    with pytest.warns(UserWarning, match=expected) as said:
+        cell_cache.store("key", {"matrices": np.eye(2)}, {})
+    assert len(said) == 1
+    assert str(said[0].message).startswith(f"{tmp_path / place}: ")
+    assert "ACOUSTIC_FEM_CACHE" in str(said[0].message)
+    assert cell_cache.fetch("key") is None
+
+
+def read_only(*_, **__):
+    raise OSError(errno.EROFS, os.strerror(errno.EROFS))
+
+
+def test_a_full_disk_keeps_the_result_and_leaves_no_half_file(tmp_path, monkeypatch):
+    monkeypatch.setenv("ACOUSTIC_FEM_CACHE", str(tmp_path))
+
+    def half(path, content):
+        with open(path, "wb") as file:
+            file.write(content[: len(content) // 2])
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    monkeypatch.setattr("pathlib.Path.write_bytes", half)
+    with pytest.warns(UserWarning, match=r"cannot be written \(No space left on device\); the solved cell is not kept"):
+        solution = solve_cells([CHAMBER], [10.0], AIR)[CHAMBER]
+    assert np.isfinite(solution.admittance).all()
+    assert not solution.cached
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_cell_that_cannot_be_read_is_said_and_solved_again(tmp_path, monkeypatch):
+    monkeypatch.setenv("ACOUSTIC_FEM_CACHE", str(tmp_path))
+    (tmp_path / "key.cell").mkdir()
+    with pytest.warns(UserWarning, match=r"key\.cell cannot be read \(Is a directory\); the cell is solved again"):
+        assert cell_cache.fetch("key") is None
 
 
 @pytest.mark.parametrize(

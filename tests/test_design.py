@@ -144,6 +144,12 @@ IMPOSSIBLE = [
      "tube.inner_diameter = 0.9 mm must be below tube.outer_diameter (0.55 mm)"),
     ({"tube.wire_diameter": 0.3}, "tube.wire_diameter = 0.3 mm must be at most 0.23 mm"),
     ({"membrane.rim_width": 2.5}, "membrane.rim_width = 2.5 mm must be at most resonator.wall_thickness (2 mm)"),
+    ({"membrane.thickness": 6.1},
+     "membrane.thickness = 6.1 mm must be at most 6 mm, 2 radii of resonator.cavity_diameter (6 mm)"),
+    ({"membrane.thickness": 0.05, "resonator.cavity_diameter": 20.0},
+     "membrane.thickness = 0.05 mm must be at least 0.1 mm, 0.01 radii of resonator.cavity_diameter (20 mm)"),
+    ({"membrane.thickness": 5.0, "membrane.rim_width": 0.2},
+     "membrane.rim_width = 0.2 mm must be at least 0.25 mm, a twentieth of membrane.thickness (5 mm)"),
     ({"membrane.material": "rubber"}, "membrane.material = 'rubber' must be one of: photopolymer-resin, silicone-"),
     ({"printing.material": "steel"}, "printing.material = 'steel' must be one of: "),
     ({"tube.outer_diameter": 2.6}, "tube.outer_diameter = 2.6 mm must be at most resonator.cavity_height (2.5 mm)"),
@@ -155,11 +161,11 @@ IMPOSSIBLE = [
     ({"tube.length": 4.0}, "tube.length = 4 mm must be above 4 mm, the two walls it passes through"),
     ({"microphone_tube.length": 3.0}, "microphone_tube.length = 3 mm must be above 3 mm, the two walls"),
     ({"microphone_tube.inner_diameter": 1.2, "microphone_tube.outer_diameter": 1.4},
-     "microphone_tube.inner_diameter = 1.2 mm must be at most half of microphone.chamber_diameter (1.1 mm)"),
-    ({"microphone_tube.outer_diameter": 1.1}, "microphone_tube.outer_diameter = 1.1 mm must be at most 1 mm"),
+     "microphone_tube.inner_diameter = 1.2 mm must be at most half of microphone.chamber_diameter (0.95 mm)"),
+    ({"microphone_tube.outer_diameter": 1.6}, "microphone_tube.outer_diameter = 1.6 mm must be at most 1.5 mm"),
     ({"printing.port_lip": 1.9}, "printing.port_lip = 1.9 mm must be below"),
-    ({"microphone.sound_hole_diameter": 2.2},
-     "microphone.sound_hole_diameter = 2.2 mm must be below microphone.chamber_diameter (2.2 mm)"),
+    ({"microphone.sound_hole_diameter": 1.9},
+     "microphone.sound_hole_diameter = 1.9 mm must be below microphone.chamber_diameter (1.9 mm)"),
     ({"layout.pitch": 9.0}, "layout.pitch = 9 mm must be between 10 mm (shells touch) and 18.5 mm (tubes straight)"),
     ({"layout.pitch": 19.0}, "layout.pitch = 19 mm must be between 10 mm (shells touch) and 18.5 mm"),
     ({"layout.kind": "ring"}, "layout.kind = 'ring' needs at least 3 microphones"),
@@ -198,16 +204,97 @@ def test_two_lines_between_the_same_microphones_are_refused() -> None:
 
 def test_a_ring_joins_neighbours_only() -> None:
     design = geometry.prototype("large-area-64")
-    assert design.with_values({"layout.kind": "ring"}).layout.kind == "ring"
+    assert design.layout.kind == "ring"
     with pytest.raises(DesignError, match=r"lines\.0\.between = \['A', 'C'\] must join neighbours"):
-        design.with_values({"layout.kind": "ring", "lines.0.between": ["A", "C"]})
+        design.with_values({"lines.0.between": ["A", "C"]})
+
+
+def ring_of(points: tuple[int, ...], **values: Any) -> ArrayDesign:
+    names = ["A", "B", "C"]
+    lines = [{"between": [names[k], names[(k + 1) % 3]], "points": count} for k, count in enumerate(points)]
+    return geometry.prototype("glove").with_values({"lines": lines, **values})
+
+
+def test_a_ring_that_cannot_close_is_refused_with_its_lengths() -> None:
+    assert ring_of((5, 7, 5), **{"microphone.chamber_diameter": 2.0}).point_count == 17
+    # 21 mm from point to point, and 18.9 mm at each end
+    with pytest.raises(DesignError) as caught:
+        ring_of((5, 13, 5))
+    assert str(caught.value) == (
+        "glove: layout.kind = 'ring': lines.1, 289.8 mm from microphone to microphone, must be shorter than the other "
+        "lines together (243.6 mm) for the ring to close"
+    )
+    assert ring_of((5, 13, 5), **{"layout.kind": "serpentine"}).point_count == 23
+
+
+def test_sockets_must_fit_into_the_corner_of_a_ring() -> None:
+    # two sides of 247.8 mm and one of 79.8 mm: 2 asin(39.9 / 247.8) at A, and 2 (0.6 / sin(A / 2) - 0.5) mm
+    with pytest.raises(DesignError) as caught:
+        ring_of((11, 3, 11))
+    assert str(caught.value).startswith("glove: microphone.chamber_diameter = 1.8 mm must be at least 6.453 mm ")
+    assert str(caught.value).endswith(
+        "mm for the sockets of the 2 lines that end at 'A' to fit around it, 18.53 degrees apart"
+    )
+    assert ring_of((11, 3, 11), **{"microphone.chamber_diameter": 6.5}).microphone.chamber_diameter == 6.5
+
+
+@pytest.mark.parametrize(("diameter", "thin", "thick"), [(6.0, 0.03, 6.0), (7.3, 0.0365, 7.3), (50.0, 0.25, 10.0)])
+def test_membranes_within_the_rules_are_those_that_can_be_solved(diameter: float, thin: float, thick: float) -> None:
+    from acoustic_fem.membrane import design_disc
+
+    cavity = {"resonator.cavity_diameter": diameter, "resonator.wall_thickness": 2.0, "membrane.rim_width": 1.5}
+    for thickness in (max(thin, 0.05), thick):
+        design = geometry.prototype("array-2x6").with_values({**cavity, "membrane.thickness": thickness})
+        assert design_disc(design).static_compliance > 0
+
+
+def test_the_widest_rim_that_can_be_solved_is_beyond_every_rim_that_is_allowed() -> None:
+    limits = {field.name: field.allowed for field in fields_of(ArrayDesign)}
+    assert limits["membrane.rim_width"] == "between 0.2 and 20 mm"
+    assert limits["resonator.cavity_diameter"] == "between 0.8 and 50 mm"
+    assert 20 <= 50 * 0.8 / 2
 
 
 def test_sockets_of_many_lines_must_fit_around_a_chamber() -> None:
     names = [f"M{k}" for k in range(10)]
     star = [{"between": ["M0", name], "points": 1} for name in names[1:]]
-    with pytest.raises(DesignError, match=r"chamber_diameter = 2\.2 mm must be at least 2\.324 mm .* 9 lines"):
+    with pytest.raises(DesignError, match=r"chamber_diameter = 1\.9 mm must be at least 1\.924 mm .* 9 lines"):
         geometry.prototype("array-2x6").with_values({"microphones": names, "lines": star})
+
+
+anything = st.recursive(
+    st.one_of(
+        st.none(),
+        st.booleans(),
+        st.integers(),
+        st.integers(10**400, 10**401),
+        st.floats(),
+        st.text(max_size=8),
+        st.dates(),
+    ),
+    lambda inner: st.lists(inner, max_size=3) | st.dictionaries(st.text(max_size=8), inner, max_size=3),
+    max_leaves=4,
+)
+
+
+@given(st.data())
+def test_whatever_stands_at_a_field_the_design_is_valid_or_refused_in_one_line(data: st.DataObject) -> None:
+    design = geometry.prototype("large-area-64")
+    names = [
+        field.name.replace("*", "1") for field in fields_of(ArrayDesign) if not field.name.startswith("materials.")
+    ]
+    name = data.draw(st.sampled_from([name for name in names if "1.microphone_tube." not in name]))
+    value = data.draw(anything)
+    try:
+        changed, refused = design.with_values({name: value}), ""
+    except DesignError as error:
+        changed, refused = None, str(error)
+    if changed is None:
+        assert refused.startswith("large-area-64: ")
+        assert "\n" not in refused
+        assert len(refused) < 500
+    else:
+        assert read_design(write_design(changed)) == changed
 
 
 # -- sections made in Python ------------------------------------------------------------------------
@@ -297,7 +384,7 @@ def test_a_written_file_gives_every_unit() -> None:
     assert "points = 12" in lines
 
 
-size = st.floats(1.0, 40.0)
+size = st.floats(1.2, 40.0)
 
 
 @st.composite
@@ -312,14 +399,16 @@ def designs(draw: st.DrawFn) -> ArrayDesign:
         }
         for _ in range(3)
     ]
+    cavity = draw(size)
+    thickness = draw(st.floats(max(0.05, 0.01 * cavity / 2), min(10.0, 2 * cavity / 2)))
     values: dict[str, Any] = {
         "description": draw(st.text(st.characters(codec="utf-8", exclude_categories=("Cs",)), max_size=60)),
-        "resonator.cavity_diameter": draw(size),
+        "resonator.cavity_diameter": cavity,
         "resonator.cavity_height": draw(st.floats(1.5, 20.0)),
         "resonator.wall_thickness": draw(st.floats(1.5, 3.0)),
         "membrane.material": "own.mix",
-        "membrane.thickness": draw(st.floats(0.05, 10.0)),
-        "membrane.rim_width": draw(st.floats(0.2, 1.5)),
+        "membrane.thickness": thickness,
+        "membrane.rim_width": draw(st.floats(max(0.2, 0.05 * thickness), 1.5)),
         "microphone.noise_density": draw(st.floats(1e-12, 1.0)),
         "lines.0.points": draw(st.integers(1, 1000)),
         "lines.0.tube": draw(st.sampled_from([None, tubes[2]])),

@@ -1,6 +1,7 @@
 """The labelled library: solve, labels, file round trip, bad input."""
 
 import dataclasses
+import json
 import subprocess
 import sys
 
@@ -10,7 +11,7 @@ import pytest
 import xarray as xr
 
 import acoustic_fem
-from geometry.design_file import prototype
+from geometry.design_file import prototype, write_design
 
 DESIGN = prototype("glove")
 BAND = np.linspace(1, 100, 5)
@@ -143,6 +144,127 @@ def test_a_missing_cut_or_foreign_file_is_refused_in_one_line(library, tmp_path)
         assert reason in str(error.value)
         assert str(tmp_path / name) in str(error.value)
         assert "\n" not in str(error.value)
+
+
+def without(attribute, key):
+    def change(data):
+        values = json.loads(data.attrs[attribute])
+        del values[key]
+        return data.assign_attrs({attribute: json.dumps(values)})
+
+    return change
+
+
+def with_entry(attribute, key, value):
+    def change(data):
+        return data.assign_attrs({attribute: json.dumps({**json.loads(data.attrs[attribute]), key: value})})
+
+    return change
+
+
+def with_attribute(name, value):
+    return lambda data: data.assign_attrs({name: value})
+
+
+def with_value(variable, index, value):
+    def change(data):
+        values = data[variable].values.copy()
+        values[index] = value
+        return data.assign({variable: data[variable].copy(data=values)})
+
+    return change
+
+
+def with_coordinate(name, index, value):
+    def change(data):
+        values = data[name].values.copy()
+        values[index] = value
+        return data.assign_coords({name: (data[name].dims, values)})
+
+    return change
+
+
+def with_design(design):
+    return with_attribute("design_toml", write_design(design))
+
+
+ALTERED = {
+    "medium-without-a-value": (without("medium", "gamma"), "attribute medium: gamma is missing"),
+    "medium-with-another": (with_entry("medium", "colour", 1.0), "attribute medium: 'colour' is unknown; known: den"),
+    "medium-with-text": (with_entry("medium", "density", "1.2"), "attribute medium: density = '1.2' must be a number"),
+    "medium-below-zero": (with_entry("medium", "density", -1.2), "attribute medium: density = -1.2 kg/m^3 must be"),
+    "medium-not-finite": (with_entry("medium", "gamma", float("nan")), "attribute medium: gamma = nan must be between"),
+    "medium-cut": (with_attribute("medium", '{"density": 1.2'), "attribute medium is not JSON: Expecting"),
+    "medium-a-list": (with_attribute("medium", "[1.2]"), "attribute medium must be a JSON object"),
+    "medium-a-number": (with_attribute("medium", 1.2), "attribute medium must be a text"),
+    "provenance-cut": (with_attribute("provenance", "{"), "attribute provenance is not JSON: Expecting"),
+    "fidelity-unknown": (with_attribute("fidelity", "exact"), "attribute fidelity = 'exact' must be one of: lumped"),
+    "design-cut": (with_attribute("design_toml", "name = "), "attribute design_toml: is not TOML: Invalid value"),
+    "design-not-valid": (
+        with_attribute("design_toml", write_design(DESIGN).replace("thickness = 0.5", "thickness = -1.0")),
+        "attribute design_toml: membrane.thickness = -1 mm must be between 0.05 and 10 mm",
+    ),
+    "no-fidelity": (lambda data: data.drop_attrs().assign_attrs(title=data.title, layout_version=1), "fidelity is mis"),
+    "no-line": (lambda data: data.drop_vars("line"), "is no complete library, line is missing"),
+    "no-frequency": (lambda data: data.drop_vars("frequency"), "is no complete library, frequency is missing"),
+    "cut-to-five-points": (lambda data: data.isel(point=slice(5)), "variable point has 5 values, its design has 15"),
+    "points-reversed": (lambda data: data.isel(point=slice(None, None, -1)), "variable point[0] = 15 must be 1 as in"),
+    "another-line": (with_coordinate("line", 3, 2), "variable line[3] = 2 must be 0 as in its design"),
+    "another-place": (with_coordinate("place", 3, 4), "variable place[3] = 4 must be 3 as in its design"),
+    "microphone-renamed": (with_coordinate("microphone", 1, "X"), "variable microphone[1] = 'X' must be 'B' as in"),
+    "microphone-left-out": (lambda data: data.isel(microphone=[0, 1]), "variable microphone has 2 values, its design"),
+    "design-of-another-array": (with_design(prototype("array-2x6")), "variable point has 15 values, its design has 12"),
+    "frequency-descending": (lambda data: data.isel(frequency=[1, 0]), "frequency must ascend: 1 Hz follows 25.75 Hz"),
+    "frequency-not-finite": (with_coordinate("frequency", 2, np.nan), "frequency = nan Hz must be between 0.001"),
+    "frequency-text": (
+        lambda data: data.assign_coords(frequency=[f"{f} Hz" for f in data.frequency.values]),
+        "variable frequency holds",
+    ),
+    "dimension-renamed": (
+        lambda data: data.assign(point_impedance_imag=data.point_impedance_imag.rename(frequency="f").drop_vars("f")),
+        "variable point_impedance_imag has the dimensions (point, f), must be (point, frequency)",
+    ),
+    "dimension-lost": (
+        lambda data: data.assign(source_response_real=data.source_response_real.isel(microphone=0, drop=True)),
+        "variable source_response_real has the dimensions (point, frequency), must be (point, microphone, frequency)",
+    ),
+    "not-a-number": (
+        with_value("source_response_real", (6, 1, 2), np.nan),
+        "variable source_response_real = nan at point 7, microphone B, frequency 50.5; it must be finite",
+    ),
+    "infinite": (
+        with_value("transfer_function_imag", (0, 2, 0), np.inf),
+        "variable transfer_function_imag = inf at point 1, microphone C, frequency 1.0; it must be finite",
+    ),
+    "whole-numbers": (
+        lambda data: data.assign(point_impedance_real=data.point_impedance_real.astype("int64").drop_attrs()),
+        "variable point_impedance_real holds int64, not floating-point numbers",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", ALTERED)
+def test_an_altered_library_is_refused_by_the_name_of_what_was_altered(library, tmp_path, name):
+    change, reason = ALTERED[name]
+    acoustic_fem.save(library, tmp_path / "good.nc")
+    with xr.open_dataset(tmp_path / "good.nc", engine="netcdf4", mask_and_scale=False) as opened:
+        altered = change(opened.load())
+    path = tmp_path / "altered.nc"
+    altered.to_netcdf(path, engine="netcdf4")
+    with pytest.raises(acoustic_fem.LibraryError) as error:
+        acoustic_fem.load(path)
+    assert str(error.value).startswith(f"{path}: ")
+    assert reason in str(error.value)
+    assert "\n" not in str(error.value)
+
+
+def test_a_library_with_its_axes_in_another_order_is_the_same(library, tmp_path):
+    acoustic_fem.save(library, tmp_path / "library.nc")
+    with xr.open_dataset(tmp_path / "library.nc", engine="netcdf4", mask_and_scale=False) as opened:
+        opened.load().transpose("frequency", "microphone", "point").to_netcdf(tmp_path / "t.nc", engine="netcdf4")
+    again = acoustic_fem.load(tmp_path / "t.nc")
+    for name in RESULTS:
+        xr.testing.assert_identical(getattr(again, name), getattr(library, name))
 
 
 @pytest.mark.parametrize(

@@ -1,0 +1,55 @@
+"""From microphone signals to the touched point.
+
+Names are loaded when they are first used, so that ``import localize`` does not load torch. No module may bear the
+name of one of them: importing it would hide the function.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from localize.bayes import BayesDecoder
+    from localize.dataset import ArrayResponse, TouchGenerator
+    from localize.evaluation import Evaluation, evaluate
+    from localize.localizer import Localizer, LocalizerError, load_localizer
+    from localize.training import TrainingPlan, TrainingProgress, train
+
+_HOMES = {
+    "ArrayResponse": "dataset",
+    "BayesDecoder": "bayes",
+    "Evaluation": "evaluation",
+    "Localizer": "localizer",
+    "LocalizerError": "localizer",
+    "TouchGenerator": "dataset",
+    "TrainingPlan": "training",
+    "TrainingProgress": "training",
+    "evaluate": "evaluation",
+    "load_localizer": "localizer",
+    "train": "training",
+}
+
+__all__ = [
+    "ArrayResponse",
+    "BayesDecoder",
+    "Evaluation",
+    "Localizer",
+    "LocalizerError",
+    "TouchGenerator",
+    "TrainingPlan",
+    "TrainingProgress",
+    "evaluate",
+    "load_localizer",
+    "train",
+]
+
+
+def __getattr__(name: str) -> Any:
+    if name in _HOMES:
+        return getattr(import_module(f"localize.{_HOMES[name]}"), name)
+    raise AttributeError(f"module 'localize' has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    return sorted(__all__)

@@ -1,0 +1,37 @@
+"""One thread for the small matrices of this package.
+
+At these sizes a second thread gains at most a fifth. On a busy machine threads that wait for each other cost five
+times the whole, and results would depend on the number of cores.
+"""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+import numpy.linalg  # noqa: F401  loaded, so that the controller below finds its library
+import scipy.linalg  # noqa: F401  the same
+import torch
+from threadpoolctl import ThreadpoolController
+
+
+@contextmanager
+def one_thread() -> Iterator[None]:
+    """Torch and the linear algebra of NumPy and SciPy on one thread, afterwards on as many as before.
+
+    The setting holds for the process. It costs some microseconds, so that single frames bear it too.
+    """
+    before = torch.get_num_threads()
+    torch.set_num_threads(1)
+    try:
+        with _controller().limit(limits=1, user_api="blas"):
+            yield
+    finally:
+        torch.set_num_threads(before)
+
+
+@functools.cache
+def _controller() -> ThreadpoolController:
+    # Looking for the libraries of a process takes milliseconds: it is done once.
+    return ThreadpoolController()

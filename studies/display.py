@@ -1,0 +1,103 @@
+"""What the user sees: numbers, and while something runs a bar on a terminal, short lines elsewhere."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from time import perf_counter
+from types import TracebackType
+from typing import TYPE_CHECKING, Self, TextIO
+
+if TYPE_CHECKING:
+    from rich.progress import Progress
+
+#: Called with what is being done and the fraction of the stage that is done, 0 to 1.
+Report = Callable[[str, float], None]
+
+
+def number(value: float, digits: int | None = None) -> str:
+    """A number as people read it: with a minus sign, no negative zero, and no exponent where it can be avoided.
+
+    Args:
+        value: the number.
+        digits: decimals; without them three significant digits.
+    """
+    if digits is None:
+        text = f"{value:.0f}" if 1000 <= abs(value) < 1e6 else f"{value:.3g}"
+    else:
+        text = f"{value:.{digits}f}"
+    if float(text) == 0:
+        text = text.lstrip("-")
+    return text.replace("-", "\N{MINUS SIGN}") if text.startswith("-") else text
+
+
+class Display:
+    """Stages of a job, one after the other.
+
+    Args:
+        stream: where to write; None writes nothing.
+    """
+
+    def __init__(self, stream: TextIO | None = None) -> None:
+        self._stream = stream
+        self._bars: Progress | None = None
+        #: Seconds of each finished stage.
+        self.seconds: dict[str, float] = {}
+
+    def __enter__(self) -> Self:
+        if self._stream is not None and self._stream.isatty():
+            from rich.console import Console
+            from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
+
+            self._bars = Progress(
+                TextColumn("{task.description:<16}"),
+                BarColumn(bar_width=24),
+                TimeElapsedColumn(),
+                TextColumn("{task.fields[message]}"),
+                console=Console(file=self._stream),
+            )
+            self._bars.start()
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        if self._bars is not None:
+            self._bars.stop()
+            self._bars = None
+
+    def note(self, text: str) -> None:
+        """A line that stays."""
+        if self._bars is not None:
+            self._bars.console.print(text, markup=False, highlight=False)
+        elif self._stream is not None:
+            print(text, file=self._stream, flush=True)
+
+    @contextmanager
+    def stage(self, name: str) -> Iterator[Report]:
+        """One stage: yields the function that takes its progress."""
+        started = perf_counter()
+        with self._shown(name) as report:
+            yield report
+        self.seconds[name] = perf_counter() - started
+        if self._bars is None:
+            self.note(f"{name}: {self.seconds[name]:.1f} s")
+
+    @contextmanager
+    def _shown(self, name: str) -> Iterator[Report]:
+        if self._bars is not None:
+            bars = self._bars
+            task = bars.add_task(name, total=1.0, message="")
+            yield lambda message, fraction: bars.update(task, completed=fraction, message=message)
+            bars.update(task, completed=1.0, message="")
+            bars.stop_task(task)
+            return
+        last = ""
+
+        def report(message: str, fraction: float) -> None:
+            nonlocal last
+            if message not in (last, "done"):
+                self.note(f"{name}: {message}")
+            last = message
+
+        yield report

@@ -1,0 +1,218 @@
+"""How well the points of an array can be told apart, from its transfer functions alone.
+
+A localizer that does not know the touch's own spectrum sees ratios of microphones: for points i and
+microphones a, b the ratio r_i(f) = H_ia(f) / H_ib(f). Two points whose ratios agree over the whole band
+cannot be told apart, however good the classifier is. Every figure here is a distance of such ratios; it knows
+no noise, so that a pair that is far apart may still be lost below the microphone's noise.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from itertools import combinations
+
+import numpy as np
+import xarray as xr
+from numpy.typing import NDArray
+
+from acoustic_fem import Library
+
+#: Band of the paper's sensors and of the localizer's features, Hz.
+BAND = (1.0, 100.0)
+#: dB per neper.
+DECIBEL = 20 / math.log(10)
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Separability:
+    """Pairwise distances of points; each matrix is symmetric with zeros on its diagonal."""
+
+    points: tuple[int, ...]
+    """Numbers of the points, in the order of rows and columns."""
+    level: Array
+    """(n_point, n_point) float64, dB: rms over band and microphone pairs of 20 log10 |r_i / r_j|."""
+    phase: Array
+    """(n_point, n_point) float64, degrees: rms over band and microphone pairs of arg(r_i / r_j), wrapped to
+    (-180, 180]."""
+
+    @property
+    def combined(self) -> Array:
+        """(n_point, n_point) float64: rms of |log(r_i / r_j)|, level in nepers and phase in radians.
+
+        The square root of (level / 8.686 dB)^2 + (phase / 57.3 degrees)^2: 0.1 is as much as 0.87 dB or 5.7
+        degrees over the whole band.
+        """
+        return np.hypot(self.level / DECIBEL, np.radians(self.phase))
+
+    @property
+    def hardest_pairs(self) -> tuple[tuple[int, int], ...]:
+        """Numbers of all pairs of points, the smallest combined distance first, each as (lower, higher)."""
+        distance = self.combined
+        # Mirror images are equally hard up to rounding: the lower numbers come first, every time.
+        pairs = sorted(
+            combinations(range(len(self.points)), 2), key=lambda pair: (float(f"{distance[pair]:.6g}"), pair)
+        )
+        return tuple((self.points[i], self.points[j]) for i, j in pairs)
+
+    @property
+    def equally_hard(self) -> tuple[tuple[int, int], ...]:
+        """The hardest pair and those within 1 % of its combined distance, such as its mirror image, by number."""
+        least = self.between(*self.hardest_pairs[0])[2]
+        return tuple(sorted(pair for pair in self.hardest_pairs if self.between(*pair)[2] <= 1.01 * least))
+
+    def nearest(self, point: int) -> int:
+        """Number of the point that is hardest to tell from ``point``."""
+        index = self.points.index(point)
+        row = self.combined[index].copy()
+        row[index] = np.inf
+        return self.points[int(np.argmin(row))]
+
+    def between(self, first: int, second: int) -> tuple[float, float, float]:
+        """Level (dB), phase (degrees) and combined distance of two points, by number."""
+        i, j = self.points.index(first), self.points.index(second)
+        return float(self.level[i, j]), float(self.phase[i, j]), float(self.combined[i, j])
+
+
+def microphone_ratios(transfer_function: xr.DataArray) -> NDArray[np.complex128]:
+    """Ratios H_ia / H_ib of every pair of microphones a < b, (n_point, n_pair, n_freq) complex128."""
+    h = _values(transfer_function)
+    return np.stack([h[:, a] / h[:, b] for a, b in combinations(range(h.shape[1]), 2)], axis=1)
+
+
+def separability(transfer_function: xr.DataArray, band: tuple[float, float] = BAND) -> Separability:
+    """Distances of all pairs of points.
+
+    Means over frequency are integrals by the trapezoidal rule over a linear axis, so that they hardly depend on
+    the grid.
+
+    Args:
+        transfer_function: dimensions point, microphone, frequency (Hz); Pa/Pa.
+        band: lowest and highest frequency, Hz; the grid must have at least two frequencies in it.
+
+    Raises:
+        ValueError: fewer than two points, microphones, or frequencies in the band.
+    """
+    frequency = np.asarray(transfer_function["frequency"].values, np.float64)
+    inside = (frequency >= band[0] - 1e-9) & (frequency <= band[1] + 1e-9)
+    for name, count in (
+        ("points", transfer_function.sizes["point"]),
+        ("microphones", transfer_function.sizes["microphone"]),
+        (f"frequencies between {band[0]:g} and {band[1]:g} Hz", int(inside.sum())),
+    ):
+        if count < 2:
+            raise ValueError(f"separability: {count} {name} must be at least 2")
+    log = np.log(microphone_ratios(transfer_function)[..., inside])
+    weight = _trapezoidal_weights(frequency[inside]) / log.shape[1]
+    level, phase = np.zeros((2, len(log), len(log)))
+    for index, own in enumerate(log):
+        difference = log - own
+        turn = np.remainder(difference.imag + np.pi, 2 * np.pi) - np.pi
+        level[index] = DECIBEL * np.sqrt((difference.real**2 @ weight).sum(axis=1))
+        phase[index] = np.degrees(np.sqrt((turn**2 @ weight).sum(axis=1)))
+    points = tuple(int(number) for number in transfer_function["point"].values)
+    # Rounding of log - own differs with the sign of the difference.
+    return Separability(points, (level + level.T) / 2, (phase + phase.T) / 2)
+
+
+def attenuation(transfer_function: xr.DataArray, frequency: float) -> Array:
+    """Loss 20 log10 |H| from each cavity to each microphone at one frequency, (n_point, n_microphone), dB.
+
+    Zero is no loss, negative is weaker. Between the frequencies of the grid the complex values are joined by
+    straight lines.
+
+    Raises:
+        ValueError: a frequency outside the grid.
+    """
+    return np.asarray(20 * np.log10(np.abs(_at(transfer_function, frequency))), np.float64)
+
+
+def worst_heard(transfer_function: xr.DataArray, frequency: float) -> tuple[float, int]:
+    """The point that is weakest at its second-loudest microphone (a ratio needs two): level, dB, and number.
+
+    Raises:
+        ValueError: a frequency outside the grid.
+    """
+    second = np.sort(attenuation(transfer_function, frequency), axis=1)[:, -2]
+    worst = int(np.argmin(np.round(second, 2)))  # of mirror images, the first
+    return float(second[worst]), int(transfer_function["point"].values[worst])
+
+
+def sensitivity(library: Library, frequency: float) -> Array:
+    """Pressure at the loudest microphone per volume that a touch sweeps, (n_point,) float64, Pa/mm^3.
+
+    A touch that would sweep the volume q of the membrane in vacuo injects j w q; see
+    :class:`acoustic_fem.Library`.
+
+    Raises:
+        ValueError: a frequency outside the grid.
+    """
+    pressure = np.abs(_at(library.source_response, frequency)).max(axis=1)
+    return np.asarray(2 * np.pi * frequency * pressure * 1e-9, np.float64)
+
+
+@dataclass(frozen=True)
+class Disagreement:
+    """Where two sets of transfer functions of one array differ most."""
+
+    magnitude: float
+    """Largest | |H| / |H_reference| - 1 |."""
+    magnitude_at: tuple[int, str, float]
+    """Point, microphone and frequency (Hz) of it."""
+    phase: float
+    """Largest |arg(H / H_reference)|, degrees."""
+    phase_at: tuple[int, str, float]
+    """Point, microphone and frequency (Hz) of it."""
+
+
+def disagreement(
+    transfer_function: xr.DataArray, reference: xr.DataArray, band: tuple[float, float] = BAND
+) -> Disagreement:
+    """Largest difference of two sets of transfer functions on one grid, within a band (Hz).
+
+    Raises:
+        ValueError: different points, microphones or frequencies, or no frequency in the band.
+    """
+    for name in ("point", "microphone", "frequency"):
+        if not np.array_equal(transfer_function[name].values, reference[name].values):
+            raise ValueError(f"disagreement: the two have different {name} coordinates")
+    frequency = reference["frequency"].values
+    inside = (frequency >= band[0] - 1e-9) & (frequency <= band[1] + 1e-9)
+    if not inside.any():
+        raise ValueError(f"disagreement: no frequency between {band[0]:g} and {band[1]:g} Hz")
+    ratio = (_values(transfer_function) / _values(reference))[..., inside]
+
+    def largest(values: Array) -> tuple[float, tuple[int, str, float]]:
+        i, m, k = np.unravel_index(int(np.argmax(values)), values.shape)
+        where = (int(reference["point"].values[i]), str(reference["microphone"].values[m]), frequency[inside][k])
+        return float(values[i, m, k]), (where[0], where[1], float(where[2]))
+
+    magnitude, magnitude_at = largest(np.abs(np.abs(ratio) - 1))
+    phase, phase_at = largest(np.abs(np.degrees(np.angle(ratio))))
+    return Disagreement(magnitude, magnitude_at, phase, phase_at)
+
+
+def _values(transfer_function: xr.DataArray) -> NDArray[np.complex128]:
+    return np.asarray(transfer_function.transpose("point", "microphone", "frequency").values, np.complex128)
+
+
+def _at(array: xr.DataArray, frequency: float) -> NDArray[np.complex128]:
+    grid = np.asarray(array["frequency"].values, np.float64)
+    if not grid[0] - 1e-9 <= frequency <= grid[-1] + 1e-9:
+        raise ValueError(f"frequency = {frequency:g} Hz must be between {grid[0]:g} and {grid[-1]:g} Hz")
+    values = _values(array)
+    upper = min(int(np.searchsorted(grid, frequency)), len(grid) - 1)
+    lower = max(upper - 1, 0)
+    share = 0.0 if upper == lower else (frequency - grid[lower]) / (grid[upper] - grid[lower])
+    return np.asarray((1 - share) * values[..., lower] + share * values[..., upper], np.complex128)
+
+
+def _trapezoidal_weights(frequency: Array) -> Array:
+    """Weights of a mean over a linear axis, summing to 1."""
+    steps = np.diff(frequency)
+    weights = np.zeros_like(frequency)
+    weights[:-1] += steps / 2
+    weights[1:] += steps / 2
+    return weights / weights.sum()

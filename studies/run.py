@@ -1,0 +1,243 @@
+"""The whole chain for one design: parts, transfer functions, localizer, figures, report."""
+
+from __future__ import annotations
+
+import os
+import warnings
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+from threadpoolctl import threadpool_limits
+
+from geometry.design import ArrayDesign
+from geometry.layout import place
+from studies.check import Validity, model_validity
+from studies.display import Display, Report
+from studies.folders import claim_folder, replaced_folder
+from studies.metrics import BAND, Disagreement, Separability, disagreement, separability, worst_heard
+from studies.results import AGREEMENT, array_size, write_results
+
+if TYPE_CHECKING:
+    from acoustic_fem import Library
+    from geometry.assembly import PartSet
+    from geometry.part_files import ExportedFile
+    from geometry.printing import PrintReport
+    from localize import Evaluation, TrainingPlan
+
+#: Whole hertz up to half the sample rate of the signals: the stimuli's white noise needs all of them.
+FREQUENCY = tuple(float(f) for f in range(1, 501))
+#: The localizer is trained within this time: for few points, per point, and at most, s.
+TRAINING_SECONDS, TRAINING_SECONDS_PER_POINT, LONGEST_TRAINING = 40.0, 3.0, 300.0
+#: Held-out touches in all, and at least per point.
+EVALUATION_TOUCHES, LEAST_TOUCHES_PER_POINT = 3000, 40
+
+
+@dataclass(frozen=True, eq=False)
+class RunResult:
+    """What a run found; the report is made from nothing else."""
+
+    design: ArrayDesign
+    folder: Path
+    created: datetime
+    library: Library
+    lumped: Library | None
+    """At 1 to 100 Hz, for comparison; None where the library itself is lumped."""
+    disagreement: Disagreement | None
+    """Of lumped from the library, at all points, microphones and frequencies from 1 to 100 Hz."""
+    separability: Separability
+    network: Evaluation
+    bayes: Evaluation
+    training: Mapping[str, Any]
+    localizer_provenance: Mapping[str, Any]
+    printing: PrintReport
+    part_counts: Mapping[str, int]
+    files: tuple[ExportedFile, ...]
+    layout_notes: tuple[str, ...]
+    validity: tuple[Validity, ...]
+    warnings: tuple[str, ...]
+    """What the models said about their limits while they ran."""
+    figures: Mapping[str, Path]
+    seconds: Mapping[str, float]
+    """Per stage."""
+
+
+def run_design(
+    design: ArrayDesign,
+    out: str | os.PathLike[str],
+    *,
+    display: Display | None = None,
+    fidelity: str = "navier-stokes",
+    frequency: NDArray[np.float64] | None = None,
+    training: TrainingPlan | None = None,
+) -> RunResult:
+    """Everything for one design, written into a folder with ``report.html``.
+
+    Cells come from the disk cache where an earlier run solved them. Files are written beside, then renamed, so
+    that a run that is killed leaves no half of one; ``report.html`` and ``results.json`` come last.
+
+    Args:
+        design: the design.
+        out: a new or empty folder, or one that an earlier run made.
+        display: shows what is being done.
+        fidelity: of the library, see :func:`acoustic_fem.solve`.
+        frequency: (n_freq,) Hz, covering 1 to 100 Hz; by default 1, 2, ..., 500 Hz.
+        training: how to train the localizer; by default within :func:`training_seconds`.
+
+    Raises:
+        ValueError: the folder holds something else, or the design cannot be built, solved or decoded.
+        OSError: the folder cannot be written.
+    """
+    import acoustic_fem
+    import geometry
+    from localize import BayesDecoder, TrainingPlan, evaluate, train
+    from studies.report import write_report
+
+    show = display or Display()
+    folder = claim_folder(out)
+    training = training or TrainingPlan(time_limit=training_seconds(design.point_count))
+    grid = np.asarray(FREQUENCY if frequency is None else frequency, np.float64)
+    geometry.save_design(design.completed(), folder / "design.toml")
+
+    with show.stage("Parts") as report:
+        parts, files, printing, figures = _make_parts(design, folder, report)
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always", UserWarning)
+        with show.stage("Cells") as report:
+            library = acoustic_fem.solve(design, grid, fidelity=fidelity, progress=report)
+            acoustic_fem.save(library, folder / "library.nc")
+        for line in cell_lines(library):
+            show.note(line)
+        lumped = None
+        if fidelity != "lumped":
+            inside = (grid >= BAND[0]) & (grid <= BAND[1])
+            lumped = acoustic_fem.solve(design, grid[inside], fidelity="lumped")
+    distances = separability(library.transfer_function)
+
+    with show.stage("Localizer") as report:
+        report("training", 0.0)
+        localizer = train(
+            library, training, lambda p: report(f"epoch {p.epoch} of {p.epochs}: {p.accuracy:.1%}", p.epoch / p.epochs)
+        )
+        with replaced_folder(folder / "localizer") as fresh:
+            localizer.save(fresh)
+    # One thread: the matrices are small, and on a busy machine threads that wait for each other cost five times more.
+    with show.stage("Evaluation") as report, threadpool_limits(1):
+        touches = max(LEAST_TOUCHES_PER_POINT, EVALUATION_TOUCHES // design.point_count)
+        report("network", 0.0)
+        network = evaluate(localizer, library, touches, training.microphone_noise)
+        report("Bayes decoder", 0.5)
+        decoder = BayesDecoder(library, training.microphone_noise)
+        bayes = evaluate(decoder, library, touches, training.microphone_noise)
+
+    difference = None
+    if lumped is not None:
+        same_grid = library.transfer_function.sel(frequency=lumped.frequency)
+        difference = disagreement(lumped.transfer_function, same_grid)
+    with show.stage("Figures") as report:
+        figures = {**figures, **_draw_figures(folder, library, lumped, distances, network, report)}
+    result = RunResult(
+        design=design,
+        folder=folder,
+        created=datetime.now(UTC),
+        library=library,
+        lumped=lumped,
+        disagreement=difference,
+        separability=distances,
+        network=network,
+        bayes=bayes,
+        training={**localizer.training, "plan": dict(localizer.plan)},
+        localizer_provenance=localizer.provenance,
+        printing=printing,
+        part_counts=parts.counts,
+        files=files,
+        layout_notes=place(design).notes,
+        validity=model_validity(design, library.medium, worst_heard(library.transfer_function, BAND[1])[0]),
+        warnings=tuple(dict.fromkeys(str(entry.message) for entry in caught)),
+        figures=figures,
+        seconds=show.seconds,
+    )
+    write_results(result, folder / "results.json")
+    write_report(result, folder / "report.html")
+    return result
+
+
+def training_seconds(points: int) -> float:
+    """Time limit of the localizer's training: 40 s for up to 13 points, then 3 s per point, at most 300 s."""
+    return min(max(TRAINING_SECONDS, TRAINING_SECONDS_PER_POINT * points), LONGEST_TRAINING)
+
+
+def cell_lines(library: Library) -> list[str]:
+    """One line for each distinct cell of a library: from the cache or solved, unknowns, seconds."""
+    lines = []
+    for cell in library.provenance["cells"]:
+        if "unknowns" not in cell:
+            lines.append(f"{cell['cell']}: {cell['method']}")
+        elif cell["cached"]:
+            lines.append(f"{cell['cell']}: from the cache ({cell['unknowns']} unknowns)")
+        else:
+            lines.append(
+                f"{cell['cell']}: {cell['unknowns']} unknowns solved at {len(cell['sampled_frequencies'])} "
+                f"frequencies in {cell['seconds']:.1f} s"
+            )
+    return lines
+
+
+# -- stages ------------------------------------------------------------------------------------------------
+def _make_parts(
+    design: ArrayDesign, folder: Path, report: Report
+) -> tuple[PartSet, tuple[ExportedFile, ...], PrintReport, dict[str, Path]]:
+    from geometry import build_parts, export, print_report
+    from geometry.views import draw_array, draw_point
+
+    report("CAD", 0.0)
+    parts = build_parts(design)
+    report("STL, STEP and 3MF", 0.2)
+    with replaced_folder(folder / "parts") as fresh:
+        written = export(parts, fresh)
+    files = tuple(replace(file, path=folder / "parts" / file.path.name) for file in written)
+    report("print rules", 0.5)
+    printing = print_report(parts, design.printing.process)
+    report("pictures", 0.7)
+    figures = {
+        "array": draw_array(design, folder / "figures" / "array.png", parts, size=(1600, _picture_height(design))),
+        "point": draw_point(design, folder / "figures" / "point.png", parts),
+    }
+    return parts, files, printing, figures
+
+
+def _picture_height(design: ArrayDesign) -> int:
+    """Pixels of a picture 1600 wide that leave little white above and below the array."""
+    width, depth, _ = array_size(design)
+    return int(np.clip(1600 * (0.15 + depth / width), 500, 1400))
+
+
+def _draw_figures(
+    folder: Path,
+    library: Library,
+    lumped: Library | None,
+    distances: Separability,
+    network: Evaluation,
+    report: Report,
+) -> dict[str, Path]:
+    from studies import figures as draw
+
+    where = folder / "figures"
+    report("curves", 0.0)
+    drawn = {
+        "transfer-functions": draw.draw_transfer_functions(library.transfer_function, where / "transfer-functions.png"),
+        "differences": draw.draw_differences(library.transfer_function, where / "differences.png"),
+    }
+    if lumped is not None:
+        same_grid = library.transfer_function.sel(frequency=lumped.frequency)
+        drawn["comparison"] = draw.draw_comparison(
+            lumped.transfer_function, same_grid, where / "comparison.png", (100 * AGREEMENT[0], AGREEMENT[1])
+        )
+    report("matrices", 0.6)
+    drawn["separability"] = draw.draw_separability(distances, where / "separability.png")
+    drawn["confusion"] = draw.draw_confusion(network.confusion, distances.points, where / "confusion.png")
+    return drawn

@@ -1,0 +1,99 @@
+"""What the verbs print on the console."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from studies.display import number
+
+if TYPE_CHECKING:
+    from rich.table import Table
+
+    from geometry.printing import PrintReport
+    from studies.check import DesignCheck
+
+
+def table_of(*columns: str, numbers: tuple[int, ...] = ()) -> Table:
+    """An empty table; columns at the indices ``numbers`` are aligned to the right."""
+    from rich import box
+    from rich.table import Table
+
+    table = Table(box=box.SIMPLE_HEAD, pad_edge=False)
+    for index, column in enumerate(columns):
+        table.add_column(column, justify="right" if index in numbers else "left", no_wrap=index == 0)
+    return table
+
+
+def show(table: Table) -> None:
+    """Print a table on stdout."""
+    from rich.console import Console
+
+    # Into a file or a pipe, lines are not broken to the width of a terminal that is not there.
+    console = Console(markup=False, highlight=False)
+    Console(width=None if console.is_terminal else 160, markup=False, highlight=False).print(table)
+
+
+def show_fields() -> None:
+    """Every field of a design file."""
+    from geometry.design import ArrayDesign
+    from geometry.design_fields import fields_of
+
+    table = table_of("field", "range", "default", "description")
+    for field in fields_of(ArrayDesign):
+        default = "required" if field.required else "" if field.default in (None, "", {}) else str(field.default)
+        allowed = field.allowed or field.kind
+        table.add_row(field.name, allowed, default if field.kind != "a table" else "", field.description)
+    show(table)
+
+
+def show_check(found: DesignCheck) -> None:
+    """All findings on a design."""
+    wiring, name = found.wiring, found.design.name
+    print(f"{name}: a valid design")
+    table = table_of("wiring", "", numbers=(1,))
+    for row in (
+        ("microphones", str(wiring.microphones)),
+        ("lines, of at most", f"{wiring.lines} of {wiring.most_lines}"),
+        ("points", str(wiring.points)),
+        ("points per microphone", f"{wiring.points_per_microphone:.3g}"),
+        ("times one transducer per point", f"{wiring.gain_over_one_transducer_per_point:.3g}"),
+        ("times row-column addressing", f"{wiring.gain_over_row_column:.3g}"),
+    ):
+        table.add_row(*row)
+    show(table)
+    table = table_of("distinct cell", "places", numbers=(1,))
+    for cell, places in found.cells:
+        table.add_row(cell.label, str(places))
+    show(table)
+    table = table_of("part", "count", numbers=(1,))
+    for part, count in found.part_counts.items():
+        table.add_row(part, str(count))
+    show(table)
+    for note in found.notes:
+        print(f"note: {note}")
+    table = table_of("estimated attenuation", "level (dB)", "", numbers=(1,))
+    for frequency, level, point in found.attenuation:
+        table.add_row(f"{frequency:g} Hz", f"{level:.1f}", f"point {point} at its second-loudest microphone")
+    show(table)
+    table = table_of("the models assume", "value", "limit", "", "meaning", numbers=(1,))
+    for item in found.validity:
+        table.add_row(
+            item.assumption,
+            f"{number(item.value)} {item.unit}",
+            f"{item.relation} {item.limit:g} {item.unit}",
+            "ok" if item.holds else "warn",
+            item.meaning,
+        )
+    show(table)
+    show_findings(found.printing)
+
+
+def show_findings(printing: PrintReport) -> None:
+    """The print verdict and what leads to it."""
+    print(f"printing, {printing.process.title}: {printing.verdict}")
+    if printing.problems:
+        table = table_of("part", "measure", "value", "limit", "verdict", numbers=(2, 3))
+        for finding in printing.problems:
+            value, limit = f"{finding.value:.3g} {finding.unit}", f"{finding.limit:.3g} {finding.unit}"
+            table.add_row(finding.part, finding.rule, value, limit, finding.verdict)
+        show(table)

@@ -1,0 +1,171 @@
+"""The model-based decoder computes the Gaussian likelihood it promises and names the point without training."""
+
+import numpy as np
+import pytest
+import scipy.linalg
+import torch
+from rc_line import rc_line
+from threadpoolctl import threadpool_info, threadpool_limits
+
+import localize
+from localize import bayes, stimulus
+from localize.dataset import microphone_signals
+from localize.noise import NoiseSpectrum
+
+
+@pytest.fixture(scope="module")
+def array():
+    return rc_line(8)
+
+
+@pytest.fixture(scope="module")
+def decoder(array):
+    return localize.BayesDecoder(array, microphone_noise=1e-2)
+
+
+def dense_covariances(array, noise):
+    """C_i and N on the decimated samples, by way of the covariance of all 250 samples of each microphone."""
+    frequency = np.arange(1, 500.01, bayes.INTEGRATION_STEP)
+    density = np.where(frequency <= 100, bayes.SOURCE_RMS**2 / 99, stimulus.NOISE**2 / 500) * bayes.INTEGRATION_STEP
+    lag = (np.arange(250)[:, None] - np.arange(250)[None, :]) / 1000
+    low_pass = bayes._low_pass()
+    low_pass = np.kron(np.eye(2), low_pass)
+    noise_part = noise**2 * low_pass @ low_pass.T
+    touched = []
+    for h in array.at(frequency):
+        full = np.zeros((2, 250, 2, 250))
+        for a in range(2):
+            for b in range(2):
+                cross = density * h[a] * h[b].conj()
+                by_lag = (cross @ np.exp(2j * np.pi * frequency[:, None] * np.arange(-249, 250) / 1000)).real
+                full[a, :, b, :] = by_lag[np.rint(lag * 1000).astype(int) + 249]
+        touched.append(low_pass @ full.reshape(500, 500) @ low_pass.T)
+    return touched, noise_part, low_pass
+
+
+def test_the_log_likelihood_is_that_of_the_dense_gaussian_at_its_best_power(array, decoder):
+    covariances, noise, low_pass = dense_covariances(array, 1e-2)
+    frames = localize.TouchGenerator(array, 0, "evaluation", 1e-2).samples(0, 3).signals[..., :250].double().numpy()
+    x = low_pass @ frames.reshape(3, 500).T
+    powers = 10 ** np.arange(-2, 2, 0.04)
+    dense = np.empty((3, 3, len(powers)))
+    for point in range(3):
+        for k, power in enumerate(powers):
+            covariance = power * covariances[point] + noise
+            energy = (x * np.linalg.solve(covariance, x)).sum(0)
+            dense[:, point, k] = -0.5 * (energy + np.linalg.slogdet(covariance)[1])
+    fast = decoder.log_likelihood(frames)[:, :3]
+    best = dense.argmax(-1)
+    # A far point may fit best at a power beyond these: points and their neighbours are compared.
+    compared = (best > 0) & (best < len(powers) - 1) & (abs(np.subtract.outer(range(3), range(3))) <= 1)
+    assert compared.diagonal().all()
+    assert compared.sum() >= 6
+    expected, found = (v - v.diagonal()[:, None] for v in (dense.max(-1), fast))
+    assert np.abs(found - expected)[compared].max() < 0.5
+    assert np.abs(expected[compared]).max() > 100
+
+
+def test_filtered_noise_has_the_covariance_that_is_assumed():
+    low_pass = bayes._low_pass()
+    expected = 0.3**2 * low_pass @ low_pass.T
+    assert scipy.linalg.toeplitz(bayes._noise_covariance(0.3)) == pytest.approx(expected, abs=1e-15)
+
+
+@pytest.mark.parametrize("noise", [0.0, 1e-3])
+def test_every_point_is_named_from_one_frame_of_multi_sines(noise):
+    array = rc_line(12)
+    result = localize.evaluate(localize.BayesDecoder(array), array, touches_per_point=30, microphone_noise=noise)
+    assert result.top1 > 0.99
+    assert result.hardest_pair is None or result.hardest_pair[2] < 0.1
+
+
+def test_taps_are_named_although_nothing_was_trained_on_them(array):
+    # A smooth pulse of 30 ms in a quiet period of 4 s, through the exact response.
+    time = np.arange(stimulus.PERIOD) / stimulus.SAMPLE_RATE
+    pulse = np.exp(-0.5 * ((time - 0.1) / 0.012) ** 2)
+    spectrum = np.fft.rfft(pulse, norm="forward")[: stimulus.LINE_COUNT]
+    frequency = stimulus.line_frequencies()
+    h = np.zeros((8, 2, len(frequency)), complex)
+    band = stimulus.lines_within((1.0, 499.75))
+    h[..., band] = array.at(frequency[band])
+    signals = microphone_signals(torch.from_numpy(np.tile(spectrum, (8, 1))), torch.from_numpy(h), 250)
+    signals = signals + 1e-3 * torch.from_numpy(np.random.default_rng(0).standard_normal(signals.shape))
+    named = localize.BayesDecoder(array).locate(signals).argmax(1)
+    assert named.tolist() == list(range(8))
+
+
+def test_exchanging_the_microphones_of_a_symmetric_line_mirrors_the_answer(array, decoder):
+    signals = localize.TouchGenerator(array, 1, "evaluation", 0.05).samples(0, 16).signals[..., :250].numpy()
+    assert decoder.locate(signals[:, ::-1]) == pytest.approx(decoder.locate(signals)[:, ::-1], abs=1e-6)
+
+
+def test_more_noise_makes_the_answer_less_certain_never_undefined(array):
+    decoder = localize.BayesDecoder(array, microphone_noise=0.1)
+    results = [localize.evaluate(decoder, array, 30, microphone_noise=rms) for rms in (0.0, 0.1, 1.0)]
+    assert results[0].top1 > results[1].top1 > results[2].top1
+    noise = np.random.default_rng(0).standard_normal((2, 250))
+    for level in (1e-12, 1.0, 1e6):
+        probability = decoder.locate(level * noise)
+        assert np.isfinite(probability).all()
+        assert probability.sum() == pytest.approx(1)
+
+
+def test_a_batch_gives_what_its_signals_give_alone(array, decoder):
+    signals = localize.TouchGenerator(array, 2, "evaluation", 0.05).samples(0, 100).signals[..., :300].numpy()
+    batch = decoder.locate(signals)
+    assert batch.shape == (100, 8)
+    assert decoder.locate(signals[77]) == pytest.approx(batch[77], abs=1e-9)
+
+
+@pytest.mark.parametrize("noise", [0.0, -1e-3, 11.0, float("nan")])
+def test_a_noise_floor_outside_its_range_is_refused(array, noise):
+    with pytest.raises(ValueError, match=r"microphone_noise = .* must be between 1e-9 and 10 Pa"):
+        localize.BayesDecoder(array, microphone_noise=noise)
+
+
+def test_bad_signals_and_libraries_are_refused(decoder):
+    with pytest.raises(ValueError, match="249 samples, must have at least 250"):
+        decoder.locate(np.ones((2, 249)))
+    with pytest.raises(ValueError, match="channel left is silent"):
+        decoder.locate(np.stack([np.zeros(250), np.sin(np.arange(250))]))
+    with pytest.raises(ValueError, match="must cover 1 to 100 Hz"):
+        localize.BayesDecoder(rc_line(3, np.linspace(5, 100, 50)))
+
+
+def test_coloured_noise_has_the_covariance_that_is_assumed():
+    power = np.zeros(500)
+    power[1:] = 1e-6 / np.arange(1.0, 500.0) ** 2
+    noise = stimulus.coloured_noise(0, "evaluation", 0, 4000, 1, power)[:, 0, -250:].double().numpy()
+    filtered = noise @ bayes._low_pass().T
+    found = filtered.T @ filtered / len(filtered)
+    expected = scipy.linalg.toeplitz(bayes._noise_covariance(NoiseSpectrum(power, "a test")))
+    assert np.abs(found - expected).max() < 0.06 * expected[0, 0]
+    white = NoiseSpectrum(np.full(500, 1e-6 / 500), "a test")
+    assert bayes._noise_covariance(white) == pytest.approx(bayes._noise_covariance(1e-3), abs=0.01 * 1e-6)
+
+
+def test_decoding_and_evaluation_run_on_one_thread_and_leave_the_setting_alone(array, decoder, monkeypatch):
+    seen = []
+    original = bayes._vertex
+
+    def spied(values):
+        seen.append({torch.get_num_threads(), *(lib["num_threads"] for lib in blas_of_this_process())})
+        return original(values)
+
+    monkeypatch.setattr(bayes, "_vertex", spied)
+    before = torch.get_num_threads()
+    torch.set_num_threads(2)
+    try:
+        with threadpool_limits(2, user_api="blas"):
+            decoder.locate(np.random.default_rng(0).standard_normal((2, 250)))
+            localize.evaluate(decoder, array, 1)
+            assert {lib["num_threads"] for lib in blas_of_this_process()} == {2}
+            assert torch.get_num_threads() == 2
+    finally:
+        torch.set_num_threads(before)
+    assert len(seen) >= 2
+    assert all(threads == {1} for threads in seen)
+
+
+def blas_of_this_process():
+    return [lib for lib in threadpool_info() if lib["user_api"] == "blas"]

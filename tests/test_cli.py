@@ -1,0 +1,298 @@
+"""The command line: every verb does its job, and every wrong input ends in one line."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import pytest
+import trimesh
+from small_run import small_design, small_run
+
+import acoustic_fem
+import geometry
+from geometry.design_file import prototype_text
+from studies import cli
+
+ROOT = Path(__file__).parents[1]
+VERBS = ("prototypes", "check", "solve", "parts", "train", "evaluate", "run")
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """How a command ended."""
+
+    code: int
+    out: str
+    err: str
+
+
+Command = Callable[..., Outcome]
+
+
+@pytest.fixture
+def command(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Command:
+    """Runs ``acoustic-fem`` with arguments, in this process."""
+
+    def run(*arguments: object) -> Outcome:
+        monkeypatch.setattr(sys, "argv", ["acoustic-fem", *map(str, arguments)])
+        capsys.readouterr()
+        with pytest.raises(SystemExit) as ended:
+            cli.main()
+        told = capsys.readouterr()
+        return Outcome(int(ended.value.code or 0), told.out, told.err)
+
+    return run
+
+
+@pytest.fixture
+def row(tmp_path: Path) -> Path:
+    """A design file of three points in one row."""
+    path = tmp_path / "row-3.toml"
+    geometry.save_design(small_design(), path)
+    return path
+
+
+# -- help -------------------------------------------------------------------------------------------------
+@pytest.mark.parametrize("verb", VERBS)
+def test_the_help_of_every_verb_has_an_example_and_out(command: Command, verb: str) -> None:
+    told = command(verb, "--help")
+    assert told.code == 0
+    assert f"acoustic-fem {verb}" in told.out.partition("Example:")[2]
+    assert "--out" in told.out
+
+
+def test_the_help_lists_every_verb_in_the_order_of_work(command: Command) -> None:
+    told = command("--help")
+    assert [told.out.index(f"│ {verb} ") for verb in VERBS] == sorted(told.out.index(f"│ {verb} ") for verb in VERBS)
+    assert command("--version").out.startswith("acoustic-fem")
+
+
+def test_help_comes_at_once() -> None:
+    times = []
+    for _ in range(3):
+        started = time.perf_counter()
+        subprocess.run([sys.executable, "-m", "studies.cli", "--help"], cwd=ROOT, check=True, capture_output=True)
+        times.append(time.perf_counter() - started)
+    assert min(times) < 0.5
+
+
+def test_the_fidelities_of_the_command_are_those_of_the_library() -> None:
+    assert [fidelity.value for fidelity in cli.Fidelity] == list(acoustic_fem.FIDELITIES)
+
+
+# -- verbs ------------------------------------------------------------------------------------------------
+def test_prototypes_are_listed_and_printed(command: Command, tmp_path: Path) -> None:
+    told = command("prototypes")
+    assert told.code == 0
+    for name in geometry.prototype_names():
+        design = geometry.prototype(name)
+        line = next(line for line in told.out.splitlines() if line.split()[:1] == [name])
+        assert line.split()[1:3] == [str(len(design.microphones)), str(design.point_count)]
+    assert command("prototypes", "glove").out == prototype_text("glove")
+    own = tmp_path / "mine.toml"
+    assert command("prototypes", "glove", "--out", own).code == 0
+    assert geometry.load_design(own) == geometry.prototype("glove")
+    assert "exists" in command("prototypes", "glove", "--out", own).err
+
+
+@pytest.mark.parametrize("name", ["array-2x6", "line-4"])
+def test_a_prototype_passes_the_check(command: Command, name: str, tmp_path: Path) -> None:
+    checked(command, name, tmp_path)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["fingertip-3x4", "fingertip-4x6", "glove", "large-area-64", "line-2", "line-3"])
+def test_the_other_prototypes_pass_the_check(command: Command, name: str, tmp_path: Path) -> None:
+    checked(command, name, tmp_path)
+
+
+def checked(command: Command, name: str, folder: Path) -> None:
+    told = command("check", name, "--out", folder / "check.json")
+    assert told.code == 0, told.err
+    design = geometry.prototype(name)
+    found = json.loads((folder / "check.json").read_text(encoding="utf-8"))
+    assert found["wiring"]["points"] == design.point_count
+    assert found["printing"]["verdict"] in ("ok", "warn")
+    assert sum(cell["places"] for cell in found["cells"]) == design.point_count + len(design.microphones)
+    levels = [entry["second_microphone_db"] for entry in found["attenuation"]]
+    assert 0 > levels[0] > levels[1] > levels[2]
+    for words in ("a valid design", "distinct cell", "estimated attenuation", "the models assume", "printing,"):
+        assert words in told.out
+
+
+def test_the_check_of_a_design_that_cannot_be_printed_names_the_part(command: Command, tmp_path: Path) -> None:
+    thin = small_design().with_values({"printing.port_lip": 0.15, "printing.process": "sla-resin"})
+    geometry.save_design(thin, tmp_path / "thin.toml")
+    told = command("check", tmp_path / "thin.toml")
+    assert told.code == 1
+    last = told.err.splitlines()[-1]
+    assert last.startswith("acoustic-fem: row-3: cannot be printed: shell-straight: thinnest wall 0.15 mm must be at")
+
+
+def test_the_fields_of_a_design_file_are_listed(command: Command) -> None:
+    told = command("check", "--fields")
+    assert told.code == 0
+    for name in ("resonator.cavity_diameter", "lines.*.points", "air.humidity", "printing.process"):
+        assert name in told.out
+
+
+def test_parts_are_written_in_the_formats_asked_for(command: Command, row: Path, tmp_path: Path) -> None:
+    told = command("parts", row, "--out", tmp_path / "parts", "--format", "stl")
+    assert told.code == 0, told.err
+    names = {path.name for path in (tmp_path / "parts").iterdir()}
+    assert names == {
+        "shell-straight.stl", "membrane.stl", "mold-base.stl", "mold-lid.stl", "microphone-housing.stl",
+        "microphone-lid.stl",
+    }  # fmt: skip
+    assert trimesh.load_mesh(tmp_path / "parts" / "shell-straight.stl").is_volume
+    assert "shell-straight.stl" in told.out
+    assert "to a microphone" in told.out
+
+
+def test_solve_train_and_evaluate_lead_from_a_design_to_a_judged_localizer(
+    command: Command, row: Path, tmp_path: Path
+) -> None:
+    library, model, verdict = tmp_path / "library.nc", tmp_path / "localizer", tmp_path / "verdict.json"
+    told = command("solve", row, "--out", library, "--fidelity", "lumped", "--frequencies", "1:100:100")
+    assert (told.code, "3 points, 2 microphones, 100 frequencies" in told.out) == (0, True)
+    loaded = acoustic_fem.load(library)
+    assert np.array_equal(loaded.frequency, np.arange(1.0, 101.0))
+    assert loaded.design == small_design()
+
+    told = command("train", library, "--out", model, "--seconds", 30, "--epochs", 3, "--seed", 5)
+    assert told.code == 0, told.err
+    assert json.loads((model / "localizer.json").read_text(encoding="utf-8"))["plan"]["seed"] == 5
+
+    told = command("evaluate", model, library, "--touches", 50, "--out", verdict)
+    assert told.code == 0, told.err
+    found = json.loads(verdict.read_text(encoding="utf-8"))
+    assert found["Bayes decoder"]["top1"] > 0.99
+    assert found["network"]["top1"] > 0.5  # three short epochs; chance is 0.33
+    assert np.sum(found["network"]["confusion"]) == 150
+    assert f"{100 * found['network']['top1']:.1f}" in told.out
+
+
+def test_run_takes_a_design_and_a_folder_and_nothing_else(command: Command, tmp_path: Path) -> None:
+    assert command("run", "array-2x6", "--out", tmp_path, "--fidelity", "lumped").code == 2
+    told = command("run", "--help")
+    options = [word for word in told.out.split() if word.startswith("--")]
+    assert set(options) == {"--out", "--help"}
+
+
+# -- bad input ----------------------------------------------------------------------------------------------
+@pytest.fixture
+def places(tmp_path: Path) -> dict[str, Path]:
+    """Good and bad files by name."""
+    result = small_run()
+    files = {name: tmp_path / name for name in ("text.nc", "short.nc", "bad.toml", "wide.toml", "full", "missing")}
+    files |= {"out.nc": tmp_path / "out.nc", "none/out.nc": tmp_path / "none" / "out.nc", "folder": tmp_path}
+    files["library.nc"] = result.folder / "library.nc"
+    files["localizer"] = result.folder / "localizer"
+    files["text.nc"].write_text("not netCDF")
+    files["short.nc"].write_bytes(files["library.nc"].read_bytes()[:3000])
+    files["bad.toml"].write_text("name = [unclosed")
+    text = prototype_text("array-2x6").replace("cavity_diameter = 6.0", "cavity_diameter = 99.0")
+    files["wide.toml"].write_text(text)
+    files["full"].mkdir()
+    (files["full"] / "thesis.txt").write_text("all my work")
+    acoustic_fem.save(
+        acoustic_fem.solve(geometry.prototype("glove"), np.arange(1.0, 101.0), fidelity="lumped"), tmp_path / "glove.nc"
+    )
+    files["glove.nc"] = tmp_path / "glove.nc"
+    acoustic_fem.save(acoustic_fem.solve(small_design(), [1.0, 50.0, 60.0, 80.0], "lumped"), tmp_path / "narrow.nc")
+    files["narrow.nc"] = tmp_path / "narrow.nc"
+    return files
+
+
+@pytest.mark.parametrize(
+    ("words", "reason"),
+    [
+        ("check array-2x7", "neither a design file nor a prototype; did you mean 'array-2x6'?"),
+        ("check <missing>.toml", "no such file"),
+        ("check <bad.toml>", "is not TOML"),
+        ("check <wide.toml>", "resonator.cavity_diameter = 99 mm must be between 0.8 and 50 mm"),
+        ("check array-2x6 --out <none/out.nc>", "must lie in a folder that exists"),
+        ("prototypes array", "no prototype is named 'array'"),
+        ("solve array-2x6 --out <folder> --fidelity lumped", "is a folder; --out must be a file"),
+        ("solve array-2x6 --out <none/out.nc>", "must lie in a folder that exists"),
+        ("solve array-2x6 --out <out.nc> --frequencies 0:100:64", "frequency = 0 Hz must be between 0.001 and 2000 Hz"),
+        ("solve array-2x6 --out <out.nc> --frequencies 1:3000:64", "must be between 0.001 and 2000 Hz"),
+        ("solve array-2x6 --out <out.nc> --frequencies 100:1:64", "frequency must ascend"),
+        ("parts array-2x6 --out <text.nc>", "must be a folder"),
+        ("train <missing> --out <out.nc>", "no such file"),
+        ("train <text.nc> --out <out.nc>", "is no netCDF file or is cut short"),
+        ("train <short.nc> --out <out.nc>", "is no netCDF file or is cut short"),
+        ("train <narrow.nc> --out <out.nc>", "frequency runs from 1 to 80 Hz; it must cover 1 to 100 Hz"),
+        ("train <library.nc> --out <out.nc> --seconds -1", "time_limit = -1.0 must be between"),
+        ("train <library.nc> --out <out.nc> --epochs 0", "epochs = 0 must be a whole number from 1"),
+        ("evaluate <missing> <library.nc>", "localizer.json: cannot be read: No such file or directory"),
+        ("evaluate <localizer> <glove.nc>", "the localizer is for 3 points and microphones A, B; the library has 15"),
+        ("evaluate <localizer> <library.nc> --touches 0", "touches_per_point = 0 must be at least 1"),
+        ("evaluate <localizer> <library.nc> --noise -1", "microphone_noise = -1"),
+        ("run array-2x6 --out <full>", "holds files that no run of this program made"),
+        ("run array-2x6 --out <text.nc>", "must be a folder"),
+    ],
+)
+def test_bad_input_ends_in_one_line(command: Command, places: dict[str, Path], words: str, reason: str) -> None:
+    for name, path in places.items():
+        words = words.replace(f"<{name}>", str(path))
+    told = command(*words.split())
+    assert told.code == 1, told.err
+    lines = [line for line in told.err.splitlines() if line.startswith("acoustic-fem: ")]
+    assert len(lines) == 1
+    assert told.err.splitlines()[-1] == lines[0]
+    assert reason in lines[0]
+    assert "Traceback" not in told.err
+    assert not places["out.nc"].exists()
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "solved array-2x6",
+        "solve array-2x6",
+        "solve array-2x6 --out x.nc --frequencies 1-100",
+        "solve array-2x6 --out x.nc --frequencies 1:100",
+        "solve array-2x6 --out x.nc --frequencies 1:100:0",
+        "solve array-2x6 --out x.nc --fidelity exact",
+        "parts array-2x6 --out x --format obj",
+        "train library.nc --out x --seconds soon",
+        "check",
+        "prototypes --out x.toml",
+        "run --out x",
+        "evaluate localizer",
+    ],
+)
+def test_a_wrong_command_line_ends_with_code_2(
+    command: Command, words: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    told = command(*words.split())
+    assert told.code == 2
+    assert told.err
+    assert "Traceback" not in told.err
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_process_of_its_own_ends_the_same_way(tmp_path: Path) -> None:
+    done = subprocess.run(
+        [sys.executable, "-m", "studies.cli", "solve", "array-2x6", "--out", str(tmp_path / "none" / "library.nc")],
+        cwd=ROOT, capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    assert (done.returncode, done.stdout) == (1, "")
+    assert done.stderr.startswith("acoustic-fem: ")
+    assert done.stderr.count("\n") == 1
+
+
+def test_what_is_done_is_told_in_plain_lines_where_there_is_no_terminal(command: Command, tmp_path: Path) -> None:
+    told = command("solve", "array-2x6", "--out", tmp_path / "library.nc", "--fidelity", "lumped")
+    assert "\x1b" not in told.err + told.out
+    assert "Cells: network" in told.err.splitlines()
+    assert told.err.count("closed form") == 3
