@@ -18,8 +18,6 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from localize.stimulus import BAND, SAMPLE_LENGTH, SAMPLE_RATE
-
 if TYPE_CHECKING:
     from acoustic_fem.medium import Medium
     from geometry.design import Microphone
@@ -27,8 +25,8 @@ if TYPE_CHECKING:
 #: White noise of so many Pa rms over 0 to 500 Hz, or the noise of the design's microphone.
 NoiseChoice = float | Literal["design"]
 
-NOISE_BAND = (BAND[0], SAMPLE_RATE / 2)
-"""Hz."""
+NOISE_BAND = (1.0, 500.0)
+"""Hz: from the lowest frequency of the stimuli to half the sample rate."""
 _STEPS_PER_HERTZ = 20
 
 
@@ -72,7 +70,7 @@ def microphone_noise(microphone: Microphone, medium: Medium) -> NoiseSpectrum:
     """
     low, high = NOISE_BAND
     frequency = low + (np.arange(round((high - low) * _STEPS_PER_HERTZ)) + 0.5) / _STEPS_PER_HERTZ
-    lines = SAMPLE_LENGTH // 2
+    lines = round(high)
     power = np.bincount(
         np.clip(np.rint(frequency), 1, lines - 1).astype(np.int64),
         weights=input_density(microphone, frequency, medium) ** 2 / _STEPS_PER_HERTZ,

@@ -22,6 +22,10 @@ if TYPE_CHECKING:
 ATTENUATION_AT = (1.0, 10.0, 100.0)
 #: Weakest sinusoid of the paper's stimuli, Pa, and length of the localizer's frames, s.
 WEAKEST_SINUSOID, FRAME_SECONDS = 0.02, 0.25
+#: Time of one 3-D cell on two cores, s.
+SECONDS_PER_CELL = 5.0
+#: Largest difference of lumped from Navier-Stokes transfer functions as `run` measured it: percent, degrees.
+LUMPED_IS_OFF = (("array-2x6", 0.3, 0.2), ("large-area-64", 1.1, 0.44))
 
 
 @dataclass(frozen=True)
@@ -59,6 +63,11 @@ class DesignCheck:
     needs two) and number; at fidelity lumped."""
 
     @property
+    def fidelities(self) -> tuple[str, ...]:
+        """What each fidelity costs and how far lumped is from the default, one line each."""
+        return fidelity_lines(len(self.cells))
+
+    @property
     def failures(self) -> tuple[str, ...]:
         """What stands in the way of making the array, one line each."""
         return tuple(
@@ -76,6 +85,7 @@ class DesignCheck:
             "wiring": asdict(self.wiring),
             "cells": [{"cell": cell.label, "places": count} for cell, count in self.cells],
             "layout_notes": list(self.notes),
+            "fidelities": list(self.fidelities),
             "parts": dict(self.part_counts),
             "printing": {
                 "process": self.printing.process.name,
@@ -128,6 +138,17 @@ def check_design(design: ArrayDesign, progress: Callable[[str, float], None] | N
     )
 
 
+def fidelity_lines(cells: int) -> tuple[str, ...]:
+    """What each fidelity costs for so many distinct cells, and how far lumped was found from the default."""
+    worst = "; ".join(f"{percent:g} % and {degrees:g} degrees on {name}" for name, percent, degrees in LUMPED_IS_OFF)
+    seconds = SECONDS_PER_CELL * cells
+    return (
+        f"lumped: milliseconds; from navier-stokes, {BAND[0]:g} to {BAND[1]:g} Hz, it was at most {worst}",
+        f"navier-stokes, the default: about {SECONDS_PER_CELL:g} s per distinct cell, here {cells}: {seconds:g} s; "
+        "then from the cache",
+    )
+
+
 def cell_uses(design: ArrayDesign) -> tuple[tuple[Cell, int], ...]:
     """The distinct cells of a design and how many places each fills."""
     catalogue = cell_catalogue(design, place(design))
@@ -150,8 +171,8 @@ def model_validity(design: ArrayDesign, medium: Medium, weakest_level: float) ->
         ValueError: the membrane's proportions are outside what can be solved.
     """
     from acoustic_fem.membrane import design_disc
-    from acoustic_fem.microphone import noise_density
     from acoustic_fem.opening import LARGEST_SHEAR_NUMBER
+    from localize.noise import input_density
 
     highest = BAND[1]
     resonator, microphone = design.resonator, design.microphone
@@ -164,7 +185,7 @@ def model_validity(design: ArrayDesign, medium: Medium, weakest_level: float) ->
     mean_free_path = medium.viscosity * math.sqrt(math.pi / (2 * medium.pressure * medium.density))
     slip = 8 * mean_free_path / (min(bores) * 1e-3)
     shear = max(bores) / 2 * 1e-3 * math.sqrt(2 * math.pi * highest / medium.kinematic_viscosity)
-    noise = float(noise_density(microphone, highest)) / math.sqrt(FRAME_SECONDS)
+    noise = float(input_density(microphone, highest, medium)) / math.sqrt(FRAME_SECONDS)
     heard = weakest_level + 20 * math.log10(WEAKEST_SINUSOID / math.sqrt(2) / noise)
     return (
         Validity(

@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+import re
 import sys
+import traceback
 import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
 from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, NoReturn, TextIO
@@ -14,6 +18,7 @@ from studies.tables import show, show_check, show_fields, show_findings, table_o
 
 if TYPE_CHECKING:
     from localize import Evaluation
+    from localize.noise import NoiseChoice
     from studies.display import Display
 
 app = typer.Typer(
@@ -41,6 +46,14 @@ Design = Annotated[
 LibraryFile = Annotated[
     Path, typer.Argument(metavar="LIBRARY", help="A library, from solve or run (library.nc).", show_default=False)
 ]
+Noise = Annotated[
+    float | None,
+    typer.Option(
+        help="White noise of the microphones instead, Pa rms over 0 to 500 Hz.", show_default="that of the design's"
+    ),
+]
+#: White noise that the Bayes decoder assumes where touches have less, Pa rms.
+LEAST_NOISE = 1e-6
 
 
 def main() -> NoReturn:
@@ -51,9 +64,21 @@ def main() -> NoReturn:
     except KeyboardInterrupt:
         fail("stopped", 130)
     except (ValueError, OSError, RuntimeError) as error:
-        # Every refusal of this program is one of these, with its one line.
-        fail(str(error))
+        if not _is_refusal(error):
+            raise  # a mistake of the program: its traceback says where
+        fail(f"{error.filename}: {error.strerror}" if isinstance(error, OSError) else str(error))
     sys.exit(0)
+
+
+def _is_refusal(error: Exception) -> bool:
+    """Whether an error tells the user what is wrong: one that our own code raises on purpose, or a file's."""
+    if isinstance(error, OSError):
+        return error.filename is not None
+    if type(error) is RuntimeError:
+        return False
+    last = traceback.extract_tb(error.__traceback__)[-1]
+    rooms = [Path(__file__).resolve().parents[1] / room for room in ("geometry", "acoustic_fem", "localize", "studies")]
+    return Path(last.filename).resolve().parent in rooms and (last.line or "").startswith("raise ")
 
 
 def fail(message: str, code: int = 1) -> NoReturn:
@@ -190,7 +215,7 @@ def solve(
     check_new_file(out)
     resolved = resolve_design(design)
     with _display() as display:
-        with display.stage("Cells") as report:
+        with display.stage("Cells") as report, _named(frequency="--frequencies"):
             library = acoustic_fem.solve(resolved, grid, fidelity=fidelity.value, progress=report)
             acoustic_fem.save(library, out)
         for line in cell_lines(library):
@@ -244,23 +269,32 @@ def parts(
 def train(
     library: LibraryFile,
     out: Annotated[Path, typer.Option(help="The folder to write the localizer to.", show_default=False)],
-    seconds: Annotated[float, typer.Option(help="Time limit; fewer epochs are run where they would take longer.")] = 60,
-    epochs: Annotated[int, typer.Option(help="Epochs at most.")] = 10,
-    noise: Annotated[float, typer.Option(help="Microphone noise in the touches, Pa rms over 0 to 500 Hz.")] = 1e-3,
+    seconds: Annotated[
+        float | None,
+        typer.Option(
+            help="Cut training short where it would take longer; the result then depends on the machine.",
+            show_default="no limit",
+        ),
+    ] = None,
+    epochs: Annotated[int, typer.Option(help="How many epochs, of 200 touches of every point.")] = 20,
+    noise: Noise = None,
     seed: Annotated[int, typer.Option(help="Of the touches and the network.")] = 0,
 ) -> None:
     """Train a localizer on touches made from a library.
 
-    Example: [bold]acoustic-fem train library.nc --out localizer --seconds 30[/bold]
+    Example: [bold]acoustic-fem train library.nc --out localizer --epochs 10[/bold]
     """
     import acoustic_fem
-    from localize import TrainingPlan
-    from localize import train as train_localizer
     from studies.folders import check_folder
 
     check_folder(out)
-    plan = TrainingPlan(time_limit=seconds, epochs=epochs, microphone_noise=noise, seed=seed)
-    loaded = acoustic_fem.load(library)
+    from localize import TrainingPlan
+    from localize import train as train_localizer
+    from localize.dataset import response_of
+
+    with _named(time_limit="--seconds", epochs="--epochs", microphone_noise="--noise", seed="--seed"):
+        plan = TrainingPlan(time_limit=seconds, epochs=epochs, microphone_noise=_noise(noise), seed=seed)
+    loaded = response_of(acoustic_fem.load(library))
     with _display() as display, display.stage("Localizer") as report:
         report("training", 0.0)
         localizer = train_localizer(
@@ -268,7 +302,8 @@ def train(
         )
         localizer.save(out)
     accuracy = localizer.training["held_out_accuracy"][-1]
-    print(f"{out}: {localizer.training['epochs']} epochs, {accuracy:.1%} of held-out touches named right")
+    short = f", cut short by --seconds {seconds:g}" if localizer.training["cut_short"] else ""
+    print(f"{out}: {localizer.training['epochs']} epochs{short}, {accuracy:.1%} of held-out touches named right")
 
 
 @app.command()
@@ -278,31 +313,35 @@ def evaluate(
     ],
     library: LibraryFile,
     touches: Annotated[int, typer.Option(help="Held-out touches of every point.")] = 200,
-    noise: Annotated[float, typer.Option(help="Microphone noise in the touches, Pa rms over 0 to 500 Hz.")] = 1e-3,
-    seed: Annotated[int, typer.Option(help="Of the touches.")] = 0,
+    noise: Noise = None,
+    seed: Annotated[int, typer.Option(min=0, help="Of the touches.")] = 0,
     out: Annotated[Path | None, typer.Option(help="Write the result here as JSON too.", show_default=False)] = None,
 ) -> None:
     """How often a localizer names the touched point, on touches it has never heard; the Bayes decoder beside it.
 
     Example: [bold]acoustic-fem evaluate localizer library.nc[/bold]
     """
-    from threadpoolctl import threadpool_limits
-
     import acoustic_fem
-    from localize import BayesDecoder, load_localizer
-    from localize import evaluate as evaluate_localizer
     from studies.folders import check_new_file, write_json
 
     check_new_file(out)
+    from localize import BayesDecoder, load_localizer
+    from localize import evaluate as evaluate_localizer
+    from localize.dataset import response_of
+    from localize.evaluation import check_evaluation
+
     localizer = load_localizer(model)
-    loaded = acoustic_fem.load(library)
+    loaded = response_of(acoustic_fem.load(library))
+    level = _noise(noise)
+    with _named(touches_per_point="--touches", microphone_noise="--noise"):
+        check_evaluation(localizer, loaded, touches, level)
+        decoder = BayesDecoder(loaded, level if level == "design" else max(level, LEAST_NOISE))
     results: dict[str, Evaluation] = {}
-    with _display() as display, display.stage("Evaluation") as report, threadpool_limits(1):
+    with _display() as display, display.stage("Evaluation") as report:
         report("network", 0.0)
-        results["network"] = evaluate_localizer(localizer, loaded, touches, noise, seed=seed)
+        results["network"] = evaluate_localizer(localizer, loaded, touches, level, seed=seed)
         report("Bayes decoder", 0.5)
-        decoder = BayesDecoder(loaded, max(noise, 1e-6))
-        results["Bayes decoder"] = evaluate_localizer(decoder, loaded, touches, noise, seed=seed)
+        results["Bayes decoder"] = evaluate_localizer(decoder, loaded, touches, level, seed=seed)
     table = table_of("", "top-1 (%)", "top-2 (%)", "within one place (%)", "most confused", numbers=(1, 2, 3))
     for name, result in results.items():
         pair = result.hardest_pair
@@ -324,18 +363,17 @@ def run(
 ) -> None:
     """Everything for one design: parts, transfer functions, localizer, figures, and report.html.
 
-    Takes about two minutes for twelve points; a second run finds its 3-D cells on disk.
+    Takes about a minute for twelve points, where nothing else runs; a second run finds its 3-D cells on disk. Runs
+    of one design on one machine give the same figures, however busy it is.
 
     Example: [bold]acoustic-fem run array-2x6 --out demo[/bold], then open demo/report.html
     """
     from geometry import resolve_design
-    from studies.folders import claim_folder
     from studies.results import verdict
+    from studies.run import check_points, run_design
 
     resolved = resolve_design(design)
-    claim_folder(out)
-    from studies.run import run_design
-
+    check_points(resolved, design)
     with _display() as display:
         result = run_design(resolved, out, display=display)
     print(verdict(result))
@@ -347,6 +385,22 @@ def _display() -> Display:
     from studies.display import Display
 
     return Display(sys.stderr)
+
+
+def _noise(level: float | None) -> NoiseChoice:
+    return "design" if level is None else level
+
+
+@contextmanager
+def _named(**options: str) -> Iterator[None]:
+    """Call an argument in a refusal by the option that the user gave."""
+    try:
+        yield
+    except ValueError as error:
+        field = re.match(r"\w+", str(error))
+        if field is None or field[0] not in options:
+            raise
+        raise ValueError(options[field[0]] + str(error)[field.end() :]) from None
 
 
 def _frequencies(text: str) -> Any:

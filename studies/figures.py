@@ -41,6 +41,25 @@ _STYLE: dict[Any, Any] = {
 }
 
 
+def crop_picture(path: Path, margin: int = 16) -> None:
+    """Cut away the white around a picture but for ``margin`` pixels; a picture that is all white is left as it is."""
+    from matplotlib.image import imread, imsave
+
+    pixels = imread(path)
+    edges = []
+    for axis in (1, 0):
+        inked = np.flatnonzero((pixels[..., :3] < 1).any(axis=(axis, 2)))
+        if not len(inked):
+            return
+        edges.append(slice(max(inked[0] - margin, 0), inked[-1] + margin + 1))
+    beside = path.with_name(f".{path.stem}.{os.getpid()}.png")
+    try:
+        imsave(beside, pixels[edges[0], edges[1], :3])
+        os.replace(beside, path)
+    finally:
+        beside.unlink(missing_ok=True)
+
+
 def draw_transfer_functions(transfer_function: xr.DataArray, path: str | os.PathLike[str]) -> Path:
     """Level (dB) and unwrapped phase (degrees) against frequency, a row per microphone, a curve per point."""
     h, frequency = _in_band(transfer_function)

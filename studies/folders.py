@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import shutil
+import tempfile
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
@@ -12,13 +13,24 @@ from typing import Any
 
 #: Marks a folder as the result of a run, which a later run may replace.
 MARK = ".acoustic-fem-run"
+#: What a run writes: the design first, the report last.
+DESIGN = "design.toml"
+RESULTS = ("library.nc", "parts", "localizer", "figures")
+REPORT = ("report.html", "results.json")
 
 
-def claim_folder(out: str | os.PathLike[str]) -> Path:
-    """Make the folder of a run, or take over that of an earlier one, whose report is removed.
+def claim_folder(out: str | os.PathLike[str], design: str) -> Path:
+    """Make the folder of a run, or take over that of an earlier one.
+
+    The report of the earlier run is removed; where it was of another design, so is everything else that it made, the
+    design file last, so that no folder ever holds results of two designs.
+
+    Args:
+        out: the folder.
+        design: the complete design file of the new run, which is written.
 
     Raises:
-        ValueError: it is a file, or it holds what no run made.
+        ValueError: it is a file, it holds what no run made, or it cannot be written.
     """
     folder = Path(out)
     check_folder(folder)
@@ -29,8 +41,11 @@ def claim_folder(out: str | os.PathLike[str]) -> Path:
         )
     folder.mkdir(parents=True, exist_ok=True)
     (folder / MARK).write_text("Made by acoustic-fem run, which replaces what lies here when it runs again.\n")
-    for stale in ("report.html", "results.json"):
-        (folder / stale).unlink(missing_ok=True)
+    of_earlier = folder / DESIGN
+    same = of_earlier.is_file() and of_earlier.read_text(encoding="utf-8", errors="replace") == design
+    for name in REPORT if same else (*REPORT, *RESULTS, DESIGN):
+        _remove(folder / name)
+    write_text(of_earlier, design)
     return folder
 
 
@@ -46,8 +61,7 @@ def check_new_file(path: Path | None) -> None:
         raise ValueError(f"{path}: is a folder; --out must be a file")
     if not path.parent.is_dir():
         raise ValueError(f"{path}: --out must lie in a folder that exists; there is no {path.parent}")
-    if not os.access(path.parent, os.W_OK):
-        raise ValueError(f"{path}: --out cannot be written: no permission to write to {path.parent}")
+    _check_writable(path, path.parent)
 
 
 def check_folder(path: Path) -> None:
@@ -59,20 +73,50 @@ def check_folder(path: Path) -> None:
     place = next(folder for folder in (path, *path.absolute().parents) if folder.exists())
     if not place.is_dir():
         raise ValueError(f"{path}: --out must be a folder; {place} is a file")
-    if not os.access(place, os.W_OK):
-        raise ValueError(f"{path}: --out cannot be written: no permission to write to {place}")
+    _check_writable(path, place)
 
 
 @contextmanager
 def replaced_folder(folder: Path) -> Iterator[Path]:
-    """An empty folder beside, which takes the place of ``folder`` when all went well."""
-    fresh = folder.with_name(f".{folder.name}.new")
-    shutil.rmtree(fresh, ignore_errors=True)
+    """An empty folder beside, which takes the place of ``folder`` when all went well, and is removed when not.
+
+    The old folder is kept until the new one is in its place.
+    """
+    fresh, old = (folder.with_name(f".{folder.name}.{word}") for word in ("new", "old"))
+    _remove(fresh)
     fresh.mkdir(parents=True)
-    yield fresh
-    if folder.exists():
-        shutil.rmtree(folder)
-    os.replace(fresh, folder)
+    try:
+        yield fresh
+        _remove(old)
+        if folder.exists():
+            os.replace(folder, old)
+        try:
+            os.replace(fresh, folder)
+        except BaseException:
+            if old.exists():
+                os.replace(old, folder)
+            raise
+        _remove(old)
+    finally:
+        _remove(fresh)
+
+
+def _check_writable(path: Path, place: Path) -> None:
+    # A file without a name is tried: the permission bits say nothing of /proc or of a full or read-only disk.
+    try:
+        with tempfile.TemporaryFile(dir=place):
+            pass
+    except OSError as error:
+        reason = error.strerror or str(error)
+        raise ValueError(f"{path}: --out cannot be written: {reason}: {place}") from None
+
+
+def _remove(path: Path) -> None:
+    """Remove a file or a folder, if it is there."""
+    if path.is_dir() and not path.is_symlink():
+        shutil.rmtree(path)
+    else:
+        path.unlink(missing_ok=True)
 
 
 def write_text(path: Path, text: str) -> None:

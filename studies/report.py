@@ -21,6 +21,7 @@ from studies.results import (
     agreement_sentence,
     confusion_sentence,
     key_figures,
+    noise_sentence,
     point_rows,
     printing_sentence,
     training_sentence,
@@ -131,7 +132,7 @@ def _assumptions(result: RunResult) -> list[str]:
         "A membrane is glued on its rim without pre-stress and moves in the shape of its first mode; its material: "
         f"{design.membrane.material}, E = {membrane.youngs_modulus:g} MPa, loss factor {membrane.loss_factor:g} "
         f"({membrane.source}).",
-        f"The microphone ({design.microphone.model}): {design.microphone.source}.",
+        noise_sentence(result),
         "One point is touched at a time, and the made sensor is exactly the designed one: scatter of bores, volumes "
         "and membranes is not in the numbers above and will cost accuracy unless the sensor is calibrated.",
         f"Touches are multi-sines of 1 to 100 components from {BAND[0]:g} to {BAND[1]:g} Hz with white noise; taps and "

@@ -16,12 +16,15 @@ from studies.metrics import BAND, attenuation, sensitivity, worst_heard
 
 if TYPE_CHECKING:
     from geometry.design import ArrayDesign
+    from localize import Evaluation
     from studies.run import RunResult
 
 #: Lumped and Navier-Stokes transfer functions should agree within this: relative magnitude, degrees.
 AGREEMENT = (0.015, 1.0)
 #: Frequency at which the sensitivity of a point is stated, Hz.
 SENSITIVITY_AT = 10.0
+#: Pairs that are named where many are as hard to tell apart as the hardest.
+NAMED_PAIRS = 3
 
 
 @dataclass(frozen=True)
@@ -48,7 +51,9 @@ def verdict(result: RunResult) -> str:
     level, phase, _ = result.separability.between(first, second)
     hardest = f"Hardest to tell apart are points {first} and {second}"
     if others:
-        hardest += " (and equally " + ", ".join(f"{i} and {j}" for i, j in others[:3]) + ")"
+        more = len(others) - NAMED_PAIRS
+        hardest += " (and equally " + ", ".join(f"{i} and {j}" for i, j in others[:NAMED_PAIRS])
+        hardest += f" and {more} more pair{'s' * (more > 1)})" if more > 0 else ")"
     hardest += f": {level:.2g} dB and {phase:.2g} degrees apart over {BAND[0]:g} to {BAND[1]:g} Hz."
     return f"{found} {hardest} {printing_sentence(result)}"
 
@@ -85,15 +90,36 @@ def confusion_sentence(result: RunResult) -> str:
     )
 
 
+def noise_phrase(evaluation: Evaluation) -> str:
+    """Which noise the microphones had."""
+    if evaluation.noise_source == "white":
+        return f"white microphone noise of {evaluation.microphone_noise:.2g} Pa rms over 0 to 500 Hz"
+    return f"the noise of the design's microphone, {evaluation.microphone_noise:.2g} Pa rms over 1 to 500 Hz"
+
+
+def noise_sentence(result: RunResult) -> str:
+    """Which noise the localizer was trained and judged with, and where its figures come from."""
+    network, microphone = result.network, result.design.microphone
+    text = f"Training and held-out touches have {noise_phrase(network)}"
+    if network.noise_source == "white":
+        return text + ", not that of the design's microphone."
+    return text + (
+        f": {microphone.noise_density:g} Pa/√Hz, rising as 1/f in power below {microphone.noise_corner:g} "
+        f"Hz, divided by the microphone's response, which falls below {microphone.vent_corner:g} Hz, and so given as "
+        f"pressure in its chamber. Where all microphone figures come from ({microphone.model}): {microphone.source}."
+    )
+
+
 def training_sentence(result: RunResult) -> str:
     """How long the localizer was trained, and whether the time ran out."""
     training, planned = result.training, result.training["plan"]
-    touches = planned["epochs"] * planned["seconds_per_point"] * result.design.point_count
     text = f"The localizer was trained on {training['touches']} touches in {training['seconds']:.0f} s"
-    if training["touches"] >= touches:
+    if not training["cut_short"]:
         return text + "."
+    touches = planned["epochs"] * planned["seconds_per_point"] * result.design.point_count
     return text + (
-        f" of {touches} planned; then its time was up. More time makes it better: acoustic-fem train, --seconds."
+        f" of {touches} planned: its limit of {planned['time_limit']:g} s cut it short, so that its accuracy depends "
+        "on how busy the machine was. More time makes it better."
     )
 
 
@@ -131,7 +157,7 @@ def key_figures(result: RunResult) -> list[KeyFigure]:
     first, second = result.separability.equally_hard[0]
     level, phase, distance = result.separability.between(first, second)
     network, bayes = result.network, result.bayes
-    noise = f"touches of {network.samples / 1000:g} s, microphone noise {network.microphone_noise:g} Pa rms"
+    noise = f"touches of {network.samples / 1000:g} s, {noise_phrase(network)}"
     figures = [
         KeyFigure("points", f"{design.point_count}", f"{len(design.lines)} line{'s' * (len(design.lines) > 1)}"),
         KeyFigure("microphones", f"{len(design.microphones)}", design.microphone.model),

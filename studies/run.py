@@ -12,7 +12,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
-from threadpoolctl import threadpool_limits
 
 from geometry.design import ArrayDesign
 from geometry.layout import place
@@ -31,8 +30,11 @@ if TYPE_CHECKING:
 
 #: Whole hertz up to half the sample rate of the signals: the stimuli's white noise needs all of them.
 FREQUENCY = tuple(float(f) for f in range(1, 501))
-#: The localizer is trained within this time: for few points, per point, and at most, s.
-TRAINING_SECONDS, TRAINING_SECONDS_PER_POINT, LONGEST_TRAINING = 40.0, 3.0, 300.0
+#: The localizer is trained for so many epochs, with so many touches of each point per epoch and at most so many in all:
+#: 25 s for 12 points and about five minutes for the largest arrays on one idle core, as many on a busy one.
+EPOCHS, TOUCHES_PER_POINT, MOST_TOUCHES = 20, 200, 300_000
+#: Pixels of the picture of one point, before it is cropped.
+POINT_PICTURE = (1600, 700)
 #: Held-out touches in all, and at least per point.
 EVALUATION_TOUCHES, LEAST_TOUCHES_PER_POINT = 3000, 40
 
@@ -86,22 +88,23 @@ def run_design(
         display: shows what is being done.
         fidelity: of the library, see :func:`acoustic_fem.solve`.
         frequency: (n_freq,) Hz, covering 1 to 100 Hz; by default 1, 2, ..., 500 Hz.
-        training: how to train the localizer; by default within :func:`training_seconds`.
+        training: how to train the localizer; by default :func:`training_plan`, with which the same design gives the
+            same report whatever else the machine does. The localizer is judged with the noise it was trained with.
 
     Raises:
         ValueError: the folder holds something else, or the design cannot be built, solved or decoded.
         OSError: the folder cannot be written.
     """
     import acoustic_fem
-    import geometry
-    from localize import BayesDecoder, TrainingPlan, evaluate, train
+    from geometry.design_file import write_design
+    from localize import BayesDecoder, evaluate, train
     from studies.report import write_report
 
     show = display or Display()
-    folder = claim_folder(out)
-    training = training or TrainingPlan(time_limit=training_seconds(design.point_count))
+    check_points(design)
+    folder = claim_folder(out, write_design(design.completed()))
+    training = training or training_plan(design.point_count)
     grid = np.asarray(FREQUENCY if frequency is None else frequency, np.float64)
-    geometry.save_design(design.completed(), folder / "design.toml")
 
     with show.stage("Parts") as report:
         parts, files, printing, figures = _make_parts(design, folder, report)
@@ -116,6 +119,7 @@ def run_design(
         if fidelity != "lumped":
             inside = (grid >= BAND[0]) & (grid <= BAND[1])
             lumped = acoustic_fem.solve(design, grid[inside], fidelity="lumped")
+    limits = _said_of_models(caught, show)
     distances = separability(library.transfer_function)
 
     with show.stage("Localizer") as report:
@@ -125,8 +129,7 @@ def run_design(
         )
         with replaced_folder(folder / "localizer") as fresh:
             localizer.save(fresh)
-    # One thread: the matrices are small, and on a busy machine threads that wait for each other cost five times more.
-    with show.stage("Evaluation") as report, threadpool_limits(1):
+    with show.stage("Evaluation") as report:
         touches = max(LEAST_TOUCHES_PER_POINT, EVALUATION_TOUCHES // design.point_count)
         report("network", 0.0)
         network = evaluate(localizer, library, touches, training.microphone_noise)
@@ -157,7 +160,7 @@ def run_design(
         files=files,
         layout_notes=place(design).notes,
         validity=model_validity(design, library.medium, worst_heard(library.transfer_function, BAND[1])[0]),
-        warnings=tuple(dict.fromkeys(str(entry.message) for entry in caught)),
+        warnings=limits,
         figures=figures,
         seconds=show.seconds,
     )
@@ -166,9 +169,29 @@ def run_design(
     return result
 
 
-def training_seconds(points: int) -> float:
-    """Time limit of the localizer's training: 40 s for up to 13 points, then 3 s per point, at most 300 s."""
-    return min(max(TRAINING_SECONDS, TRAINING_SECONDS_PER_POINT * points), LONGEST_TRAINING)
+def training_plan(points: int) -> TrainingPlan:
+    """How a run trains: by the number of points alone, without a limit of time, with the design's microphone noise."""
+    from localize import TrainingPlan
+
+    touches = min(TOUCHES_PER_POINT, max(1, MOST_TOUCHES // (EPOCHS * points)))
+    return TrainingPlan(epochs=EPOCHS, seconds_per_point=touches, microphone_noise="design")
+
+
+def check_points(design: ArrayDesign, source: str | None = None) -> None:
+    """Refuse a design with nothing to tell apart, before any work.
+
+    Args:
+        design: the design.
+        source: what to call it in the message, such as its file; by default its name.
+
+    Raises:
+        ValueError: it has one point in all.
+    """
+    if design.point_count < 2:
+        raise ValueError(
+            f"{source or design.name}: lines.0.points = {design.point_count} must be at least 2: run needs at least 2 "
+            "points, to tell one from the other; solve and parts take one"
+        )
 
 
 def cell_lines(library: Library) -> list[str]:
@@ -187,12 +210,23 @@ def cell_lines(library: Library) -> list[str]:
     return lines
 
 
+def _said_of_models(caught: list[warnings.WarningMessage], show: Display) -> tuple[str, ...]:
+    """Tell the user every warning; those that speak of a model's limits are returned for the report."""
+    from acoustic_fem.cell_cache import CacheWarning
+
+    told = dict.fromkeys((entry.category, str(entry.message)) for entry in caught)
+    for _, message in told:
+        show.note(f"note: {message}")
+    return tuple(message for category, message in told if not issubclass(category, CacheWarning))
+
+
 # -- stages ------------------------------------------------------------------------------------------------
 def _make_parts(
     design: ArrayDesign, folder: Path, report: Report
 ) -> tuple[PartSet, tuple[ExportedFile, ...], PrintReport, dict[str, Path]]:
     from geometry import build_parts, export, print_report
     from geometry.views import draw_array, draw_point
+    from studies.figures import crop_picture
 
     report("CAD", 0.0)
     parts = build_parts(design)
@@ -205,13 +239,15 @@ def _make_parts(
     report("pictures", 0.7)
     figures = {
         "array": draw_array(design, folder / "figures" / "array.png", parts, size=(1600, _picture_height(design))),
-        "point": draw_point(design, folder / "figures" / "point.png", parts),
+        "point": draw_point(design, folder / "figures" / "point.png", parts, size=POINT_PICTURE),
     }
+    for path in figures.values():
+        crop_picture(path)
     return parts, files, printing, figures
 
 
 def _picture_height(design: ArrayDesign) -> int:
-    """Pixels of a picture 1600 wide that leave little white above and below the array."""
+    """Pixels of a picture 1600 wide in which the array is as large as can be, with room for names."""
     width, depth, _ = array_size(design)
     return int(np.clip(1600 * (0.15 + depth / width), 500, 1400))
 

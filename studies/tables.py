@@ -65,6 +65,9 @@ def show_check(found: DesignCheck) -> None:
     for cell, places in found.cells:
         table.add_row(cell.label, str(places))
     show(table)
+    for line in found.fidelities:
+        print(line)
+    print()
     table = table_of("part", "count", numbers=(1,))
     for part, count in found.part_counts.items():
         table.add_row(part, str(count))

@@ -11,7 +11,7 @@ from geometry.design import ArrayDesign
 from localize import TrainingPlan
 from studies.run import RunResult, run_design
 
-PLAN = TrainingPlan(seconds_per_point=150, epochs=3)
+PLAN = TrainingPlan(seconds_per_point=150, epochs=3, microphone_noise="design")
 
 
 def small_design() -> ArrayDesign:

@@ -14,14 +14,16 @@ from PIL import Image
 from small_run import small_run
 
 from geometry.printing import Finding, PrintReport
+from localize.noise import microphone_noise
 from studies.display import number
-from studies.figures import draw_confusion, draw_transfer_functions
-from studies.metrics import Disagreement
+from studies.figures import crop_picture, draw_confusion, draw_transfer_functions
+from studies.metrics import Disagreement, Separability
 from studies.report import render
 from studies.results import (
     agreement_sentence,
     confusion_sentence,
     key_figures,
+    noise_sentence,
     printing_sentence,
     training_sentence,
     verdict,
@@ -155,10 +157,58 @@ def test_what_the_localizer_confuses_is_set_against_the_distances() -> None:
 def test_a_training_cut_short_is_said() -> None:
     result = small_run()
     assert f"{result.training['touches']} touches" in training_sentence(result)
-    assert "time was up" not in training_sentence(result)
-    short = replace(result, training={**result.training, "touches": 450})
+    assert "cut it short" not in training_sentence(result)
+    plan = {**result.training["plan"], "time_limit": 7.0}
+    short = replace(result, training={**result.training, "touches": 450, "cut_short": True, "plan": plan})
     assert "450 touches" in training_sentence(short)
-    assert "of 1350 planned; then its time was up" in training_sentence(short)
+    assert "of 1350 planned: its limit of 7 s cut it short" in training_sentence(short)
+
+
+def test_the_page_says_which_noise_was_used_and_that_its_figures_are_assumed(page: Page) -> None:
+    result = small_run()
+    rms = microphone_noise(result.design.microphone, result.library.medium).rms
+    assert result.network.microphone_noise == result.bayes.microphone_noise == rms
+    assert f"the noise of the design's microphone, {rms:.2g} Pa rms over 1 to 500 Hz" in page.text
+    assert (
+        "Where all microphone figures come from (SPH1878LR5H-C): no datasheet figure found; all assumed." in page.text
+    )
+    white = replace(result.network, microphone_noise=1e-3, noise_source="white")
+    told = noise_sentence(replace(result, network=white))
+    assert "white microphone noise of 0.001 Pa rms over 0 to 500 Hz, not that of the design's microphone" in told
+
+
+def test_equally_hard_pairs_that_are_not_named_are_counted() -> None:
+    result = small_run()
+    for count, words in ((2, "(and equally 2 and 3)"), (4, "3 and 4, 4 and 5)"), (7, "4 and 5 and 3 more pairs)")):
+        even = np.abs(np.subtract.outer(np.arange(count + 1.0), np.arange(count + 1.0)))
+        distances = Separability(tuple(range(1, count + 2)), even, np.zeros_like(even))
+        assert len(distances.equally_hard) == count
+        assert words in verdict(replace(result, separability=distances))
+    five = np.abs(np.subtract.outer(np.arange(6.0), np.arange(6.0)))
+    told = verdict(replace(result, separability=Separability(tuple(range(1, 7)), five, np.zeros_like(five))))
+    assert "4 and 5 and 1 more pair)" in told
+
+
+def test_the_pictures_have_no_wide_margin_and_the_point_is_not_too_tall() -> None:
+    for name in ("array", "point"):
+        inked = (np.asarray(Image.open(small_run().figures[name]).convert("RGB")) < 255).any(axis=2)
+        for axis in (0, 1):
+            used = np.flatnonzero(inked.any(axis=axis))
+            assert used[0] <= 16, name
+            assert inked.shape[1 - axis] - 1 - used[-1] <= 16, name
+    assert Image.open(small_run().figures["point"]).height <= 700
+
+
+def test_a_picture_is_cropped_to_its_content(tmp_path) -> None:
+    picture = np.full((100, 200, 3), 255, np.uint8)
+    picture[40:60, 70:170] = 10
+    Image.fromarray(picture).save(tmp_path / "a.png")
+    crop_picture(tmp_path / "a.png", margin=5)
+    cropped = np.asarray(Image.open(tmp_path / "a.png").convert("RGB"))
+    assert np.array_equal(cropped, picture[35:65, 65:175])
+    Image.fromarray(np.full((50, 60, 3), 255, np.uint8)).save(tmp_path / "white.png")
+    crop_picture(tmp_path / "white.png")
+    assert Image.open(tmp_path / "white.png").size == (60, 50)
 
 
 def test_a_failing_part_is_named_at_the_top() -> None:
