@@ -175,7 +175,7 @@ def converge(
         ConvergenceError: three refinements do not reach the accuracy.
     """
     from acoustic_fem.condensed import condense
-    from geometry.mesh import mesh_solid
+    from geometry.mesh import InvertedElementsError, mesh_solid
 
     started = time.perf_counter()
     low, high = checked_band or band
@@ -199,7 +199,14 @@ def converge(
         furthest = max(furthest, done)
         report(furthest)
 
-    coarse = solved(_COARSER * scale, lambda done: advance(0.25 * done))
+    for left in range(_MOST_REFINEMENTS, -1, -1):
+        try:
+            coarse = solved(_COARSER * scale, lambda done: advance(0.25 * done))
+            break
+        except InvertedElementsError:
+            if left == 0:
+                raise
+            scale /= _COARSER
     for _ in range(_MOST_REFINEMENTS + 1):
         fine = solved(scale, lambda done: advance(0.25 + 0.7 * done))
         error = _difference(fine, coarse, checked) / (_COARSER**_ORDER - 1)

@@ -66,9 +66,9 @@ def store(key: str, arrays: dict[str, NDArray], about: dict[str, Any]) -> None:
         )
 
 
-def fetch(key: str) -> tuple[dict[str, NDArray], dict[str, Any]] | None:
-    """Read what :func:`store` wrote, or None where there is nothing usable."""
-    path = cache_folder() / f"{key}.cell"
+def fetch(key: str, folder: Path | None = None) -> tuple[dict[str, NDArray], dict[str, Any]] | None:
+    """Read what :func:`store` wrote, or None where there is nothing usable; from the cache by default."""
+    path = (folder or cache_folder()) / f"{key}.cell"
     try:
         raw = path.read_bytes()
     except (FileNotFoundError, NotADirectoryError):

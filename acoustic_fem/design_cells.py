@@ -7,12 +7,14 @@ import os
 import queue
 import subprocess
 import sys
+import tempfile
 import threading
 from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass
 from functools import partial
 from importlib.metadata import version
-from typing import Any
+from pathlib import Path
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -39,6 +41,9 @@ _FIRST_SCALE = 1.2
 CELL_MODEL_VERSION = 3
 
 _MODELS = ("heat", "viscous", "flow")
+
+#: Arrays and plain values of a solved cell, as the cache keeps them.
+_Record: TypeAlias = tuple[dict[str, NDArray[Any]], dict[str, Any]]
 
 
 class CellError(RuntimeError):
@@ -139,8 +144,9 @@ def solve_cells(
     checked_physics(fidelity)
     band = (min(DESIGN_BAND[0], float(grid[0])), max(DESIGN_BAND[1], float(grid[-1])))
     tasks = [_Task(cell, medium, band, fidelity) for cell in cells]
-    missing = [task for task in tasks if cell_cache.fetch(task.key) is None]
-    done = {task: float(task not in missing) for task in tasks}
+    records = {task: record for task in tasks if (record := cell_cache.fetch(task.key)) is not None}
+    missing = [task for task in tasks if task not in records]
+    done = {task: float(task in records) for task in tasks}
 
     def report(task: _Task, fraction: float) -> None:
         done[task] = fraction
@@ -148,20 +154,24 @@ def solve_cells(
             origin = "" if task in missing else " (from the cache)"
             progress(task.cell.label + origin, sum(done.values()) / len(tasks))
 
+    def keep(task: _Task, record: _Record) -> None:
+        records[task] = record
+        cell_cache.store(task.key, *record)
+
     for task in tasks:
         if task not in missing:
             report(task, 1.0)
     workers = min(len(missing), os.cpu_count() or 1)
     if workers > 1:
-        _solve_side_by_side(missing, workers, report)
+        _solve_side_by_side(missing, workers, report, keep)
     else:
         for task in missing:
-            _solve(task, partial(report, task))
-    return {task.cell: _stored_solution(task, grid, cached=task not in missing) for task in tasks}
+            keep(task, _solve(task, partial(report, task)))
+    return {task.cell: _solution(task, records[task], grid, cached=task not in missing) for task in tasks}
 
 
-def _solve(task: _Task, report: Callable[[float], None]) -> None:
-    """Solve one cell and put it into the cache."""
+def _solve(task: _Task, report: Callable[[float], None]) -> _Record:
+    """Solve one cell."""
     from acoustic_fem.navier_stokes import WallMotion
     from geometry.air import MIRROR, OPENING, air_volume
 
@@ -211,17 +221,14 @@ def _solve(task: _Task, report: Callable[[float], None]) -> None:
         "seconds": solved.seconds,
         "models": models,
     }
-    cell_cache.store(task.key, arrays, about)
+    return arrays, about
 
 
-def _stored_solution(task: _Task, grid: NDArray[np.float64], cached: bool) -> CellSolution:
+def _solution(task: _Task, record: _Record, grid: NDArray[np.float64], cached: bool) -> CellSolution:
     from acoustic_fem.condensed import CondensedBody
     from acoustic_fem.frequency import ReducedModel
 
-    stored = cell_cache.fetch(task.key)
-    if stored is None:
-        raise CellError(f"{task.cell.label}: its solution is not in {cell_cache.cache_folder()}; was it deleted?")
-    arrays, about = stored
+    arrays, about = record
 
     def model(name: str) -> ReducedModel:
         kept = about["models"][name]
@@ -258,12 +265,18 @@ def _stored_solution(task: _Task, grid: NDArray[np.float64], cached: bool) -> Ce
     )
 
 
-def _solve_side_by_side(tasks: Sequence[_Task], workers: int, report: Callable[[_Task, float], None]) -> None:
-    """Solve cells in processes of their own, which hand their results over through the cache.
+def _solve_side_by_side(
+    tasks: Sequence[_Task],
+    workers: int,
+    report: Callable[[_Task, float], None],
+    keep: Callable[[_Task, _Record], None],
+) -> None:
+    """Solve cells in processes of their own, which hand their results over through a cache of their own.
 
     Plain child programs rather than a process pool: a pool would import the caller's main program again.
     """
     waiting = list(tasks)
+    handover = tempfile.TemporaryDirectory(prefix="acoustic-fem-cells-")
     messages: queue.Queue[tuple[int, str | None]] = queue.Queue()
     running: dict[int, tuple[_Task, subprocess.Popen[str]]] = {}
 
@@ -271,6 +284,7 @@ def _solve_side_by_side(tasks: Sequence[_Task], workers: int, report: Callable[[
         number = len(tasks) - len(waiting)
         task = waiting.pop(0)
         environment = {**os.environ, "PYTHONPATH": os.pathsep.join(p for p in sys.path if p)}
+        environment["ACOUSTIC_FEM_CACHE"] = handover.name
         for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"):
             environment[name] = "1"
         child = subprocess.Popen(
@@ -307,19 +321,24 @@ def _solve_side_by_side(tasks: Sequence[_Task], workers: int, report: Callable[[
             if child.returncode != 0:
                 raise CellError(complaint.splitlines()[-1] if complaint else f"{task.cell.label}: the solver died")
             del running[number]
+            record = cell_cache.fetch(task.key, Path(handover.name))
+            if record is None:
+                raise CellError(f"{task.cell.label}: the solver ended without a result")
+            keep(task, record)
             if waiting:
                 start()
     finally:
         for _, child in running.values():
             child.kill()
             child.wait()
+        handover.cleanup()
 
 
 def _child() -> int:
     """Solve the cell described on standard input; write the fraction done to standard output."""
     task = _Task.from_json(sys.stdin.read())
     try:
-        _solve(task, lambda fraction: print(fraction, flush=True))
+        cell_cache.store(task.key, *_solve(task, lambda fraction: print(fraction, flush=True)))
     except CellError as error:
         print(error, file=sys.stderr)
         return 1

@@ -29,6 +29,10 @@ class MeshError(ValueError):
     """A solid that cannot be meshed as asked; the message says why."""
 
 
+class InvertedElementsError(MeshError):
+    """Curved elements that are turned inside out: the mesh is too coarse for the shape."""
+
+
 @dataclass(frozen=True)
 class MeshSizes:
     """Element sizes as multiples of the radius of the nearest port, and the largest size (mm)."""
@@ -94,7 +98,7 @@ def mesh_solid(
     volume = float(solids[0].Volume())
     mesh_volume, smallest = _volume(nodes, tetrahedra)
     if smallest <= 0:
-        raise MeshError(f"the mesh has inverted elements (smallest Jacobian {smallest:g})")
+        raise InvertedElementsError(f"the mesh has inverted elements (smallest Jacobian {smallest:g})")
     if abs(mesh_volume - volume) > 1e-2 * volume:
         raise MeshError(f"the mesh has {mesh_volume:g} mm^3, the solid {volume:g} mm^3")
     return SolidMesh(nodes, tetrahedra, triangles, normals, volume, mesh_volume)
@@ -140,8 +144,8 @@ def _run_gmsh(
         gmsh.option.setNumber("Mesh.MeshSizeFromCurvature", 0)
         gmsh.option.setNumber("Mesh.MeshSizeMax", sizes.largest)
         gmsh.option.setNumber("Mesh.Algorithm3D", 1)
-        # gmsh's optimiser of curved elements is left off: where it fails it ends the whole program. The
-        # Jacobians are checked instead.
+        # Left off: where gmsh's optimiser of curved elements fails it ends the whole program, and its elastic
+        # one takes minutes. The Jacobians are checked instead.
         gmsh.option.setNumber("Mesh.HighOrderOptimize", 0)
         gmsh.option.setNumber("Mesh.ElementOrder", 2)
         gmsh.model.mesh.generate(3)

@@ -37,6 +37,7 @@ class Fidelity(StrEnum):
     """What the air of a cell is computed with."""
 
     lumped = "lumped"
+    helmholtz = "helmholtz"
     navier_stokes = "navier-stokes"
 
 

@@ -111,7 +111,7 @@ def _cell_rows(result: RunResult) -> list[dict[str, Any]]:
 
 def _lumped_differences(result: RunResult) -> dict[str, list[float]]:
     """Per cell and frequency: largest difference of the lumped nodal admittance, in percent of its largest entry."""
-    from acoustic_fem.cell import solve_cells
+    from acoustic_fem.design_cells import solve_cells
     from acoustic_fem.lumped_cell import lumped_admittance
 
     medium, frequency = result.library.medium, np.array(CELLS_COMPARED_AT)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
+import tempfile
 
 # Before NumPy, torch or VTK are imported. The tests run in parallel processes: one thread each.
 for _variable in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"):
@@ -12,6 +13,11 @@ os.environ.setdefault("MPLBACKEND", "Agg")
 os.environ.setdefault("PYVISTA_OFF_SCREEN", "true")
 if sys.platform == "linux" and not os.environ.get("DISPLAY"):
     os.environ.setdefault("VTK_DEFAULT_OPENGL_WINDOW", "vtkEGLRenderWindow")  # not X first, which warns
+
+# One cache of cells for all processes of a test run, apart from the user's own.
+if "ACOUSTIC_FEM_CACHE" not in os.environ:
+    _cache = tempfile.TemporaryDirectory(prefix="acoustic-fem-tests-")
+    os.environ["ACOUSTIC_FEM_CACHE"] = _cache.name
 
 from hypothesis import settings
 

@@ -261,7 +261,9 @@ def test_an_altered_library_is_refused_by_the_name_of_what_was_altered(library, 
 def test_a_library_with_its_axes_in_another_order_is_the_same(library, tmp_path):
     acoustic_fem.save(library, tmp_path / "library.nc")
     with xr.open_dataset(tmp_path / "library.nc", engine="netcdf4", mask_and_scale=False) as opened:
-        opened.load().transpose("frequency", "microphone", "point").to_netcdf(tmp_path / "t.nc", engine="netcdf4")
+        opened.load().transpose("frequency", "microphone_2", "microphone", "point").to_netcdf(
+            tmp_path / "t.nc", engine="netcdf4"
+        )
     again = acoustic_fem.load(tmp_path / "t.nc")
     for name in RESULTS:
         xr.testing.assert_identical(getattr(again, name), getattr(library, name))
@@ -286,11 +288,11 @@ def test_a_bad_frequency_grid_is_refused(frequency, message):
     assert message in str(error.value)
 
 
-@pytest.mark.parametrize("fidelity", ["helmholtz", "exact", ""])
+@pytest.mark.parametrize("fidelity", ["exact", ""])
 def test_an_unknown_fidelity_is_refused_with_the_known_ones(fidelity):
     with pytest.raises(ValueError) as error:
         acoustic_fem.solve(DESIGN, BAND, fidelity)
-    assert str(error.value) == f"fidelity = {fidelity!r} must be one of: lumped, navier-stokes"
+    assert str(error.value) == f"fidelity = {fidelity!r} must be one of: lumped, helmholtz, navier-stokes"
 
 
 def test_a_library_cannot_be_changed_by_accident(library):

@@ -102,6 +102,10 @@ def navier_stokes():
     return design, {cell: done.admittance for cell, done in solve_cells(cells, WIDE_BAND, AIR).items()}
 
 
+def shortened(name, points):
+    design = prototype(name)
+    return design.with_values({f"lines.{k}.points": points for k in range(len(design.lines))})
+
 
 @pytest.mark.parametrize(
     "design",
