@@ -72,7 +72,7 @@ def port_admittance(
     Args:
         solid: one closed CadQuery solid of air in mm, or the path of a STEP file.
         ports: name -> a point on its flat face, mm.
-        frequency: (n_freq,) Hz, ascending, 1e-3 to 2000.
+        frequency: (n_freq,) Hz, ascending, 1e-3 to 2000, or one number.
         medium: the gas.
         fidelity: ``"navier-stokes"`` (linearised, the one to trust) or ``"helmholtz"`` (scalar; wrong by
             about 5 % where a tube opens into a cavity, see :mod:`acoustic_fem.helmholtz`).
@@ -82,7 +82,7 @@ def port_admittance(
 
     Returns:
         (n_freq, n_port, n_port) complex128, m^3/(Pa s): volume velocities into the cell per unit port
-        pressure, ports in the order given. Symmetric.
+        pressure, ports in the order given; (n_port, n_port) at one frequency. Symmetric.
 
     Raises:
         ValueError: bad frequencies, ports, fidelity or accuracy, with the value and what is allowed.
@@ -90,9 +90,10 @@ def port_admittance(
         LinearSolverError: a solve misses its residual limit.
         ConvergenceError: three refinements do not reach the accuracy.
     """
-    grid = frequency_grid(frequency)
+    grid = frequency_grid(np.atleast_1d(np.asarray(frequency, dtype=np.float64)))
     solved = solve_solid(solid, ports, (float(grid[0]), float(grid[-1])), medium, fidelity, accuracy, progress)
-    return solved.body.nodal_admittance(grid)
+    admittance = solved.body.nodal_admittance(grid)
+    return admittance[0] if np.ndim(frequency) == 0 else admittance
 
 
 class ConvergenceError(RuntimeError):
@@ -107,8 +108,6 @@ def solve_solid(
     fidelity: str = "navier-stokes",
     accuracy: float = 1e-3,
     progress: Progress | None = None,
-    motions: Sequence[WallMotion] = (),
-    moving: Mapping[str, Point] | None = None,
 ) -> SolvedBody:
     """Condense a body of air of any shape over a band, with its convergence.
 
@@ -120,8 +119,6 @@ def solve_solid(
         fidelity: ``"navier-stokes"`` or ``"helmholtz"``.
         accuracy: as for :func:`port_admittance`.
         progress: called with a label and the fraction done.
-        motions: walls that move, each a node after the ports.
-        moving: name -> a point, for the faces named by ``motions``.
 
     Raises:
         As :func:`port_admittance`.
@@ -132,9 +129,8 @@ def solve_solid(
         raise ValueError("ports must name at least one port")
     shape = as_shape(solid)
     box = shape.BoundingBox()
-    faces = {**ports, **(moving or {})}
     return converge(
-        shape, faces, tuple(ports), motions, None, medium, band, physics, accuracy,
+        shape, ports, tuple(ports), (), None, medium, band, physics, accuracy,
         min(box.xlen, box.ylen, box.zlen), lambda done: None if progress is None else progress("cell", done),
     )  # fmt: skip
 
@@ -182,12 +178,19 @@ def converge(
     checked = np.geomspace(low, high, 5) if high > low else np.array([low])
 
     def solved(scale: float, advance: Callable[[float], None]) -> CondensedBody:
-        flow_sizes, heat_sizes = mesh_sizes(scale, width, medium, band[1])
+        for finer in (1.0, 1.3, 1.7):
+            try:
+                flow, heat = (
+                    mesh_solid(shape, faces, tubes, sizes)
+                    for sizes in mesh_sizes(scale / finer, width, medium, band[1])
+                )
+                break
+            except InvertedElementsError:
+                if finer == 1.7:
+                    raise
         return condense(
-            mesh_solid(shape, faces, tubes, flow_sizes),
-            mesh_solid(shape, faces, tubes, heat_sizes),
-            tubes, motions, mirror, medium, band, physics, tolerance=1e-2 * accuracy, report=advance,
-        )  # fmt: skip
+            flow, heat, tubes, motions, mirror, medium, band, physics, tolerance=1e-2 * accuracy, report=advance
+        )
 
     if scale is None:
         scale = (accuracy / 1e-3) ** (1 / _ORDER)
@@ -199,14 +202,7 @@ def converge(
         furthest = max(furthest, done)
         report(furthest)
 
-    for left in range(_MOST_REFINEMENTS, -1, -1):
-        try:
-            coarse = solved(_COARSER * scale, lambda done: advance(0.25 * done))
-            break
-        except InvertedElementsError:
-            if left == 0:
-                raise
-            scale /= _COARSER
+    coarse = solved(_COARSER * scale, lambda done: advance(0.25 * done))
     for _ in range(_MOST_REFINEMENTS + 1):
         fine = solved(scale, lambda done: advance(0.25 + 0.7 * done))
         error = _difference(fine, coarse, checked) / (_COARSER**_ORDER - 1)

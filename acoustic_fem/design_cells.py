@@ -14,7 +14,7 @@ from dataclasses import asdict, dataclass
 from functools import partial
 from importlib.metadata import version
 from pathlib import Path
-from typing import Any, TypeAlias
+from typing import IO, Any, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -28,17 +28,17 @@ from geometry.cells import Cell, CellPort
 #: Cells of a design are solved over at least this band (Hz), so that another grid finds them in the cache.
 DESIGN_BAND = (1.0, 500.0)
 
-#: Relative error aimed at in the admittances of a design's cells up to this frequency (Hz), and at higher
-#: ones where they are asked for beyond the band. A stub's opening is a quarter of its cell's resistance and a
-#: hundredth of a tube's: seen through the tubes the error is ten to twenty times smaller.
-DESIGN_ACCURACY = 5e-3
+#: Largest relative error of the bare cell's admittances that is accepted, up to this frequency (Hz) and beyond
+#: it where frequencies above the band are asked for. An opening is a quarter of a cell's resistance and a
+#: hundredth of a tube's: seen through its tubes a cell's error is about ten times smaller.
+DESIGN_ACCURACY = 1e-2
 CHECKED_UP_TO = 200.0
 
-#: Scale of the first mesh: it meets the accuracy in the cells of all prototypes, so that none is meshed again.
+#: Scale of the first mesh; most cells of the prototypes are then within 3e-3.
 _FIRST_SCALE = 1.2
 
 #: Part of the cache key: raise it when the mesh or the equations of a cell change.
-CELL_MODEL_VERSION = 3
+CELL_MODEL_VERSION = 4
 
 _MODELS = ("heat", "viscous", "flow")
 
@@ -277,12 +277,14 @@ def _solve_side_by_side(
     """
     waiting = list(tasks)
     handover = tempfile.TemporaryDirectory(prefix="acoustic-fem-cells-")
+    complaints: dict[int, IO[str]] = {}
     messages: queue.Queue[tuple[int, str | None]] = queue.Queue()
     running: dict[int, tuple[_Task, subprocess.Popen[str]]] = {}
 
     def start() -> None:
         number = len(tasks) - len(waiting)
         task = waiting.pop(0)
+        complaints[number] = open(Path(handover.name) / f"{number}.log", "w+", encoding="utf-8")  # noqa: SIM115
         environment = {**os.environ, "PYTHONPATH": os.pathsep.join(p for p in sys.path if p)}
         environment["ACOUSTIC_FEM_CACHE"] = handover.name
         for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"):
@@ -291,7 +293,7 @@ def _solve_side_by_side(
             [sys.executable, "-m", "acoustic_fem.design_cells"],
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
-            stderr=subprocess.PIPE,
+            stderr=complaints[number],
             text=True,
             env=environment,
         )
@@ -299,14 +301,17 @@ def _solve_side_by_side(
         threading.Thread(target=listen, args=(number, task, child), daemon=True).start()
 
     def listen(number: int, task: _Task, child: subprocess.Popen[str]) -> None:
-        if child.stdin is None or child.stdout is None:
-            raise RuntimeError("the child program has no pipes")
-        child.stdin.write(task.as_json())
-        child.stdin.close()
-        for line in child.stdout:
-            messages.put((number, line))
-        child.stdin = None  # closed above; communicate() would flush it
-        messages.put((number, None))
+        try:
+            if child.stdin is not None and child.stdout is not None:
+                # Left open: its end tells the child that its parent is gone.
+                child.stdin.write(task.as_json() + "\n")
+                child.stdin.flush()
+                for line in child.stdout:
+                    messages.put((number, line))
+        except OSError:
+            pass  # the child died early; its exit status says so
+        finally:
+            messages.put((number, None))
 
     try:
         for _ in range(workers):
@@ -317,9 +322,13 @@ def _solve_side_by_side(
             if line is not None:
                 report(task, float(line))
                 continue
-            complaint = child.communicate()[1].strip()
-            if child.returncode != 0:
-                raise CellError(complaint.splitlines()[-1] if complaint else f"{task.cell.label}: the solver died")
+            status = child.wait()
+            complaints[number].seek(0)
+            said = complaints[number].read().strip()
+            if status != 0:
+                raise CellError(said.splitlines()[-1] if said else f"{task.cell.label}: the solver ended with {status}")
+            if said:
+                print(said, file=sys.stderr)
             del running[number]
             record = cell_cache.fetch(task.key, Path(handover.name))
             if record is None:
@@ -331,12 +340,20 @@ def _solve_side_by_side(
         for _, child in running.values():
             child.kill()
             child.wait()
+        for log in complaints.values():
+            log.close()
         handover.cleanup()
 
 
 def _child() -> int:
     """Solve the cell described on standard input; write the fraction done to standard output."""
-    task = _Task.from_json(sys.stdin.read())
+    task = _Task.from_json(sys.stdin.readline())
+
+    def end_with_parent() -> None:
+        sys.stdin.read()
+        os._exit(1)
+
+    threading.Thread(target=end_with_parent, daemon=True).start()
     try:
         cell_cache.store(task.key, *_solve(task, lambda fraction: print(fraction, flush=True)))
     except CellError as error:

@@ -20,7 +20,7 @@ from geometry.cells import Cell, cell_catalogue
 from geometry.design import ArrayDesign
 from geometry.layout import ArrayLayout, place
 
-#: What the air of a cell may be computed with, cheapest first.
+#: What the air of a cell may be computed with; the last is the one to trust.
 FIDELITIES = ("lumped", "helmholtz", "navier-stokes")
 
 #: Name -> dimensions, units and description of the results.
@@ -101,7 +101,8 @@ def solve(
     Args:
         design: the array.
         frequency: (n_freq,) ascending, 1e-3 to 2e3 Hz.
-        fidelity: "lumped" (closed forms) or "navier-stokes" (3-D cells).
+        fidelity: "lumped" (closed forms), "helmholtz" (scalar 3-D cells, a cross-check that is wrong at openings)
+            or "navier-stokes" (3-D cells, the one to trust).
         medium: the air; by default that of the design.
         progress: called with what is being done and the fraction done, 0 to 1.
 

@@ -40,7 +40,7 @@ class MeshSizes:
     mouth_edge: float
     """At the re-entrant edge where a tube meets the cavity."""
     tube: float
-    """Along the stub of a tube."""
+    """Along the stub of a tube, and, in radii of curvature, on every curved face."""
     growth: float
     """Increase of size per distance from the mouth."""
     largest: float
@@ -141,7 +141,8 @@ def _run_gmsh(
         _set_sizes(surfaces, tubes, named, sizes)
         gmsh.option.setNumber("Mesh.MeshSizeExtendFromBoundary", 0)
         gmsh.option.setNumber("Mesh.MeshSizeFromPoints", 0)
-        gmsh.option.setNumber("Mesh.MeshSizeFromCurvature", 0)
+        # Fillets and domes: as many elements a turn as a tube has.
+        gmsh.option.setNumber("Mesh.MeshSizeFromCurvature", 2 * math.pi / sizes.tube)
         gmsh.option.setNumber("Mesh.MeshSizeMax", sizes.largest)
         gmsh.option.setNumber("Mesh.Algorithm3D", 1)
         # Left off: where gmsh's optimiser of curved elements fails it ends the whole program, and its elastic
@@ -187,23 +188,34 @@ def _set_sizes(
     fields = []
     # A mirror plane cuts through tubes without being their wall.
     others = {tag for name, tag in surfaces.items() if name not in tubes}
-    for name in tubes:
-        surface = surfaces[name]
-        radius = _port_radius(surface, others, named[name])
+    ends = {surfaces[name] for name in tubes}
+    stubs = [(surfaces[name], _port_radius(surfaces[name], others, named[name])) for name in tubes]
+    tube_walls: list[tuple[set[int], float]] = []
+    for surface, radius in stubs:
         edges = [tag for _, tag in gmsh.model.getBoundary([(2, surface)], oriented=False)]
         walls = {int(wall) for edge in edges for wall in gmsh.model.getAdjacencies(1, edge)[0]} - {surface} - others
-        wall_edges = {tag for wall in walls for _, tag in gmsh.model.getBoundary([(2, wall)], oriented=False)}
-        # A seam joins a face to itself; a mouth edge joins the tube's wall to another face.
+        tube_walls.append((walls, radius))
+    known: set[int] = {wall for walls, _ in tube_walls for wall in walls}
+    # Tubes that end at no port: between cavities, or a microphone's sound hole. The kernel does not call every
+    # round tube a cylinder.
+    tube_walls += [
+        ({tag}, radius)
+        for _, tag in gmsh.model.getEntities(2)
+        if tag not in known and gmsh.model.getType(2, tag) != "Plane"
+        if sizes.tube * (radius := _curvature_radius(tag)) < sizes.largest / 2
+    ]
+    for walls, radius in tube_walls:
+        rims = {tag for wall in walls for _, tag in gmsh.model.getBoundary([(2, wall)], oriented=False)}
+        # A seam joins a face to itself; a mouth edge joins the tube's wall to another face, but to no port.
         mouth = [
             tag
-            for tag in wall_edges - set(edges)
-            if len(beside := set(gmsh.model.getAdjacencies(1, tag)[0])) > 1 and not beside & others
+            for tag in rims
+            if len(beside := set(gmsh.model.getAdjacencies(1, tag)[0])) > 1 and not beside & (others | ends)
         ]
-        stub = [surface, *walls]
         at_mouth = min(sizes.mouth_edge * radius, sizes.tube_layer)
         fields.append(_size_around("CurvesList", mouth, at_mouth, 0.0, sizes))
         along = min(sizes.tube * radius, sizes.tube_layer)
-        fields.append(_size_around("SurfacesList", stub, along, 1.2 * radius, sizes))
+        fields.append(_size_around("SurfacesList", sorted(walls), along, 1.2 * radius, sizes))
     if sizes.wall is not None:
         everywhere = [tag for _, tag in gmsh.model.getEntities(2)]
         fields.append(_size_around("SurfacesList", everywhere, sizes.wall, sizes.wall, sizes))
@@ -220,6 +232,17 @@ def _port_radius(surface: int, others: set[int], face: cadquery.Face) -> float:
     edges = [tag for _, tag in gmsh.model.getBoundary([(2, surface)], oriented=False)]
     halved = any(set(gmsh.model.getAdjacencies(1, edge)[0]) & others for edge in edges)
     return math.sqrt((2 if halved else 1) * face.Area() / math.pi)
+
+
+def _curvature_radius(surface: int) -> float:
+    """Smaller radius of curvature at the middle of a surface's parameters, infinite where it is flat."""
+    import gmsh
+
+    low, high = gmsh.model.getParametrizationBounds(2, surface)
+    middle = [(a + b) / 2 for a, b in zip(low, high, strict=True)]
+    largest, smallest, _, _ = gmsh.model.getPrincipalCurvatures(surface, middle)
+    curvature = max(abs(largest[0]), abs(smallest[0]))
+    return 1 / curvature if curvature > 0 else math.inf
 
 
 def _size_around(kind: str, tags: list[int], near: float, reach: float, sizes: MeshSizes) -> int:

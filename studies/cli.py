@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import signal
 import sys
 import traceback
 import warnings
@@ -60,6 +61,7 @@ LEAST_NOISE = 1e-6
 def main() -> NoReturn:
     """Run the command line: exit code 0; 1 with one line on stderr for bad input; 2 for a wrong command line."""
     warnings.showwarning = _show_warning
+    signal.signal(signal.SIGTERM, lambda *_: fail("stopped", 143))  # so that child programs are ended too
     try:
         app(prog_name="acoustic-fem")
     except KeyboardInterrupt:
@@ -194,7 +196,11 @@ def solve(
     design: Design,
     out: Annotated[Path, typer.Option(help="The library to write, netCDF.", show_default=False)],
     fidelity: Annotated[
-        Fidelity, typer.Option(help="lumped: closed forms, at once; navier-stokes: 3-D cells, the one to trust.")
+        Fidelity,
+        typer.Option(
+            help="lumped: closed forms, at once; helmholtz: scalar 3-D cells, a cross-check; "
+            "navier-stokes: 3-D cells, the one to trust."
+        ),
     ] = Fidelity.navier_stokes,
     frequencies: Annotated[
         str, typer.Option(metavar="FIRST:LAST:COUNT", help="Frequencies in Hz, evenly spaced.")

@@ -217,7 +217,7 @@ def test_check_says_what_each_fidelity_costs_and_how_far_lumped_is_off(command: 
     told = command("check", row).out
     assert "lumped: milliseconds; from navier-stokes, 1 to 100 Hz, it was at most 0.3 % and 0.2 degrees on arr" in told
     assert "1.1 % and 0.44 degrees on large-area-64" in told
-    assert "navier-stokes, the default: about 5 s per distinct cell, here 2: 10 s; then from the cache" in told
+    assert "navier-stokes, the default: about 8 s per distinct cell, here 2: 16 s; then from the cache" in told
 
 
 # -- bad input ----------------------------------------------------------------------------------------------
