@@ -61,7 +61,7 @@ LEAST_NOISE = 1e-6
 def main() -> NoReturn:
     """Run the command line: exit code 0; 1 with one line on stderr for bad input; 2 for a wrong command line."""
     warnings.showwarning = _show_warning
-    signal.signal(signal.SIGTERM, lambda *_: fail("stopped", 143))  # so that child programs are ended too
+    signal.signal(signal.SIGTERM, _stop)
     try:
         app(prog_name="acoustic-fem")
     except KeyboardInterrupt:
@@ -71,6 +71,12 @@ def main() -> NoReturn:
             raise  # a mistake of the program: its traceback says where
         fail(f"{error.filename}: {error.strerror}" if isinstance(error, OSError) else str(error))
     sys.exit(0)
+
+
+def _stop(*_: object) -> NoReturn:
+    """End in order when told to: child programs are ended and temporary folders removed on the way out."""
+    signal.signal(signal.SIGTERM, signal.SIG_IGN)  # a second one would cut that short
+    fail("stopped", 143)
 
 
 def _is_refusal(error: Exception) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import subprocess
 import sys
 import time
@@ -363,3 +364,25 @@ def test_what_is_done_is_told_in_plain_lines_where_there_is_no_terminal(command:
     assert "\x1b" not in told.err + told.out
     assert "Cells: network" in told.err.splitlines()
     assert told.err.count("closed form") == 3
+
+
+@pytest.mark.slow
+def test_a_solve_that_is_told_to_stop_ends_its_child_programs_and_leaves_no_temporary_folder(tmp_path: Path) -> None:
+    environment = {**os.environ, "ACOUSTIC_FEM_CACHE": str(tmp_path / "cache"), "TMPDIR": str(tmp_path)}
+    program = subprocess.Popen(
+        [sys.executable, "-m", "studies.cli", "solve", "array-2x6", "--out", str(tmp_path / "library.nc")],
+        env=environment,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+    deadline = time.monotonic() + 60
+    while not list(tmp_path.glob("acoustic-fem-cells-*/*.log")) and time.monotonic() < deadline:
+        time.sleep(0.1)
+    assert list(tmp_path.glob("acoustic-fem-cells-*/*.log"))
+    program.terminate()
+    _, said = program.communicate(timeout=30)
+    assert program.returncode == 143
+    assert "stopped" in said
+    assert "Traceback" not in said
+    assert not list(tmp_path.glob("acoustic-fem-cells-*"))
+    assert not (tmp_path / "library.nc").exists()
