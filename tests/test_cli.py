@@ -367,6 +367,7 @@ def test_what_is_done_is_told_in_plain_lines_where_there_is_no_terminal(command:
 
 
 @pytest.mark.slow
+@pytest.mark.skipif((os.cpu_count() or 1) < 2, reason="cells are solved in child programs on several cores only")
 def test_a_solve_that_is_told_to_stop_ends_its_child_programs_and_leaves_no_temporary_folder(tmp_path: Path) -> None:
     environment = {**os.environ, "ACOUSTIC_FEM_CACHE": str(tmp_path / "cache"), "TMPDIR": str(tmp_path)}
     program = subprocess.Popen(
