@@ -178,16 +178,7 @@ def converge(
     checked = np.geomspace(low, high, 5) if high > low else np.array([low])
 
     def solved(scale: float, advance: Callable[[float], None]) -> CondensedBody:
-        for finer in (1.0, 1.3, 1.7):
-            try:
-                flow, heat = (
-                    mesh_solid(shape, faces, tubes, sizes)
-                    for sizes in mesh_sizes(scale / finer, width, medium, band[1])
-                )
-                break
-            except InvertedElementsError:
-                if finer == 1.7:
-                    raise
+        flow, heat = (mesh_solid(shape, faces, tubes, sizes) for sizes in mesh_sizes(scale, width, medium, band[1]))
         return condense(
             flow, heat, tubes, motions, mirror, medium, band, physics, tolerance=1e-2 * accuracy, report=advance
         )
@@ -202,17 +193,24 @@ def converge(
         furthest = max(furthest, done)
         report(furthest)
 
-    coarse = solved(_COARSER * scale, lambda done: advance(0.25 * done))
+    coarse: CondensedBody | None = None
+    failure = ""
     for _ in range(_MOST_REFINEMENTS + 1):
-        fine = solved(scale, lambda done: advance(0.25 + 0.7 * done))
-        error = _difference(fine, coarse, checked) / (_COARSER**_ORDER - 1)
-        if error <= accuracy:
+        try:
+            if coarse is None:
+                coarse = solved(_COARSER * scale, lambda done: advance(0.25 * done))
+            fine = solved(scale, lambda done: advance(0.25 + 0.7 * done))
+        except InvertedElementsError as error:
+            # Too coarse for the shape: both meshes get finer, since the estimate rests on their ratio.
+            scale, coarse, failure = scale / _COARSER, None, str(error)
+            continue
+        mesh_error = _difference(fine, coarse, checked) / (_COARSER**_ORDER - 1)
+        if mesh_error <= accuracy:
             report(1.0)
-            return SolvedBody(fine, error, time.perf_counter() - started)
+            return SolvedBody(fine, mesh_error, time.perf_counter() - started)
         scale, coarse = scale / _COARSER, fine
-    raise ConvergenceError(
-        f"the mesh error is still {error:.2g} after {_MOST_REFINEMENTS} refinements, above accuracy = {accuracy:g}"
-    )
+        failure = f"the mesh error is still {mesh_error:.2g}, above accuracy = {accuracy:g}"
+    raise ConvergenceError(f"after {_MOST_REFINEMENTS} refinements {failure}")
 
 
 def _difference(first: CondensedBody, second: CondensedBody, frequency: NDArray[np.float64]) -> float:

@@ -64,7 +64,14 @@ class CondensedBody:
 
         Returns:
             (n_freq, m, m) complex128, m^3/(Pa s): ports first, then wall motions.
+
+        Raises:
+            ValueError: a frequency outside the band the body was solved for.
         """
+        low, high = self.flow.lowest, self.flow.highest
+        outside = frequency[(frequency < low * (1 - 1e-9)) | (frequency > high * (1 + 1e-9))]
+        if outside.size:
+            raise ValueError(f"frequency = {outside[0]:g} Hz must be between {low:g} and {high:g} Hz, the band solved")
         if self.physics == "navier-stokes":
             return self.copies * _navier_stokes_response(self, frequency)
         return self.copies * _helmholtz_response(self, frequency)

@@ -3,11 +3,8 @@
 from __future__ import annotations
 
 import hashlib
-import platform
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from datetime import UTC, datetime
-from importlib.metadata import PackageNotFoundError, version
 from typing import Any
 
 import numpy as np
@@ -16,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from acoustic_fem.checks import frequency_grid
 from acoustic_fem.medium import Medium
+from acoustic_fem.provenance import versions
 from geometry.cells import Cell, cell_catalogue
 from geometry.design import ArrayDesign
 from geometry.layout import ArrayLayout, place
@@ -135,7 +133,11 @@ def solve(
         },
         fidelity,
         medium,
-        {**_provenance(grid), "cells": solved},
+        {
+            **versions(None, ("gmsh", "numpy", "scikit-fem", "scipy", "xarray")),
+            "frequency_sha256": hashlib.sha256(grid.tobytes()).hexdigest(),
+            "cells": solved,
+        },
     )
     report("done", 1.0)
     return library
@@ -199,20 +201,3 @@ def labelled(
         if name in values or name not in OPTIONAL
     }
     return Library(**arrays, design=design, fidelity=fidelity, medium=medium, provenance=dict(provenance))
-
-
-def _provenance(frequency: NDArray[np.float64]) -> dict[str, Any]:
-    def installed(name: str) -> str:
-        try:
-            return version(name)
-        except PackageNotFoundError:
-            return "not installed"
-
-    return {
-        "code_version": installed("acoustic-fem"),
-        "created": datetime.now(UTC).isoformat(timespec="seconds"),
-        "seed": None,
-        "frequency_sha256": hashlib.sha256(frequency.tobytes()).hexdigest(),
-        "python": platform.python_version(),
-        "libraries": {name: installed(name) for name in ("gmsh", "numpy", "scikit-fem", "scipy", "xarray")},
-    }

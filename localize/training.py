@@ -3,19 +3,17 @@
 from __future__ import annotations
 
 import math
-import platform
 from collections.abc import Callable
 from dataclasses import asdict, dataclass
-from datetime import UTC, datetime
-from importlib.metadata import PackageNotFoundError, version
 from time import perf_counter
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 import torch
 from numpy.typing import NDArray
 from torch import Tensor, nn
 
+from acoustic_fem.provenance import versions
 from localize.dataset import ArrayResponse, TouchGenerator, TouchSignals, response_of
 from localize.features import map_count
 from localize.frames import FRAME
@@ -161,7 +159,10 @@ def train(
             "cut_short": touch_count < plan.epochs * _steps_per_epoch(plan, response) * plan.batch,
             "microphone_noise": noise.rms if isinstance(noise, NoiseSpectrum) else noise,
         },
-        provenance={**response.provenance, "localizer": _versions(plan.seed)},
+        provenance={
+            **response.provenance,
+            "localizer": versions(plan.seed, ("numpy", "safetensors", "scipy", "torch")),
+        },
     )
 
 
@@ -259,19 +260,3 @@ def _accuracy(classifier: TouchClassifier, touches: TouchSignals) -> float:
     with torch.inference_mode():
         named = torch.cat([classifier(part).argmax(1) for part in touches.signals.split(512)])
     return float((named == touches.point).double().mean())
-
-
-def _versions(seed: int) -> dict[str, Any]:
-    def installed(name: str) -> str:
-        try:
-            return version(name)
-        except PackageNotFoundError:
-            return "not installed"
-
-    return {
-        "code_version": installed("acoustic-fem"),
-        "created": datetime.now(UTC).isoformat(timespec="seconds"),
-        "seed": seed,
-        "python": platform.python_version(),
-        "libraries": {name: installed(name) for name in ("numpy", "safetensors", "scipy", "torch")},
-    }

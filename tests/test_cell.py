@@ -127,6 +127,8 @@ def test_mesh_error_reported_covers_the_error_in_a_straight_tube():
     exact = duct.port_admittance(2.5e-4, 5e-3, frequency, AIR)
     error = np.abs(solved.body.nodal_admittance(frequency) / exact - 1).max()
     assert error < 1.5 * solved.mesh_error
+    with pytest.raises(ValueError, match=r"frequency = 200 Hz must be between 1 and 100 Hz, the band solved"):
+        solved.body.nodal_admittance(np.array([10.0, 200.0]))
     assert solved.mesh_error <= 2e-3
 
 

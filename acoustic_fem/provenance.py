@@ -1,0 +1,32 @@
+"""What made a result: code, libraries, seed and time, stored with every result."""
+
+from __future__ import annotations
+
+import platform
+from collections.abc import Sequence
+from datetime import UTC, datetime
+from importlib.metadata import PackageNotFoundError, version
+from typing import Any
+
+
+def versions(seed: int | None, libraries: Sequence[str]) -> dict[str, Any]:
+    """Plain values that say what made a result.
+
+    Args:
+        seed: of the random numbers, None where there are none.
+        libraries: distributions whose versions matter.
+    """
+    return {
+        "code_version": _installed("acoustic-fem"),
+        "created": datetime.now(UTC).isoformat(timespec="seconds"),
+        "seed": seed,
+        "python": platform.python_version(),
+        "libraries": {name: _installed(name) for name in libraries},
+    }
+
+
+def _installed(name: str) -> str:
+    try:
+        return version(name)
+    except PackageNotFoundError:
+        return "not installed"
