@@ -22,8 +22,12 @@ from acoustic_fem.linear_solver import SymmetricSolver
 Coefficients = Callable[[NDArray[np.float64]], NDArray[np.complex128]]
 
 
+#: Smallest eigenvalue of a passive admittance's real part, relative to its diagonal, that counts as rounding.
+PASSIVITY_TOLERANCE = 1e-9
+
+
 class SweepError(RuntimeError):
-    """The reduced model did not reach its tolerance."""
+    """The reduced model did not reach its tolerance, or gives energy."""
 
 
 @dataclass(frozen=True)
@@ -128,6 +132,60 @@ def reduce_system(
         lowest=lowest,
         highest=highest,
     )
+
+
+def passivity_margin(admittance: NDArray[np.complex128]) -> NDArray[np.float64]:
+    """How far a network of ports is from giving energy, per frequency.
+
+    The power it takes at port pressures p is p^H (Y + Y^H) p / 4 (peak values), so the least eigenvalue of
+    (Y + Y^H) / 2 must not be negative (Anderson and Vongpanitlerd, Network Analysis and Synthesis (1973),
+    section 2.3); for a reciprocal network that is Re Y. Rows and columns are scaled to |Y_ii| = 1 first, so
+    that no small port hides behind a large one.
+
+    Args:
+        admittance: (n_freq, m, m), m^3/(Pa s); impedances serve as well.
+
+    Returns:
+        (n_freq,) the least eigenvalue, at most 1; -inf where a value is not finite.
+    """
+    values = np.asarray(admittance, dtype=np.complex128)
+    if values.ndim != 3 or values.shape[1] != values.shape[2] or values.shape[1] == 0:
+        raise ValueError(f"admittance has shape {values.shape}; it must be (n_freq, m, m)")
+    finite = np.isfinite(values).all(axis=(1, 2))
+    hermitian = (values + values.conj().transpose(0, 2, 1))[finite] / 2
+    diagonal = np.abs(np.einsum("fii->fi", values[finite]))
+    scale = np.sqrt(np.where(diagonal > 0, diagonal, 1.0))
+    margin = np.full(len(values), -np.inf)
+    margin[finite] = np.linalg.eigvalsh(hermitian / (scale[:, :, None] * scale[:, None, :])).min(axis=1)
+    return margin
+
+
+def require_passive(
+    admittance: NDArray[np.complex128], frequency: NDArray[np.float64], tolerance: float = PASSIVITY_TOLERANCE
+) -> float:
+    """Refuse an admittance that gives energy at any of the frequencies.
+
+    Args:
+        admittance: (n_freq, m, m).
+        frequency: (n_freq,) Hz.
+        tolerance: on the negative side of :func:`passivity_margin`.
+
+    Returns:
+        The smallest margin.
+
+    Raises:
+        SweepError: not passive, or not finite, with the worst frequency.
+    """
+    margin = passivity_margin(admittance)
+    worst = int(np.argmin(margin))
+    if not np.isfinite(margin[worst]):
+        raise SweepError(f"the response at {frequency[worst]:g} Hz is not finite")
+    if margin[worst] < -tolerance:
+        raise SweepError(
+            f"the response at {frequency[worst]:g} Hz gives energy: the least eigenvalue of Re Y is {margin[worst]:.2g} "
+            f"of its diagonal, below -{tolerance:g}"
+        )
+    return float(margin[worst])
 
 
 def _combined(coefficients: NDArray, matrices: Sequence[sp.csr_array]) -> sp.csr_array:

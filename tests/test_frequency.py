@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import scipy.sparse as sp
 
-from acoustic_fem.frequency import SweepError, reduce_system
+from acoustic_fem.frequency import SweepError, passivity_margin, reduce_system, require_passive
 
 N = 300
 STIFFNESS = sp.csr_array(sp.diags_array([-1.0, 2.0, -1.0], offsets=[-1, 0, 1], shape=(N, N)) * N)
@@ -56,3 +56,36 @@ def test_a_band_with_too_many_resonances_is_an_error_with_its_numbers():
 
     with pytest.raises(SweepError, match=r"16 solves between 1 and 1000 Hz leave a change of .* above the tolerance"):
         reduce_system([STIFFNESS, MASS], resonant, [LOAD], phi, (1.0, 1000.0))
+
+
+def test_a_passive_model_has_a_margin_and_an_active_one_is_refused_at_its_worst_frequency():
+    model = reduce_system([STIFFNESS, MASS], theta, [LOAD], phi, (1.0, 1000.0))
+    response = model.response(theta(GRID), phi(GRID))
+    margin = require_passive(response, GRID)
+    assert 0 < margin == passivity_margin(response).min()
+
+    def pumped(frequency):  # storage that gives back more than it took, most so at 100 Hz
+        gain = 0.6 * np.exp(-(np.log(frequency / 100) ** 2))
+        return theta(frequency) * np.exp(1j * np.pi * gain)[:, None]
+
+    active = model.response(pumped(GRID), phi(GRID))
+    assert passivity_margin(active)[0] > 0 > passivity_margin(active).min()
+    with pytest.raises(SweepError, match=r"at \d+(\.\d+)? Hz gives energy: the least eigenvalue of Re Y is -0\.\d+"):
+        require_passive(active, GRID)
+
+
+def test_the_margin_is_the_conductance_between_two_ports_by_hand():
+    conductor = np.array([[1, -1], [-1, 1]], dtype=complex)
+    assert passivity_margin(np.stack([conductor, conductor + 0.5j * np.eye(2)])) == pytest.approx(0, abs=1e-15)
+    # a gyrator neither takes nor gives power; -0.1 S between large ports is seen at the small one's own scale
+    gyrator = np.array([[0, 1], [-1, 0]], dtype=complex)
+    small = np.diag([1e6, -1e-6]).astype(complex)
+    np.testing.assert_allclose(passivity_margin(np.stack([gyrator, small])), [0, -1], atol=1e-15)
+
+
+def test_a_response_that_is_not_finite_or_not_square_is_refused():
+    broken = np.full((1, 2, 2), complex(np.nan, 0))
+    with pytest.raises(SweepError, match=r"the response at 5 Hz is not finite"):
+        require_passive(broken, np.array([5.0]))
+    with pytest.raises(ValueError, match=r"admittance has shape \(2, 2\); it must be \(n_freq, m, m\)"):
+        passivity_margin(np.eye(2))
