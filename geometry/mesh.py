@@ -90,12 +90,34 @@ def mesh_solid(
     if len({face.hashCode() for face in named.values()}) != len(named):
         raise MeshError(f"two of the names {sorted(named)} lie on the same face")
     nodes, tetrahedra, triangles = _run_gmsh(solids[0], named, tubes, sizes)
-    nodes, tetrahedra = _split_wall_corners(nodes, tetrahedra, triangles)
     normals = {}
     for name, face in named.items():
         normal = face.normalAt()
         normals[name] = np.array([normal.x, normal.y, normal.z])
-    volume = float(solids[0].Volume())
+    return checked_mesh(nodes, tetrahedra, triangles, normals, float(solids[0].Volume()))
+
+
+def checked_mesh(
+    nodes: NDArray[np.float64],
+    tetrahedra: NDArray[np.int64],
+    triangles: dict[str, NDArray[np.int64]],
+    normals: dict[str, NDArray[np.float64]],
+    volume: float,
+) -> SolidMesh:
+    """A mesh fit for the solvers: elements that would lock a pressure split, Jacobians and volume checked.
+
+    Args:
+        nodes: as in :class:`SolidMesh`, like all others.
+        tetrahedra: corners, then the middles of :data:`EDGES`.
+        triangles: faces; every face that is no port, moving wall or mirror under :data:`WALL`.
+        normals: of the other faces.
+        volume: of the solid, mm^3.
+
+    Raises:
+        InvertedElementsError: an element is turned inside out.
+        MeshError: the volume differs from the solid's by more than 1 %.
+    """
+    nodes, tetrahedra = _split_wall_corners(nodes, tetrahedra, triangles)
     mesh_volume, smallest = _volume(nodes, tetrahedra)
     if smallest <= 0:
         raise InvertedElementsError(f"the mesh has inverted elements (smallest Jacobian {smallest:g})")
@@ -321,24 +343,25 @@ def _split_wall_corners(
         new_nodes.append(_shape_functions(np.array(inner)) @ nodes[element])
         middle, to_corner = count, [count + 1 + k for k in range(4)]
         count += 5
-        edge = {frozenset(pair): int(element[4 + k]) for k, pair in enumerate(_EDGES)}
+        edge = {frozenset(pair): int(element[4 + k]) for k, pair in enumerate(EDGES)}
         for k in range(4):
             vertices = [middle if i == k else int(element[i]) for i in range(4)]
-            mid_nodes = [to_corner[b if a == k else a] if k in (a, b) else edge[frozenset((a, b))] for a, b in _EDGES]
+            mid_nodes = [to_corner[b if a == k else a] if k in (a, b) else edge[frozenset((a, b))] for a, b in EDGES]
             new_elements.append(vertices + mid_nodes)
     kept = np.delete(tetrahedra, locked, axis=0)
     return np.concatenate(new_nodes), np.concatenate([kept, np.array(new_elements, dtype=np.int64)])
 
 
 _CORNERS = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]])
-_EDGES = ((0, 1), (1, 2), (0, 2), (0, 3), (1, 3), (2, 3))
+#: Corners at both ends of the edges whose middles are the nodes 4 to 9 of a tetrahedron.
+EDGES = ((0, 1), (1, 2), (0, 2), (0, 3), (1, 3), (2, 3))
 
 
 def _shape_functions(points: NDArray[np.float64]) -> NDArray[np.float64]:
     """Quadratic shape functions at reference points (n, 3): (n, 10)."""
     corner = np.column_stack([1 - points.sum(axis=1), points])
     at_corners = corner * (2 * corner - 1)
-    at_edges = np.column_stack([4 * corner[:, a] * corner[:, b] for a, b in _EDGES])
+    at_edges = np.column_stack([4 * corner[:, a] * corner[:, b] for a, b in EDGES])
     return np.column_stack([at_corners, at_edges])
 
 
@@ -347,7 +370,7 @@ def _shape_gradients(point: NDArray[np.float64]) -> NDArray[np.float64]:
     corner = np.array([1 - point.sum(), *point])
     slopes = np.vstack([-np.ones(3), np.eye(3)])
     at_corners = (4 * corner - 1)[:, None] * slopes
-    at_edges = [4 * (corner[a] * slopes[b] + corner[b] * slopes[a]) for a, b in _EDGES]
+    at_edges = [4 * (corner[a] * slopes[b] + corner[b] * slopes[a]) for a, b in EDGES]
     return np.vstack([at_corners, at_edges]).T
 
 
