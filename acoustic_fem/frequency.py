@@ -182,8 +182,8 @@ def require_passive(
         raise SweepError(f"the response at {frequency[worst]:g} Hz is not finite")
     if margin[worst] < -tolerance:
         raise SweepError(
-            f"the response at {frequency[worst]:g} Hz gives energy: the least eigenvalue of Re Y is {margin[worst]:.2g} "
-            f"of its diagonal, below -{tolerance:g}"
+            f"the response at {frequency[worst]:g} Hz gives energy: the least eigenvalue of Re Y is "
+            f"{margin[worst]:.2g} of its diagonal, below -{tolerance:g}"
         )
     return float(margin[worst])
 
