@@ -1,0 +1,103 @@
+"""Verbs on a localizer: train, evaluate."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from studies.cli_options import LibraryFile, Noise, display_on_stderr, named, noise_choice
+from studies.tables import show, table_of
+
+if TYPE_CHECKING:
+    from localize import Evaluation
+
+#: White noise that the Bayes decoder assumes where touches have less, Pa rms.
+LEAST_NOISE = 1e-6
+
+
+def train(
+    library: LibraryFile,
+    out: Annotated[Path, typer.Option(help="The folder to write the localizer to.", show_default=False)],
+    seconds: Annotated[
+        float | None,
+        typer.Option(
+            help="Cut training short where it would take longer; the result then depends on the machine.",
+            show_default="no limit",
+        ),
+    ] = None,
+    epochs: Annotated[int, typer.Option(help="How many epochs, of 200 touches of every point.")] = 20,
+    noise: Noise = None,
+    seed: Annotated[int, typer.Option(help="Of the touches and the network.")] = 0,
+) -> None:
+    """Train a localizer on touches made from a library.
+
+    Example: [bold]acoustic-fem train library.nc --out localizer --epochs 10[/bold]
+    """
+    import acoustic_fem
+    from studies.folders import check_folder
+
+    check_folder(out)
+    from localize import TrainingPlan
+    from localize import train as train_localizer
+    from localize.dataset import response_of
+
+    with named(time_limit="--seconds", epochs="--epochs", microphone_noise="--noise", seed="--seed"):
+        plan = TrainingPlan(time_limit=seconds, epochs=epochs, microphone_noise=noise_choice(noise), seed=seed)
+    loaded = response_of(acoustic_fem.load(library))
+    with display_on_stderr() as display, display.stage("Localizer") as report:
+        report("training", 0.0)
+        localizer = train_localizer(
+            loaded, plan, lambda p: report(f"epoch {p.epoch} of {p.epochs}: {p.accuracy:.1%}", p.epoch / p.epochs)
+        )
+        localizer.save(out)
+    accuracy = localizer.training["held_out_accuracy"][-1]
+    short = f", cut short by --seconds {seconds:g}" if localizer.training["cut_short"] else ""
+    print(f"{out}: {localizer.training['epochs']} epochs{short}, {accuracy:.1%} of held-out touches named right")
+
+
+def evaluate(
+    model: Annotated[
+        Path, typer.Argument(metavar="MODEL", help="A localizer, from train or run (a folder).", show_default=False)
+    ],
+    library: LibraryFile,
+    touches: Annotated[int, typer.Option(help="Held-out touches of every point.")] = 200,
+    noise: Noise = None,
+    seed: Annotated[int, typer.Option(min=0, help="Of the touches.")] = 0,
+    out: Annotated[Path | None, typer.Option(help="Write the result here as JSON too.", show_default=False)] = None,
+) -> None:
+    """How often a localizer names the touched point, on touches it has never heard; the Bayes decoder beside it.
+
+    Example: [bold]acoustic-fem evaluate localizer library.nc[/bold]
+    """
+    import acoustic_fem
+    from studies.folders import check_new_file, write_json
+
+    check_new_file(out)
+    from localize import BayesDecoder, load_localizer
+    from localize import evaluate as evaluate_localizer
+    from localize.dataset import response_of
+    from localize.evaluation import check_evaluation
+
+    localizer = load_localizer(model)
+    loaded = response_of(acoustic_fem.load(library))
+    level = noise_choice(noise)
+    with named(touches_per_point="--touches", microphone_noise="--noise"):
+        check_evaluation(localizer, loaded, touches, level)
+        decoder = BayesDecoder(loaded, level if level == "design" else max(level, LEAST_NOISE))
+    results: dict[str, Evaluation] = {}
+    with display_on_stderr() as display, display.stage("Evaluation") as report:
+        report("network", 0.0)
+        results["network"] = evaluate_localizer(localizer, loaded, touches, level, seed=seed)
+        report("Bayes decoder", 0.5)
+        results["Bayes decoder"] = evaluate_localizer(decoder, loaded, touches, level, seed=seed)
+    table = table_of("", "top-1 (%)", "top-2 (%)", "within one place (%)", "most confused", numbers=(1, 2, 3))
+    for name, result in results.items():
+        pair = result.hardest_pair
+        confused = "none" if pair is None else f"points {pair[0]} and {pair[1]}, {100 * pair[2]:.1f} %"
+        shares = (f"{100 * share:.1f}" for share in (result.top1, result.top2, result.within_one))
+        table.add_row(name, *shares, confused)
+    show(table)
+    if out is not None:
+        write_json(out, {name: result.to_dict() for name, result in results.items()})
