@@ -13,7 +13,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from acoustic_fem.batch_functions import Array, ball_mean, cylinder_mean, hyperbolic, inverse, largest
+from acoustic_fem.batch_functions import Array, ball_mean, hyperbolic, inverse, joined, largest
+from acoustic_fem.batch_interpolation import cylinder_means, disc_means
 from acoustic_fem.batch_parameters import ArrayParameters, MediumParameters
 from acoustic_fem.medium import Medium
 from acoustic_fem.opening import INERTANCE, LARGEST_SHEAR_NUMBER, RESISTANCE
@@ -26,28 +27,30 @@ class Conditions:
     Attributes:
         omega: (n_freq,) rad/s.
         medium: numbers, or arrays of (n_design, 1, 1).
+        blocks: how many blocks of designs are worked on in this way, one after the other.
     """
 
     omega: Array
     medium: Any
+    blocks: int = 1
 
     @classmethod
-    def of(cls, omega: Array, medium: Medium | MediumParameters) -> Conditions:
+    def of(cls, omega: Array, medium: Medium | MediumParameters, blocks: int = 1) -> Conditions:
         """From angular frequencies and the air of all designs or of each."""
         if isinstance(medium, MediumParameters):
             values = {field.name: getattr(medium, field.name).reshape(-1, 1, 1) for field in fields(medium)}
             medium = MediumParameters(**values)
-        return cls(omega, medium)
+        return cls(omega, medium, blocks)
 
     @property
-    def viscous_rate(self) -> Array:
-        """Rate of viscous diffusion w / nu, 1/m^2."""
-        return self.omega * (self.medium.density / self.medium.viscosity)
+    def per_viscosity(self) -> Array:
+        """1 / nu, s/m^2."""
+        return self.medium.density / self.medium.viscosity
 
     @property
-    def thermal_rate(self) -> Array:
-        """Rate of heat diffusion w / alpha, 1/m^2."""
-        return self.omega * (self.medium.density * self.medium.heat_capacity / self.medium.conductivity)
+    def per_diffusivity(self) -> Array:
+        """1 / alpha, s/m^2."""
+        return self.medium.density * self.medium.heat_capacity / self.medium.conductivity
 
     def compliance(self, volume: Array, mean: Array) -> Array:
         """V (gamma - (gamma - 1) <Psi>) / (gamma p), m^3/Pa."""
@@ -100,12 +103,13 @@ def points(parameters: ArrayParameters, air: Conditions) -> Array:
             f"membrane: {highest:.4g} Hz is above half of the highest mode that is kept ({2 * limit:.4g} Hz in vacuo)",
             stacklevel=4,
         )
+    square, loss_square = -((air.omega / (2 * np.pi)) ** 2), loss * loss
     real, imag = 0.0, 0.0
     for mode in range(modes.shape[-1]):
-        dynamic = 1 - (air.omega / (2 * np.pi * modes[..., mode, None])) ** 2
-        weight = parameters.membrane_share[..., mode, None] / (dynamic * dynamic + loss * loss)
+        dynamic = square * modes[..., mode, None] ** -2 + 1
+        weight = parameters.membrane_share[..., mode, None] / (dynamic * dynamic + loss_square)
         real, imag = real + weight * dynamic, imag + weight
-    membrane = parameters.membrane_compliance[..., None] * (real - 1j * (loss * imag))
+    membrane = joined(real, -loss * imag) * parameters.membrane_compliance[..., None]
     return 1j * air.omega * (cavity + membrane)
 
 
@@ -115,7 +119,7 @@ def chambers(parameters: ArrayParameters, air: Conditions) -> Chambers:
     chamber = _cylinder(parameters.chamber_radius[..., None], parameters.chamber_height[..., None], air)
     volume = parameters.back_volume[..., None]
     sphere = (3 * volume / (4 * np.pi)) ** (1 / 3)
-    back = rate * air.compliance(volume, ball_mean(0.5, sphere**2 * air.thermal_rate))
+    back = rate * air.compliance(volume, ball_mean(0.5, sphere**2 * air.per_diffusivity * air.omega))
     front = rate * parameters.diaphragm_compliance[..., None] + parameters.vent_admittance[..., None]
     load = back * front / (back + front)
 
@@ -132,14 +136,17 @@ def _duct(radius: Array, length: Array, air: Conditions) -> tuple[Array, Array, 
     """Z' L, Y' L, cosh(G L) - 1 and sinh(G L) / (G L)."""
     square = radius * radius
     section = np.pi * square
-    impedance = (air.medium.density * length / section) * (1j * air.omega) / ball_mean(0, square * air.viscous_rate)
-    admittance = (1j * air.omega) * air.compliance(section * length, ball_mean(0, square * air.thermal_rate))
+    viscous, thermal = (
+        disc_means(square * rate, air.omega, air.blocks) for rate in (air.per_viscosity, air.per_diffusivity)
+    )
+    impedance = (air.medium.density * length / section) * (1j * air.omega) / viscous
+    admittance = (1j * air.omega) * air.compliance(section * length, thermal)
     return impedance, admittance, *hyperbolic(impedance * admittance)
 
 
 def _entrance(radius: Array, air: Conditions) -> Array:
     """Z = 1.5 mu / a^3 + j w 0.42 rho / a, with the warning of :func:`acoustic_fem.opening.entrance_impedance`."""
-    shear = largest(radius * radius * air.viscous_rate) ** 0.5
+    shear = (largest(radius * radius * air.per_viscosity) * largest(air.omega)) ** 0.5
     if shear > LARGEST_SHEAR_NUMBER:
         warnings.warn(
             f"entrance loss of a tube: shear number a sqrt(w/nu) = {shear:.2g} is above {LARGEST_SHEAR_NUMBER:g}, "
@@ -154,5 +161,5 @@ def _entrance(radius: Array, air: Conditions) -> Array:
 def _cylinder(radius: Array, height: Array, air: Conditions) -> Array:
     """Compliance of closed cylinders, m^3/Pa."""
     square = radius * radius
-    mean = cylinder_mean(square * air.thermal_rate, height / (2 * radius))
+    mean = cylinder_means(square * air.per_diffusivity, height / (2 * radius), air.omega, air.blocks)
     return air.compliance(np.pi * square * height, mean)

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import lru_cache
+from math import factorial
 from types import ModuleType
 from typing import Any, TypeAlias
 
@@ -50,6 +51,15 @@ def inverse(values: Array) -> Array:
     return 1 / values if isinstance(values, np.ndarray) else values.new_ones(()) / values
 
 
+def joined(real: Array, imag: Array) -> Array:
+    """Real and imaginary part as one complex array."""
+    if isinstance(real, np.ndarray):
+        result = np.empty(real.shape, dtype=np.complex128)
+        result.real, result.imag = real, imag
+        return result
+    return namespace(real).complex(real, imag)
+
+
 def ball_mean(order: float, t: Array) -> Array:
     """<Psi> of a disc (order 0) or a ball (order 1/2) of radius R: I_{order+2}(x) / I_{order}(x), x^2 = j t.
 
@@ -84,7 +94,7 @@ def _ball_mean_block(order: float, t: Array) -> Array:
         a, b = 2 * (order + level + 1) - t * imag, t * real
         scale = 1 / (a * a + b * b)
         real, imag = a * scale, -b * scale
-    first, second = _complex(real, imag), _complex(-t * previous[1], t * previous[0])
+    first, second = joined(real, imag), joined(-t * previous[1], t * previous[0])
     return first * second
 
 
@@ -143,13 +153,13 @@ def _cylinder_block(t: Array, aspect: Array, slopes: bool) -> tuple[Array, ...]:
         real_sum += left * rest_real - across * rest_imag
         imag_sum += left * rest_imag + across * rest_real
         if slopes:
-            tanh, rest = _complex(tanh_real, tanh_imag), _complex(rest_real, rest_imag)
+            tanh, rest = joined(tanh_real, tanh_imag), joined(rest_real, rest_imag)
             change = tanh * tanh - rest  # of the rest by log h
-            by_aspect = by_aspect + _complex(left, across) * change
-            ratio = _complex(square / squared_size, -t / squared_size)
-            by_s = by_s + ratio * ratio * (rest * 4 + _complex(0 * t, t * (2 / square)) * change)
+            by_aspect = by_aspect + joined(left, across) * change
+            ratio = joined(square / squared_size, -t / squared_size)
+            by_s = by_s + ratio * ratio * (rest * 4 + joined(0 * t, t * (2 / square)) * change)
     value, tail_by_s, tail_by_aspect = _cylinder_tail(count, t, aspect, slopes)
-    value = value + _complex(real_sum, imag_sum)
+    value = value + joined(real_sum, imag_sum)
     return (value, 1j * (by_s + tail_by_s), by_aspect / aspect + tail_by_aspect) if slopes else (value,)
 
 
@@ -162,26 +172,18 @@ def _in_blocks(function: Callable[[Array, Array], tuple[Array, ...]], t: Array, 
     return tuple(xp.concatenate(parts, 0).reshape(shape) for parts in zip(*pieces, strict=True))
 
 
-def _complex(real: Array, imag: Array) -> Array:
-    if isinstance(real, np.ndarray):
-        result = np.empty(real.shape, dtype=np.complex128)
-        result.real, result.imag = real, imag
-        return result
-    return namespace(real).complex(real, imag)
-
-
 def _cylinder_tail(count: int, t: Array, aspect: Array, slopes: bool) -> tuple[Array, Array, Array]:
     """Terms past ``count``, tanh = 1: 4 s / (l^2 (l^2 + s)) - 4 s / (h l^2 (l^2 + s)^(3/2)), expanded in s = j t."""
     disc, ends = _tail_coefficients(count)
     flat, square = 1 / aspect, -t * t
     wall, caps = (_polynomial((0.0, *terms), t, square) for terms in (disc, ends))
-    value = _complex(wall[0] - flat * caps[0], wall[1] - flat * caps[1])
+    value = joined(wall[0] - flat * caps[0], wall[1] - flat * caps[1])
     if not slopes:
         return value, 0, 0
     rising = [tuple((k + 1) * value for k, value in enumerate(terms)) for terms in (disc, ends)]
     wall_slope, caps_slope = (_polynomial(terms, t, square) for terms in rising)
-    by_s = _complex(wall_slope[0] - flat * caps_slope[0], wall_slope[1] - flat * caps_slope[1])
-    return value, by_s, _complex(caps[0] * flat * flat, caps[1] * flat * flat)
+    by_s = joined(wall_slope[0] - flat * caps_slope[0], wall_slope[1] - flat * caps_slope[1])
+    return value, by_s, joined(caps[0] * flat * flat, caps[1] * flat * flat)
 
 
 def _polynomial(coefficients: tuple[float, ...], t: Array, square: Array) -> tuple[Array, Array]:
@@ -228,12 +230,11 @@ def hyperbolic(g: Array) -> tuple[Array, Array]:
     while rest > 1e-17:
         terms += 1
         rest *= size / ((2 * terms + 1) * (2 * terms + 2))
-    # cosh - 1 = g/2 (1 + g/12 (1 + g/30 (...))), sinh/G = 1 + g/6 (1 + g/20 (...))
-    half, ratio = 1.0, 1.0
-    for k in range(terms, 1, -1):
-        half = 1 + half * g * (1 / ((2 * k - 1) * (2 * k)))
-        ratio = 1 + ratio * g * (1 / (2 * k * (2 * k + 1)))
-    rise, ratio = half * g / 2, 1 + ratio * g / 6
+    # cosh - 1 = g sum of g^k/(2k+2)!, sinh/G = sum of g^k/(2k+1)!
+    half, ratio = g * (1 / factorial(2 * terms)), g * (1 / factorial(2 * terms + 1))
+    for k in range(terms - 1, 0, -1):
+        half, ratio = (half + 1 / factorial(2 * k)) * g, (ratio + 1 / factorial(2 * k + 1)) * g
+    rise, ratio = half, ratio + 1
     for _ in range(doublings):
         rise, ratio = 2 * rise * (rise + 2), ratio * (1 + rise)
     return rise, ratio

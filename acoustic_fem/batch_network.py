@@ -9,8 +9,9 @@ proportional to the number of points; designs, frequencies and lines of equal le
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, fields
+from functools import partial
 from types import ModuleType
 from typing import Any, NamedTuple
 
@@ -31,6 +32,9 @@ from acoustic_fem.medium import Medium
 
 #: Values per array worked on at once (designs x points x frequencies): larger leaves the processor's cache.
 _CHUNK = 100_000
+#: Values in one call from which on torch forgets what lies between and computes it again for the gradient:
+#: a graph takes about 1.5 kB per value.
+_LARGEST_GRAPH = 1_500_000
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,8 +75,10 @@ def batch_response(
     """What ``solve(design, frequency, "lumped")`` computes, for a batch of designs of one topology.
 
     Torch tensors give tensors and can be differentiated by every parameter and by the air (first derivatives;
-    second ones are refused by torch where they pass through a cavity). Validity and warnings as the lumped
-    fidelity.
+    second ones are refused by torch where they pass through a cavity that is not interpolated,
+    :mod:`acoustic_fem.batch_interpolation`). Large batches are worked on in blocks; with gradients one of more
+    than 1.5 million values (points x frequencies x designs) is computed a second time, block by block, on the
+    way back, so that memory stays that of the results. Validity and warnings as the lumped fidelity.
 
     Args:
         parameters: of the designs.
@@ -90,10 +96,18 @@ def batch_response(
         count = check_medium(medium, count, xp)
     omega = xp.asarray(2 * math.pi * grid, device=parameters.tube_radius.device)
     step = max(1, _CHUNK // (topology.point_count * len(grid)))
-    pieces = []
-    for first in range(0, count, step):
-        air = Conditions.of(omega, _rows(medium, first, step))
-        pieces.append(_respond(_rows(parameters, first, step), topology, air, min(step, count - first)))
+    blocks = -(-count // step)
+
+    def block(first: int) -> tuple[Array, Array, Array]:
+        air = Conditions.of(omega, _rows(medium, first, step), blocks)
+        return _respond(_rows(parameters, first, step), topology, air, min(step, count - first))
+
+    work: Callable[[int], tuple[Array, Array, Array]] = block
+    if blocks * _CHUNK > _LARGEST_GRAPH and parameters.needs_gradient:
+        from torch.utils.checkpoint import checkpoint
+
+        work = partial(checkpoint, block, use_reentrant=False)
+    pieces = [work(first) for first in range(0, count, step)]
     return BatchResponse(*(_joined(xp, dict(enumerate(parts)), 0) for parts in zip(*pieces, strict=True)))
 
 

@@ -182,6 +182,11 @@ class ArrayParameters:
         """``numpy`` or ``torch``."""
         return namespace(self.tube_radius)
 
+    @property
+    def needs_gradient(self) -> bool:
+        """Whether any of the numbers is a tensor that torch follows."""
+        return any(getattr(getattr(self, field.name), "requires_grad", False) for field in fields(self))
+
     def map(self, function: Callable[[Array], Array]) -> ArrayParameters:
         """The parameters with a function applied to every field."""
         return ArrayParameters(**{field.name: function(getattr(self, field.name)) for field in fields(self)})

@@ -14,7 +14,8 @@ from random_networks import every_node_at_once, random_parameters, topologies
 from scipy.special import jn_zeros, jve
 
 import acoustic_fem
-from acoustic_fem import batch_functions, batch_network
+from acoustic_fem import batch_functions, batch_interpolation, batch_network
+from acoustic_fem.batch_interpolation import cylinder_means, disc_means
 from acoustic_fem.batch_network import batch_response, batch_transfer_function
 from acoustic_fem.batch_parameters import ArrayParameters, LineWiring, MediumParameters, Topology
 from acoustic_fem.medium import Medium
@@ -72,6 +73,45 @@ def test_hyperbolic_functions_of_the_square_do_not_cancel():
     root = [mpmath.sqrt(mpmath.mpc(value)) for value in square]
     np.testing.assert_allclose(rise, [complex(2 * mpmath.sinh(x / 2) ** 2) for x in root], rtol=1e-13)
     np.testing.assert_allclose(ratio, [complex(mpmath.sinh(x) / x) for x in root], rtol=1e-13)
+
+
+@settings(max_examples=20)
+@given(seeds, st.floats(-8, 1), st.floats(-3, 3), st.floats(0.05, 2))
+def test_interpolated_means_are_the_exact_ones_in_both_parts(seed, scale, aspect, spread):
+    """At sizes anywhere and over several tiles, also beside sizes too few to be interpolated."""
+    generator = np.random.default_rng(seed)
+    omega = 2 * np.pi * np.geomspace(0.1, 500, 5)
+    scales = np.exp(scale + spread * generator.uniform(-1, 1, (150, 4, 1)))
+    aspects = np.exp(aspect + spread * generator.uniform(-1, 1, (150, 4, 1)))
+    pairs = [
+        (disc_means(scales, omega), batch_functions.ball_mean(0, scales * omega), 5e-13),
+        (cylinder_means(scales, aspects, omega), batch_functions.cylinder_mean(scales * omega, aspects), 2e-11),
+    ]
+    for found, exact, tolerance in pairs:
+        np.testing.assert_allclose(found.real, exact.real, rtol=tolerance)
+        np.testing.assert_allclose(found.imag, exact.imag, rtol=tolerance)
+
+
+def test_interpolated_means_have_the_exact_derivatives():
+    generator = np.random.default_rng(0)
+    scales, aspects = (torch.tensor(value * np.exp(generator.uniform(-0.3, 0.3, (150, 4, 1)))) for value in (0.1, 0.5))
+    omega = torch.tensor([1.0, 60.0, 600.0], dtype=torch.float64)
+    sizes = [scales.requires_grad_(), aspects.requires_grad_()]
+
+    disc = disc_means(scales, omega)
+    exact = batch_functions.ball_mean(0, scales * omega)
+    np.testing.assert_allclose(*(torch.autograd.grad(v.real.sum(), scales)[0] for v in (disc, exact)), rtol=1e-11)
+    for found, expected in zip(
+        *(
+            torch.autograd.grad((value.real + 0.3 * value.imag).sum(), sizes)
+            for value in (
+                cylinder_means(scales, aspects, omega),
+                batch_functions.cylinder_mean(scales * omega, aspects),
+            )
+        ),
+        strict=True,
+    ):
+        np.testing.assert_allclose(found, expected, rtol=1e-9)
 
 
 # -- the network ------------------------------------------------------------------------------------
@@ -218,6 +258,22 @@ def test_a_batch_is_its_designs_one_by_one(monkeypatch):
             np.testing.assert_allclose(getattr(pieces, result)[k], getattr(single, result)[0], rtol=1e-12)
 
 
+@pytest.mark.parametrize("kind", ["numpy", "torch"])
+def test_every_part_of_many_designs_is_interpolated_and_equal_to_solving_it_alone(kind):
+    design = prototype("array-2x6")
+    topology = Topology.of(design)
+    parameters = scaled(ArrayParameters.from_design(design, AIR).individual(topology), 300, spread=0.3)
+    numbers = parameters if kind == "numpy" else parameters.tensors()
+    made = batch_interpolation._series.cache_info()
+    whole = batch_response(numbers, topology.individual(), BAND, AIR)
+    used = batch_interpolation._series.cache_info()
+    assert used.hits + used.misses > made.hits + made.misses + 8  # several tiles of discs and cylinders
+    for k in (0, 150, 299):
+        single = batch_response(one(parameters, k), topology.individual(), BAND, AIR)
+        for result in RESULTS:
+            np.testing.assert_allclose(getattr(whole, result)[k], getattr(single, result)[0], rtol=1e-12)
+
+
 def test_designs_of_one_wiring_make_a_batch():
     design = prototype("array-2x6")
     designs = [design.with_values({"tube.length": length}) for length in (10.0, 12.5, 15.0)]
@@ -288,6 +344,24 @@ def test_torch_gradients_are_the_differences_of_the_numpy_path():
             difference = (level_difference(up) - level_difference(down)) / 2
             gradient = float((getattr(tensors, field.name).grad * torch.as_tensor(step)).sum())
             assert gradient == pytest.approx(difference, rel=1e-6, abs=1e-12), field.name
+
+
+def test_gradients_of_a_large_batch_are_computed_again_block_by_block(monkeypatch):
+    design = prototype("array-2x6")
+    topology, parameters = Topology.of(design), scaled(ArrayParameters.from_design(design, AIR), 4)
+    monkeypatch.setattr(batch_network, "_CHUNK", 2 * topology.point_count * len(BAND))
+    slopes, kept = [], []
+    for limit in (10**9, 1):
+        monkeypatch.setattr(batch_network, "_LARGEST_GRAPH", limit)
+        tensors = parameters.tensors(requires_grad=True)
+        before = sum(kept)
+        with torch.autograd.graph.saved_tensors_hooks(lambda t: kept.append(t.numel()) or t, lambda t: t):
+            transfer = batch_transfer_function(tensors, topology, BAND, AIR)
+        transfer.abs().sum().backward()
+        slopes.append(([getattr(tensors, field.name).grad for field in fields(tensors)], sum(kept) - before))
+    for whole, blocks in zip(slopes[0][0], slopes[1][0], strict=True):
+        np.testing.assert_allclose(blocks, whole, rtol=1e-13)
+    assert slopes[1][1] < 0.2 * slopes[0][1]
 
 
 def test_second_derivatives_through_a_cavity_are_refused():
