@@ -161,7 +161,7 @@ class ArrayParameters:
         """The same for several designs of one topology.
 
         Raises:
-            ValueError: no design, or designs that are wired in different ways.
+            ValueError: no design, designs that are wired in different ways, or a pre-stretched membrane with loss.
         """
         if not designs:
             raise ValueError("designs is empty; a batch needs at least one")
@@ -296,8 +296,12 @@ def design_air(design: ArrayDesign) -> Medium:
 def _row(design: ArrayDesign, medium: Medium) -> dict[str, list[Any]]:
     tubes = list(_tubes(design).values())
     disc = design_disc(design)
-    if np.any(disc.model.geometric):
-        raise ValueError("the membrane is pre-stretched: its modes do not share one loss factor, as a batch needs")
+    loss = design.material(design.membrane.material).loss_factor
+    if np.any(disc.model.geometric) and loss > 0:
+        raise ValueError(
+            f"membrane.stretch = {design.membrane.stretch:g} must be 1 in a batch: the tension has no loss, so the "
+            f"modes do not share the loss factor {loss:g} of {design.membrane.material!r}; solve() takes it"
+        )
     share = disc.model.swept**2 / disc.model.eigenvalues
     mode_frequency = np.sqrt(disc.model.eigenvalues * disc.modulus / disc.density) / (2 * np.pi * disc.opening)
     microphone = design.microphone
@@ -308,7 +312,7 @@ def _row(design: ArrayDesign, medium: Medium) -> dict[str, list[Any]]:
         "cavity_radius": [metres(design.resonator.cavity_diameter) / 2],
         "cavity_height": [metres(design.resonator.cavity_height)],
         "membrane_compliance": [float(share.sum()) * disc.opening**3 / disc.modulus],
-        "membrane_loss": [design.material(design.membrane.material).loss_factor],
+        "membrane_loss": [loss],
         "membrane_share": [share / share.sum()],
         "membrane_frequency": [mode_frequency],
         "chamber_radius": [metres(microphone.chamber_diameter) / 2],

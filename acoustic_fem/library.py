@@ -45,6 +45,12 @@ VARIABLES = {
     ),
 }
 
+#: Attributes of the response per newton, which follows from the source response and the design.
+FORCE_RESPONSE = {
+    "units": "Pa/N",
+    "long_name": "pressure at the microphone per force on the middle quarter of the membrane's radius",
+}
+
 #: Those of them that older files and measured libraries may lack.
 OPTIONAL = frozenset({"microphone_impedance"})
 
@@ -85,6 +91,19 @@ class Library:
     def frequency(self) -> NDArray[np.float64]:
         """The grid of frequencies, Hz."""
         return np.asarray(self.transfer_function["frequency"].values)
+
+    @property
+    def force_response(self) -> xr.DataArray:
+        """(point, microphone, frequency) complex128, microphone pressure per force on the membrane, Pa/N.
+
+        The force is spread over a patch of a quarter of the opening's radius in the middle of the membrane and
+        pushes inwards; it injects j w V(w) per newton, V from the elastic solution of the design's membrane.
+        Other patches, and responses per displacement and per outside pressure:
+        :func:`acoustic_fem.noise.touch_response`.
+        """
+        from acoustic_fem.noise import touch_response
+
+        return touch_response(self, "force").rename("force_response").assign_attrs(FORCE_RESPONSE)
 
 
 def solve(

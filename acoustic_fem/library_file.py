@@ -36,14 +36,15 @@ def save(library: Library, path: str | os.PathLike[str]) -> None:
     """Write a library; the file is whole or not there (written beside, then renamed).
 
     Complex variables become NAME_real and NAME_imag; the design (TOML), the air and the provenance (JSON)
-    are global attributes.
+    are global attributes. The response per newton is written for other tools; :func:`load` leaves it to
+    :attr:`acoustic_fem.library.Library.force_response`, since it follows from the rest.
 
     Raises:
         LibraryError: the file cannot be written.
     """
     path = Path(path)
     variables = {}
-    for name in VARIABLES:
+    for name in (*VARIABLES, "force_response"):
         array = getattr(library, name)
         if array is None and name in OPTIONAL:
             continue

@@ -260,27 +260,26 @@ def disc_compliance(
     return solve_disc(radius, thickness, youngs_modulus, poisson_ratio, rim_width).static_compliance
 
 
-def design_disc(design: ArrayDesign, *, stretch: float = 1.0, contact_radius: float | None = None) -> DiscSolution:
-    """The membrane of a design, glued on the whole rim.
+def design_disc(design: ArrayDesign, *, contact_radius: float | None = None) -> DiscSolution:
+    """The membrane of a design, mounted and stretched as it says.
 
     Args:
         design: the array.
-        stretch: pre-stretch of the membrane, as for :func:`solve_disc`; the thickness of the design is
-            then that of the relaxed sheet.
         contact_radius: of the patch that takes a force, m, as for :func:`solve_disc`.
 
     Raises:
         ValueError: proportions outside what :func:`solve_disc` covers.
     """
-    material = design.material(design.membrane.material)
+    membrane = design.membrane
+    material = design.material(membrane.material)
     return solve_disc(
         metres(design.resonator.cavity_diameter) / 2,
-        metres(design.membrane.thickness),
+        metres(membrane.thickness),
         pascals(material.youngs_modulus),
         material.poisson_ratio,
-        metres(design.membrane.rim_width),
+        0.0 if membrane.mounting == "clamped" else metres(membrane.rim_width),
         material.density,
-        stretch=stretch,
+        stretch=membrane.stretch,
         contact_radius=contact_radius,
     )
 

@@ -53,7 +53,7 @@ def build_parts(design: ArrayDesign) -> PartSet:
     Raises:
         ValueError: a part is not one valid solid.
     """
-    from geometry.membrane import build_membrane
+    from geometry.membrane import build_membrane, membrane_radius
     from geometry.microphone import build_housing, build_lid
     from geometry.mold import build_mold
     from geometry.shell import build_shell
@@ -75,7 +75,7 @@ def build_parts(design: ArrayDesign) -> PartSet:
         "port_height": resonator.port_axis_height,
     }
     disc: dict[str, float | int | str] = {
-        "diameter": resonator.cavity_diameter + 2 * membrane.rim_width,
+        "diameter": 2 * membrane_radius(resonator, membrane),
         "thickness": membrane.thickness,
         "material": membrane.material,
     }

@@ -55,11 +55,23 @@ class Resonator(Section):
 
 
 class Membrane(Section):
-    """Silicone disc glued by its lower face on the rim of the shell."""
+    """Silicone disc held on the rim of the shell."""
 
     material: str = Field(description="name of a silicone: built in, or defined under [materials.NAME]")
-    thickness: Millimetre = Field(ge=0.05, le=10, description="thickness of the disc")
+    thickness: Millimetre = Field(ge=0.05, le=10, description="thickness of the disc as cast")
     rim_width: Millimetre = Field(ge=0.2, le=20, description="width of the glued annulus around the cavity")
+    mounting: Literal["rim", "clamped"] = Field(
+        default="rim",
+        description="rim: glued by its lower face; clamped: the rim cannot move, so the disc ends at the cavity's wall",
+    )
+    stretch: Number = Field(
+        default=1.0, ge=1, le=1.9, description="lengths in the plane of the mounted disc per those as cast"
+    )
+
+    @property
+    def mounted_thickness(self) -> float:
+        """Thickness of the disc after it was stretched, at constant volume, mm."""
+        return self.thickness / self.stretch**2
 
 
 class Tube(Section):

@@ -45,6 +45,12 @@ def _membrane(design: ArrayDesign) -> Iterator[str]:
     cavity = f"of resonator.cavity_diameter ({2 * radius:g} mm)"
     if thickness < 0.01 * radius:
         yield f"membrane.thickness = {thickness:g} mm must be at least {0.01 * radius:g} mm, 0.01 radii {cavity}"
+    mounted, stretch = design.membrane.mounted_thickness, design.membrane.stretch
+    if mounted < 0.01 * radius * (1 - 1e-9) <= thickness:
+        yield (
+            f"membrane.stretch = {stretch:g} must be at most {math.sqrt(thickness / (0.01 * radius)):g}, where "
+            f"membrane.thickness ({thickness:g} mm) is thinned to {0.01 * radius:g} mm, 0.01 radii {cavity}"
+        )
     if thickness > 2 * radius:
         yield f"membrane.thickness = {thickness:g} mm must be at most {2 * radius:g} mm, 2 radii {cavity}"
     rim, wall = design.membrane.rim_width, design.resonator.wall_thickness

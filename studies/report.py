@@ -123,13 +123,17 @@ def _lumped_differences(result: RunResult) -> dict[str, list[float]]:
     return differences
 
 
+_MOUNTING = {"rim": "glued by its lower face on its rim", "clamped": "held at the wall of the cavity"}
+
+
 def _assumptions(result: RunResult) -> list[str]:
     design = result.design
     membrane = design.material(design.membrane.material)
     return [
         "Sound is small and linear; walls of shells, tubes and chambers are rigid and at the temperature of the air.",
         "Tubes are smooth round bores in which a plane wave travels; bends and the ribs of the spring are left out.",
-        "A membrane is glued on its rim without pre-stress and moves in the shape of its first mode; its material: "
+        f"A membrane is {_MOUNTING[design.membrane.mounting]}, stretched by {design.membrane.stretch - 1:.3g}, and "
+        "pushes the air in the shape of its first mode; its material: "
         f"{design.membrane.material}, E = {membrane.youngs_modulus:g} MPa, loss factor {membrane.loss_factor:g} "
         f"({membrane.source}).",
         noise_sentence(result),

@@ -433,6 +433,16 @@ def test_wirings_that_are_no_array_are_refused(lines, message):
         Topology((0, 0), lines, ("tube",))
 
 
+def test_a_batch_takes_any_mounting_and_refuses_a_stretch_whose_tension_has_no_loss():
+    design = prototype("line-2").with_values({"membrane.mounting": "clamped"})
+    library = acoustic_fem.solve(design, BAND[1:3], "lumped", medium=AIR)
+    transfer = batch_transfer_function(ArrayParameters.from_design(design, AIR), Topology.of(design), BAND[1:3], AIR)
+    np.testing.assert_allclose(transfer[0], library.transfer_function.values, rtol=1e-10)
+    message = r"membrane\.stretch = 1\.2 must be 1 in a batch: the tension has no loss.*; solve\(\) takes it"
+    with pytest.raises(ValueError, match=message):
+        ArrayParameters.from_design(design.with_values({"membrane.stretch": 1.2}))
+
+
 def test_designs_of_different_wiring_are_no_batch():
     designs = [prototype("array-2x6"), prototype("glove")]
     with pytest.raises(ValueError, match=r"designs\.1 \(glove\) is not wired as designs\.0 \(array-2x6\)"):

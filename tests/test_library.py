@@ -11,6 +11,7 @@ import pytest
 import xarray as xr
 
 import acoustic_fem
+from acoustic_fem.membrane import design_disc
 from geometry.design_file import prototype, write_design
 
 DESIGN = prototype("glove")
@@ -104,6 +105,25 @@ def test_plain_netcdf_tools_read_the_file(library, tmp_path):
         assert file["frequency"].units == "Hz"
         values = real[:] + 1j * file["transfer_function_imag"][:]
     np.testing.assert_array_equal(values, library.transfer_function.values)
+
+
+def test_the_response_per_newton_is_that_of_the_membrane_and_is_in_the_file(library, tmp_path):
+    """At low frequency j w times the static volume per force; also for tools that know nothing of the design."""
+    disc = design_disc(DESIGN)
+    loss = DESIGN.material(DESIGN.membrane.material).loss_factor
+    per_newton = 2j * np.pi * BAND * disc.volume_per_force / (1 + 1j * loss)
+    response = library.force_response
+    assert (response.name, response.attrs["units"]) == ("force_response", "Pa/N")
+    assert response.dims == ("point", "microphone", "frequency")
+    np.testing.assert_allclose(response.values[..., :1], (library.source_response * per_newton)[..., :1], rtol=1e-4)
+    np.testing.assert_allclose(response.values, library.source_response * per_newton, rtol=0.1)
+    acoustic_fem.save(library, tmp_path / "library.nc")
+    with netCDF4.Dataset(tmp_path / "library.nc") as file:
+        assert file["force_response_imag"].units == "Pa/N"
+        assert file["force_response_imag"].long_name.endswith("of the membrane's radius, imag part")
+        values = file["force_response_real"][:] + 1j * file["force_response_imag"][:]
+    np.testing.assert_array_equal(values, response.values)
+    xr.testing.assert_identical(acoustic_fem.load(tmp_path / "library.nc").force_response, response)
 
 
 def test_a_write_that_fails_leaves_the_old_file(library, tmp_path, monkeypatch):

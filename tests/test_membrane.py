@@ -7,9 +7,12 @@ from hypothesis import strategies as st
 from reference_data import rows
 from scipy.special import i0, ive, j0, jn_zeros
 
+from acoustic_fem import solve
 from acoustic_fem.axisymmetric_elasticity import DiscShape, solve_dimensionless
-from acoustic_fem.membrane import design_disc, disc_compliance, solve_disc
+from acoustic_fem.membrane import design_compliance, design_disc, disc_compliance, solve_disc
+from geometry import DesignError
 from geometry.design_file import prototype
+from geometry.membrane import membrane_radius
 
 
 def shape(thickness, rim=0.0, prestress=0.0, contact=0.25, glue=None, poisson_ratio=0.49):
@@ -292,6 +295,61 @@ def test_a_design_gives_its_membrane_in_si():
         design.membrane.rim_width * 1e-3,
     )
     assert design_disc(design).static_compliance == pytest.approx(expected, rel=1e-12)
+
+
+def test_the_design_says_how_the_membrane_is_held_and_stretched():
+    design = prototype("array-2x6")
+    material, a, h = design.material(design.membrane.material), 3e-3, design.membrane.thickness * 1e-3
+    assert design.resonator.cavity_diameter == 6
+    assert (design.membrane.mounting, design.membrane.stretch) == ("rim", 1.0)
+    plate = kirchhoff(a, h, material.youngs_modulus * 1e6, material.poisson_ratio)[0]
+    clamped = design.with_values({"membrane.mounting": "clamped"})
+    expected = disc_compliance(a, h, material.youngs_modulus * 1e6, material.poisson_ratio)
+    assert design_disc(clamped).static_compliance == pytest.approx(expected, rel=1e-12)
+    assert plate < expected < design_disc(design).static_compliance
+    stretched = design.with_values({"membrane.stretch": 1.1})
+    expected = solve_disc(
+        a, h, material.youngs_modulus * 1e6, material.poisson_ratio, 1.5e-3, material.density, stretch=1.1
+    )
+    assert design_disc(stretched).static_compliance == expected.static_compliance
+    assert membrane_radius(stretched.resonator, stretched.membrane) == pytest.approx(4.5 / 1.1, rel=1e-12)  # cast, mm
+    assert stretched.membrane.mounted_thickness == pytest.approx(design.membrane.thickness / 1.21, rel=1e-12)
+
+
+@pytest.mark.parametrize("change", [{"membrane.mounting": "clamped"}, {"membrane.stretch": 1.2}])
+def test_a_stiffer_membrane_changes_the_array_by_its_compliance_alone(change):
+    """Point impedance at low frequency is that of all air and all membranes in parallel, at any mounting."""
+    design = prototype("line-2").with_values(change)
+    chambers, total = [], []
+    for each in (prototype("line-2"), design):
+        library = solve(each, [1e-3], "lumped")
+        compliance = each.point_count * design_compliance(each, 1e-3)
+        total.append(1 / (2j * np.pi * 1e-3 * library.point_impedance.values[0, 0]))
+        chambers.append(total[-1] - compliance)
+    assert abs(total[1]) < 0.97 * abs(total[0])
+    assert chambers[0] == pytest.approx(chambers[1], rel=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"membrane.mounting": "glued"}, "membrane.mounting = 'glued' must be one of 'rim', 'clamped'"),
+        ({"membrane.stretch": 2.0}, "membrane.stretch = 2 must be between 1 and 1.9"),
+        (
+            {"membrane.thickness": 0.05, "resonator.cavity_diameter": 8.0, "membrane.stretch": 1.2},
+            "membrane.stretch = 1.2 must be at most 1.11803, where membrane.thickness (0.05 mm) is thinned to 0.04 mm",
+        ),
+    ],
+)
+def test_a_membrane_that_cannot_be_held_so_is_refused_by_field(change, message):
+    with pytest.raises(DesignError) as error:
+        prototype("array-2x6").with_values(change)
+    assert message in str(error.value)
+
+
+def test_the_largest_stretch_that_the_rules_allow_can_be_solved():
+    thin = {"membrane.thickness": 0.05, "resonator.cavity_diameter": 8.0, "membrane.stretch": np.sqrt(0.05 / 0.04)}
+    assert design_disc(prototype("array-2x6").with_values(thin)).static_compliance > 0
 
 
 @pytest.mark.parametrize(
