@@ -15,6 +15,9 @@ from numpy.typing import NDArray
 
 from geometry.mesh import EDGES, WALL, SolidMesh, checked_mesh
 
+#: Names of the ends of a swept mesh.
+FIRST, LAST = "first", "last"
+
 
 @dataclass(frozen=True)
 class Winding:
@@ -89,7 +92,7 @@ def closest_pitch(diameter: float, outside: float) -> float:
 def swept_mesh(
     section: NDArray[np.float64], triangles: NDArray[np.int64], winding: Winding | None, along: NDArray[np.float64]
 ) -> SolidMesh:
-    """Curved second-order tetrahedra of a disc swept along a centre line; its ends are named first and last.
+    """Curved second-order tetrahedra of a disc swept along a centre line; its ends are ``FIRST`` and ``LAST``.
 
     Every layer of prisms is cut into tetrahedra in the same way; corners and the middles of edges lie exactly
     on the swept shape.
@@ -131,14 +134,14 @@ def swept_mesh(
     tetrahedra = (one_layer[None] + 2 * n * np.arange(layers)[:, None, None]).reshape(-1, 10)
     tetrahedra = _right_handed(nodes, tetrahedra)
 
-    ends = {"first": corners, "last": corners + 2 * layers * n}
+    ends = {FIRST: corners, LAST: corners + 2 * layers * n}
     directed = np.concatenate([corners[:, [k, (k + 1) % 3]] for k in range(3)])
     _, first_seen, times = np.unique(np.sort(directed, axis=1), axis=0, return_index=True, return_counts=True)
     rim = np.sort(directed[first_seen[times == 1]], axis=1)
     a, b = rim.T
     side = np.concatenate([np.stack([a, b, b + 2 * n], 1), np.stack([a, a + 2 * n, b + 2 * n], 1)])
     wall = (side[None] + 2 * n * np.arange(layers)[:, None, None]).reshape(-1, 3)
-    normals = {"first": -frames[0, 2], "last": frames[-1, 2]}
+    normals = {FIRST: -frames[0, 2], LAST: frames[-1, 2]}
     # Pappus: the centre line runs through the middle of the disc.
     volume = math.pi * float(np.max(np.sum(section**2, 1))) * (along[-1] - along[0])
     return checked_mesh(nodes, tetrahedra, {**ends, WALL: wall}, normals, volume)
