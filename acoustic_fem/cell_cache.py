@@ -1,7 +1,8 @@
 """Solved cells on disk, under a hash of everything they depend on.
 
-The folder is ``$ACOUSTIC_FEM_CACHE``, else the user's cache folder. A file that is cut short, altered or
-foreign is recognised by its checksum, said so, and made again.
+The folder is ``$ACOUSTIC_FEM_CACHE``, else the user's cache folder. A file that is cut short, altered,
+foreign or that of another cell under this one's name is recognised by its checksum, which covers the key;
+it is said so, and made again.
 """
 
 from __future__ import annotations
@@ -19,7 +20,7 @@ import numpy as np
 import platformdirs
 from numpy.typing import NDArray
 
-_MAGIC = b"acoustic-fem cell 1\n"
+_MAGIC = b"acoustic-fem cell 2\n"
 
 
 class CacheWarning(UserWarning):
@@ -51,7 +52,7 @@ def store(key: str, arrays: dict[str, NDArray], about: dict[str, Any]) -> None:
     try:
         folder.mkdir(parents=True, exist_ok=True)
         try:
-            beside.write_bytes(_MAGIC + hashlib.sha256(content).hexdigest().encode() + b"\n" + content)
+            beside.write_bytes(_MAGIC + _checksum(key, content) + b"\n" + content)
             beside.replace(folder / f"{key}.cell")
         except OSError:
             with contextlib.suppress(OSError):
@@ -78,9 +79,13 @@ def fetch(key: str, folder: Path | None = None) -> tuple[dict[str, NDArray], dic
         warnings.warn(f"{path} cannot be read ({reason}); the cell is solved again", CacheWarning, stacklevel=2)
         return None
     head, _, content = raw[len(_MAGIC) :].partition(b"\n")
-    if not raw.startswith(_MAGIC) or hashlib.sha256(content).hexdigest().encode() != head:
+    if not raw.startswith(_MAGIC) or _checksum(key, content) != head:
         warnings.warn(f"{path} is damaged; the cell is solved again", CacheWarning, stacklevel=2)
         return None
     with np.load(io.BytesIO(content), allow_pickle=False) as archive:
         arrays = {name: archive[name] for name in archive.files}
     return arrays, json.loads(str(arrays.pop("about")))
+
+
+def _checksum(key: str, content: bytes) -> bytes:
+    return hashlib.sha256(key.encode() + b"\n" + content).hexdigest().encode()

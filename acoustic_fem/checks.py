@@ -2,8 +2,49 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+
+
+def numbers(name: str, values: ArrayLike) -> NDArray[np.float64]:
+    """The values as a float64 array.
+
+    Raises:
+        ValueError: naming the field and what it holds instead: complex numbers, texts, rows of unequal length.
+    """
+    rule = f"{name} must be a real number or an array of them"
+    try:
+        array = np.asarray(values)
+    except ValueError:
+        raise ValueError(f"{rule}; its rows have different lengths") from None
+    if array.dtype.kind not in "biuf":
+        kind = {"c": "complex", "U": "text", "S": "text"}.get(array.dtype.kind, f"{array.dtype}")
+        raise ValueError(f"{rule}; it is {kind}: {values!r:.60}")
+    return np.asarray(array, dtype=np.float64)
+
+
+def port_points(ports: Mapping[str, ArrayLike]) -> dict[str, tuple[float, float, float]]:
+    """Names of ports and a point (x, y, z) in mm on each.
+
+    Raises:
+        ValueError: no mapping, no port, a name that is no text, empty or ``wall`` (every face that is no port), or
+            a point that is not three finite numbers.
+    """
+    if not isinstance(ports, Mapping):
+        raise ValueError(f"ports must map names to points, not be a {type(ports).__name__}")
+    if not ports:
+        raise ValueError("ports must name at least one port")
+    points = {}
+    for name, place in ports.items():
+        if not isinstance(name, str) or name in ("", "wall"):
+            raise ValueError(f"ports has the name {name!r}; it must be a text, not empty and not 'wall'")
+        point = numbers(f"port {name!r}", place)
+        if point.shape != (3,) or not np.isfinite(point).all():
+            raise ValueError(f"port {name!r} = {place!r:.60} must be a point of three finite numbers, mm")
+        points[name] = (float(point[0]), float(point[1]), float(point[2]))
+    return points
 
 
 def in_range(name: str, value: float, low: float, high: float, unit: str = "") -> float:
@@ -13,6 +54,8 @@ def in_range(name: str, value: float, low: float, high: float, unit: str = "") -
         ValueError: naming the field, the value and the range.
     """
     unit = f" {unit}" if unit else ""
+    if numbers(name, value).ndim:
+        raise ValueError(f"{name} = {value!r:.60} must be one number")
     if not low <= float(value) <= high:
         raise ValueError(f"{name} = {float(value):g}{unit} must be between {low:g} and {high:g}{unit}")
     return float(value)
@@ -24,7 +67,7 @@ def positive(name: str, values: ArrayLike, unit: str) -> NDArray[np.float64]:
     Raises:
         ValueError: naming the field, the first bad value and the range.
     """
-    array = np.asarray(values, dtype=np.float64)
+    array = numbers(name, values)
     bad = ~(np.isfinite(array) & (array > 0))
     if bad.any():
         raise ValueError(f"{name} = {array[bad].flat[0]:g} {unit} must be finite and above 0 {unit}")
@@ -34,10 +77,13 @@ def positive(name: str, values: ArrayLike, unit: str) -> NDArray[np.float64]:
 def frequency_grid(frequency: ArrayLike, low: float = 1e-3, high: float = 2e3) -> NDArray[np.float64]:
     """A 1-D grid of ascending frequencies within [low, high] Hz.
 
+    Frequency 0 is refused: a sealed network has no impedance there. All its pressures become equal as the
+    frequency falls.
+
     Raises:
-        ValueError: empty, not 1-D, not ascending, not finite or out of range, with the offending value.
+        ValueError: not real numbers, empty, not 1-D, not ascending, not finite or out of range, with the value.
     """
-    grid = np.asarray(frequency, dtype=np.float64)
+    grid = numbers("frequency", frequency)
     if grid.ndim != 1 or grid.size == 0:
         raise ValueError(f"frequency has shape {grid.shape}; it must be a 1-D array of at least one value in Hz")
     bad = ~((grid >= low) & (grid <= high))

@@ -49,10 +49,12 @@ def air_volume(cell: Cell) -> AirVolume:
     point where the tube's axis meets the cavity wall.
 
     Raises:
-        ValueError: two ports overlap, or the drawn solid is not one valid solid.
+        ValueError: no port, two ports overlap, or the drawn solid is not one valid solid.
     """
     import cadquery as cq
 
+    if not cell.ports:
+        raise ValueError(f"the air of {cell.label} has no port; it needs at least one tube")
     radius = cell.diameter / 2
     for first, second in combinations(cell.ports, 2):
         apart = 2 * radius * abs(math.sin(math.radians(first.angle - second.angle) / 2))
