@@ -1,16 +1,18 @@
 r"""Adaptive frequency sweep: a few full solves, then a small rational model for every other frequency.
 
 The system is affine in functions of frequency, K(f) = sum_k theta_k(f) K_k with real symmetric K_k, and so
-is its excitation R(f) = sum_k phi_k(f) R_k. The solutions at a few frequencies span a real basis V; the
-projected system V^T K V answers at any other frequency in microseconds. The response H = R^T K^-1 R of a
-symmetric system is reproduced to second order in the error of the basis, and exactly, with its slope, at
-every sampled frequency (moment matching; Villemagne and Skelton 1987).
+is its excitation R(f) = sum_k phi_k(f) R_k. Diffusion has its poles on the negative real axis of s = j 2 pi f, so
+the sweep solves at *real* s: the matrices are then real, and a factorisation costs a quarter of a complex one.
+At each of these shifts the first derivatives of the solution follow from the same factors. Together they span a
+real basis V; the projected system V^T K V answers at any frequency in microseconds. The response H = R^T K^-1 R
+of a symmetric system is reproduced to second order in the error of the basis (moment matching; Villemagne and
+Skelton 1987; real shifts for diffusive systems: Druskin, Knizhnerman and Zaslavsky 2009).
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import scipy.sparse as sp
@@ -18,8 +20,16 @@ from numpy.typing import NDArray
 
 from acoustic_fem.linear_solver import SymmetricSolver
 
-#: Frequency (n_freq,) in Hz -> coefficients (n_freq, n_term) complex.
-Coefficients = Callable[[NDArray[np.float64]], NDArray[np.complex128]]
+#: Frequency (n_freq,) in Hz -> coefficients (n_freq, n_term) complex. They are analytic functions of s = j 2 pi f,
+#: real where s is real and positive, and are asked for there as well, at f = -j s / (2 pi).
+Coefficients = Callable[[NDArray], NDArray[np.complex128]]
+
+#: Solution and derivatives taken at each shift, and the most shifts.
+_MOMENTS = 4
+_MOST_SHIFTS = 12
+#: Taylor coefficients come from values on a circle around the shift of this radius, relative to it.
+_CIRCLE = 0.5
+_ON_CIRCLE = 32
 
 
 #: Smallest eigenvalue of a passive admittance's real part, relative to its diagonal, that counts as rounding.
@@ -41,9 +51,9 @@ class ReducedModel:
     basis: NDArray[np.float64] | None
     """(n, r), where the field itself is wanted."""
     sampled: tuple[float, ...]
-    """Frequencies of the full solves."""
+    """Shifts s / (2 pi) of the full solves, Hz; of the one frequency, where there is but one."""
     error: float
-    """Largest relative change of the response when the last sample was added."""
+    """Largest relative change of the response with the last derivative."""
     lowest: float
     highest: float
 
@@ -51,6 +61,15 @@ class ReducedModel:
         """Solution in the basis and excitation, (n_freq, r, m) each."""
         excitation = np.einsum("fk,krm->frm", phi, self.excitations)
         return np.linalg.solve(np.einsum("fk,krs->frs", theta, self.matrices), excitation), excitation
+
+    def leading(self, size: int) -> ReducedModel:
+        """The model on the first functions of the basis."""
+        return replace(
+            self,
+            matrices=self.matrices[:, :size, :size],
+            excitations=self.excitations[:, :size],
+            basis=None if self.basis is None else self.basis[:, :size],
+        )
 
     def response(self, theta: NDArray, phi: NDArray) -> NDArray[np.complex128]:
         """R^T K^-1 R, (n_freq, m, m), symmetric."""
@@ -71,7 +90,8 @@ def reduce_system(
 ) -> ReducedModel:
     """Build the reduced model of a system over a band of frequencies.
 
-    Full solves are added where the response of two successive models differs most, until they agree.
+    Shifts are added where the response changes most with the last derivative, until it changes no more. At a
+    band of one frequency the system is solved there, in complex numbers.
 
     Args:
         matrices: real symmetric (n, n) terms of the system.
@@ -79,59 +99,104 @@ def reduce_system(
         excitations: (n, m) terms of the excitation.
         phi: their coefficients.
         band: lowest and highest frequency, Hz.
-        tolerance: on the change of H_ij / sqrt(|H_ii H_jj|).
+        tolerance: on the change of H_ij / sqrt(|H_ii H_jj|) with the last derivative; what remains is smaller.
         keep_basis: store the basis, to recover the field.
         progress: called with the fraction done, estimated from the decay of the error.
 
     Raises:
-        SweepError: 16 solves do not reach the tolerance.
+        SweepError: 12 shifts do not reach the tolerance.
         LinearSolverError: a solve fails its residual check.
     """
     lowest, highest = band
-    candidates = np.geomspace(lowest, highest, 61) if highest > lowest else np.array([lowest])
-    system_at, excitation_at = theta(candidates), phi(candidates)
+    terms = np.stack(excitations)
     pattern = _combined(np.ones(len(matrices)), [abs(matrix) for matrix in matrices])
-    order = [0, len(candidates) - 1, len(candidates) // 2] if len(candidates) > 1 else [0]
-    taken: list[int] = []
-    basis = np.zeros((matrices[0].shape[0], 0))
-    previous: NDArray | None = None
-    error = np.inf
+    if lowest == highest:
+        at = np.array([lowest])
+        with SymmetricSolver(pattern) as solver:
+            solution = solver.solve(_combined(theta(at)[0], matrices), np.einsum("k,knm->nm", phi(at)[0], terms))
+        basis = _extended(np.zeros((len(solution), 0)), np.hstack([solution.real, solution.imag]))
+        return _model(matrices, terms, basis, keep_basis, (lowest,), 0.0, band)
+    candidates = np.geomspace(lowest, highest, 61)
+    system_at, excitation_at = theta(candidates), phi(candidates)
+    waiting, taken = [0, len(candidates) - 1], list[int]()
+    early, last = list[NDArray[np.float64]](), list[NDArray[np.float64]]()
     with SymmetricSolver(pattern) as solver:
         while True:
-            k = order.pop(0)
-            taken.append(k)
-            rhs = np.einsum("k,knm->nm", excitation_at[k], np.stack(excitations))
-            basis = _extended(basis, solver.solve(_combined(system_at[k], matrices), rhs))
-            model = _project(matrices, excitations, basis)
+            taken.append(waiting.pop(0))
+            moments = _moments(float(candidates[taken[-1]]), matrices, theta, terms, phi, solver)
+            early += moments[:-1]
+            last.append(moments[-1])
+            if waiting:
+                continue
+            basis = _extended(np.zeros((pattern.shape[0], 0)), np.hstack(early))
+            shorter = basis.shape[1]
+            model = _model(
+                matrices,
+                terms,
+                _extended(basis, np.hstack(last)),
+                keep_basis,
+                tuple(sorted(float(candidates[k]) for k in taken)),
+                np.inf,
+                band,
+            )
             response = model.response(system_at, excitation_at)
-            scale = np.sqrt(np.abs(np.einsum("fmm->fm", response)))
-            scale = scale[:, :, None] * scale[:, None, :]
-            if previous is not None:
-                change = np.max(np.abs(response - previous) / scale, axis=(1, 2))
-                error = float(change.max())
-                if not order:
-                    change[taken] = 0.0
-                    order = [int(np.argmax(change))]
-            previous = response
+            change = _change(model.leading(shorter).response(system_at, excitation_at), response)
+            error = float(change.max())
             if progress is not None:
-                done = 0.0 if not np.isfinite(error) else np.log(max(error, tolerance)) / np.log(tolerance)
-                progress(float(np.clip(max(done, len(taken) / 8), 0, 0.95)))
-            if error <= tolerance or len(candidates) == 1:
-                break
-            if len(taken) >= 16:
+                done = np.log(max(error, tolerance)) / np.log(tolerance) if np.isfinite(error) else 0.0
+                progress(float(np.clip(max(done, len(taken) / 6), 0, 0.95)))
+            if error <= tolerance:
+                return replace(model, error=error)
+            if len(taken) >= _MOST_SHIFTS:
                 raise SweepError(
                     f"{len(taken)} solves between {lowest:g} and {highest:g} Hz leave a change of {error:.2g}, "
                     f"above the tolerance {tolerance:g}"
                 )
-    return ReducedModel(
-        matrices=model.matrices,
-        excitations=model.excitations,
-        basis=basis if keep_basis else None,
-        sampled=tuple(sorted(float(candidates[k]) for k in taken)),
-        error=error if len(candidates) > 1 else 0.0,
-        lowest=lowest,
-        highest=highest,
+            change[taken] = 0.0
+            waiting = [int(np.argmax(change))]
+
+
+def _moments(
+    frequency: float,
+    matrices: Sequence[sp.csr_array],
+    theta: Coefficients,
+    excitations: NDArray[np.float64],
+    phi: Coefficients,
+    solver: SymmetricSolver,
+) -> list[NDArray[np.float64]]:
+    """Solution at s = 2 pi frequency and its scaled derivatives there, ``_MOMENTS`` blocks (n, m).
+
+    With K = sum K_j z^j and R = sum R_j z^j around the shift, K_0 x_i = R_i - sum_{j>0} K_j x_{i-j}.
+    """
+    system, excitation = (_taylor(function, frequency) for function in (theta, phi))
+    shifted = _combined(system[0], matrices)
+    moments: list[NDArray[np.float64]] = []
+    for order in range(_MOMENTS):
+        load = np.einsum("k,knm->nm", excitation[order], excitations)
+        for earlier, moment in enumerate(moments):
+            for coefficient, matrix in zip(system[order - earlier], matrices, strict=True):
+                if coefficient != 0:
+                    load -= coefficient * (matrix @ moment)
+        moments.append(solver.solve(shifted, load))
+    return moments
+
+
+def _taylor(function: Coefficients, frequency: float) -> NDArray[np.float64]:
+    """Real Taylor coefficients around a shift in units of the circle's radius, (``_MOMENTS``, n_term) (Cauchy)."""
+    around = 1 + _CIRCLE * np.exp(2j * np.pi * np.arange(_ON_CIRCLE) / _ON_CIRCLE)
+    values = function(-1j * frequency * around)
+    coefficients = np.fft.fft(values, axis=0)[:_MOMENTS].real / _ON_CIRCLE
+    coefficients[np.abs(coefficients) < 1e-12 * np.abs(coefficients).max(axis=0)] = 0
+    return np.asarray(coefficients)
+
+
+def _change(shorter: NDArray[np.complex128], longer: NDArray[np.complex128]) -> NDArray[np.float64]:
+    """Largest difference of two responses per frequency, each entry against its row and column."""
+    scale = np.sqrt(np.abs(np.einsum("fmm->fm", longer)))
+    change: NDArray[np.float64] = np.max(
+        np.abs(longer - shorter) / (scale[:, :, None] * scale[:, None, :]), axis=(1, 2)
     )
+    return change
 
 
 def passivity_margin(admittance: NDArray[np.complex128]) -> NDArray[np.float64]:
@@ -195,9 +260,8 @@ def _combined(coefficients: NDArray, matrices: Sequence[sp.csr_array]) -> sp.csr
     return sp.csr_array(total)
 
 
-def _extended(basis: NDArray[np.float64], solution: NDArray[np.complex128]) -> NDArray[np.float64]:
-    """Orthonormal basis with the real and imaginary parts of the solutions added, where they are new."""
-    new = np.hstack([solution.real, solution.imag])
+def _extended(basis: NDArray[np.float64], new: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Orthonormal basis with the columns added, where they are new."""
     norms = np.linalg.norm(new, axis=0)
     new = new[:, norms > 0] / norms[norms > 0]
     for _ in range(2):  # the second pass restores orthogonality lost to cancellation
@@ -206,15 +270,22 @@ def _extended(basis: NDArray[np.float64], solution: NDArray[np.complex128]) -> N
     return np.hstack([basis, q[:, singular > 1e-11]])
 
 
-def _project(
-    matrices: Sequence[sp.csr_array], excitations: Sequence[NDArray[np.float64]], basis: NDArray[np.float64]
+def _model(
+    matrices: Sequence[sp.csr_array],
+    excitations: NDArray[np.float64],
+    basis: NDArray[np.float64],
+    keep_basis: bool,
+    sampled: tuple[float, ...],
+    error: float,
+    band: tuple[float, float],
 ) -> ReducedModel:
+    """The system projected on a basis."""
     return ReducedModel(
         matrices=np.stack([basis.T @ (matrix @ basis) for matrix in matrices]),
         excitations=np.stack([basis.T @ excitation for excitation in excitations]),
-        basis=None,
-        sampled=(),
-        error=np.inf,
-        lowest=0.0,
-        highest=0.0,
+        basis=basis if keep_basis else None,
+        sampled=sampled,
+        error=error,
+        lowest=band[0],
+        highest=band[1],
     )

@@ -1,4 +1,4 @@
-"""Complex-symmetric sparse systems: factorise once, solve for many right-hand sides, check every residual.
+"""Symmetric sparse systems, real or complex: factorise once, solve for many right-hand sides, check every residual.
 
 Two backends: MKL PARDISO through the plain ``mkl`` wheel (the extra ``fast``), and SciPy's SuperLU, which
 is always there and several times slower.
@@ -11,6 +11,7 @@ import importlib.metadata
 import sys
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import scipy.sparse as sp
@@ -20,7 +21,8 @@ from numpy.typing import NDArray
 #: A solution whose relative residual is larger is refused, never returned.
 RESIDUAL_LIMIT = 1e-8
 
-_MATRIX_TYPE = 6  # complex and symmetric (not Hermitian)
+#: PARDISO's matrix types: real symmetric indefinite; complex and symmetric (not Hermitian).
+_REAL, _COMPLEX = -2, 6
 _ANALYSE, _FACTORISE, _SOLVE, _RELEASE = 11, 22, 33, -1
 
 
@@ -34,9 +36,10 @@ def backend() -> str:
 
 
 class SymmetricSolver:
-    """Solver for a family of complex-symmetric matrices with one sparsity pattern.
+    """Solver for a family of symmetric matrices, all real or all complex, with one sparsity pattern.
 
-    The analysis (fill-reducing ordering) is done at the first matrix and used again for all others.
+    The analysis (fill-reducing ordering) is done at the first matrix and used again for all others; the factors
+    are kept until another matrix comes.
 
     Args:
         pattern: (n, n) sparse matrix; its pattern must cover every matrix solved later.
@@ -47,6 +50,7 @@ class SymmetricSolver:
     def __init__(self, pattern: sp.csr_array) -> None:
         self._pardiso = _Pardiso() if _mkl_library() is not None else None
         self._shape = pattern.shape
+        self._superlu: tuple[sp.csr_array, Any] | None = None
 
     def __enter__(self) -> SymmetricSolver:
         return self
@@ -55,26 +59,26 @@ class SymmetricSolver:
         if self._pardiso is not None:
             self._pardiso.release()
 
-    def solve(self, matrix: sp.csr_array, right_hand_sides: NDArray[np.complex128]) -> NDArray[np.complex128]:
+    def solve(self, matrix: sp.csr_array, right_hand_sides: NDArray) -> NDArray:
         """Solve for all columns.
 
         Args:
-            matrix: (n, n) complex128, symmetric, with the pattern of the first one.
-            right_hand_sides: (n, m) complex128.
+            matrix: (n, n) float64 or complex128, symmetric, with the pattern of the first one.
+            right_hand_sides: (n, m) of the same type.
 
         Returns:
-            (n, m) complex128.
+            (n, m) of the same type.
 
         Raises:
             LinearSolverError: the relative residual of a column exceeds ``RESIDUAL_LIMIT``.
         """
-        right_hand_sides = np.ascontiguousarray(right_hand_sides, dtype=np.complex128)
+        right_hand_sides = np.ascontiguousarray(right_hand_sides, dtype=matrix.dtype)
         if matrix.shape != self._shape:
             raise LinearSolverError(f"the matrix has shape {matrix.shape}, the solver was made for {self._shape}")
         if self._pardiso is not None:
             solution = self._pardiso.solve(matrix, right_hand_sides)
         else:
-            solution = _superlu_solve(matrix, right_hand_sides)
+            solution = self._superlu_solve(matrix, right_hand_sides)
         residual = np.linalg.norm(right_hand_sides - np.asarray(matrix @ solution), axis=0)
         scale = np.linalg.norm(right_hand_sides, axis=0)
         relative = float(np.max(residual / np.where(scale > 0, scale, 1.0), initial=0.0))
@@ -84,15 +88,17 @@ class SymmetricSolver:
             )
         return solution
 
-
-def _superlu_solve(matrix: sp.csr_array, right_hand_sides: NDArray[np.complex128]) -> NDArray[np.complex128]:
-    factors = spla.splu(
-        matrix.tocsc(), permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.01, options={"SymmetricMode": True}
-    )
-    solution: NDArray[np.complex128] = factors.solve(right_hand_sides)
-    # Threshold pivoting trades accuracy for fill; one step of refinement gives the accuracy back.
-    correction: NDArray[np.complex128] = factors.solve(right_hand_sides - np.asarray(matrix @ solution))
-    return solution + correction
+    def _superlu_solve(self, matrix: sp.csr_array, right_hand_sides: NDArray) -> NDArray:
+        if self._superlu is None or self._superlu[0] is not matrix:
+            factors = spla.splu(
+                matrix.tocsc(), permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.01, options={"SymmetricMode": True}
+            )
+            self._superlu = matrix, factors
+        factors = self._superlu[1]
+        solution: NDArray = factors.solve(right_hand_sides)
+        # Threshold pivoting trades accuracy for fill; one step of refinement gives the accuracy back.
+        correction: NDArray = factors.solve(right_hand_sides - np.asarray(matrix @ solution))
+        return solution + correction
 
 
 @cache
@@ -133,37 +139,40 @@ class _Pardiso:
         p[12] = 1  # weighted matching: pressures have a near-zero diagonal
         p[20] = 1  # Bunch-Kaufman pivoting
         p[34] = 1  # zero-based indices
-        self._size = 0
+        self._type = _REAL
+        self._matrix: sp.csr_array | None = None
         self._pattern: tuple[NDArray[np.int32], NDArray[np.int32]] | None = None
-        self._values: NDArray[np.complex128] | None = None
+        self._values: NDArray | None = None
 
-    def solve(self, matrix: sp.csr_array, right_hand_sides: NDArray[np.complex128]) -> NDArray[np.complex128]:
-        upper = sp.triu(matrix, format="csr")
-        upper.sort_indices()
-        rows, columns = upper.indptr.astype(np.int32), upper.indices.astype(np.int32)
-        self._values = np.ascontiguousarray(upper.data, dtype=np.complex128)
-        self._size = matrix.shape[0]
-        same = self._pattern is not None and np.array_equal(columns, self._pattern[1])
-        if not same:
-            self.release()
-        self._pattern = (rows, columns)
-        # The matching depends on the values, so the analysis sees them; it is kept while it serves.
-        if not same:
-            self._call(_ANALYSE)
-        self._call(_FACTORISE)
+    def solve(self, matrix: sp.csr_array, right_hand_sides: NDArray) -> NDArray:
+        if self._matrix is not matrix:
+            self._factorise(matrix)
         rhs = np.asfortranarray(right_hand_sides)
         solution = np.zeros_like(rhs, order="F")
         self._call(_SOLVE, rhs, solution)
         return np.ascontiguousarray(solution)
 
+    def _factorise(self, matrix: sp.csr_array) -> None:
+        upper = sp.triu(matrix, format="csr")
+        upper.sort_indices()
+        rows, columns = upper.indptr.astype(np.int32), upper.indices.astype(np.int32)
+        kind = _COMPLEX if np.iscomplexobj(upper.data) else _REAL
+        same = self._pattern is not None and kind == self._type and np.array_equal(columns, self._pattern[1])
+        if not same:
+            self.release()
+        self._type, self._pattern, self._matrix = kind, (rows, columns), matrix
+        self._values = np.ascontiguousarray(upper.data)
+        # The matching depends on the values, so the analysis sees them; it is kept while it serves.
+        if not same:
+            self._call(_ANALYSE)
+        self._call(_FACTORISE)
+
     def release(self) -> None:
         if self._pattern is not None:
             self._call(_RELEASE)
-            self._pattern = None
+            self._pattern = self._matrix = None
 
-    def _call(
-        self, phase: int, rhs: NDArray[np.complex128] | None = None, solution: NDArray[np.complex128] | None = None
-    ) -> None:
+    def _call(self, phase: int, rhs: NDArray | None = None, solution: NDArray | None = None) -> None:
         library = _mkl_library()
         if library is None or self._pattern is None or self._values is None:
             raise LinearSolverError("PARDISO was called before it had a matrix")
@@ -182,9 +191,9 @@ class _Pardiso:
             array(self._handle),
             integer(1),
             integer(1),
-            integer(_MATRIX_TYPE),
+            integer(self._type),
             integer(phase),
-            integer(self._size),
+            integer(len(rows) - 1),
             array(self._values),
             array(rows),
             array(columns),

@@ -29,27 +29,15 @@ import numpy as np
 import scipy.sparse as sp
 import skfem
 from numpy.typing import NDArray
-from skfem.helpers import ddot, div, dot, grad
+from skfem.helpers import dot, grad
 
 from geometry.mesh import SolidMesh
 
 
 @skfem.BilinearForm
-def vector_laplace(u: Any, w: Any, _: Any) -> Any:
-    """Viscous forces: grad u : grad w."""
-    return ddot(grad(u), grad(w))
-
-
-@skfem.BilinearForm
-def vector_mass(u: Any, w: Any, _: Any) -> Any:
-    """Inertia: u . w."""
-    return dot(u, w)
-
-
-@skfem.BilinearForm
-def divergence(u: Any, q: Any, _: Any) -> Any:
-    """Coupling of velocity and pressure: q div u."""
-    return div(u) * q
+def divergence(u: Any, q: Any, form: Any) -> Any:
+    """One term of the coupling of velocity and pressure: q du/dx_i."""
+    return u.grad[form.axis] * q
 
 
 @skfem.BilinearForm
@@ -165,10 +153,14 @@ def cell_system(
         velocity,
     )
 
+    # The three components of the velocity share one scalar matrix each.
+    components = _components(velocity, n_scalar)
+    scatter = [_scatter(rows, velocity.N) for rows in components]
+    stiffness, mass = laplace.assemble(quadratic), weighted_mass.assemble(quadratic, weight=np.ones_like(quadratic.dx))
+    full_viscous, full_inertia = (sum(s @ block @ s.T for s in scatter) for block in (stiffness, mass))
+    full_divergence = sum(divergence.assemble(quadratic, linear, axis=axis) @ scatter[axis].T for axis in range(3))
     n_velocity = reduction.shape[1]
     blank = sp.csr_array((n_pressure, n_pressure))
-    full_viscous, full_inertia = vector_laplace.assemble(velocity), vector_mass.assemble(velocity)
-    full_divergence = divergence.assemble(velocity, linear)
     viscous = sp.block_diag([reduction.T @ full_viscous @ reduction, blank], format="csr")
     inertia = sp.block_diag([reduction.T @ full_inertia @ reduction, blank], format="csr")
     reduced_divergence = full_divergence @ reduction
@@ -268,6 +260,12 @@ def _components(velocity: skfem.CellBasis, n_scalar: int) -> NDArray[np.int64]:
     if nodal is None or edge.shape[0] != 3 or nodal.shape[1] + edge.shape[1] != n_scalar:
         raise RuntimeError("unexpected layout of the quadratic vector element")
     return np.hstack([nodal, edge]).astype(np.int64)
+
+
+def _scatter(rows: NDArray[np.int64], size: int) -> sp.csr_array:
+    """Matrix that puts a scalar field into its rows of a vector field."""
+    count = len(rows)
+    return sp.csr_array((np.ones(count), (rows, np.arange(count))), shape=(size, count))
 
 
 def _wall_motion(
