@@ -9,7 +9,8 @@ the sequential linearised Navier-Stokes model (W. R. Kampinga, thesis, Twente 20
 
 Exact in straight ducts of any section. **Wrong where a tube opens into a cavity**: the wide cavity's field
 leaks into the mouth, and the entrance loss comes out with the wrong sign, 5 % of the admittance of a cell at
-1 Hz. Use it for ducts and bends and as a cross-check, not for numbers to trust.
+1 Hz. A bend lowers the resistance by 13 (a/R)^2 / 48, 13 times too much (docs/theory.md). Use it for straight
+ducts and as a cross-check, not for numbers to trust.
 """
 
 from __future__ import annotations
