@@ -1,4 +1,4 @@
-"""Tubes computed by OpenWind (INRIA; GPL-3, not a dependency): the numbers of reference/openwind.json.
+"""Tubes computed by OpenWind (INRIA; GPL-3, in the optional extra ``verify``): the numbers of reference/openwind.json.
 
 Run as a command in an environment with ``openwind`` to print the file anew:
 ``python tests/openwind_ladder.py > tests/reference/openwind.json``.
@@ -13,6 +13,10 @@ import warnings
 from typing import Any
 
 import numpy as np
+
+from acoustic_fem import tapered_duct
+from acoustic_fem.medium import Medium
+from acoustic_fem.section import CircularSection
 
 TEMPERATURE = 20.0
 FREQUENCY = [0.01, 0.1, 1.0, 10.0, 100.0, 1000.0, 5000.0, 20000.0]
@@ -77,8 +81,31 @@ def air() -> dict[str, float]:
     }
 
 
+def driven_impedance(
+    pieces: list[tuple[float, float, float]], frequency: np.ndarray[Any, Any], air: Medium
+) -> np.ndarray[Any, Any]:
+    """The same by this package: tanh for tubes, finite elements for cones."""
+    beyond = np.zeros(len(frequency), dtype=complex)
+    for length, first, last in reversed(pieces):
+        if first == last:
+            bore = CircularSection(first)
+            tangent = np.tanh(bore.propagation(frequency, air) * length)
+            characteristic = bore.characteristic_impedance(frequency, air)
+            beyond = (beyond + tangent / characteristic) / (1 + beyond * characteristic * tangent)
+        else:
+            y = tapered_duct.port_admittance(
+                lambda x, start=first, slope=(last - first) / length: CircularSection(start + slope * x),
+                length,
+                frequency,
+                air,
+                accuracy=1e-11,
+            )
+            beyond = y[:, 0, 0] - y[:, 0, 1] ** 2 / (y[:, 1, 1] + beyond)
+    return np.asarray(1 / beyond)
+
+
 def reference() -> dict[str, Any]:
-    """Everything that is kept in the file."""
+    """Everything that is kept in the file; needs ``openwind``."""
     cases = []
     for name, (pieces, options) in CASES.items():
         impedance = closed_impedance(pieces, options)

@@ -1,0 +1,1 @@
+"""The verification page, made by running it: ``python -m benchmarks.verification --help``."""

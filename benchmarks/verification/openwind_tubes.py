@@ -1,0 +1,58 @@
+"""Tubes, a ladder of tubes and a cone against OpenWind, computed live with the same air."""
+
+from __future__ import annotations
+
+import json
+from importlib.util import find_spec
+
+import numpy as np
+
+from acoustic_fem.medium import Medium
+from benchmarks.verification.reference import ROOT
+from benchmarks.verification.report import Check, Subject, Table
+
+TEXT = """Input impedance of tubes with a closed end by [OpenWind](https://openwind.inria.fr) {version} (INRIA; GPL-3,
+the optional extra `verify`) with `losses="bessel"`, no junction masses, and the air of its own `Physics(20)` for both
+programs. Tubes by its transfer matrices, the cone by its finite elements of order 8. The largest relative difference
+over {frequencies} Hz; {source}."""
+
+_TARGET = 1e-9
+
+
+def available() -> bool:
+    """Whether OpenWind is installed."""
+    return find_spec("openwind") is not None
+
+
+def run(quick: bool) -> Subject:
+    """Differences of the input impedances; a quick run takes the stored numbers where OpenWind is missing.
+
+    Raises:
+        RuntimeError: a full run without OpenWind.
+    """
+    import openwind_ladder  # the tests' folder is on the path, see reference.py
+
+    if available():
+        numbers, source = openwind_ladder.reference(), "both computed in this run"
+    elif quick:
+        stored = ROOT / "tests" / "reference" / "openwind.json"
+        numbers, source = (
+            json.loads(stored.read_text(encoding="utf-8")),
+            "OpenWind's from tests/reference/openwind.json",
+        )
+    else:
+        raise RuntimeError('the page compares with OpenWind: python -m pip install -e ".[verify]"')
+    frequency, air = np.array(numbers["frequency"]), Medium(**numbers["air"])
+    checks, table = [], []
+    for case in numbers["cases"]:
+        theirs = np.array([complex(*pair) for pair in case["impedance"]])
+        difference = np.abs(openwind_ladder.driven_impedance(case["pieces"], frequency, air) / theirs - 1)
+        checks.append(Check(f"openwind {case['name']}", case["name"], "OpenWind", float(difference.max()), _TARGET))
+        table.append((case["name"], *(f"{value:.0e}" for value in difference)))
+    text = TEXT.format(
+        version=numbers["versions"]["openwind"], frequencies=", ".join(f"{f:g}" for f in frequency), source=source
+    )
+    header = ("case", *(f"{f:g} Hz" for f in frequency))
+    return Subject(
+        "openwind", "OpenWind", text, (), tuple(checks), (Table("Relative difference", header, tuple(table)),)
+    )
