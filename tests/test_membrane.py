@@ -9,10 +9,19 @@ from scipy.special import i0, ive, j0, jn_zeros
 
 from acoustic_fem import solve
 from acoustic_fem.axisymmetric_elasticity import DiscShape, solve_dimensionless
+from acoustic_fem.cell import mesh_sizes
+from acoustic_fem.condensed import condense
+from acoustic_fem.duct import port_admittance
+from acoustic_fem.medium import Medium
 from acoustic_fem.membrane import design_compliance, design_disc, disc_compliance, solve_disc
+from acoustic_fem.navier_stokes import WallMotion
 from geometry import DesignError
+from geometry.air import MIRROR, OPENING, air_volume
+from geometry.cells import cell_catalogue
 from geometry.design_file import prototype
+from geometry.layout import place
 from geometry.membrane import membrane_radius
+from geometry.mesh import mesh_solid
 
 
 def shape(thickness, rim=0.0, prestress=0.0, contact=0.25, glue=None, poisson_ratio=0.49):
@@ -382,3 +391,52 @@ def test_an_impossible_disc_is_refused_by_name(changes, message):
 def test_an_impossible_frequency_or_loss_is_refused(frequency, loss, message):
     with pytest.raises(ValueError, match=message):
         solve_disc(3e-3, 0.3e-3, 5e5).compliance(frequency, loss)
+
+
+@pytest.mark.slow
+def test_one_motion_of_the_cell_wall_stands_for_every_mode_of_the_membrane_up_to_2_khz():
+    """Pressure in the first tube per newton: a node with C(w) and V(w) against every mode moving the air itself.
+
+    With A the nodal admittance of ports and motions, Z = A_mm^-1 is the air's impedance of the motions; a mode
+    adds k (1 + j eta) - w^2 m over j w S^2, S the integral of its magnitude, and is driven by its share of the force.
+    """
+    design, frequency = prototype("array-2x6"), np.array([1.0, 30.0, 200.0, 500.0, 1000.0, 2000.0])
+    disc, loss, medium = design_disc(design), 0.1, Medium.at()
+    model, rate, area = disc.model, 2j * np.pi * frequency, disc.opening**2
+    (cell,) = (c for c in cell_catalogue(design, place(design)).distinct if "180" in c.label)
+    air = air_volume(cell)
+    bowl = (1 - model.radius**2) ** 2
+    shapes = np.vstack([bowl, model.shapes])
+    motions = [WallMotion(OPENING, np.column_stack([model.radius * 3.0, each]), air.centre) for each in shapes]
+    faces = {**air.ports, OPENING: air.opening, MIRROR: air.mirror}
+    meshes = [mesh_solid(air.solid, faces, tuple(air.ports), size) for size in mesh_sizes(1.6, 2.5, medium, 2000.0)]
+    body = condense(*meshes, tuple(air.ports), motions, MIRROR, medium, (1.0, 2000.0), tolerance=1e-5)
+    nodal = body.nodal_admittance(frequency)
+    stub = cell.ports[0].stub_length * 1e-3
+    tube = port_admittance(0.22e-3, 12.5e-3 - stub, frequency, medium)
+    load = tube[:, 0, 0] - tube[:, 0, 1] ** 2 / (tube[:, 1, 1] + rate * 5e-14)
+
+    z = np.linalg.inv(nodal[:, 2:, 2:])
+    b = nodal[:, :2, 2:] @ z
+    y = nodal[:, :2, :2] - b @ nodal[:, 2:, 2:] @ b.swapaxes(1, 2) + load[:, None, None] * np.eye(2)
+
+    def pressure(chosen, mechanical, drive):
+        """First port's, with (n_freq, n_motion) impedances and pressures that drive the motions."""
+        of_motion = z[:, chosen][:, :, chosen] + mechanical[:, :, None] * np.eye(len(chosen))
+        system = np.block([[y, b[:, :, chosen]], [-b[:, :, chosen].swapaxes(1, 2), of_motion]])
+        source = np.concatenate([np.zeros((len(frequency), 2)), drive], 1)
+        return np.linalg.solve(system, source[..., None])[:, 0, 0]
+
+    swept = np.trapezoid(2 * np.pi * model.radius * np.abs(model.shapes), model.radius) * area
+    stiffness, mass = model.eigenvalues * disc.modulus * disc.opening, disc.density * disc.opening**3
+    own = (stiffness * (1 + 1j * loss) + rate[:, None] ** 2 * mass) / (rate[:, None] * swept**2)
+    every = pressure(list(range(1, 7)), own, np.broadcast_to(model.patch / swept, own.shape))
+    response = disc.response(frequency, loss)
+    node = 1 / (rate * response.compliance)
+    single = pressure([0], node[:, None], (response.volume_per_force / response.compliance)[:, None])
+    first_alone = pressure([1], own[:, :1], np.broadcast_to(model.patch[:1] / swept[:1], own[:, :1].shape))
+
+    level, phase = 20 * np.log10(np.abs(single / every)), np.degrees(np.angle(single / every))
+    assert np.abs(level).max() < 0.01  # a coarser mesh does not show the shapes of the static corrections: 0.04
+    assert np.abs(phase).max() < 0.05
+    assert np.abs(20 * np.log10(np.abs(first_alone / every)))[:3].min() > 0.3  # the other modes do matter
