@@ -13,11 +13,14 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from acoustic_fem.batch_functions import Array, ball_mean, hyperbolic, inverse, joined, largest
+from acoustic_fem.batch_functions import Array, ball_mean, hyperbolic, inverse, joined, largest, namespace
 from acoustic_fem.batch_interpolation import cylinder_means, disc_means
 from acoustic_fem.batch_parameters import ArrayParameters, MediumParameters
 from acoustic_fem.medium import Medium
 from acoustic_fem.opening import INERTANCE, LARGEST_SHEAR_NUMBER, RESISTANCE
+
+#: Largest (f/f_1)^2 at which the membrane's modes are summed as a power series; it has then up to 29 terms.
+_SERIES = 0.25
 
 
 @dataclass(frozen=True, eq=False)
@@ -95,7 +98,7 @@ def tubes(parameters: ArrayParameters, air: Conditions) -> Tubes:
 def points(parameters: ArrayParameters, air: Conditions) -> Array:
     """Admittance of cavities and their membranes, m^3/(Pa s)."""
     cavity = _cylinder(parameters.cavity_radius[..., None], parameters.cavity_height[..., None], air)
-    modes, loss = parameters.membrane_frequency, parameters.membrane_loss[..., None]
+    modes = parameters.membrane_frequency
     kept = max(0, modes.shape[-1] - 3)  # the last two correct the statics
     highest, limit = largest(air.omega) / (2 * np.pi), 1 / largest(1 / modes[..., kept]) / 2
     if highest > limit:
@@ -103,14 +106,37 @@ def points(parameters: ArrayParameters, air: Conditions) -> Array:
             f"membrane: {highest:.4g} Hz is above half of the highest mode that is kept ({2 * limit:.4g} Hz in vacuo)",
             stacklevel=4,
         )
-    square, loss_square = -((air.omega / (2 * np.pi)) ** 2), loss * loss
-    real, imag = 0.0, 0.0
-    for mode in range(modes.shape[-1]):
-        dynamic = square * modes[..., mode, None] ** -2 + 1
-        weight = parameters.membrane_share[..., mode, None] / (dynamic * dynamic + loss_square)
-        real, imag = real + weight * dynamic, imag + weight
-    membrane = joined(real, -loss * imag) * parameters.membrane_compliance[..., None]
+    membrane = _modes(parameters, air) * parameters.membrane_compliance[..., None]
     return 1j * air.omega * (cavity + membrane)
+
+
+def _modes(parameters: ArrayParameters, air: Conditions) -> Array:
+    """Sum of share / (1 - (f/f_k)^2 + j eta) over the modes, (n_design, n_column, n_freq).
+
+    Well below the first mode it is a power series in f^2 with moments of the modes: a product of matrices.
+    """
+    modes, shares, loss = parameters.membrane_frequency, parameters.membrane_share, parameters.membrane_loss[..., None]
+    highest = largest(air.omega) / (2 * np.pi)
+    square = (air.omega / (2 * np.pi * highest)) ** 2
+    places = (highest / modes) ** 2
+    ratio = largest(places)
+    if ratio > _SERIES:
+        real, imag = 0.0, 0.0
+        for mode in range(modes.shape[-1]):
+            dynamic = 1 - square * places[..., mode, None]
+            weight = shares[..., mode, None] / (dynamic * dynamic + loss * loss)
+            real, imag = real + weight * dynamic, imag + weight
+        return joined(real, -loss * imag)
+    xp, terms = namespace(modes), int(np.ceil(np.log(1e-17) / np.log(max(ratio, 1e-17))))
+    factor = 1 / (1 + 1j * loss)
+    moments, rising = shares * factor, [square * 0 + 1]
+    series = [moments.sum(-1)]
+    for _ in range(terms):
+        moments = moments * (places * factor)
+        series.append(moments.sum(-1))
+        rising.append(rising[-1] * square)
+    coefficients, powers = xp.stack(series, -1), xp.stack(rising, 0)
+    return joined(coefficients.real @ powers, coefficients.imag @ powers)
 
 
 def chambers(parameters: ArrayParameters, air: Conditions) -> Chambers:

@@ -14,11 +14,12 @@ from random_networks import every_node_at_once, random_parameters, topologies
 from scipy.special import jn_zeros, jve
 
 import acoustic_fem
-from acoustic_fem import batch_functions, batch_interpolation, batch_network
+from acoustic_fem import batch_elements, batch_functions, batch_interpolation, batch_network
 from acoustic_fem.batch_interpolation import cylinder_means, disc_means
 from acoustic_fem.batch_network import batch_response, batch_transfer_function
 from acoustic_fem.batch_parameters import ArrayParameters, LineWiring, MediumParameters, Topology
 from acoustic_fem.medium import Medium
+from acoustic_fem.membrane import design_disc
 from geometry.design_file import prototype
 
 pytestmark = pytest.mark.filterwarnings("ignore:entrance loss")  # wide bores at 400 Hz
@@ -112,6 +113,18 @@ def test_interpolated_means_have_the_exact_derivatives():
         strict=True,
     ):
         np.testing.assert_allclose(found, expected, rtol=1e-9)
+
+
+@pytest.mark.parametrize("highest", [1.0, 400.0, 600.0])
+def test_a_power_series_of_the_membrane_modes_is_their_sum(monkeypatch, highest):
+    design = prototype("array-2x6")
+    parameters, loss = ArrayParameters.from_design(design, AIR), 0.1
+    omega = 2 * np.pi * np.geomspace(0.1, highest, 7)
+    expected = design_disc(design).compliance(omega / (2 * np.pi), loss)
+    for limit in (0.0, 0.6):  # one by one; as a series: f_1 is 814 Hz
+        monkeypatch.setattr(batch_elements, "_SERIES", limit)
+        modes = batch_elements._modes(parameters, batch_elements.Conditions.of(omega, AIR))
+        np.testing.assert_allclose(modes[0, 0] * parameters.membrane_compliance[0, 0], expected, rtol=1e-13)
 
 
 # -- the network ------------------------------------------------------------------------------------
