@@ -33,7 +33,7 @@ def render(report: Report) -> str:
     for subject in report.subjects:
         parts += [f"## {subject.title}", _wrapped(subject.text)]
         if subject.studies:
-            parts.append(f"![Error against size: {subject.title.lower()}](images/{figure_name(subject)})")
+            parts.append(f"![{subject.title}: error against size](images/{figure_name(subject)})")
             parts.append(_orders(subject.studies))
             parts.append(_levels(subject.studies))
         if subject.checks:
@@ -114,7 +114,7 @@ def _summary(report: Report) -> str:
     if missed:
         counts += " **Missed:** " + "; ".join(missed) + "."
     versions = ", ".join(f"{name} {version}" for name, version in report.versions.items())
-    times = ", ".join(f"{subject.title.lower()} {subject.seconds:.0f}" for subject in report.subjects)
+    times = ", ".join(f"{subject.title} {subject.seconds:.0f}" for subject in report.subjects)
     made = (
         f"Made with {versions}; sparse solver {report.solver}; one thread; {report.seconds:.0f} s of processor time "
         f"({times})."
