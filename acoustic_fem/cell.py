@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, TypeAlias, TypeVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from acoustic_fem.checks import frequency_grid, in_range
+from acoustic_fem.checks import frequency_grid, in_range, numbers, port_points
 from acoustic_fem.medium import Medium
 from acoustic_fem.units import metres
 
@@ -38,11 +38,11 @@ PHYSICS = ("navier-stokes", "helmholtz")
 
 _ACCURACY_RANGE = (2e-4, 3e-3)
 _COARSER = 1.5
-#: Order of convergence taken for granted: 4 along tubes and in thermal layers, less at mouth edges.
-_ORDER = 3.5
+#: Orders of convergence taken for granted: 4 along tubes and in thermal layers, less for the flow at mouth edges.
+_ORDERS = {"flow": 3.0, "heat": 3.5}
 _MOST_REFINEMENTS = 3
 #: Scales (see :func:`mesh_sizes`) that give an accuracy of 1e-3 in most bodies: of the flow and of heat.
-_USUAL_SCALES = (1.0, 0.75)
+_USUAL_SCALES = {"flow": 1.0, "heat": 0.75}
 
 
 @dataclass(frozen=True)
@@ -70,7 +70,7 @@ class SolvedBody:
         body: answers at any frequency of its band.
         mesh_error: estimated relative error from the meshes, the larger of two: of every admittance, and of
             their sum, which is the compliance of the air. Each is the change from a mesh whose elements are
-            1.5 times larger, an order of 3.5 taken for granted.
+            1.5 times larger, an order of 3 (flow) and 3.5 (heat) taken for granted.
         convergence: all meshes, in the order solved.
         seconds: time taken.
     """
@@ -116,7 +116,7 @@ def port_admittance(
         LinearSolverError: a solve misses its residual limit.
         ConvergenceError: three refinements do not reach the accuracy.
     """
-    grid = frequency_grid(np.atleast_1d(np.asarray(frequency, dtype=np.float64)))
+    grid = frequency_grid(np.atleast_1d(numbers("frequency", frequency)))
     solved = solve_solid(solid, ports, (float(grid[0]), float(grid[-1])), medium, fidelity, accuracy, progress)
     admittance = solved.body.nodal_admittance(grid)
     return admittance[0] if np.ndim(frequency) == 0 else admittance
@@ -151,8 +151,9 @@ def solve_solid(
     """
     accuracy = in_range("accuracy", accuracy, *_ACCURACY_RANGE)
     physics = checked_physics(fidelity)
-    if not ports:
-        raise ValueError("ports must name at least one port")
+    ports = port_points(ports)
+    if not isinstance(medium, Medium):
+        raise ValueError(f"medium must be a Medium, not a {type(medium).__name__}")
     shape = as_shape(solid)
     box = shape.BoundingBox()
     return converge(
@@ -203,8 +204,9 @@ def converge(
     started = time.perf_counter()
     low, high = checked_band or band
     checked = np.geomspace(low, high, 5) if high > low else np.array([low])
-    finer = (accuracy / 1e-3) ** (1 / _ORDER)
-    flow_scale, heat_scale = (finer * usual for usual in _USUAL_SCALES)
+    flow_scale, heat_scale = (
+        usual * (accuracy / 1e-3) ** (1 / _ORDERS[field]) for field, usual in _USUAL_SCALES.items()
+    )
     open_faces = [*tubes] if mirror is None else [*tubes, mirror]
 
     def heat_on(scale: float, advance: Callable[[float], None]) -> tuple[DiffusionField, int]:
@@ -286,7 +288,7 @@ def _refined(
             continue
         change = change_between(fine, coarse)
         meshes.append(Refinement(field, scale, elements, change))
-        error_left = change / (_COARSER**_ORDER - 1)
+        error_left = change / (_COARSER ** _ORDERS[field] - 1)
         if error_left <= accuracy:
             advance(1.0)
             return fine, error_left, meshes
@@ -355,7 +357,8 @@ def as_shape(solid: cadquery.Shape | cadquery.Workplane | str | PathLike[str]) -
             raise ValueError(f"{path}: no STEP file that can be read ({error})") from error
     shapes = solid.vals() if isinstance(solid, cq.Workplane) else [solid]
     if len(shapes) != 1 or not isinstance(shapes[0], cq.Shape):
-        raise ValueError(f"solid must hold one shape, it holds {len(shapes)}")
+        held = ", ".join(type(shape).__name__ for shape in shapes) or "nothing"
+        raise ValueError(f"solid must be one CadQuery shape, it holds {held}")
     return shapes[0]
 
 

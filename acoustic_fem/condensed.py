@@ -15,7 +15,7 @@ import scipy.sparse as sp
 from numpy.typing import NDArray
 
 from acoustic_fem.diffusion_field import DiffusionField, diffusion_field, field_coefficients
-from acoustic_fem.frequency import ReducedModel, reduce_system
+from acoustic_fem.frequency import ReducedModel, reduce_system, require_passive
 from acoustic_fem.helmholtz import pressure_system
 from acoustic_fem.medium import Medium
 from acoustic_fem.navier_stokes import WallMotion, cell_system, compliance_mass
@@ -79,7 +79,7 @@ class CondensedBody:
 
 def condense(
     flow_mesh: SolidMesh,
-    heat_mesh: SolidMesh,
+    heat: SolidMesh | DiffusionField,
     ports: Sequence[str],
     motions: Sequence[WallMotion],
     mirror: str | None,
@@ -93,7 +93,7 @@ def condense(
 
     Args:
         flow_mesh: mesh for the flow, mm.
-        heat_mesh: mesh of the same solid for the thermal field.
+        heat: mesh of the same solid for the thermal field, or the field solved over the band.
         ports: names of the port faces, in order.
         motions: moving walls, in order.
         mirror: name of the plane that halves the body, if any.
@@ -105,27 +105,37 @@ def condense(
 
     Raises:
         LinearSolverError: a solve misses its residual limit.
-        SweepError: the sweep does not reach its tolerance.
+        SweepError: the sweep does not reach its tolerance, or its model gives energy.
     """
     open_faces = [*ports] if mirror is None else [*ports, mirror]
-    heat = diffusion_field(heat_mesh, open_faces, medium.thermal_diffusivity, band)
-    report(0.3)
-
-    def advance(done: float) -> None:
-        report(0.3 + 0.7 * done)
-
+    if isinstance(heat, SolidMesh):
+        heat = diffusion_field(heat, open_faces, medium.thermal_diffusivity, band)
     copies = 1 if mirror is None else 2
+    viscous: DiffusionField | None = None
     if physics == "navier-stokes":
         flow, energies, unknowns = _condense_navier_stokes(
-            flow_mesh, ports, motions, mirror, heat, medium, band, tolerance, advance
+            flow_mesh, ports, motions, mirror, heat, medium, band, tolerance, report
         )
-        return CondensedBody(physics, medium, len(ports), copies, heat.model, None, flow, energies, unknowns)
-    moving = {motion.face for motion in motions}
-    viscous = diffusion_field(flow_mesh, [*open_faces, *moving], medium.kinematic_viscosity, band)
-    flow, energies, unknowns = _condense_helmholtz(
-        flow_mesh, ports, motions, heat, viscous, medium, band, tolerance, advance
+    else:
+        moving = {motion.face for motion in motions}
+        viscous = diffusion_field(flow_mesh, [*open_faces, *moving], medium.kinematic_viscosity, band)
+        flow, energies, unknowns = _condense_helmholtz(
+            flow_mesh, ports, motions, heat, viscous, medium, band, tolerance, report
+        )
+    body = CondensedBody(
+        physics,
+        medium,
+        len(ports),
+        copies,
+        heat.model,
+        None if viscous is None else viscous.model,
+        flow,
+        energies,
+        unknowns,
     )
-    return CondensedBody(physics, medium, len(ports), copies, heat.model, viscous.model, flow, energies, unknowns)
+    grid = np.geomspace(*band, 200)
+    require_passive(body.nodal_admittance(grid), grid)
+    return body
 
 
 # -- linearised Navier-Stokes -----------------------------------------------------------------------------

@@ -33,6 +33,11 @@ class DiffusionField:
     """(n_dof, r): v_k at the degrees of freedom of the basis."""
     model: ReducedModel
 
+    def mean(self, frequency: NDArray[np.float64], diffusivity: float) -> NDArray[np.complex128]:
+        """Mean of the field over the body, (n_freq,)."""
+        integrals = np.einsum("rek,ek->r", self.at_quadrature(), self.basis.dx)
+        return field_coefficients(self.model, frequency, diffusivity) @ integrals / self.basis.dx.sum()
+
     def means_over(self, flow: skfem.CellBasis) -> NDArray[np.float64]:
         """Mean of every v_k over each element of another mesh of the same solid, (r, n_element).
 

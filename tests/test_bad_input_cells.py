@@ -40,6 +40,9 @@ GRIDS = {
     "infinite": ([1.0, np.inf], "frequency = inf Hz must be between"),
     "empty": ([], "frequency has shape (0,)"),
     "a table": ([[1.0, 2.0]], "frequency has shape (1, 2)"),
+    "complex": ([1 + 1j], "frequency must be a real number or an array of them; it is complex"),
+    "text": (["ten"], "frequency must be a real number or an array of them; it is text: ['ten']"),
+    "ragged": ([[1.0], [1.0, 2.0]], "frequency must be a real number or an array of them; its rows"),
 }
 
 
@@ -97,15 +100,27 @@ def test_just_above_frequency_zero_a_duct_is_poiseuille_flow_and_a_sealed_array_
 # -- ports and solids -------------------------------------------------------------------------------------
 BODIES = {
     "no port": ({"ports": {}}, "ports must name at least one port"),
-    "nowhere": ({"ports": {"a": (9, 9, 9)}}, "lies on 0 faces of the solid"),
-    "an edge": ({"ports": {"a": (0, 0, 0.5)}}, "lies on 2 faces of the solid"),
+    "a list": ({"ports": [("a", (0, 0, 0))]}, "ports must map names to points, not be a list"),
+    "none": ({"ports": None}, "ports must map names to points, not be a NoneType"),
+    "two numbers": ({"ports": {"a": (0.5, 0.5)}}, "port 'a' = (0.5, 0.5) must be a point of three finite numbers"),
+    "not finite": ({"ports": {"a": (0.5, 0.5, np.nan)}}, "port 'a' = (0.5, 0.5, nan) must be a point of three"),
+    "a text": ({"ports": {"a": "here"}}, "port 'a' must be a real number or an array of them; it is text"),
+    "the wall": ({"ports": {"wall": (0.5, 0.5, 0)}}, "ports has the name 'wall'"),
+    "a number": ({"ports": {3: (0.5, 0.5, 0)}}, "ports has the name 3; it must be a text"),
+    "nowhere": ({"ports": {"a": (9, 9, 9)}}, "port 'a': the point (9.0, 9.0, 9.0) mm lies on 0 faces"),
+    "an edge": ({"ports": {"a": (0, 0, 0.5)}}, "port 'a': the point (0.0, 0.0, 0.5) mm lies on 2 faces"),
     "a corner": ({"ports": {"a": (0, 0, 0)}}, "lies on 3 faces"),
     "one face twice": ({"ports": {"a": (0.5, 0.5, 0), "b": (0.4, 0.5, 0)}}, "['a', 'b'] lie on the same face"),
-    "round": ({"solid": cq.Solid.makeCylinder(1, 1), "ports": {"a": (-1, 0, 0.5)}}, "CYLINDER, it must be flat"),
+    "round": (
+        {"solid": cq.Solid.makeCylinder(1, 1), "ports": {"a": (-1, 0, 0.5)}},
+        "port 'a': the face at (-1.0, 0.0, 0.5) mm is CYLINDER, it must be flat",
+    ),
     "spherical": (
         {"solid": cq.Solid.makeSphere(1, angleDegrees1=0), "ports": {"a": (np.sqrt(0.5), 0.5, 0.5)}},
         "is SPHERE, it must be flat",
     ),
+    "no solid": ({"solid": None}, "solid must be one CadQuery shape, it holds NoneType"),
+    "nothing drawn": ({"solid": cq.Workplane()}, "solid must be one CadQuery shape, it holds nothing"),
     "a face": ({"solid": BOX.Faces()[0]}, "the shape has 0 solids, it must be one"),
     "two solids": (
         {"solid": cq.Compound.makeCompound([BOX, BOX.moved(x=5)])},
@@ -114,6 +129,7 @@ BODIES = {
     "accuracy": ({"accuracy": np.nan}, "accuracy = nan must be between 0.0002 and 0.003"),
     "accuracy in words": ({"accuracy": "fine"}, "accuracy must be a real number or an array of them; it is text"),
     "fidelity": ({"fidelity": "lumped"}, "fidelity = 'lumped' must be one of navier-stokes, helmholtz"),
+    "no gas": ({"medium": None}, "medium must be a Medium, not a NoneType"),
 }
 
 
