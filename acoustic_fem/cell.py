@@ -137,6 +137,8 @@ def solve_solid(
 ) -> SolvedBody:
     """Condense a body of air of any shape over a band, with its convergence.
 
+    Where a plane mirrors the body and each port onto themselves, half of it is solved.
+
     Args:
         solid: as for :func:`port_admittance`.
         ports: name -> a point on its flat face, mm.
@@ -149,6 +151,9 @@ def solve_solid(
     Raises:
         As :func:`port_admittance`.
     """
+    from geometry.air import MIRROR
+    from geometry.mirror import mirror_half
+
     accuracy = in_range("accuracy", accuracy, *_ACCURACY_RANGE)
     physics = checked_physics(fidelity)
     ports = port_points(ports)
@@ -156,9 +161,13 @@ def solve_solid(
         raise ValueError(f"medium must be a Medium, not a {type(medium).__name__}")
     shape = as_shape(solid)
     box = shape.BoundingBox()
+    solids = shape.Solids()
+    half = mirror_half(solids[0], ports) if len(solids) == 1 and MIRROR not in ports else None
+    faces = dict(ports) if half is None else {**half.ports, MIRROR: half.mirror}
     return converge(
-        shape, ports, tuple(ports), (), None, medium, band, physics, accuracy,
-        min(box.xlen, box.ylen, box.zlen), lambda done: None if progress is None else progress("cell", done),
+        shape if half is None else half.solid, faces, tuple(ports), (), None if half is None else MIRROR, medium,
+        band, physics, accuracy, min(box.xlen, box.ylen, box.zlen),
+        lambda done: None if progress is None else progress("cell", done),
     )  # fmt: skip
 
 

@@ -103,7 +103,7 @@ def mesh_solid(
     solids = solid.Solids()
     if len(solids) != 1:
         raise MeshError(f"the shape has {len(solids)} solids, it must be one")
-    named = {name: _face_at(solids[0], name, point) for name, point in faces.items()}
+    named = {name: face_at(solids[0], name, point) for name, point in faces.items()}
     if len({face.hashCode() for face in named.values()}) != len(named):
         raise MeshError(f"two of the names {sorted(named)} lie on the same face")
     nodes, tetrahedra, triangles = _run_gmsh(solids[0], named, tubes, sizes)
@@ -141,8 +141,12 @@ def checked_mesh(
     return mesh
 
 
-def _face_at(solid: cadquery.Solid, name: str, point: Point) -> cadquery.Face:
-    """The one flat face of the solid that holds the point."""
+def face_at(solid: cadquery.Solid, name: str, point: Point) -> cadquery.Face:
+    """The one flat face of the solid that holds the point (mm).
+
+    Raises:
+        MeshError: the point lies on no face, on several, or on one that is not flat.
+    """
     import cadquery as cq
 
     vertex = cq.Vertex.makeVertex(*point)
