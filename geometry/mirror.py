@@ -54,13 +54,15 @@ def mirror_half(solid: cadquery.Solid, ports: Mapping[str, Point]) -> Half | Non
     faces = {name: face_at(solid, name, point) for name, point in ports.items()}
     centre, size = _vector(solid.Center()), solid.BoundingBox().DiagonalLength
     axes = [(_vector(face.Center()), _vector(face.normalAt())) for face in faces.values()]
-    for normal in _candidates(solid, centre, axes):
-        in_plane = all(
-            abs((place - centre) @ normal) < _SAME * size and abs(direction @ normal) < _SAME
-            for place, direction in axes
-        )
-        if in_plane and _mirrors(solid, centre, normal, size):
-            # The kernel's centre of volume is good to about 1e-6 mm only; a port's is exact.
+    # What must lie in the plane: the ports' axes and the ways from the first to the others.
+    within = np.array([*(direction for _, direction in axes), *(place - axes[0][0] for place, _ in axes[1:])])
+    for candidate in _candidates(solid, centre, axes):
+        if np.abs(within @ candidate).max() > 1e-4 * size or abs((axes[0][0] - centre) @ candidate) > _SAME * size:
+            continue
+        # Axes of inertia are good to about 1e-6 only; the ports' are exact.
+        normal = candidate - np.linalg.pinv(within, rcond=1e-6) @ (within @ candidate)
+        normal /= np.linalg.norm(normal)
+        if np.abs(within @ normal).max() < _SAME and _mirrors(solid, centre, normal, size):
             half = _cut(solid, faces, axes[0][0], normal, size)
             if half is not None:
                 return half
