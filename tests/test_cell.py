@@ -55,6 +55,38 @@ def test_the_same_cell_from_a_cad_solid_with_thermal_field_by_fem():
     np.testing.assert_allclose(admittance[:, 0].sum(axis=1), total, rtol=1e-3)
 
 
+def _with_tubes(body, angles, height):
+    ports = {}
+    for number, angle in enumerate(angles):
+        direction = cq.Vector(np.cos(np.radians(angle)), np.sin(np.radians(angle)), 0)
+        start, end = (cq.Vector(0, 0, height) + direction * reach for reach in (1.0, 4.0))
+        body = body.fuse(cq.Solid.makeCylinder(0.25, (end - start).Length, start, direction))
+        ports[f"{number}"] = end.toTuple()
+    return body.clean(), ports
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("body", "angles"),
+    [
+        (cq.Solid.makeBox(5, 4, 2.5, cq.Vector(-2.5, -2, 0)), (0, 180)),
+        (cq.Solid.makeCylinder(3, 2.5), (0, 90)),
+        (cq.Solid.makeCylinder(3, 2.5), (0, 120, 240)),
+    ],
+    ids=["box", "right angle", "three ports"],
+)
+def test_accuracy_holds_against_finer_meshes_in_every_entry_and_in_the_sum(body, angles):
+    """The ports are off mid height, so that no mirror plane makes it easier than it is."""
+    solid, ports = _with_tubes(body, angles, height=1.1)
+    solved = solve_solid(solid, ports, (1.0, 100.0), AIR, accuracy=1e-3)
+    admittance = solved.body.nodal_admittance(FREQUENCY)
+    finer = solve_solid(solid, ports, (1.0, 100.0), AIR, accuracy=2.5e-4).body.nodal_admittance(FREQUENCY)
+    np.testing.assert_allclose(admittance, finer, rtol=1e-3)
+    np.testing.assert_allclose(admittance.sum(axis=(1, 2)), finer.sum(axis=(1, 2)), rtol=1e-3)
+    assert solved.mesh_error < 1e-3
+    assert {mesh.field for mesh in solved.convergence} == {"heat", "flow"}
+
+
 def test_nodal_admittance_is_symmetric_and_passive(straight):
     np.testing.assert_allclose(straight, straight.transpose(0, 2, 1), rtol=1e-9)
     assert np.linalg.eigvalsh(straight.real).min() > 0
