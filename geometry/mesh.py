@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 import math
 import tempfile
+from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -104,8 +105,10 @@ def mesh_solid(
     if len(solids) != 1:
         raise MeshError(f"the shape has {len(solids)} solids, it must be one")
     named = {name: face_at(solids[0], name, point) for name, point in faces.items()}
-    if len({face.hashCode() for face in named.values()}) != len(named):
-        raise MeshError(f"two of the names {sorted(named)} lie on the same face")
+    counts = Counter(face.hashCode() for face in named.values())
+    shared = sorted(name for name, face in named.items() if counts[face.hashCode()] > 1)
+    if shared:
+        raise MeshError(f"the names {shared} lie on the same face")
     nodes, tetrahedra, triangles = _run_gmsh(solids[0], named, tubes, sizes)
     normals = {}
     for name, face in named.items():
