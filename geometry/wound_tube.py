@@ -13,7 +13,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from geometry.mesh import EDGES, WALL, SolidMesh, checked_mesh
+from geometry.curved_tetrahedra import EDGES
+from geometry.mesh import WALL, SolidMesh, checked_mesh
 
 #: Names of the ends of a swept mesh.
 FIRST, LAST = "first", "last"
