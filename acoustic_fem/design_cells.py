@@ -38,7 +38,7 @@ CHECKED_UP_TO = 200.0
 _FIRST_SCALE = 1.2
 
 #: Part of the cache key: raise it when the mesh or the equations of a cell change.
-CELL_MODEL_VERSION = 6
+CELL_MODEL_VERSION = 7
 
 _MODELS = ("heat", "viscous", "flow")
 

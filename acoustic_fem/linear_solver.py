@@ -157,7 +157,12 @@ class _Pardiso:
         upper.sort_indices()
         rows, columns = upper.indptr.astype(np.int32), upper.indices.astype(np.int32)
         kind = _COMPLEX if np.iscomplexobj(upper.data) else _REAL
-        same = self._pattern is not None and kind == self._type and np.array_equal(columns, self._pattern[1])
+        same = (
+            self._pattern is not None
+            and kind == self._type
+            and np.array_equal(rows, self._pattern[0])
+            and np.array_equal(columns, self._pattern[1])
+        )
         if not same:
             self.release()
         self._type, self._pattern, self._matrix = kind, (rows, columns), matrix

@@ -183,7 +183,7 @@ def _run_gmsh(
             gmsh.model.occ.importShapes(str(brep))
         gmsh.model.occ.synchronize()
         surfaces = {name: _matching_surface(name, face) for name, face in named.items()}
-        _set_sizes(surfaces, tubes, named, sizes)
+        _set_sizes(surfaces, tubes, named, sizes, solid)
         gmsh.option.setNumber("Mesh.MeshSizeExtendFromBoundary", 0)
         gmsh.option.setNumber("Mesh.MeshSizeFromPoints", 0)
         # Fillets and domes: as many elements a turn as a tube has.
@@ -224,7 +224,11 @@ def _matching_surface(name: str, face: cadquery.Face) -> int:
 
 
 def _set_sizes(
-    surfaces: Mapping[str, int], tubes: tuple[str, ...], named: Mapping[str, cadquery.Face], sizes: MeshSizes
+    surfaces: Mapping[str, int],
+    tubes: tuple[str, ...],
+    named: Mapping[str, cadquery.Face],
+    sizes: MeshSizes,
+    solid: cadquery.Solid,
 ) -> None:
     """Background field: fine at the mouth edges, even along the stubs, growing into the cavity."""
     import gmsh
@@ -234,22 +238,22 @@ def _set_sizes(
     # A mirror plane cuts through tubes without being their wall.
     others = {tag for name, tag in surfaces.items() if name not in tubes}
     ends = {surfaces[name] for name in tubes}
-    stubs = [(surfaces[name], _port_radius(surfaces[name], others, named[name])) for name in tubes]
-    tube_walls: list[tuple[set[int], float]] = []
-    for surface, radius in stubs:
+    tube_walls: list[tuple[set[int], float, cadquery.Face | None]] = []
+    for name in tubes:
+        surface, radius = surfaces[name], _port_radius(surfaces[name], others, named[name])
         edges = [tag for _, tag in gmsh.model.getBoundary([(2, surface)], oriented=False)]
         walls = {int(wall) for edge in edges for wall in gmsh.model.getAdjacencies(1, edge)[0]} - {surface} - others
-        tube_walls.append((walls, radius))
-    known: set[int] = {wall for walls, _ in tube_walls for wall in walls}
+        tube_walls.append((walls, radius, named[name]))
+    known: set[int] = {wall for walls, _, _ in tube_walls for wall in walls}
     # Tubes that end at no port: between cavities, or a microphone's sound hole. The kernel does not call every
     # round tube a cylinder.
     tube_walls += [
-        ({tag}, radius)
+        ({tag}, radius, None)
         for _, tag in gmsh.model.getEntities(2)
         if tag not in known and gmsh.model.getType(2, tag) != "Plane"
         if sizes.tube * (radius := _curvature_radius(tag)) < sizes.largest / 2
     ]
-    for walls, radius in tube_walls:
+    for walls, radius, port in tube_walls:
         rims = {tag for wall in walls for _, tag in gmsh.model.getBoundary([(2, wall)], oriented=False)}
         # A seam joins a face to itself; a mouth edge joins the tube's wall to another face, but to no port.
         mouth = [
@@ -257,7 +261,9 @@ def _set_sizes(
             for tag in rims
             if len(beside := set(gmsh.model.getAdjacencies(1, tag)[0])) > 1 and not beside & (others | ends)
         ]
-        at_mouth = min(sizes.mouth_edge * radius, sizes.tube_layer)
+        # In front of a wall the flow turns within the gap, however wide the tube.
+        room = radius if port is None else min(radius, _clearance(solid, port, mouth))
+        at_mouth = min(sizes.mouth_edge * room, sizes.tube_layer)
         fields.append(_size_around("CurvesList", mouth, at_mouth, 0.0, sizes))
         along = min(sizes.tube * radius, sizes.tube_layer)
         fields.append(_size_around("SurfacesList", sorted(walls), along, 1.2 * radius, sizes))
@@ -268,6 +274,26 @@ def _set_sizes(
         smallest = field.add("Min")
         field.setNumbers(smallest, "FieldsList", fields)
         field.setAsBackgroundMesh(smallest)
+
+
+def _clearance(solid: cadquery.Solid, port: cadquery.Face, mouth: list[int]) -> float:
+    """From the mouth of a tube along its axis to the wall beyond, mm; infinite for a tube without a mouth."""
+    import gmsh
+    from OCP.gp import gp_Dir, gp_Lin, gp_Pnt
+    from OCP.IntCurvesFace import IntCurvesFace_ShapeIntersector
+
+    if not mouth:
+        return math.inf
+    start, axis = np.array(port.Center().toTuple()), -np.array(port.normalAt().toTuple())
+    crossing = IntCurvesFace_ShapeIntersector()
+    crossing.Load(solid.wrapped, 1e-7)
+    crossing.Perform(gp_Lin(gp_Pnt(*start), gp_Dir(*axis)), 1e-6, 1e9)
+    ways = [crossing.WParameter(k) for k in range(1, crossing.NbPnt() + 1)]
+    rims = [(np.array(box[:3]) + np.array(box[3:])) / 2 for box in (gmsh.model.getBoundingBox(1, tag) for tag in mouth)]
+    at_mouth = float((np.mean(rims, axis=0) - start) @ axis)
+    # Where the mouth is cut from a curved wall or a mirror plane its middle is not exactly on the axis.
+    beyond = [way - at_mouth for way in ways if way - at_mouth > 1e-6]
+    return min(beyond, default=math.inf)
 
 
 def _port_radius(surface: int, others: set[int], face: cadquery.Face) -> float:

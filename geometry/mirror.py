@@ -20,6 +20,8 @@ Vector = NDArray[np.float64]
 _SAME = 1e-5
 #: Volumes and areas that do; the CAD kernel integrates them to about 1e-5.
 _SAME_CONTENT = 1e-4
+#: Points of each face whose mirror images are looked for.
+_PROBES = 40
 
 
 @dataclass(frozen=True)
@@ -36,8 +38,8 @@ class Half:
 def mirror_half(solid: cadquery.Solid, ports: Mapping[str, Point]) -> Half | None:
     """Half of a solid, if a plane mirrors the solid onto itself and every port onto itself.
 
-    Faces are compared by area, kind and centre. Planes are sought through the centre of volume, across the
-    axes of the coordinates and of inertia and along the axis of each port.
+    Faces are compared by kind, area, centre and points all over them. Planes are sought through the centre of
+    volume, across the axes of the coordinates and of inertia and along the axis of each port.
 
     Args:
         solid: one closed solid, mm.
@@ -86,19 +88,39 @@ def _candidates(solid: cadquery.Solid, centre: Vector, axes: list[tuple[Vector, 
 
 
 def _mirrors(solid: cadquery.Solid, centre: Vector, normal: Vector, size: float) -> bool:
-    """Whether the faces of the solid are, one by one, mirror images of its faces."""
+    """Whether the faces of the solid are, one by one, mirror images of its faces.
+
+    A twisted face has the area and the centre of its image without being it: points all over each face must
+    have their images on the other.
+    """
+    import cadquery as cq
+
     faces = solid.Faces()
     places = np.array([_vector(face.Center()) for face in faces])
     areas = np.array([face.Area() for face in faces])
     kinds = [face.geomType() for face in faces]
-    images = places - 2 * np.outer((places - centre) @ normal, normal)
-    for k, image in enumerate(images):
+    partners: list[list[int]] = []
+    for k, image in enumerate(_mirrored(places, centre, normal)):
         near = (np.linalg.norm(places - image, axis=1) < _SAME * size) & (
             np.abs(areas - areas[k]) < _SAME_CONTENT * areas[k]
         )
-        if not any(kinds[other] == kinds[k] for other in np.flatnonzero(near)):
+        partners.append([other for other in np.flatnonzero(near).tolist() if kinds[other] == kinds[k]])
+    if not all(partners):
+        return False
+    random = np.random.default_rng(0)
+    for face, others in zip(faces, partners, strict=True):
+        nodes, _ = face.tessellate(0.02 * size, 0.3)
+        corners = np.array([_vector(node) for node in nodes])
+        # Nodes lie on the face; the middles of its facets would not.
+        chosen = random.permutation(len(corners))[:_PROBES]
+        images = [cq.Vertex.makeVertex(*image) for image in _mirrored(corners[chosen], centre, normal)]
+        if not any(all(faces[other].distance(image) < _SAME * size for image in images) for other in others):
             return False
     return True
+
+
+def _mirrored(points: Vector, centre: Vector, normal: Vector) -> Vector:
+    return points - 2 * np.outer((points - centre) @ normal, normal)
 
 
 def _cut(

@@ -50,6 +50,15 @@ def test_a_body_without_a_plane_through_its_ports_stays_whole():
     assert mirror_half(*with_tubes(dented, 0, 180, height=1.0)) is None
 
 
+@pytest.mark.parametrize("angle", [45, 90, 180])
+def test_a_twisted_body_has_the_faces_of_its_mirror_image_and_stays_whole(angle):
+    twisted = cq.Workplane().rect(2, 0.6).twistExtrude(2.5, angle)
+    ends = {"below": (0, 0, 0), "above": (0, 0, 2.5)}
+    assert mirror_half(twisted.val(), ends) is None
+    # Straight, it has its planes.
+    assert mirror_half(cq.Workplane().rect(2, 0.6).extrude(2.5).val(), ends) is not None
+
+
 def test_half_a_body_of_any_shape_answers_as_the_whole_one():
     solid, ports = with_tubes(BOX, 0, 180, height=1.0)
     frequency = np.array([1.0, 100.0])
