@@ -23,6 +23,9 @@ from geometry.topology import check_topology
 #: entrance flow has decayed to a plane wave where the port is (its slowest mode decays as exp(-5 z/a)).
 STUB_LENGTH_IN_RADII = 4.0
 
+#: Width on which the board of a microphone is glued, or bears on either side of a gasket, mm.
+BOARD_SEAL = 0.6
+
 Millimetre = Annotated[Number, Field(gt=0, json_schema_extra={"unit": "mm"})]
 MicrophoneName = Annotated[str, Field(min_length=1, max_length=40, pattern=r"^[A-Za-z0-9][A-Za-z0-9._-]*$")]
 
@@ -67,11 +70,32 @@ class Membrane(Section):
     stretch: Number = Field(
         default=1.0, ge=1, le=1.9, description="lengths in the plane of the mounted disc per those as cast"
     )
+    shape: Literal["flat", "rim", "boss"] = Field(
+        default="flat",
+        description="flat: a disc; rim: thicker on the rim, outside the cavity; boss: with a button to be touched",
+    )
+    rim_height: Millimetre | None = Field(
+        default=None, ge=0.05, le=10, description="height of the rim above the disc; for shape = 'rim' only"
+    )
+    boss_diameter: Millimetre | None = Field(
+        default=None,
+        ge=0.2,
+        le=40,
+        description="diameter of the button where it meets the disc; for shape = 'boss' only",
+    )
+    boss_height: Millimetre | None = Field(
+        default=None, ge=0.05, le=10, description="height of the button above the disc; for shape = 'boss' only"
+    )
 
     @property
     def mounted_thickness(self) -> float:
         """Thickness of the disc after it was stretched, at constant volume, mm."""
         return self.thickness / self.stretch**2
+
+    @property
+    def total_height(self) -> float:
+        """Height as cast with the rim or the boss, mm."""
+        return self.thickness + (self.rim_height or self.boss_height or 0.0)
 
 
 class Tube(Section):
@@ -85,6 +109,9 @@ class Tube(Section):
     inner_diameter: Millimetre = Field(ge=0.05, le=5, description="bore")
     outer_diameter: Millimetre = Field(ge=0.1, le=8, description="outside of the sheath")
     wire_diameter: Millimetre = Field(ge=0.01, le=1, description="wire of the coil spring")
+    bend_radius: Millimetre | None = Field(
+        default=None, le=1000, description="smallest radius of its axis; default: from spring and sheath"
+    )
 
     @model_validator(mode="before")
     @classmethod
@@ -115,6 +142,16 @@ class Tube(Section):
     def spring_outer_diameter(self) -> float:
         """Outside diameter of the coil spring, mm."""
         return self.inner_diameter + 2 * self.wire_diameter
+
+    @property
+    def smallest_bend_radius(self) -> float:
+        """Smallest radius to which its axis may be bent, mm.
+
+        By default the larger of two assumed limits. The spring's turns touch on the inside of a bend and gape on
+        the outside, there by wire x D / (R - D / 2) with the spring's outside D: at R = 1.5 D by one wire, where
+        the sheath begins to sink in. A sleeve of plastic kinks where R is below its own outside diameter.
+        """
+        return self.bend_radius or max(1.5 * self.spring_outer_diameter, self.outer_diameter)
 
     @property
     def stub_length(self) -> float:
@@ -173,12 +210,55 @@ class Microphone(Section):
         description="below it the noise power rises as 1/f",
         json_schema_extra={"unit": "Hz"},
     )
+    package_length: Millimetre = Field(default=3.5, ge=0.5, le=20, description="length of the package; assumed")
+    package_width: Millimetre = Field(default=2.65, ge=0.5, le=20, description="width of the package; assumed")
+    package_height: Millimetre = Field(default=0.98, ge=0.2, le=10, description="height of the package; assumed")
+    board_length: Millimetre | None = Field(
+        default=None,
+        ge=1,
+        le=40,
+        description="length of the board that closes the chamber; default: covers package, chamber and gasket",
+    )
+    board_width: Millimetre | None = Field(
+        default=None, ge=1, le=40, description="width of the board; default: covers package, chamber and gasket"
+    )
+    gasket_width: Millimetre | None = Field(
+        default=None,
+        ge=0.3,
+        le=5,
+        description="width of a groove for a seal under the board; default: none, the board is glued",
+    )
+    gasket_depth: Millimetre = Field(default=0.4, ge=0.1, le=5, description="depth of that groove")
     source: str = Field(default="assumed", description="where the figures come from")
 
     @property
     def chamber_volume(self) -> float:
         """Volume of the chamber without the sound hole, mm^3."""
         return math.pi / 4 * self.chamber_diameter**2 * self.chamber_height
+
+    @property
+    def least_board_length(self) -> float:
+        """Shortest board that covers the package, the chamber and the gasket, mm."""
+        return self._board_size(self.package_length)
+
+    @property
+    def least_board_width(self) -> float:
+        """Narrowest board that covers the package, the chamber and the gasket, mm."""
+        return self._board_size(self.package_width)
+
+    @property
+    def board_size(self) -> tuple[float, float]:
+        """Length and width of the board, mm; by default 0.5 mm around the package."""
+        return (
+            self.board_length or max(self.least_board_length, self.package_length + 1.0),
+            self.board_width or max(self.least_board_width, self.package_width + 1.0),
+        )
+
+    def _board_size(self, package: float) -> float:
+        sealed = self.chamber_diameter + 2 * BOARD_SEAL
+        if self.gasket_width is not None:
+            sealed += 2 * (self.gasket_width + BOARD_SEAL)
+        return max(package, sealed)
 
 
 class Line(Section):
@@ -193,12 +273,26 @@ class Line(Section):
 class Layout(Section):
     """Where the resonators lie."""
 
-    kind: Literal["serpentine", "ring"] = Field(
+    kind: Literal["serpentine", "ring", "cylinder", "hand"] = Field(
         description="serpentine: rows of `columns` points, one block per line; ring: lines are the sides of a "
-        "polygon, microphones its corners"
+        "polygon, microphones its corners; cylinder: a serpentine wound on a cylinder, rows around it; hand: "
+        "fingers of `columns` points that fan out from the wrist"
     )
-    columns: Count = Field(default=1000, ge=1, le=1000, description="points per row of a serpentine")
+    columns: Count = Field(default=1000, ge=1, le=1000, description="points per row of a serpentine, or per finger")
     pitch: Millimetre | None = Field(default=None, description="distance of neighbours; default: tubes lie straight")
+    diameter: Millimetre | None = Field(
+        default=None, ge=2, le=2000, description="cylinder on which the shells stand; for kind = 'cylinder' only"
+    )
+    palm: Millimetre | None = Field(
+        default=None, ge=5, le=300, description="wrist to the first point of each finger; for kind = 'hand' only"
+    )
+    spread: Number | None = Field(
+        default=None,
+        ge=1,
+        le=60,
+        description="angle between neighbouring fingers; for kind = 'hand' only",
+        json_schema_extra={"unit": "degrees"},
+    )
 
 
 class Air(Section):
@@ -220,6 +314,59 @@ class Printing(Section):
     material: str = Field(default="photopolymer-resin", description="material of shells and molds")
     glue_gap: Millimetre = Field(default=0.05, le=1, description="radial gap around a tube in its port")
     port_lip: Millimetre = Field(default=0.3, le=10, description="shoulder on which a tube stops in its port")
+
+
+class Molding(Section):
+    """The mold in which membranes are cast."""
+
+    kind: Literal["two-part", "open-face"] = Field(
+        default="two-part", description="two-part: base and lid; open-face: base and a scraper that rides on its lands"
+    )
+    rows: Count = Field(default=1, ge=1, le=20, description="rows of cavities")
+    columns: Count = Field(default=1, ge=1, le=20, description="cavities per row")
+    draft: Number = Field(
+        default=1.0,
+        ge=0,
+        le=10,
+        description="slope of the walls, membranes included; assumed",
+        json_schema_extra={"unit": "degrees"},
+    )
+    land_width: Millimetre = Field(default=0.6, ge=0.2, le=5, description="width of the land around a cavity; assumed")
+    land_height: Millimetre = Field(
+        default=0.5, ge=0.2, le=5, description="height of the lands, the gap between the halves elsewhere; assumed"
+    )
+    groove_width: Millimetre = Field(default=1.2, ge=0.5, le=5, description="width of the overflow groove; assumed")
+    vent_diameter: Millimetre = Field(
+        default=1.0, ge=0.3, le=5, description="two vents per cavity, through the lid; assumed"
+    )
+    pin_diameter: Millimetre = Field(default=2.5, ge=1, le=10, description="registration pins; assumed")
+    pin_clearance: Millimetre = Field(
+        default=0.1,
+        ge=0.02,
+        le=1,
+        description="radial gap of a pin in its socket, gap of the scraper's guides; assumed",
+    )
+    sockets: Literal["through", "blind"] = Field(
+        default="through", description="of the pins in the lid; blind ones cannot be pushed apart from outside"
+    )
+    shim_step: Millimetre = Field(
+        default=0.05, ge=0.01, le=0.5, description="by this the shims raise the lid, one set per step; assumed"
+    )
+    shim_count: Count = Field(default=2, ge=0, le=10, description="sets of shims for thicker membranes; assumed")
+    silicone_shrinkage: Number = Field(
+        default=0.001,
+        ge=0,
+        le=0.1,
+        description="linear, on curing; data sheets of platinum-cure silicones: at most 0.001",
+    )
+    resin_shrinkage: Number = Field(
+        default=0.0, ge=0, le=0.1, description="linear, of the printed mold beyond what the printer corrects; assumed"
+    )
+
+    @property
+    def scale(self) -> float:
+        """Lengths of the drawn cavity per those of the membrane."""
+        return 1 / ((1 - self.silicone_shrinkage) * (1 - self.resin_shrinkage))
 
 
 class ArrayDesign(Section):
@@ -245,6 +392,7 @@ class ArrayDesign(Section):
     layout: Layout = Field(description="where the resonators lie")
     air: Air = Field(default=Air(), description="state of the air")
     printing: Printing = Field(default=Printing(), description="how the parts are made")
+    mold: Molding = Field(default=Molding(), description="how the membranes are cast")
     materials: dict[str, Material] = Field(default_factory=dict, description="materials beside the built-in ones")
 
     @model_validator(mode="after")

@@ -14,6 +14,8 @@ if TYPE_CHECKING:
 
 #: Thinnest wall above and below the socket of a tube, mm: less does not survive the glue.
 SOCKET_COVER = 0.1
+#: Most by which shims raise the lid of a mold, mm: the pins stay in their sockets.
+MOST_SHIMS = 1.0
 
 
 def check_consistency(design: ArrayDesign) -> None:
@@ -22,7 +24,18 @@ def check_consistency(design: ArrayDesign) -> None:
     Raises:
         ValueError: the first broken rule, with field, value and range.
     """
-    for rule in (_materials, _membrane, _tubes, _sockets, _sound_hole, _layout, _sockets_around_microphones):
+    for rule in (
+        _materials,
+        _membrane,
+        _membrane_shape,
+        _mold,
+        _tubes,
+        _sockets,
+        _sound_hole,
+        _board,
+        _layout,
+        _sockets_around_microphones,
+    ):
         for message in rule(design):
             raise ValueError(message)
 
@@ -61,6 +74,72 @@ def _membrane(design: ArrayDesign) -> Iterator[str]:
         )
     if rim > wall:
         yield f"membrane.rim_width = {rim:g} mm must be at most resonator.wall_thickness ({wall:g} mm)"
+
+
+def _membrane_shape(design: ArrayDesign) -> Iterator[str]:
+    """A rim or a boss stands on the outer face of the disc; each has its own fields."""
+    membrane, cavity = design.membrane, design.resonator.cavity_diameter
+    for shape, names in (("rim", ("rim_height",)), ("boss", ("boss_diameter", "boss_height"))):
+        for name in names:
+            value = getattr(membrane, name)
+            if membrane.shape == shape and value is None:
+                yield f"membrane.{name} must be given, mm, for membrane.shape = {shape!r}"
+            elif membrane.shape != shape and value is not None:
+                yield f"membrane.{name} = {value:g} mm needs membrane.shape = {shape!r}; it is {membrane.shape!r}"
+    if membrane.shape != "flat" and membrane.stretch != 1:
+        yield (
+            f"membrane.stretch = {membrane.stretch:g} must be 1 for membrane.shape = {membrane.shape!r}: "
+            "only a flat disc is stretched evenly"
+        )
+    if membrane.total_height - membrane.thickness > cavity:
+        name = "rim_height" if membrane.shape == "rim" else "boss_height"
+        yield (
+            f"membrane.{name} = {membrane.total_height - membrane.thickness:g} mm must be at most "
+            f"resonator.cavity_diameter ({cavity:g} mm)"
+        )
+    if membrane.boss_diameter is not None and not 0.1 * cavity <= membrane.boss_diameter <= 0.9 * cavity + 1e-9:
+        yield (
+            f"membrane.boss_diameter = {membrane.boss_diameter:g} mm must be between {0.1 * cavity:g} and "
+            f"{0.9 * cavity:g} mm, 0.1 to 0.9 of resonator.cavity_diameter ({cavity:g} mm)"
+        )
+
+
+def _mold(design: ArrayDesign) -> Iterator[str]:
+    """Sloping walls leave at least half of a rim or boss; shims leave the pins in their sockets."""
+    membrane, mold = design.membrane, design.mold
+    slopes = [("membrane.rim_width", membrane.rim_width, membrane.total_height + (membrane.rim_height or 0.0))]
+    if membrane.boss_diameter is not None and membrane.boss_height is not None:
+        slopes.append(("membrane.boss_diameter", membrane.boss_diameter, 2 * membrane.boss_height))
+    for field, width, height in slopes:
+        steepest = math.degrees(math.atan(width / 2 / height))
+        if mold.draft > steepest:
+            yield (
+                f"mold.draft = {mold.draft:g} degrees must be at most {steepest:.3g} degrees to leave half of {field} "
+                f"({width:g} mm)"
+            )
+    raised = mold.shim_count * mold.shim_step
+    if mold.kind == "two-part" and raised > MOST_SHIMS + 1e-9:
+        yield (
+            f"mold.shim_count = {mold.shim_count} must be at most {int(MOST_SHIMS / mold.shim_step + 1e-9)}: shims of "
+            f"mold.shim_step = {mold.shim_step:g} mm may raise the lid by {MOST_SHIMS:g} mm"
+        )
+    if mold.vent_diameter > mold.groove_width:
+        yield (
+            f"mold.vent_diameter = {mold.vent_diameter:g} mm must be at most mold.groove_width "
+            f"({mold.groove_width:g} mm), into which the vents lead"
+        )
+
+
+def _board(design: ArrayDesign) -> Iterator[str]:
+    """The board carries the package and closes the chamber."""
+    microphone = design.microphone
+    for side in ("length", "width"):
+        value, least = getattr(microphone, f"board_{side}"), getattr(microphone, f"least_board_{side}")
+        if value is not None and value < least - 1e-9:
+            yield (
+                f"microphone.board_{side} = {value:g} mm must be at least {least:g} mm to cover package, chamber and "
+                "gasket"
+            )
 
 
 def _tubes(design: ArrayDesign) -> Iterator[str]:
