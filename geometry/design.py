@@ -27,6 +27,8 @@ STUB_LENGTH_IN_RADII = 4.0
 BOARD_SEAL = 0.6
 
 Millimetre = Annotated[Number, Field(gt=0, json_schema_extra={"unit": "mm"})]
+CubicMillimetre = Annotated[Number, Field(gt=0, json_schema_extra={"unit": "mm^3"})]
+Ratio = Annotated[Number, Field(gt=0)]
 MicrophoneName = Annotated[str, Field(min_length=1, max_length=40, pattern=r"^[A-Za-z0-9][A-Za-z0-9._-]*$")]
 
 
@@ -307,13 +309,49 @@ class Air(Section):
     )
 
 
+class PrintRules(Section):
+    """Figures of the printing process that differ from the built-in ones; nothing given changes nothing."""
+
+    wall: Millimetre | None = Field(default=None, description="thinnest wall")
+    wall_advised: Millimetre | None = Field(default=None, description="thinnest wall without risk")
+    hole: Millimetre | None = Field(default=None, description="narrowest round hole")
+    hole_advised: Millimetre | None = Field(default=None, description="narrowest round hole without risk")
+    slot: Millimetre | None = Field(default=None, description="narrowest gap between walls")
+    slot_advised: Millimetre | None = Field(default=None, description="narrowest gap between walls without risk")
+    clearance: Millimetre | None = Field(default=None, description="narrowest radial gap between parts that mate")
+    clearance_advised: Millimetre | None = Field(default=None, description="the same without risk")
+    pin_aspect: Ratio | None = Field(default=None, description="largest height of a pin per its diameter")
+    pin_aspect_advised: Ratio | None = Field(default=None, description="the same without risk")
+    overhang_angle: Number | None = Field(
+        default=None,
+        gt=0,
+        lt=90,
+        description="faces that look down and are flatter than this hang",
+        json_schema_extra={"unit": "degrees"},
+    )
+    overhang_span: Millimetre | None = Field(default=None, description="widest overhang")
+    overhang_span_advised: Millimetre | None = Field(default=None, description="widest overhang without support")
+    cup_volume: CubicMillimetre | None = Field(default=None, description="largest cup sealed on the resin's film")
+    cup_volume_advised: CubicMillimetre | None = Field(default=None, description="the same without risk")
+    cast_thickness: Millimetre | None = Field(default=None, description="thinnest cast disc")
+    cast_thickness_advised: Millimetre | None = Field(default=None, description="thinnest cast disc without risk")
+    pixel: Millimetre | None = Field(default=None, description="width of a pixel, laser spot or nozzle")
+    tolerance: Millimetre | None = Field(default=None, description="a printed length is true to plus or minus this")
+    build_volume: tuple[Millimetre, Millimetre, Millimetre] | None = Field(
+        default=None, description="width, depth and height of the machine, mm"
+    )
+
+
 class Printing(Section):
     """How the shells and molds are printed and joined."""
 
-    process: Literal["sla-resin", "dlp-fine"] = Field(default="sla-resin", description="process of the rules")
+    process: Literal["sla-resin", "dlp-fine", "fdm", "mjf"] = Field(
+        default="sla-resin", description="process of the rules"
+    )
     material: str = Field(default="photopolymer-resin", description="material of shells and molds")
     glue_gap: Millimetre = Field(default=0.05, le=1, description="radial gap around a tube in its port")
     port_lip: Millimetre = Field(default=0.3, le=10, description="shoulder on which a tube stops in its port")
+    rules: PrintRules = Field(default=PrintRules(), description="figures of the process that differ")
 
 
 class Molding(Section):

@@ -6,8 +6,9 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from geometry import ring
+from geometry import hand, ring, wrap
 from geometry.materials import MATERIALS
+from geometry.print_processes import process_of
 
 if TYPE_CHECKING:
     from geometry.design import ArrayDesign, Tube
@@ -35,6 +36,7 @@ def check_consistency(design: ArrayDesign) -> None:
         _board,
         _layout,
         _sockets_around_microphones,
+        _print_rules,
     ):
         for message in rule(design):
             raise ValueError(message)
@@ -270,6 +272,51 @@ def _layout(design: ArrayDesign) -> Iterator[str]:
             )
 
 
+def _cylinder(design: ArrayDesign) -> Iterator[str]:
+    layout, resonator, chamber = design.layout, design.resonator, design.microphone
+    if layout.kind != "cylinder":
+        if layout.diameter is not None:
+            yield f"layout.diameter = {layout.diameter:g} mm goes with layout.kind = 'cylinder' only, not {layout.kind!r}"
+        return
+    if layout.diameter is None:
+        yield "layout.diameter is missing: layout.kind = 'cylinder' needs the diameter the shells stand on, in mm"
+        return
+    if layout.pitch is not None:
+        yield f"layout.pitch = {layout.pitch:g} mm must not be given for layout.kind = 'cylinder', whose tubes never bow"
+    surface = wrap.surface_of(design)
+    assert isinstance(surface, wrap.Cylinder)
+    shell = (resonator.cavity_diameter / 2, resonator.outer_diameter / 2)
+    housing = (chamber.chamber_diameter / 2, chamber.chamber_diameter / 2 + chamber.wall_thickness)
+    for field, tube, to_microphone in _tubes_of(design):
+        (inner, outer), (inner_end, outer_end) = shell, housing if to_microphone else shell
+        try:
+            wrap.wound_turn(tube.length, (inner, inner_end), (outer, outer_end), surface.port_radius)
+        except ValueError as error:
+            yield f"{field}.length on a cylinder, layout.diameter = {layout.diameter:g} mm: {error}"
+
+
+def _hand(design: ArrayDesign) -> Iterator[str]:
+    layout = design.layout
+    if layout.kind != "hand":
+        for field, value in (("palm", layout.palm), ("spread", layout.spread)):
+            if value is not None:
+                yield f"layout.{field} = {value:g} goes with layout.kind = 'hand' only, not {layout.kind!r}"
+        return
+    fingers = sum(hand.fingers_of(design))
+    if fingers > hand.FINGERS:
+        yield (
+            f"layout.columns = {layout.columns} points per finger makes {fingers} fingers; must be enough for at most "
+            f"{hand.FINGERS}, each line beginning on a finger of its own"
+        )
+        return
+    beyond, line = hand.longest_step(design)
+    if beyond > 1e-9:
+        yield (
+            f"layout.kind = 'hand': the tube of lines.{line}, {design.tube_of(design.lines[line]).length:g} mm, must be "
+            f"{beyond:.3g} mm longer to reach from finger to finger, or layout.spread smaller"
+        )
+
+
 def _sockets_around_microphones(design: ArrayDesign) -> Iterator[str]:
     """Lines enter a chamber at equal angles, at a corner of a ring along its two sides."""
     chamber, printing = design.microphone, design.printing
@@ -287,6 +334,14 @@ def _sockets_around_microphones(design: ArrayDesign) -> Iterator[str]:
                     f"for the sockets of the {len(ends)} lines that end at {name!r} to fit around it, "
                     f"{apart:.4g} degrees apart"
                 )
+
+
+def _print_rules(design: ArrayDesign) -> Iterator[str]:
+    """A rule's advice is on the safe side of its limit."""
+    try:
+        process_of(design.printing)
+    except ValueError as error:
+        yield f"printing.{error}"
 
 
 def _tubes_of(design: ArrayDesign) -> Iterator[tuple[str, Tube, bool]]:
