@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from geometry.design import ArrayDesign, Tube
 from geometry.layout import ArrayLayout, place
+from geometry.mold import mold_counts
 from geometry.tube import Port
 
 if TYPE_CHECKING:
@@ -46,9 +47,9 @@ def build_parts(design: ArrayDesign) -> PartSet:
 
     Returns:
         ``shell-straight``, ``shell-corner-90``, ... one per distinct set of port angles; ``membrane``;
-        ``mold-base`` and ``mold-lid`` in which membranes are cast; ``microphone-housing``, with the angles
-        of further ports where lines meet; ``microphone-lid``. Where tubes of different diameters are used,
-        the names of shells and housings end in bore x outside of their ports' tubes.
+        ``mold-base``, ``mold-lid``, ... in which membranes are cast, see :func:`geometry.mold.build_mold`;
+        ``microphone-housing``, with the angles of further ports where lines meet; ``microphone-lid``. Where
+        tubes of different diameters are used, the names of shells and housings end in bore x outside of their ports' tubes.
 
     Raises:
         ValueError: a part is not one valid solid.
@@ -87,9 +88,9 @@ def build_parts(design: ArrayDesign) -> PartSet:
     for name, ports in plan.shells.items():
         parts[name] = build_shell(resonator, membrane, printing, ports)
         parts.parameters[name] = {**shell, **joints, "ports": _describe(ports)}
-    parts["membrane"] = build_membrane(resonator, membrane)
-    mold = build_mold(resonator, membrane)
-    parts["mold-base"], parts["mold-lid"] = mold.base, mold.lid
+    parts["membrane"] = build_membrane(design)
+    mold = build_mold(design)
+    parts.update(mold.parts)
     for name, ports in plan.housings.items():
         parts[name] = build_housing(microphone, printing, ports)
         parts.parameters[name] = {**chamber, **joints, "ports": _describe(ports)}
@@ -99,9 +100,10 @@ def build_parts(design: ArrayDesign) -> PartSet:
         "sound_hole_length": microphone.sound_hole_length,
         "model": microphone.model,
     }
-    for name in ("membrane", "mold-base", "mold-lid"):
-        parts.parameters[name] = disc
-    parts.counts = _counts(plan)
+    parts.parameters["membrane"] = disc
+    for name in mold.parts:
+        parts.parameters[name] = {**disc, "scale": design.mold.scale, "draft": design.mold.draft}
+    parts.counts = _counts(design, plan)
     for name in parts:
         parts.parameters[name] = {"design": design.name, "count": parts.counts[name], **parts.parameters[name]}
     return parts
@@ -109,7 +111,7 @@ def build_parts(design: ArrayDesign) -> PartSet:
 
 def part_counts(design: ArrayDesign) -> dict[str, int]:
     """How many of each part one array needs, by the names of :func:`build_parts` (one mold serves all)."""
-    return _counts(_plan(design))
+    return _counts(design, _plan(design))
 
 
 def place_parts(design: ArrayDesign, layout: ArrayLayout) -> tuple[PlacedPart, ...]:
@@ -196,13 +198,12 @@ def _housing_name(ports: tuple[Port, ...]) -> str:
     return "microphone-housing" + "".join(f"-{port.angle:g}" for port in ports[1:])
 
 
-def _counts(plan: _Plan) -> dict[str, int]:
+def _counts(design: ArrayDesign, plan: _Plan) -> dict[str, int]:
     used = Counter(name for name, _ in plan.point_shells + plan.microphone_housings)
     return {
         **{name: used[name] for name in plan.shells},
         "membrane": len(plan.point_shells),
-        "mold-base": 1,
-        "mold-lid": 1,
+        **mold_counts(design),
         **{name: used[name] for name in plan.housings},
         "microphone-lid": len(plan.microphone_housings),
     }
