@@ -49,7 +49,8 @@ def build_parts(design: ArrayDesign) -> PartSet:
         ``shell-straight``, ``shell-corner-90``, ... one per distinct set of port angles; ``membrane``;
         ``mold-base``, ``mold-lid``, ... in which membranes are cast, see :func:`geometry.mold.build_mold`;
         ``microphone-housing``, with the angles of further ports where lines meet; ``microphone-lid``. Where
-        tubes of different diameters are used, the names of shells and housings end in bore x outside of their ports' tubes.
+        tubes of different diameters are used, the names of shells and housings end in bore x outside
+        of their ports' tubes.
 
     Raises:
         ValueError: a part is not one valid solid.
