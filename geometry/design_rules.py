@@ -35,6 +35,8 @@ def check_consistency(design: ArrayDesign) -> None:
         _sound_hole,
         _board,
         _layout,
+        _cylinder,
+        _hand,
         _sockets_around_microphones,
         _print_rules,
     ):
@@ -276,13 +278,13 @@ def _cylinder(design: ArrayDesign) -> Iterator[str]:
     layout, resonator, chamber = design.layout, design.resonator, design.microphone
     if layout.kind != "cylinder":
         if layout.diameter is not None:
-            yield f"layout.diameter = {layout.diameter:g} mm goes with layout.kind = 'cylinder' only, not {layout.kind!r}"
+            yield f"layout.diameter = {layout.diameter:g} mm goes with layout.kind = 'cylinder', not {layout.kind!r}"
         return
     if layout.diameter is None:
         yield "layout.diameter is missing: layout.kind = 'cylinder' needs the diameter the shells stand on, in mm"
         return
     if layout.pitch is not None:
-        yield f"layout.pitch = {layout.pitch:g} mm must not be given for layout.kind = 'cylinder', whose tubes never bow"
+        yield f"layout.pitch = {layout.pitch:g} mm must not be given for layout.kind = 'cylinder': its tubes never bow"
     surface = wrap.surface_of(design)
     assert isinstance(surface, wrap.Cylinder)
     shell = (resonator.cavity_diameter / 2, resonator.outer_diameter / 2)
@@ -300,7 +302,7 @@ def _hand(design: ArrayDesign) -> Iterator[str]:
     if layout.kind != "hand":
         for field, value in (("palm", layout.palm), ("spread", layout.spread)):
             if value is not None:
-                yield f"layout.{field} = {value:g} goes with layout.kind = 'hand' only, not {layout.kind!r}"
+                yield f"layout.{field} = {value:g} goes with layout.kind = 'hand', not {layout.kind!r}"
         return
     fingers = sum(hand.fingers_of(design))
     if fingers > hand.FINGERS:
@@ -312,8 +314,8 @@ def _hand(design: ArrayDesign) -> Iterator[str]:
     beyond, line = hand.longest_step(design)
     if beyond > 1e-9:
         yield (
-            f"layout.kind = 'hand': the tube of lines.{line}, {design.tube_of(design.lines[line]).length:g} mm, must be "
-            f"{beyond:.3g} mm longer to reach from finger to finger, or layout.spread smaller"
+            f"layout.spread = {layout.spread or hand.SPREAD:g} degrees must be smaller, or the tube of lines.{line}, "
+            f"{design.tube_of(design.lines[line]).length:g} mm, at least {beyond:.3g} mm longer to reach the next finger"
         )
 
 

@@ -218,7 +218,7 @@ def test_a_kinked_tube_is_noted_with_its_radius():
     design = design_of(**{"layout.pitch": 10.05, "tube.length": 4.1, "layout.columns": 12})
     radius = bow_radius(bow_angle(4.1, 10.05, 3.0, 5.0), 10.05, 5.0)
     assert radius < design.tube.outer_diameter
-    note = f"tube 2 of line 1 bends to a radius of {radius:.2g} mm, below its outside diameter 0.9 mm"
+    note = f"tube 2 of line 1 bends to a radius of {radius:.2g} mm, below the 0.9 mm that it may be bent to"
     assert note in place(design).notes
 
 
