@@ -314,13 +314,13 @@ def _hand(design: ArrayDesign) -> Iterator[str]:
     beyond, line = hand.longest_step(design)
     if beyond > 1e-9:
         yield (
-            f"layout.spread = {layout.spread or hand.SPREAD:g} degrees must be smaller, or the tube of lines.{line}, "
-            f"{design.tube_of(design.lines[line]).length:g} mm, at least {beyond:.3g} mm longer to reach the next finger"
+            f"layout.spread = {layout.spread or hand.SPREAD:g} degrees must be smaller, or the tube of lines.{line} "
+            f"({design.tube_of(design.lines[line]).length:g} mm) {beyond:.3g} mm longer, to reach the next finger"
         )
 
 
 def _sockets_around_microphones(design: ArrayDesign) -> Iterator[str]:
-    """Lines enter a chamber at equal angles, at a corner of a ring along its two sides."""
+    """Lines enter a chamber at equal angles, at a corner of a ring along its two sides, in a palm as they meet."""
     chamber, printing = design.microphone, design.printing
     at_corners = design.layout.kind == "ring"
     angles = ring.corner_angles(ring.corners(ring.side_lengths(design))) if at_corners else None
@@ -328,6 +328,8 @@ def _sockets_around_microphones(design: ArrayDesign) -> Iterator[str]:
         ends = [design.microphone_tube_of(line) for line in design.lines if name in line.between]
         if len(ends) > 1:
             apart = 360 / len(ends) if angles is None else float(angles[index])
+            if design.layout.kind == "hand":
+                apart = hand.meeting_angle(design, name) or apart
             hole = max(tube.outer_diameter for tube in ends) / 2 + printing.glue_gap
             least = 2 * (hole / math.sin(math.radians(apart) / 2) - printing.port_lip)
             if chamber.chamber_diameter < least:

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 #: Of a hand, the thumb among them.
 FINGERS = 5
-#: Where a design gives none: wrist to knuckles of a medium hand, mm, and fingers some 20 mm apart at their ends, degrees.
+#: Where a design gives none: wrist to knuckles of a medium hand, mm; fingers some 20 mm apart at their ends, degrees.
 PALM, SPREAD = 80.0, 9.0
 
 
@@ -70,20 +70,42 @@ def hand_runs(design: ArrayDesign) -> list[Run]:
         upwards = len(points) > 1 and np.linalg.norm(points[-1]) > np.linalg.norm(points[-2]) + 1e-9
         out.append([wrist[0], (wrist[1] + 180) % 360 if upwards else wrist[1]])
     for name in design.microphones:
-        ends = [(k, line.between.index(name)) for k, line in enumerate(design.lines) if name in line.between]
-        if len(ends) == 2:
-            points = [positions[k][-end] for k, end in ends]
-            reach = [design.microphone_reach_of(design.lines[k]) for k, _ in ends]
-            meeting = _meeting(points[0], points[1], reach[0], reach[1])
-            if meeting is not None:
-                for (k, end), point in zip(ends, points, strict=True):
-                    out[k][end] = bearing(point, meeting)
+        meeting = _meeting_at(design, positions, name)
+        for index, line in enumerate(design.lines):
+            if meeting is not None and name in line.between:
+                end = line.between.index(name)
+                out[index][end] = bearing(positions[index][-end], meeting)
     runs = []
     for index, points in enumerate(positions):
         # Outwards over the fingertips, towards the wrist between the roots of the fingers.
         sides = tuple(-1 if k % columns == 0 and (k // columns) % 2 == 0 else 1 for k in range(1, len(points)))
         runs.append(run_of(design, index, points, sides, (out[index][0], out[index][1])))
     return runs
+
+
+def meeting_angle(design: ArrayDesign, microphone: str) -> float | None:
+    """Angle between the two straight tubes that meet at a microphone, degrees; None where no two tubes do."""
+    positions = finger_positions(design)
+    meeting = _meeting_at(design, positions, microphone)
+    if meeting is None:
+        return None
+    first, second = (
+        bearing(meeting, points[-line.between.index(microphone)])
+        for line, points in zip(design.lines, positions, strict=True)
+        if microphone in line.between
+    )
+    return abs((first - second + 180) % 360 - 180)
+
+
+def _meeting_at(
+    design: ArrayDesign, positions: list[NDArray[np.float64]], microphone: str
+) -> NDArray[np.float64] | None:
+    ends = [(line, points) for line, points in zip(design.lines, positions, strict=True) if microphone in line.between]
+    if len(ends) != 2:
+        return None
+    points = [points[-line.between.index(microphone)] for line, points in ends]
+    reach = [design.microphone_reach_of(line) for line, _ in ends]
+    return _meeting(points[0], points[1], reach[0], reach[1])
 
 
 def _meeting(
