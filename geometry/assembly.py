@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
+import math
 from collections import Counter
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+import numpy as np
+from numpy.typing import NDArray
+
 from geometry.design import ArrayDesign, Tube
-from geometry.layout import ArrayLayout, place
+from geometry.layout import ArrayLayout, MicrophonePlacement, PointPlacement, place
 from geometry.mold import mold_counts
 from geometry.tube import Port
+from geometry.wrap import FLAT, Axes
 
 if TYPE_CHECKING:
     import cadquery as cq
@@ -34,12 +39,25 @@ class PartSet(dict[str, "cq.Workplane"]):
 
 @dataclass(frozen=True)
 class PlacedPart:
-    """One copy of a part in the array: turned about z by ``rotation`` degrees, then moved (mm)."""
+    """One copy of a part in the array: turned about its z by ``rotation`` degrees, laid along ``axes``, moved (mm)."""
 
     part: str
     label: str
     position: tuple[float, float, float]
     rotation: float
+    axes: Axes = FLAT
+    """Where its x, y and z point, as rows; on a flat array as in its own coordinates."""
+    group: str = ""
+    """What it belongs to: ``point 3``, ``microphone A``, ``tube 2 of line 1``."""
+
+    @property
+    def matrix(self) -> NDArray[np.float64]:
+        """The (4, 4) float64 matrix that moves the part into place, mm."""
+        cos, sin = math.cos(math.radians(self.rotation)), math.sin(math.radians(self.rotation))
+        matrix = np.eye(4)
+        matrix[:3, :3] = np.array(self.axes).T @ np.array([[cos, -sin, 0], [sin, cos, 0], [0, 0, 1]])
+        matrix[:3, 3] = self.position
+        return matrix
 
 
 def build_parts(design: ArrayDesign) -> PartSet:
@@ -116,18 +134,29 @@ def part_counts(design: ArrayDesign) -> dict[str, int]:
 
 
 def place_parts(design: ArrayDesign, layout: ArrayLayout) -> tuple[PlacedPart, ...]:
-    """Where every copy of every part lies; the floors of all cavities of resonators lie at z = 0."""
+    """Where every copy of every made part lies; the floors of resonators' cavities lie at z = 0 of a flat array."""
     plan, placed = _plan(design, layout), []
+
+    def put(
+        part: str, label: str, at: PointPlacement | MicrophonePlacement, height: float, turn: float, group: str
+    ) -> None:
+        frame = layout.frame(at)
+        x, y, z = (round(float(c), 9) + 0.0 for c in frame.at(0.0, 0.0, height))
+        placed.append(PlacedPart(part, label, (x, y, z), turn, frame.axes, group))
+
     top = design.resonator.cavity_height
     for point, (name, turn) in zip(layout.points, plan.point_shells, strict=True):
-        placed.append(PlacedPart(name, f"shell {point.number}", (*point.position, 0.0), turn))
-        placed.append(PlacedPart("membrane", f"membrane {point.number}", (*point.position, top), 0.0))
-    # Tubes lie in one plane: the middle of a chamber is at the height of the resonators' ports.
+        group = f"point {point.number}"
+        put(name, f"shell {point.number}", point, 0.0, turn, group)
+        put("membrane", f"membrane {point.number}", point, top, 0.0, group)
+    # The middle of a chamber is at the height of the resonators' ports.
     floor = design.resonator.port_axis_height - design.microphone.chamber_height / 2
     for microphone, (name, turn) in zip(layout.microphones, plan.microphone_housings, strict=True):
-        placed.append(PlacedPart(name, f"microphone {microphone.name}", (*microphone.position, floor), turn))
-        lid = (*microphone.position, floor + design.microphone.chamber_height)
-        placed.append(PlacedPart("microphone-lid", f"lid {microphone.name}", lid, 0.0))
+        group = f"microphone {microphone.name}"
+        put(name, group, microphone, floor, turn, group)
+        put(
+            "microphone-lid", f"lid {microphone.name}", microphone, floor + design.microphone.chamber_height, 0.0, group
+        )
     return tuple(placed)
 
 

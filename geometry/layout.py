@@ -190,7 +190,7 @@ def _points_and_tubes(
     for index, (line, run) in enumerate(zip(design.lines, runs, strict=True)):
         tube, first, last = design.tube_of(line), *run.ends
         backward, forward = [first.direction], []
-        placed = []
+        placed: list[TubePlacement] = []
         for start, end, side in zip(run.positions[:-1], run.positions[1:], run.sides, strict=True):
             # On a cylinder the points lie where unbowed tubes put them.
             distance = float(np.linalg.norm(end - start))

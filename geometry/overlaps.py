@@ -112,7 +112,7 @@ def _tubes_in_bodies(
         last = tube.segment == line.points
         after = microphone_at[line.between[1]] if last else point_at[tube.line, tube.segment]
         half = tube.tube.outer_diameter / 2
-        near = bodies.tree.query_ball_point(path, bodies.reach + half)
+        near: list[list[int]] = list(bodies.tree.query_ball_point(path, bodies.reach + half))
         for body in sorted({k for found in near for k in found} - {before, after}):
             gap = bodies.gap(body, path) - half
             if gap < -_CONTACT:

@@ -157,6 +157,15 @@ def tightest_bend(path: NDArray[np.float64]) -> float:
     return float((product[bent] / (2 * area[bent])).min()) if bent.any() else math.inf
 
 
+def trimmed(path: NDArray[np.float64], length: float) -> NDArray[np.float64]:
+    """A polyline (n, 3) without ``length`` mm of its first and of its last segment, which are longer than that."""
+    ends = path.copy()
+    for end, inwards in ((0, 1), (-1, -2)):
+        step = path[inwards] - path[end]
+        ends[end] = path[end] + length * step / np.linalg.norm(step)
+    return ends
+
+
 def resampled(path: NDArray[np.float64], step: float, trim: float = 0.0) -> NDArray[np.float64]:
     """Points of a polyline no further apart than ``step``, without its first and last ``trim`` mm."""
     at = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(path, axis=0), axis=1))])
