@@ -82,15 +82,25 @@ def tessellate(solid: cq.Shape, tolerance: float, facet_angle: float = FACET_ANG
 def _deviation(
     face: cq.Face, mesh: Poly_Triangulation, points: NDArray[np.float64], corners: NDArray[np.int64]
 ) -> float:
-    """Distance between the middles of facets' edges and the surface at the same parameters."""
+    """Distance of the middles of facets and of their edges from the surface, along the facets' normals.
+
+    The surface is taken at the middle parameters, which on a spline lie elsewhere along the surface.
+    """
     surface = BRepAdaptor_Surface(face.wrapped)
     if surface.GetType() == GeomAbs_Plane:
         return 0.0
     parameters = np.array([(p.X(), p.Y()) for p in (mesh.UVNode(k) for k in range(1, mesh.NbNodes() + 1))])
-    edges = np.unique(np.sort(np.vstack([corners[:, [0, 1]], corners[:, [1, 2]], corners[:, [2, 0]]]), axis=1), axis=0)
-    on_surface = [surface.Value(u, v) for u, v in parameters[edges].mean(axis=1).tolist()]
-    gaps = points[edges].mean(axis=1) - np.array([(p.X(), p.Y(), p.Z()) for p in on_surface])
-    return float(np.linalg.norm(gaps, axis=1).max())
+    edges, first = np.unique(
+        np.sort(corners[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1), axis=0, return_index=True
+    )
+    a, b, c = (points[corners[:, k]] for k in range(3))
+    normals = np.cross(b - a, c - a)
+    normals /= np.maximum(np.linalg.norm(normals, axis=1), 1e-300)[:, None]
+    at = np.vstack([parameters[edges].mean(axis=1), parameters[corners].mean(axis=1)])
+    middles = np.vstack([points[edges].mean(axis=1), points[corners].mean(axis=1)])
+    on_surface = np.array([(p.X(), p.Y(), p.Z()) for p in (surface.Value(u, v) for u, v in at.tolist())])
+    across = np.vstack([normals[first // 3], normals])
+    return float(np.abs(np.einsum("ij,ij->i", middles - on_surface, across)).max())
 
 
 @dataclass(frozen=True)

@@ -67,7 +67,8 @@ def thinnest_wall(facets: Tessellation) -> Spot:
     """Smallest distance through the material between facets that face each other.
 
     Rays go inwards from 40 places of every face. A first hit counts where its facet faces the start within 15
-    degrees: the thinnest place of a wall is parallel, and the two sides of an edge are no wall. Infinite when nothing is opposed.
+    degrees: the thinnest place of a wall is parallel, and the two sides of an edge are no wall.
+    Infinite when nothing is opposed.
     """
     return _narrowest(_Skin(facets), -1.0)
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from geometry.assembly import PartSet
-from geometry.part_files import tessellation_tolerance
+from geometry.part_files import is_cast, tessellation_tolerance
 from geometry.print_processes import PrintProcess, Verdict, find_process, process_of
 from geometry.print_rules import Finding, judge_cast, judge_printed
 from geometry.print_tolerance import AcousticEffect, acoustic_effects
@@ -81,7 +81,7 @@ def print_report(
         if progress is not None:
             progress(name, index / len(parts))
         solid = part.val()
-        if name.startswith("membrane"):
+        if is_cast(name):
             findings.append(judge_cast(name, solid.BoundingBox().zlen, rules))
         else:
             facets = tessellate(solid, tolerance)
