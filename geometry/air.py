@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from itertools import combinations
 from typing import TYPE_CHECKING
 
+from geometry.cavity_shapes import draw_cavity, separation
 from geometry.cells import Cell
 
 if TYPE_CHECKING:
@@ -45,8 +46,8 @@ def air_volume(cell: Cell) -> AirVolume:
 
     Where every tube lies in the plane y = 0 the cell is its own mirror image and one half is drawn.
 
-    A stub of length L ends at the distance diameter / 2 + L from the axis: tube lengths count from the
-    point where the tube's axis meets the cavity wall.
+    A stub of length L ends at the distance diameter / 2 + L from the axis: tube lengths count from the radius
+    of the cavity, where the tube's axis meets the wall of a cylinder.
 
     Raises:
         ValueError: no port, two ports overlap, or the drawn solid is not one valid solid.
@@ -57,18 +58,21 @@ def air_volume(cell: Cell) -> AirVolume:
         raise ValueError(f"the air of {cell.label} has no port; it needs at least one tube")
     radius = cell.diameter / 2
     for first, second in combinations(cell.ports, 2):
-        apart = 2 * radius * abs(math.sin(math.radians(first.angle - second.angle) / 2))
+        near = min(cell.mouth_of(first), cell.mouth_of(second))
+        apart = separation(near, first.angle - second.angle, cell.height_of(first) - cell.height_of(second))
         if apart <= (first.bore_diameter + second.bore_diameter) / 2:
             raise ValueError(
                 f"the air of {cell.label} has overlapping ports at {first.angle:g} and {second.angle:g} deg"
             )
-    air = cq.Solid.makeCylinder(radius, cell.height)
+    air: cq.Shape = draw_cavity(cell.shape, radius, cell.height)
     ports = {}
     for name, port in zip(port_names(cell), cell.ports, strict=True):
         bore = port.bore_diameter / 2
         direction = cq.Vector(math.cos(math.radians(port.angle)), math.sin(math.radians(port.angle)), 0)
-        start = cq.Vector(0, 0, cell.port_height) + direction * (radius / 2)
-        end = cq.Vector(0, 0, cell.port_height) + direction * (radius + port.stub_length)
+        middle = cq.Vector(0, 0, cell.height_of(port))
+        # Wholly inside the cavity, where the floor of a bowl rises towards the wall.
+        start = middle + direction * (radius / 2 if cell.shape is None else cell.mouth_of(port) / 10)
+        end = middle + direction * (radius + port.stub_length)
         stub = cq.Solid.makeCylinder(bore, (end - start).Length, start, direction)
         air = air.fuse(stub)
         ports[name] = end.toTuple()

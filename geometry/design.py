@@ -14,8 +14,9 @@ from typing import Annotated, Any, Literal, Self
 
 from pydantic import Field, model_validator
 
+from geometry.cavity_shapes import USUAL_BOX, Box, Dome
 from geometry.design_fields import Count, Number, Section
-from geometry.design_rules import check_consistency
+from geometry.design_rules import SOCKET_COVER, check_consistency
 from geometry.materials import MATERIALS, Material
 from geometry.topology import check_topology
 
@@ -33,7 +34,7 @@ MicrophoneName = Annotated[str, Field(min_length=1, max_length=40, pattern=r"^[A
 
 
 class Resonator(Section):
-    """Printed shell of one sensing point: a cylindrical air cavity, open at the top."""
+    """Printed shell of one sensing point: an air cavity, open at the top."""
 
     cavity_diameter: Millimetre = Field(ge=0.8, le=50, description="diameter of the air cavity")
     cavity_height: Millimetre = Field(ge=0.4, le=50, description="floor of the cavity to the membrane")
@@ -42,11 +43,68 @@ class Resonator(Section):
     port_height: Millimetre | None = Field(
         default=None, description="axis of the tube ports above the floor of the cavity; default: mid height"
     )
+    shape: Literal["cylinder", "box", "dome"] = Field(
+        default="cylinder",
+        description="cylinder; box: inside the circle of the membrane, under a round collar; dome: the floor is a bowl",
+    )
+    box_length: Millimetre | None = Field(
+        default=None, le=50, description="side of a box along a tube (see above); default: its width, or a square"
+    )
+    box_width: Millimetre | None = Field(default=None, le=50, description="other side of a box; default: its length")
+    corner_radius: Millimetre | None = Field(
+        default=None, ge=0.05, le=20, description="upright edges of a box; default: 0.1 cavity diameters"
+    )
+    collar_height: Millimetre | None = Field(
+        default=None, ge=0.1, le=20, description="round collar between a box and the membrane; default: 0.2 heights"
+    )
+    dome_depth: Millimetre | None = Field(
+        default=None,
+        ge=0.05,
+        le=25,
+        description="depth of the bowl of a dome; default: a third of the height, at most a quarter of the diameter",
+    )
+
+    @property
+    def cavity_shape(self) -> Box | Dome | None:
+        """What makes the cavity differ from a cylinder; None for a cylinder."""
+        diameter, height = self.cavity_diameter, self.cavity_height
+        if self.shape == "dome":
+            return Dome(self.dome_depth or min(diameter / 4, height / 3))
+        if self.shape == "box":
+            corner = self.corner_radius or 0.1 * diameter
+            usual = math.sqrt(2) * (USUAL_BOX * diameter / 2 - corner) + 2 * corner
+            length = self.box_length or self.box_width or usual
+            return Box(length, self.box_width or length, corner, self.collar_height or 0.2 * height)
+        return None
 
     @property
     def port_axis_height(self) -> float:
         """Height of the tube axis above the cavity floor, mm."""
         return self.cavity_height / 2 if self.port_height is None else self.port_height
+
+    def port_problem(self, height: float, bore_diameter: float) -> str:
+        """Why the wall of a box or a dome has no place for a bore at that height; empty where it has.
+
+        Bores lie below the collar of a box, and where the wall of a bowl is steep or above the bowl.
+        """
+        shape, bore = self.cavity_shape, bore_diameter / 2
+        if isinstance(shape, Box):
+            highest = self.cavity_height - shape.collar_height - bore - SOCKET_COVER
+            if height > highest + 1e-9:
+                return f"lies at {height:g} mm; it must lie at most at {highest:.4g} mm, below resonator.collar_height"
+            if bore_diameter > min(shape.length, shape.width) / 2 + 1e-9:
+                return (
+                    f"has a bore of {bore_diameter:g} mm; it must be at most half of the box's side "
+                    f"({min(shape.length, shape.width):.4g} mm)"
+                )
+        if isinstance(shape, Dome) and height - bore < shape.depth - 1e-9:
+            lowest = shape.lowest_port(self.cavity_diameter / 2)
+            if height < lowest:
+                return (
+                    f"lies at {height:g} mm on the flat part of the bowl; it must lie at least at "
+                    f"{min(lowest, shape.depth + bore):.4g} mm"
+                )
+        return ""
 
     @property
     def outer_diameter(self) -> float:
@@ -56,7 +114,29 @@ class Resonator(Section):
     @property
     def cavity_volume(self) -> float:
         """Volume of the air cavity, mm^3."""
+        shape = self.cavity_shape
+        if shape is not None:
+            return shape.volume(self.cavity_diameter / 2, self.cavity_height)
         return math.pi / 4 * self.cavity_diameter**2 * self.cavity_height
+
+
+class Shell(Section):
+    """What helps to glue, mount and tell apart the printed shells; the air is the same with and without."""
+
+    groove_width: Millimetre | None = Field(
+        default=None, ge=0.2, le=5, description="width of a groove for glue in the seat of the membrane; default: none"
+    )
+    groove_depth: Millimetre = Field(default=0.2, ge=0.05, le=2, description="depth of that groove")
+    feet: Count = Field(default=0, ge=0, le=4, description="number of mounting feet between the tubes")
+    foot_length: Millimetre = Field(default=4.0, ge=1, le=20, description="wall of the shell to the end of a foot")
+    foot_hole: Millimetre = Field(default=2.2, ge=0.3, le=10, description="screw hole in a foot")
+    label: Literal["none", "raised", "engraved"] = Field(
+        default="none", description="number of the point on the wall, in digits of straight strokes"
+    )
+    label_height: Millimetre | None = Field(
+        default=None, ge=0.5, le=20, description="height of the digits; default: 0.8 of the wall's height, at most 3 mm"
+    )
+    label_relief: Millimetre = Field(default=0.2, ge=0.05, le=1, description="how far they stand out or are cut in")
 
 
 class Membrane(Section):
@@ -351,6 +431,11 @@ class Printing(Section):
     material: str = Field(default="photopolymer-resin", description="material of shells and molds")
     glue_gap: Millimetre = Field(default=0.05, le=1, description="radial gap around a tube in its port")
     port_lip: Millimetre = Field(default=0.3, le=10, description="shoulder on which a tube stops in its port")
+    carrier: Literal["none", "row", "sheet"] = Field(
+        default="none", description="all shells in one piece besides: joined in a row or a sheet by snap-off necks"
+    )
+    carrier_gap: Millimetre = Field(default=4.0, ge=2, le=50, description="between neighbouring shells of a carrier")
+    carrier_neck: Millimetre = Field(default=0.5, ge=0.2, le=3, description="width and height of a snap-off neck")
     rules: PrintRules = Field(default=PrintRules(), description="figures of the process that differ")
 
 
@@ -422,6 +507,7 @@ class ArrayDesign(Section):
     description: str = Field(default="", description="what it is, for people")
     microphones: tuple[MicrophoneName, ...] = Field(min_length=2, max_length=16, description="names of the microphones")
     resonator: Resonator = Field(description="printed shell of a sensing point")
+    shell: Shell = Field(default=Shell(), description="what else is printed on the shells")
     membrane: Membrane = Field(description="silicone disc on each shell")
     tube: Tube = Field(description="tube between neighbouring points")
     microphone_tube: Tube = Field(description="tube from the end of a line to its microphone")

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from geometry import hand, ring, wrap
+from geometry import hand, ring, shell_rules, wrap
 from geometry.materials import MATERIALS
 from geometry.print_processes import process_of
 
@@ -32,6 +32,8 @@ def check_consistency(design: ArrayDesign) -> None:
         _mold,
         _tubes,
         _sockets,
+        shell_rules.cavity_shape,
+        shell_rules.shell_features,
         _sound_hole,
         _board,
         _layout,
