@@ -85,6 +85,9 @@ def print_report(
             findings.append(judge_cast(name, solid.BoundingBox().zlen, rules))
         else:
             facets = tessellate(solid, tolerance)
-            findings += judge_printed(name, solid, facets, rules, parameters.get(name, {}))
+            known = dict(parameters.get(name, {}))
+            if design is not None and name.startswith("mold-lid"):
+                known["pin_clearance"] = design.mold.pin_clearance
+            findings += judge_printed(name, solid, facets, rules, known)
     effects = acoustic_effects(design, rules.tolerance) if design is not None else ()
     return PrintReport(rules, tuple(findings), effects)

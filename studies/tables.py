@@ -95,8 +95,10 @@ def show_findings(printing: PrintReport) -> None:
     """The print verdict and what leads to it."""
     print(f"printing, {printing.process.title}: {printing.verdict}")
     if printing.problems:
-        table = table_of("part", "measure", "value", "limit", "verdict", numbers=(2, 3))
+        table = table_of("part", "measure", "value", "must be", "place (mm)", "verdict", numbers=(2, 3, 4))
         for finding in printing.problems:
-            value, limit = f"{finding.value:.3g} {finding.unit}", f"{finding.limit:.3g} {finding.unit}"
-            table.add_row(finding.part, finding.rule, value, limit, finding.verdict)
+            value = f"{finding.value:.3g} {finding.unit}"
+            limit = f"{finding.relation} {finding.limit:.3g} {finding.unit}"
+            place = "" if finding.place is None else ", ".join(f"{0.0 + round(x, 2):g}" for x in finding.place)
+            table.add_row(finding.part, finding.rule, value, limit, place, finding.verdict)
         show(table)
