@@ -157,11 +157,11 @@ def _tubes(design: ArrayDesign, layout: ArrayLayout) -> tuple[list[PlacedPart], 
             names[piece] = piece.name + (f"_{alike + 1}" if alike else "")
             spring, sheath = build_tube(piece)
             shapes[f"spring-{names[piece]}"], shapes[f"sheath-{names[piece]}"] = spring.val(), sheath.val()
-        axes = tuple(tuple(row) for row in matrix[:3, :3].T.tolist())
+        x, y, z = ((float(a), float(b), float(c)) for a, b, c in matrix[:3, :3].T)
         for kind in ("spring", "sheath"):
             label = f"{kind} of {tube.label}"
             at = tuple(matrix[:3, 3].tolist())
-            placed.append(PlacedPart(f"{kind}-{names[piece]}", label, at, 0.0, axes, tube.label))
+            placed.append(PlacedPart(f"{kind}-{names[piece]}", label, at, 0.0, (x, y, z), tube.label))
     return placed, shapes
 
 
@@ -179,11 +179,9 @@ def _packages(design: ArrayDesign, placed: tuple[PlacedPart, ...]) -> tuple[list
     packages = []
     for lid in placed:
         if kind_of(lid.part) == "lid":
-            x, y, z = np.array(lid.position) + microphone.sound_hole_length * np.array(lid.axes[2])
-            name = lid.group.removeprefix("microphone ")
-            packages.append(
-                replace(lid, part="microphone-package", label=f"package {name}", position=(float(x), float(y), float(z)))
-            )
+            x, y, z = (np.array(lid.position) + microphone.sound_hole_length * np.array(lid.axes[2])).tolist()
+            label = lid.group.replace("microphone", "package")
+            packages.append(replace(lid, part="microphone-package", label=label, position=(x, y, z)))
     return packages, package
 
 

@@ -152,7 +152,7 @@ def _near(model: ArrayModel, within: float) -> Iterator[tuple[int, int]]:
 def _relative(model: ArrayModel, i: int, j: int) -> tuple[object, _Placed]:
     """What makes two pairs alike, and part j as seen from part i."""
     first, second = model.placed[i], model.placed[j]
-    matrix = np.linalg.solve(first.matrix, second.matrix)
+    matrix: NDArray[np.float64] = np.linalg.solve(first.matrix, second.matrix).astype(np.float64)
     key = (first.part, second.part, tuple((np.round(matrix[:3], 5) + 0.0).ravel().tolist()))
     return key, _Placed(model.shapes[second.part], matrix)
 
@@ -232,7 +232,6 @@ def _port_fit(
     radii = sorted({round(port.radius, 9) for port in ports})
     if len(radii) < 2:
         raise ValueError(f"{sheath.label} ends in {body.label} where no bore with a socket is")
-    bore = next(port for port in ports if round(port.radius, 9) == radii[0])
     return PortFit(
         tube=sheath.label,
         part=body.label,
@@ -240,7 +239,7 @@ def _port_fit(
         counterbore=2 * radii[-1],
         spring_bore=2 * inside.radius,
         tube_outside=2 * outside.radius,
-        axis_offset=max(_offset(end, inside) for port in ports for end in (*port.ends, *bore.ends)),
+        axis_offset=max(_offset(end, inside) for port in ports for end in port.ends),
     )
 
 

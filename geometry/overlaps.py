@@ -112,8 +112,8 @@ def _tubes_in_bodies(
         last = tube.segment == line.points
         after = microphone_at[line.between[1]] if last else point_at[tube.line, tube.segment]
         half = tube.tube.outer_diameter / 2
-        near: list[list[int]] = list(bodies.tree.query_ball_point(path, bodies.reach + half))
-        for body in sorted({k for found in near for k in found} - {before, after}):
+        near = np.concatenate(bodies.tree.query_ball_point(path, bodies.reach + half)).astype(int)
+        for body in sorted(set(near.tolist()) - {before, after}):
             gap = bodies.gap(body, path) - half
             if gap < -_CONTACT:
                 notes.append(f"{tube.label} passes {-gap:.2g} mm inside {bodies.names[body]}")
