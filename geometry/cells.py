@@ -39,7 +39,8 @@ class CellPort:
 class Cell:
     """Air of one resonator or microphone chamber with tube stubs and an opening on top.
 
-    It is a cylinder where no other shape is given. The opening is the membrane (as wide as the cavity, length 0) or the microphone's sound hole.
+    It is a cylinder where no other shape is given. The opening is the membrane (as wide as the cavity, length 0)
+    or the microphone's sound hole.
     Lengths in mm.
     """
 
@@ -58,6 +59,12 @@ class Cell:
         ports = ", ".join(f"{p.angle:g} deg bore {p.bore_diameter:g}" for p in self.ports)
         shape = "" if self.shape is None else f"{type(self.shape).__name__.lower()} "
         return f"{self.kind} {shape}{self.diameter:g} x {self.height:g} mm ({ports})"
+
+    @property
+    def smallest_extent(self) -> float:
+        """Height or width of the cavity, whichever is less, mm."""
+        sides = (self.shape.length, self.shape.width) if isinstance(self.shape, Box) else ()
+        return min(self.height, self.diameter, *sides)
 
     def height_of(self, port: CellPort) -> float:
         """Height of a port's axis above the floor, mm."""
