@@ -135,7 +135,7 @@ def exploded_view(
         names.append(f"shown: {_EXCERPT} of {design.point_count} points")
         anchors.append((*start, -step))
     _labels(plotter, anchors, names, 20, ("right", "center"))
-    _aim(plotter, (1.0, 0.25, 0.5) if tall else (0.25, -1.0, 0.5), margin=1.3)
+    _aim(plotter, (1.0, 0.25, 0.5) if tall else (0.25, -1.0, 0.5), left=0.2)
     return _save(plotter, path)
 
 
@@ -204,9 +204,12 @@ def _aim(
     plotter: pv.Plotter,
     seen_from: tuple[float, float, float],
     upwards: tuple[float, float, float] = (0.0, 0.0, 1.0),
-    margin: float = 1.16,
+    left: float = 0.0,
 ) -> None:
-    """Look from a direction, with everything just inside the picture and room for labels at its edges."""
+    """Look from a direction, with everything just inside the picture and room for labels at its edges.
+
+    ``left`` is the part of the picture's width kept free for labels at its left edge.
+    """
     plotter.view_vector(seen_from, viewup=upwards)
     towards = np.array(seen_from) / np.linalg.norm(seen_from)
     right = np.cross(upwards, towards)
@@ -218,11 +221,12 @@ def _aim(
     )
     centre = sum((low + high) / 2 * axis for low, high, axis in zip(lows, highs, (right, up), strict=True))
     width, height = plotter.window_size
-    half = max((highs[1] - lows[1]) / 2, (highs[0] - lows[0]) / 2 * height / width)
+    half = max((highs[1] - lows[1]) / 2, (highs[0] - lows[0]) / 2 * height / (width * (1 - left)))
+    centre = centre - left * half * width / height * right
     distance = 2 * float(np.linalg.norm(points.max(axis=0) - points.min(axis=0)))
     plotter.camera.focal_point = centre
     plotter.camera.position = centre + distance * towards
-    plotter.camera.parallel_scale = margin * half
+    plotter.camera.parallel_scale = 1.16 * half
     plotter.reset_camera_clipping_range()
 
 
@@ -249,7 +253,9 @@ def _first_of(model: ArrayModel, count: int) -> ArrayModel:
     line = model.design.lines[0]
     count = min(count, line.points)
     tubes = [tube.label for tube in model.layout.tubes if tube.line == 0 and tube.segment < count]
-    groups = {f"microphone {line.between[0]}", *tubes, *(f"point {k + 1}" for k in range(count))}
+    groups = {*tubes, *(f"point {k + 1}" for k in range(count))}
+    if not any(tube.line == 0 and tube.segment == 0 for tube in model.schematic):
+        groups.add(f"microphone {line.between[0]}")
     return replace(model, placed=tuple(part for part in model.placed if part.group in groups))
 
 
