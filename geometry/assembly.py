@@ -102,6 +102,8 @@ def build_parts(design: ArrayDesign) -> PartSet:
     chamber = {
         "chamber_diameter": microphone.chamber_diameter,
         "chamber_height": microphone.chamber_height,
+        "board_length": microphone.board_size[0],
+        "board_width": microphone.board_size[1],
         "wall_thickness": microphone.wall_thickness,
     }
     for name, ports in plan.shells.items():
@@ -115,6 +117,8 @@ def build_parts(design: ArrayDesign) -> PartSet:
         parts.parameters[name] = {**chamber, **joints, "ports": _describe(ports)}
     parts["microphone-lid"] = build_lid(microphone)
     parts.parameters["microphone-lid"] = {
+        "length": microphone.board_size[0],
+        "width": microphone.board_size[1],
         "sound_hole_diameter": microphone.sound_hole_diameter,
         "sound_hole_length": microphone.sound_hole_length,
         "model": microphone.model,
@@ -155,7 +159,12 @@ def place_parts(design: ArrayDesign, layout: ArrayLayout) -> tuple[PlacedPart, .
         group = f"microphone {microphone.name}"
         put(name, group, microphone, floor, turn, group)
         put(
-            "microphone-lid", f"lid {microphone.name}", microphone, floor + design.microphone.chamber_height, 0.0, group
+            "microphone-lid",
+            f"lid {microphone.name}",
+            microphone,
+            floor + design.microphone.chamber_height,
+            turn,
+            group,
         )
     return tuple(placed)
 

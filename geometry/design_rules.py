@@ -146,6 +146,14 @@ def _board(design: ArrayDesign) -> Iterator[str]:
                 f"microphone.board_{side} = {value:g} mm must be at least {least:g} mm to cover package, chamber and "
                 "gasket"
             )
+    if microphone.gasket_width is not None:
+        for field, tube, to_microphone in _tubes_of(design):
+            deepest = microphone.chamber_height / 2 - tube.outer_diameter / 2 - design.printing.glue_gap - SOCKET_COVER
+            if to_microphone and microphone.gasket_depth > deepest + 1e-9:
+                yield (
+                    f"microphone.gasket_depth = {microphone.gasket_depth:g} mm must be at most {deepest:.3g} mm to "
+                    f"stay {SOCKET_COVER:g} mm above the socket of {field}"
+                )
 
 
 def _tubes(design: ArrayDesign) -> Iterator[str]:

@@ -12,7 +12,6 @@ from geometry.air import air_volume
 from geometry.assembly import PartSet, build_parts, part_counts, place_parts
 from geometry.cells import cell_catalogue
 from geometry.layout import place
-from geometry.microphone import build_lid
 from geometry.shell import build_shell, one_solid
 from geometry.tube import Port, cutting_list
 
@@ -112,11 +111,6 @@ def test_printed_material_and_air_do_not_overlap(name):
         # Port angles of parts and cells are rounded to 0.1 degrees: 0.01 mm at most.
         assert solid.intersect(air).Volume() < 2e-3 * air.Volume()
     assert done
-
-
-def test_the_microphone_lid_has_the_sound_hole(array):
-    lid = build_lid(array.microphone).val()
-    assert lid.Volume() == pytest.approx(math.pi * (2.1**2 - 0.25**2) * 0.3)
 
 
 @pytest.mark.parametrize("name", geometry.prototype_names())
