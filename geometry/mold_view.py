@@ -1,0 +1,46 @@
+"""A picture of the closed mold, cut through its cavities."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from pathlib import Path
+
+import cadquery as cq
+
+from geometry.array_model import LOOKS
+from geometry.assembly import build_parts
+from geometry.design import ArrayDesign
+from geometry.mold import Mold, mold_counts
+from geometry.mold_plan import plan_mold
+from geometry.views import _aim, _plotter, _polydata, _save
+
+_COLOURS = {"mold-base": "#d9c27a", "mold-lid": "#8fa7b8", "mold-scraper": "#8fa7b8"}
+
+
+def mold_section(
+    design: ArrayDesign,
+    path: str | os.PathLike[str],
+    parts: Mapping[str, cq.Workplane] | None = None,
+    size: tuple[int, int] = (1600, 800),
+) -> Path:
+    """Render the mold as it lies closed with silicone in it, cut through the axes of its first row of cavities.
+
+    Shims are left out. Arguments as for :func:`geometry.views.draw_array`.
+    """
+    parts = build_parts(design) if parts is None else parts
+    names = [name for name in mold_counts(design) if not name.startswith("mold-shim")]
+    plan = plan_mold(design)
+    mold = Mold({name: parts[name] for name in names}, mold_counts(design), plan)
+    cut_at = min(y for _, y in plan.centres)
+    plotter = _plotter(size)
+    bodies = [(name, parts[name].val(), _COLOURS[name]) for name in names]
+    bodies += [("silicone", cast.val(), LOOKS["membrane"][0]) for cast in mold.cast(parts["membrane"])]
+    for _, solid, colour in bodies:
+        reach = 2 * (solid.BoundingBox().DiagonalLength + abs(cut_at) + 1)
+        half = solid.cut(cq.Solid.makeBox(2 * reach, reach, 2 * reach, cq.Vector(-reach, cut_at - reach, -reach)))
+        plotter.add_mesh(_polydata(half), color=colour, split_sharp_edges=True, smooth_shading=True)
+    legend = list(dict.fromkeys((name, colour) for name, _, colour in bodies))
+    plotter.add_legend(legend, bcolor=None, face="rectangle", size=(0.16, 0.04 * len(legend)), loc="upper right")
+    _aim(plotter, (0.0, -1.0, 0.18))
+    return _save(plotter, path)
