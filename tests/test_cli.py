@@ -140,8 +140,8 @@ def test_parts_are_written_in_the_formats_asked_for(command: Command, row: Path,
     assert told.code == 0, told.err
     names = {path.name for path in (tmp_path / "parts").iterdir()}
     assert names == {
-        "shell-straight.stl", "membrane.stl", "mold-base.stl", "mold-lid.stl", "microphone-housing.stl",
-        "microphone-lid.stl",
+        "shell-straight.stl", "membrane.stl", "mold-base.stl", "mold-lid.stl", "mold-shim-1.stl", "mold-shim-2.stl",
+        "microphone-housing.stl", "microphone-lid.stl",
     }  # fmt: skip
     assert trimesh.load_mesh(tmp_path / "parts" / "shell-straight.stl").is_volume
     assert "shell-straight.stl" in told.out
