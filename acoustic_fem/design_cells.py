@@ -175,7 +175,7 @@ def solve_cells(
 
 def _stated(description: dict[str, Any]) -> dict[str, Any]:
     """Without what is not stated: a cell keeps its place in the cache when cells can state more."""
-    plain = {}
+    plain: dict[str, Any] = {}
     for name, value in description.items():
         if isinstance(value, dict):
             plain[name] = _stated(value)

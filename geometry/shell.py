@@ -12,6 +12,7 @@ from geometry.design import Membrane, Printing, Resonator, Shell
 from geometry.design_rules import SOCKET_COVER
 from geometry.routing import unit
 from geometry.shell_features import add_feet, add_label, cut_groove
+from geometry.shell_rules import cavity_problems, feature_problems
 from geometry.tube import Port
 
 #: Narrowest rim that is raised around the membrane to centre it, mm; narrower ones break off.
@@ -47,7 +48,17 @@ def build_shell(
         ValueError: ports that do not fit, or the drawn shell is not one valid solid.
     """
     features = features or Shell()
+    for problem in cavity_problems(resonator):
+        raise ValueError(f"shell: {problem}")
     check_ports(resonator, printing, ports)
+    sockets = [(port_height(port, resonator), port.tube_diameter / 2 + printing.glue_gap) for port in ports]
+    for problem in feature_problems(features, resonator, membrane.rim_width, sockets):
+        raise ValueError(f"shell: {problem}")
+    if membrane.rim_width > resonator.wall_thickness:
+        raise ValueError(
+            f"shell: membrane.rim_width = {membrane.rim_width:g} mm must be at most resonator.wall_thickness "
+            f"({resonator.wall_thickness:g} mm)"
+        )
     radius, outer = resonator.cavity_diameter / 2, resonator.outer_diameter / 2
     top = resonator.cavity_height
     seat = radius + membrane.rim_width + printing.glue_gap
@@ -62,7 +73,7 @@ def build_shell(
         solid = cut_groove(solid, radius + membrane.rim_width / 2, top, features)
     solid = cut_ports(solid, ports, printing, radius, outer, resonator.port_axis_height)
     if label is not None and features.label != "none":
-        sides = [(port.angle, port.tube_diameter / 2 + printing.glue_gap) for port in ports]
+        sides = [(port.angle, hole) for port, (_, hole) in zip(ports, sockets, strict=True)]
         span = (-resonator.floor_thickness, top + ledge)
         solid = add_label(solid, label, outer, resonator.wall_thickness, span, sides, features)
     return one_solid(solid, "shell")
