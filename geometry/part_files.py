@@ -86,7 +86,7 @@ def export(
         folder: made if it does not exist.
         formats: of ``stl``, ``step``, ``3mf``.
         tolerance: largest distance of facets from the surface, mm; default: see :func:`tessellation_tolerance`.
-        progress: called with the part being written and the fraction done.
+        progress: called with what of which part is being made, and the fraction done.
 
     Returns:
         One record per file, parts in their order, formats in the order given.
@@ -115,7 +115,7 @@ def export(
     for index, shared in enumerate(distinct := tessellate_distinct(parts, tolerance, progress)):
         name, shape, facets = shared.names[0], _shape(parts[shared.names[0]]), shared.facets
         if progress is not None:
-            progress(name, 0.4 + 0.6 * index / len(distinct))
+            progress(f"files of {name}", 0.4 + 0.6 * index / len(distinct))
         for format_ in formats:
             path = folder / f"{name}.{format_}"
             beside = folder / f".{name}.{os.getpid()}.{format_}"
@@ -160,7 +160,7 @@ def tessellate_distinct(
     shared: dict[bytes, SharedShape] = {}
     for index, (name, part) in enumerate(parts.items()):
         if progress is not None:
-            progress(name, 0.4 * index / len(parts))
+            progress(f"facets of {name}", 0.4 * index / len(parts))
         shape = _shape(part)
         if len(shape.Solids()) != 1 or not shape.isValid():
             raise ValueError(f"parts: {name} must be one valid solid; it has {len(shape.Solids())}")

@@ -31,12 +31,21 @@ class Plate:
     """Parts and how many of each."""
 
 
+@dataclass(frozen=True)
+class Plates:
+    """All plates of a job."""
+
+    plates: tuple[Plate, ...]
+    too_large: tuple[str, ...]
+    """Parts that lie on no plate, since they are wider than it."""
+
+
 def export_plates(
     parts: Mapping[str, cq.Workplane],
     folder: str | os.PathLike[str],
     process: PrintProcess,
     tolerance: float | None = None,
-) -> tuple[Plate, ...]:
+) -> Plates:
     """Write ``folder/plate-1.3mf``, ...: every printed part as often as it is needed, in rows, none over another.
 
     Each shape is stored once however often it lies there, in its own coordinates but for a move; z = 0 is the plate.
@@ -48,15 +57,22 @@ def export_plates(
         tolerance: of the facets, mm; default: see :func:`geometry.part_files.tessellation_tolerance`.
 
     Raises:
-        ValueError: a part is wider than the plate.
+        ValueError: nothing is printed, or nothing fits.
     """
     printed = {name: part for name, part in parts.items() if not is_cast(name)}
     tolerance = tessellation_tolerance(parts) if tolerance is None else tolerance
     counts = parts.counts if isinstance(parts, PartSet) else {}
     parameters = parts.parameters if isinstance(parts, PartSet) else {}
-    shapes = []
+    shapes: list[SharedShape] = []
+    too_large: list[str] = []
     for shape in tessellate_distinct(printed, tolerance):
+        size = np.ptp(shape.facets.vertices, axis=0)
+        if (size > process.build_volume).any():
+            too_large += shape.names
+            continue
         shapes += [shape] * sum(counts.get(name, 1) for name in shape.names)
+    if not shapes:
+        raise ValueError(f"parts: none of {', '.join(printed) or 'none'} can be laid on the plate of {process.name}")
     shapes.sort(key=lambda shape: -float(np.ptp(shape.facets.vertices[:, 1])))
     plates = []
     for number, placed in enumerate(_packed(shapes, process), start=1):
@@ -78,7 +94,7 @@ def export_plates(
         finally:
             beside.unlink(missing_ok=True)
         plates.append(Plate(path, {body.name: len(body.places) for body in bodies}))
-    return tuple(plates)
+    return Plates(tuple(plates), tuple(too_large))
 
 
 Placed = list[tuple[SharedShape, tuple[float, float, float]]]
@@ -91,11 +107,6 @@ def _packed(shapes: list[SharedShape], process: PrintProcess) -> list[Placed]:
     x = y = row = 0.0
     for shape in shapes:
         low, size = shape.facets.vertices.min(axis=0), np.ptp(shape.facets.vertices, axis=0)
-        if size[0] > width or size[1] > depth:
-            raise ValueError(
-                f"{shape.names[0]}: {size[0]:.4g} x {size[1]:.4g} mm must be at most {width:g} x {depth:g} mm, the "
-                f"plate of {process.name}"
-            )
         if x + size[0] > width:
             x, y, row = 0.0, y + row + SPACING, 0.0
         if y + size[1] > depth:
