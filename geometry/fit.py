@@ -84,7 +84,7 @@ def interferences(model: ArrayModel) -> tuple[Interference, ...]:
     return tuple(found)
 
 
-def clearances(model: ArrayModel, within: float = 5.0) -> tuple[Clearance, ...]:
+def clearances(model: ArrayModel, within: float = 1.0) -> tuple[Clearance, ...]:
     """Distances of shells, housings and tubes that are not joined, the closest first.
 
     Args:

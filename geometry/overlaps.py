@@ -49,8 +49,9 @@ class _Bodies:
         resonator, microphone = design.resonator, design.microphone
         shell = (-resonator.floor_thickness, resonator.cavity_height)
         floor = resonator.port_axis_height - microphone.chamber_height / 2
-        housing = (floor - microphone.wall_thickness, floor + microphone.chamber_height)
-        across = microphone.chamber_diameter / 2 + microphone.wall_thickness
+        top = floor + microphone.chamber_height + microphone.sound_hole_length + microphone.package_height
+        housing = (floor - microphone.wall_thickness, top)
+        across = max(microphone.chamber_diameter, *microphone.board_size) / 2 + microphone.wall_thickness
         placed = [(f"shell {p.number}", layout.frame(p), resonator.outer_diameter / 2, shell) for p in layout.points]
         placed += [(f"microphone {m.name}", layout.frame(m), across, housing) for m in layout.microphones]
         self.names = [name for name, _, _, _ in placed]
