@@ -8,12 +8,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields, replace
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     import cadquery
 
+    from geometry.cells import CellPort
     from geometry.tube import Port
 
 #: Furthest that the corners of a box reach from the axis, in radii of the cavity: the ledge beyond carries the collar.
@@ -149,15 +150,20 @@ def turned(ports: Sequence[Port], step: float) -> tuple[tuple[Port, ...], float]
         ports: of a housing, at any angles.
         step: to which angles are rounded, degrees.
     """
-    from dataclasses import replace
-
     candidates = []
     for reference in ports:
         moved = [
             replace(port, angle=round(round((port.angle - reference.angle) / step) * step % 360.0, 6)) for port in ports
         ]
-        candidates.append((tuple(sorted(moved)), reference.angle))
-    return min(candidates)
+        moved.sort(key=port_rank)
+        candidates.append((tuple(moved), reference.angle))
+    return min(candidates, key=lambda candidate: (*map(port_rank, candidate[0]), candidate[1]))
+
+
+def port_rank(port: Port | CellPort) -> tuple[float, ...]:
+    """What ports are sorted by; those without a height of their own come first."""
+    sizes = [getattr(port, field.name) for field in fields(port)]
+    return tuple(-1.0 if size is None else size for size in sizes)
 
 
 def _one(shape: cadquery.Shape) -> cadquery.Solid:

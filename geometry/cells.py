@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
 
-from geometry.cavity_shapes import Box, Dome, turned, wall_distance
+from geometry.cavity_shapes import Box, Dome, port_rank, turned, wall_distance
 from geometry.design import STUB_LENGTH_IN_RADII, ArrayDesign, Resonator
 from geometry.layout import ArrayLayout
 from geometry.tube import Port
@@ -129,9 +129,9 @@ def canonical_ports(
                 )
                 for port in ports
             ]
-            ranked = sorted((port, k) for k, port in enumerate(moved))
-            candidates.append((tuple(port for port, _ in ranked), [k for _, k in ranked]))
-    best, ranking = min(candidates, key=lambda candidate: candidate[0])
+            ranked = sorted(range(len(moved)), key=[port_rank(port) for port in moved].__getitem__)
+            candidates.append((tuple(moved[k] for k in ranked), ranked))
+    best, ranking = min(candidates, key=lambda candidate: [port_rank(port) for port in candidate[0]])
     return best, tuple(ranking.index(k) for k in range(len(best)))
 
 
