@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from geometry.cavity_shapes import turned
 from geometry.design import ArrayDesign, Tube
 from geometry.layout import ArrayLayout, MicrophonePlacement, PointPlacement, place
 from geometry.mold import mold_counts
@@ -68,11 +69,13 @@ def build_parts(design: ArrayDesign) -> PartSet:
         ``mold-base``, ``mold-lid``, ... in which membranes are cast, see :func:`geometry.mold.build_mold`;
         ``microphone-housing``, with the angles of further ports where lines meet; ``microphone-lid``. Where
         tubes of different diameters are used, the names of shells and housings end in bore x outside
-        of their ports' tubes.
+        of their ports' tubes. With ``printing.carrier`` also ``carrier``, the shells of all points in one piece,
+        in place of those printed one by one.
 
     Raises:
         ValueError: a part is not one valid solid.
     """
+    from geometry.carrier import array_carrier
     from geometry.membrane import build_membrane, membrane_radius
     from geometry.microphone import build_housing, build_lid
     from geometry.mold import build_mold
@@ -87,7 +90,8 @@ def build_parts(design: ArrayDesign) -> PartSet:
     )
     parts = PartSet()
     joints: dict[str, float | int | str] = {"glue_gap": printing.glue_gap, "port_lip": printing.port_lip}
-    shell = {
+    shell: dict[str, float | int | str] = {
+        "shape": resonator.shape,
         "cavity_diameter": resonator.cavity_diameter,
         "cavity_height": resonator.cavity_height,
         "wall_thickness": resonator.wall_thickness,
@@ -107,7 +111,7 @@ def build_parts(design: ArrayDesign) -> PartSet:
         "wall_thickness": microphone.wall_thickness,
     }
     for name, ports in plan.shells.items():
-        parts[name] = build_shell(resonator, membrane, printing, ports)
+        parts[name] = build_shell(resonator, membrane, printing, ports, design.shell)
         parts.parameters[name] = {**shell, **joints, "ports": _describe(ports)}
     parts["membrane"] = build_membrane(design)
     mold = build_mold(design)
@@ -126,6 +130,10 @@ def build_parts(design: ArrayDesign) -> PartSet:
     parts.parameters["membrane"] = disc
     for name in mold.parts:
         parts.parameters[name] = {**disc, "scale": design.mold.scale, "draft": design.mold.draft}
+    if printing.carrier != "none":
+        carrier = array_carrier(design, [plan.shells[name] for name, _ in plan.point_shells])
+        parts["carrier"] = carrier.part
+        parts.parameters["carrier"] = {**shell, **joints, "shells": len(carrier.places), "necks": carrier.necks}
     parts.counts = _counts(design, plan)
     for name in parts:
         parts.parameters[name] = {"design": design.name, "count": parts.counts[name], **parts.parameters[name]}
@@ -187,9 +195,12 @@ def _plan(design: ArrayDesign, layout: ArrayLayout | None = None) -> _Plan:
         line = design.lines[point.line]
         before = design.microphone_tube_of(line) if point.place == 0 else design.tube_of(line)
         after = design.microphone_tube_of(line) if point.place == line.points - 1 else design.tube_of(line)
-        at_points.append(_turned(list(zip(point.port_angles, (before, after), strict=True))))
+        at_points.append(_turned(point.port_angles, (before, after)))
     at_microphones = [
-        _turned([(port.angle, design.microphone_tube_of(design.lines[port.line])) for port in microphone.ports])
+        _turned(
+            [port.angle for port in microphone.ports],
+            [design.microphone_tube_of(design.lines[port.line]) for port in microphone.ports],
+        )
         for microphone in layout.microphones
     ]
     shells, point_shells = _named(at_points, _shell_name)
@@ -197,20 +208,9 @@ def _plan(design: ArrayDesign, layout: ArrayLayout | None = None) -> _Plan:
     return _Plan(shells, housings, point_shells, microphone_housings)
 
 
-def _turned(tubes: Sequence[tuple[float, Tube]]) -> tuple[tuple[Port, ...], float]:
-    """Ports in the one rotation that all equal housings share, and the angle that turns them back.
-
-    Only rotations are tried: a mirrored housing is another part, since its floor stays below.
-    """
-    candidates = []
-    for reference, _ in tubes:
-        ports = [Port(_step(angle - reference), tube.inner_diameter, tube.outer_diameter) for angle, tube in tubes]
-        candidates.append((tuple(sorted(ports)), reference))
-    return min(candidates)
-
-
-def _step(angle: float) -> float:
-    return round(round(angle / _ANGLE_STEP) * _ANGLE_STEP % 360.0, 6)
+def _turned(angles: Sequence[float], tubes: Sequence[Tube]) -> tuple[tuple[Port, ...], float]:
+    ports = [Port(angle, t.inner_diameter, t.outer_diameter) for angle, t in zip(angles, tubes, strict=True)]
+    return turned(ports, _ANGLE_STEP)
 
 
 def _named(
@@ -245,6 +245,7 @@ def _counts(design: ArrayDesign, plan: _Plan) -> dict[str, int]:
         **mold_counts(design),
         **{name: used[name] for name in plan.housings},
         "microphone-lid": len(plan.microphone_housings),
+        **({} if design.printing.carrier == "none" else {"carrier": 1}),
     }
 
 
