@@ -166,7 +166,9 @@ def bill_of_materials(design: ArrayDesign, parts: PartSet | None = None, prices:
     parts = build_parts(design) if parts is None else parts
     prices = prices or Prices()
     volumes = _millilitres(parts)
-    items = [_made(name, volumes[name], parts.counts[name], design, prices) for name in parts]
+    # Where a carrier holds all shells in one piece, they are not printed one by one as well.
+    made = [name for name in parts if not ("carrier" in parts and name.startswith("shell"))]
+    items = [_made(name, volumes[name], parts.counts[name], design, prices) for name in made]
     springs, sheaths = _tubes(design, prices)
     items += springs + sheaths
     count = len(design.microphones)
