@@ -139,6 +139,12 @@ def _mold(design: ArrayDesign) -> Iterator[str]:
 def _board(design: ArrayDesign) -> Iterator[str]:
     """The board carries the package and closes the chamber."""
     microphone = design.microphone
+    narrowest = min(microphone.package_length, microphone.package_width)
+    if microphone.sound_hole_diameter > narrowest:
+        yield (
+            f"microphone.sound_hole_diameter = {microphone.sound_hole_diameter:g} mm must be at most {narrowest:g} mm, "
+            "the smaller of microphone.package_length and package_width, for the package to cover it"
+        )
     for side in ("length", "width"):
         value, least = getattr(microphone, f"board_{side}"), getattr(microphone, f"least_board_{side}")
         if value is not None and value < least - 1e-9:

@@ -32,7 +32,8 @@ def build_housing(microphone: Microphone, printing: Printing, ports: Sequence[Po
     length, width = (side + 2 * BOARD_CLEARANCE for side in microphone.board_size)
     height = microphone.sound_hole_length + microphone.package_height
     outside = (length + 2 * wall, width + 2 * wall)
-    head = _box(*outside, top - min(wall, top), top + height)
+    gasket = microphone.gasket_depth if microphone.gasket_width is not None else 0.0
+    head = _box(*outside, top - min(wall + gasket, top), top + height)
     slot = _box(length, _SLOT * width, top, top + height).moved(cq.Location(cq.Vector(-length / 2, 0, 0)))
     solid = cylinder(radius + wall, -wall, top).fuse(head)
     solid = solid.cut(_box(length, width, top, top + height), slot, cylinder(radius, 0, top))

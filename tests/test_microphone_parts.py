@@ -139,6 +139,10 @@ def test_tubes_have_a_free_way_below_the_seat(angle):
 @pytest.mark.parametrize(
     ("changes", "message"),
     [
+        (
+            {"microphone.sound_hole_diameter": 1.5, "microphone.package_width": 1.2},
+            "microphone.sound_hole_diameter = 1.5 mm must be at most 1.2 mm, the smaller of",
+        ),
         ({"microphone.board_length": 3.0}, "microphone.board_length = 3 mm must be at least 3.5 mm to cover package"),
         (
             {"microphone.gasket_width": 0.8, "microphone.board_width": 5.0},
@@ -154,6 +158,13 @@ def test_a_seat_that_cannot_be_made_is_refused_by_name(changes, message):
     with pytest.raises(geometry.DesignError) as error:
         geometry.prototype("array-2x6").with_values(changes)
     assert message in str(error.value)
+
+
+def test_a_deep_groove_leaves_a_seat_as_thick_as_the_wall():
+    mic = microphone(chamber_height=6.0, gasket_width=0.8, gasket_depth=1.5, wall_thickness=0.5, board_length=9.0)
+    housing = build_housing(mic, PRINTING, ports(1)).val()
+    below = cylinder(3.0, 4.4, 4.6).cut(cylinder(2.1, 4.4, 4.6))
+    assert housing.intersect(below).Volume() == pytest.approx(below.Volume() - 0.1 * math.pi * (2.9**2 - 2.1**2), rel=1e-6)
 
 
 def test_a_housing_without_a_port_is_refused():
