@@ -192,6 +192,17 @@ def test_a_stretched_membrane_is_shown_as_mounted():
     assert membrane.zlen == pytest.approx(design.membrane.thickness / 1.2**2, abs=1e-6)
 
 
+def test_shells_with_feet_and_grooves_fit_together_and_a_carrier_stands_for_its_shells_on_the_bill():
+    design = geometry.prototype("array-2x6").with_values({"shell.groove_width": 0.5, "lines.0.points": 3})
+    footed = array_model(design.with_values({"shell.feet": 2}))
+    assert footed.shapes["shell-straight"].BoundingBox().ylen > design.resonator.outer_diameter + 2
+    assert interferences(footed) == ()
+    parts = geometry.build_parts(design.with_values({"printing.carrier": "row"}))
+    items = {item.item for item in geometry.bill_of_materials(design, parts).items}
+    assert "carrier" in items
+    assert "shell-straight" not in items
+
+
 # -- pictures and models --------------------------------------------------------------------------------
 @pytest.mark.parametrize("view", ["top_view", "exploded_view"])
 def test_pictures_show_all_kinds_of_parts(view, tmp_path):
