@@ -83,10 +83,13 @@ def test_a_shell_with_no_room_for_a_ledge_is_flat_on_top():
     assert shell.val().BoundingBox().zmax == pytest.approx(design.resonator.cavity_height, abs=1e-6)
 
 
-@pytest.mark.parametrize("name", ["array-2x6", "fingertip-3x4", "line-4"])
-def test_printed_material_and_air_do_not_overlap(name):
-    """The air that is computed is the air that the parts leave: same places, same diameters."""
-    design = geometry.prototype(name)
+@pytest.mark.parametrize(
+    ("name", "shape"),
+    [("array-2x6", "cylinder"), ("fingertip-3x4", "cylinder"), ("line-4", "cylinder"), ("fingertip-3x4", "box")],
+)
+def test_printed_material_and_air_do_not_overlap(name, shape):
+    """The air that is computed is the air that the parts leave: same places, same diameters, a box's sides too."""
+    design = geometry.prototype(name).with_values({"resonator.shape": shape})
     layout, parts = place(design), build_parts(design)
     catalogue = cell_catalogue(design, layout)
     placed = [p for p in place_parts(design, layout) if p.part.startswith(("shell", "microphone-housing"))]
