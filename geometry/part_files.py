@@ -6,7 +6,7 @@ import hashlib
 import math
 import os
 import re
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -74,6 +74,7 @@ def export(
     formats: Iterable[str] = FORMATS,
     tolerance: float | None = None,
     progress: Callable[[str, float], None] | None = None,
+    shapes: Sequence[SharedShape] | None = None,
 ) -> tuple[ExportedFile, ...]:
     """Write each shape to ``folder/NAME.FORMAT``, in mm; existing files are replaced only by complete ones.
 
@@ -87,6 +88,7 @@ def export(
         formats: of ``stl``, ``step``, ``3mf``.
         tolerance: largest distance of facets from the surface, mm; default: see :func:`tessellation_tolerance`.
         progress: called with what of which part is being made, and the fraction done.
+        shapes: of :func:`tessellate_distinct`, where they exist already; they have a tolerance of their own.
 
     Returns:
         One record per file, parts in their order, formats in the order given.
@@ -109,13 +111,13 @@ def export(
         raise ValueError(f"tolerance = {tolerance!r} mm must be above 0")
     folder = Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
-    tolerance = tessellation_tolerance(parts) if tolerance is None else tolerance
+    shapes = tessellate_distinct(parts, tolerance, progress) if shapes is None else shapes
     parameters = parts.parameters if isinstance(parts, PartSet) else {}
     files = []
-    for index, shared in enumerate(distinct := tessellate_distinct(parts, tolerance, progress)):
+    for index, shared in enumerate(shapes):
         name, shape, facets = shared.names[0], _shape(parts[shared.names[0]]), shared.facets
         if progress is not None:
-            progress(f"files of {name}", 0.4 + 0.6 * index / len(distinct))
+            progress(f"files of {name}", 0.4 + 0.6 * index / len(shapes))
         for format_ in formats:
             path = folder / f"{name}.{format_}"
             beside = folder / f".{name}.{os.getpid()}.{format_}"
@@ -146,17 +148,25 @@ class SharedShape:
 
 
 def tessellate_distinct(
-    parts: Mapping[str, cq.Workplane], tolerance: float, progress: Callable[[str, float], None] | None = None
+    parts: Mapping[str, cq.Workplane],
+    tolerance: float | None = None,
+    progress: Callable[[str, float], None] | None = None,
 ) -> tuple[SharedShape, ...]:
     """Facets of every distinct shape of a set of parts, in order of first use.
 
     Facets start at the tolerance and are made finer where the volume asks for it. Two parts share a shape where
     their facets are the same.
 
+    Args:
+        parts: name to workplane with one solid, mm.
+        tolerance: largest distance of facets from the surface, mm; default: see :func:`tessellation_tolerance`.
+        progress: called with the part and a fraction that ends at 0.4, when its file is yet to be written.
+
     Raises:
         ValueError: a part that is not one valid solid.
     """
     counts = parts.counts if isinstance(parts, PartSet) else {}
+    tolerance = tessellation_tolerance(parts) if tolerance is None else tolerance
     shared: dict[bytes, SharedShape] = {}
     for index, (name, part) in enumerate(parts.items()):
         if progress is not None:
@@ -184,7 +194,7 @@ def _fine_enough(shape: cq.Shape, tolerance: float) -> Tessellation:
     volume = shape.Volume()
     for halving in range(_REFINEMENTS + 1):
         facets = tessellate(shape, tolerance / 2**halving, FACET_ANGLE / 2**halving)
-        if abs(_mesh(facets).volume / volume - 1) <= _VOLUME_ERROR_AIM:
+        if abs(facets.volume / volume - 1) <= _VOLUME_ERROR_AIM:
             break
     return facets
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from geometry.assembly import PartSet
-from geometry.part_files import SharedShape, is_cast, tessellate_distinct, tessellation_tolerance
+from geometry.part_files import SharedShape, is_cast, tessellate_distinct
 from geometry.print_processes import PrintProcess
 from geometry.three_mf import Body, write_3mf
 
@@ -44,7 +44,7 @@ def export_plates(
     parts: Mapping[str, cq.Workplane],
     folder: str | os.PathLike[str],
     process: PrintProcess,
-    tolerance: float | None = None,
+    shapes: Sequence[SharedShape] | None = None,
 ) -> Plates:
     """Write ``folder/plate-1.3mf``, ...: every printed part as often as it is needed, in rows, none over another.
 
@@ -54,28 +54,28 @@ def export_plates(
         parts: name to workplane with one solid, mm; cast ones are left out.
         folder: exists.
         process: its build volume is the size of a plate.
-        tolerance: of the facets, mm; default: see :func:`geometry.part_files.tessellation_tolerance`.
+        shapes: of :func:`geometry.part_files.tessellate_distinct`, where they exist already.
 
     Raises:
         ValueError: nothing is printed, or nothing fits.
     """
-    printed = {name: part for name, part in parts.items() if not is_cast(name)}
-    tolerance = tessellation_tolerance(parts) if tolerance is None else tolerance
     counts = parts.counts if isinstance(parts, PartSet) else {}
     parameters = parts.parameters if isinstance(parts, PartSet) else {}
-    shapes: list[SharedShape] = []
+    copies: list[SharedShape] = []
     too_large: list[str] = []
-    for shape in tessellate_distinct(printed, tolerance):
+    for shape in tessellate_distinct(parts) if shapes is None else shapes:
+        if is_cast(shape.names[0]):
+            continue
         size = np.ptp(shape.facets.vertices, axis=0)
         if (size > process.build_volume).any():
             too_large += shape.names
             continue
-        shapes += [shape] * sum(counts.get(name, 1) for name in shape.names)
-    if not shapes:
-        raise ValueError(f"parts: none of {', '.join(printed) or 'none'} can be laid on the plate of {process.name}")
-    shapes.sort(key=lambda shape: -float(np.ptp(shape.facets.vertices[:, 1])))
+        copies += [shape] * sum(counts.get(name, 1) for name in shape.names)
+    if not copies:
+        raise ValueError(f"parts: none of {', '.join(parts) or 'none'} can be laid on the plate of {process.name}")
+    copies.sort(key=lambda shape: -float(np.ptp(shape.facets.vertices[:, 1])))
     plates = []
-    for number, placed in enumerate(_packed(shapes, process), start=1):
+    for number, placed in enumerate(_packed(copies, process), start=1):
         distinct = {shape.names[0]: shape for shape, _ in placed}
         bodies = [
             Body(

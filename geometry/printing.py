@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from geometry.assembly import PartSet
-from geometry.part_files import is_cast, tessellation_tolerance
+from geometry.part_files import SharedShape, is_cast, tessellation_tolerance
 from geometry.print_processes import PrintProcess, Verdict, find_process, process_of
 from geometry.print_rules import Finding, judge_cast, judge_printed
 from geometry.print_tolerance import AcousticEffect, acoustic_effects
@@ -48,6 +48,7 @@ def print_report(
     process: str | os.PathLike[str] | PrintProcess | None = None,
     design: ArrayDesign | None = None,
     progress: Callable[[str, float], None] | None = None,
+    shapes: Sequence[SharedShape] | None = None,
 ) -> PrintReport:
     """Measure parts and compare them with the rules of a process.
 
@@ -62,6 +63,7 @@ def print_report(
             a process; default: that of the design with the rules it states, else ``sla-resin``.
         design: what the parts were built from; with it the report says what the tolerance does to the acoustics.
         progress: called with the part being measured and the fraction done.
+        shapes: of :func:`geometry.part_files.tessellate_distinct`, where they exist already.
 
     Raises:
         ValueError: no such process, or no parts.
@@ -75,6 +77,7 @@ def print_report(
     from geometry.measure import tessellate
 
     tolerance = tessellation_tolerance(parts)
+    facets_of = {name: shape.facets for shape in shapes or () for name in shape.names}
     parameters = parts.parameters if isinstance(parts, PartSet) else {}
     findings: list[Finding] = []
     for index, (name, part) in enumerate(parts.items()):
@@ -84,7 +87,7 @@ def print_report(
         if is_cast(name):
             findings.append(judge_cast(name, solid.BoundingBox().zlen, rules))
         else:
-            facets = tessellate(solid, tolerance)
+            facets = facets_of[name] if name in facets_of else tessellate(solid, tolerance)
             known = dict(parameters.get(name, {}))
             if design is not None and name.startswith("mold-lid"):
                 known["pin_clearance"] = design.mold.pin_clearance

@@ -53,6 +53,7 @@ def make_parts(
     from geometry.bill import bill_of_materials, write_bill
     from geometry.layout import place
     from geometry.mold_view import mold_section
+    from geometry.part_files import tessellate_distinct
     from geometry.print_plates import export_plates
     from geometry.print_report_files import write_report
     from geometry.scene import write_gltf, write_viewer
@@ -60,11 +61,12 @@ def make_parts(
 
     report("drawing the parts", 0.0)
     parts = build_parts(design)
-    files = export(parts, folder, formats, progress=lambda part, done: report(part, 0.1 + 0.25 * done))
+    shapes = tessellate_distinct(parts, progress=lambda part, done: report(part, 0.1 + 0.25 * done))
+    files = export(parts, folder, formats, progress=lambda part, done: report(part, 0.1 + 0.25 * done), shapes=shapes)
     report("plates", 0.35)
-    plates = export_plates(parts, folder, process)
+    plates = export_plates(parts, folder, process, shapes)
     printing = print_report(
-        parts, process, design, lambda part, done: report(f"print rules of {part}", 0.45 + 0.2 * done)
+        parts, process, design, lambda part, done: report(f"print rules of {part}", 0.45 + 0.2 * done), shapes
     )
     write_report(printing, folder, design.name, files)
     report("bill of materials", 0.65)

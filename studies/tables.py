@@ -113,7 +113,8 @@ def show_parts(design: ArrayDesign, made: MadeParts) -> None:
     money = bill.prices.currency
     print(
         f"resin {bill.resin_ml:.3g} ml and {bill.tooling_resin_ml:.3g} ml in molds, "
-        f"silicone {bill.silicone_ml:.3g} ml, tube {bill.tube_m:.3g} m: about {bill.cost:.2f} {money}, molds {bill.tooling_cost:.2f} {money} (bill.txt)"
+        f"silicone {bill.silicone_ml:.3g} ml, tube {bill.tube_m:.3g} m: "
+        f"about {bill.cost:.2f} {money}, molds {bill.tooling_cost:.2f} {money} (bill.txt)"
     )
     for name in made.too_large:
         print(f"note: {name} is too large for the plate of {made.printing.process.name} and lies on none")

@@ -319,13 +319,13 @@ def test_a_tolerance_that_closes_a_bore_says_so(design):
 # -- files ----------------------------------------------------------------------------------------------------
 def test_the_report_is_written_for_programs_and_for_people(coarse, tmp_path):
     as_json, as_html = write_report(coarse, tmp_path, "array-2x6")
-    content = json.loads(as_json.read_text())
+    content = json.loads(as_json.read_text(encoding="utf-8"))
     assert len(content["findings"]) == len(coarse.findings)
     assert content["verdict"] == coarse.verdict == "warn"
     assert content["findings"][0]["place"] == pytest.approx(coarse.findings[0].place)
     assert content["process"]["rules"]["cup_volume"]["limit"] is None
     assert len(content["acoustic_effects"]) == len(coarse.effects) > 5
-    page = as_html.read_text()
+    page = as_html.read_text(encoding="utf-8")
     assert not [word for word in ("<script", "src=", "<link", "url(", "@import") if word in page]
     for found in coarse.findings:
         assert found.part in page
