@@ -320,6 +320,13 @@ def _hand(design: ArrayDesign) -> Iterator[str]:
             if value is not None:
                 yield f"layout.{field} = {value:g} goes with layout.kind = 'hand', not {layout.kind!r}"
         return
+    for index, line in enumerate(design.lines):
+        if line.points == 1:
+            yield (
+                f"lines.{index}.points = 1 must be at least 2 for layout.kind = 'hand': both tubes of a finger's only "
+                "point would leave towards the wrist"
+            )
+            return
     fingers = sum(hand.fingers_of(design))
     if fingers > hand.FINGERS:
         yield (
@@ -327,11 +334,11 @@ def _hand(design: ArrayDesign) -> Iterator[str]:
             f"{hand.FINGERS}, each line beginning on a finger of its own"
         )
         return
-    beyond, line = hand.longest_step(design)
+    beyond, longest = hand.longest_step(design)
     if beyond > 1e-9:
         yield (
-            f"layout.spread = {layout.spread or hand.SPREAD:g} degrees must be smaller, or the tube of lines.{line} "
-            f"({design.tube_of(design.lines[line]).length:g} mm) {beyond:.3g} mm longer, to reach the next finger"
+            f"layout.spread = {layout.spread or hand.SPREAD:g} degrees must be smaller, or the tube of lines.{longest} "
+            f"({design.tube_of(design.lines[longest]).length:g} mm) {beyond:.3g} mm longer, to reach the next finger"
         )
 
 
