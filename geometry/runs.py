@@ -65,7 +65,9 @@ def serpentine_runs(design: ArrayDesign) -> list[Run]:
         place = np.arange(line.points)
         row, column = place // columns, place % columns
         column = np.where(row % 2 == 0, column, columns - 1 - column)
-        positions = np.column_stack([column * _pitch_around(design, index), row * pitch + bottom])
+        # A wound array lies on both sides of the top of its cylinder.
+        middle = (columns - 1) / 2 if isinstance(surface_of(design), Cylinder) else 0.0
+        positions = np.column_stack([(column - middle) * _pitch_around(design, index), row * pitch + bottom])
         sides = []
         for k in range(1, line.points):
             backwards = row[k - 1] % 2 == 1

@@ -19,6 +19,7 @@ from geometry.assembly import build_parts
 from geometry.design import ArrayDesign
 from geometry.measure import tessellate
 from geometry.routing import unit
+from geometry.wrap import Cylinder
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -106,7 +107,7 @@ def exploded_view(
     parts: Mapping[str, cq.Workplane] | None = None,
     size: tuple[int, int] = (1600, 1000),
 ) -> Path:
-    """Render the array pulled apart along the axes of its parts, one layer per kind, each named with its count.
+    """Render the array pulled apart, away from what it stands on, one layer per kind, each named with its count.
 
     From below: shells and housings, springs, sheaths, membranes, lids, microphones. Of an array of many points
     the first microphone and the points next to it are shown. Tubes that are drawn schematically are left out.
@@ -125,6 +126,8 @@ def exploded_view(
     plotter = _plotter(size)
     _add_parts(plotter, model, {kind: step * level for kind, level in _LEVELS.items()})
     aside = 0.03 * float(max(high[:2] - low[:2])) + max(max(box.xlen, box.ylen) for box in boxes) / 2
+    if isinstance(model.layout.surface, Cylinder):
+        aside += step * max(_LEVELS.values())  # its layers spread sideways too
     start = (high[0], low[1] - aside) if tall else (low[0] - aside, low[1])
     names, anchors = [], []
     for level in sorted(set(_LEVELS.values())):
@@ -260,13 +263,12 @@ def _first_of(model: ArrayModel, count: int) -> ArrayModel:
 
 
 def _add_parts(plotter: pv.Plotter, model: ArrayModel, lifted: Mapping[Kind, float] | None = None) -> None:
-    """All placed parts, each kind raised along its own axes (mm)."""
+    """All placed parts, each kind raised away from what the array stands on (mm)."""
     copies: dict[str, list[NDArray[np.float64]]] = {}
     for placed in model.placed:
         matrix = placed.matrix
         if lifted:
-            normal = np.array([0.0, 0.0, 1.0]) if model.kind(placed.part) in ("spring", "sheath") else matrix[:3, 2]
-            matrix[:3, 3] += lifted[model.kind(placed.part)] * normal
+            matrix[:3, 3] += lifted[model.kind(placed.part)] * model.layout.surface.outwards(matrix[:3, 3])
         copies.setdefault(placed.part, []).append(matrix)
     for name, matrices in copies.items():
         colour, opacity = LOOKS[model.kind(name)]

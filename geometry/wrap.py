@@ -52,6 +52,10 @@ class Plane:
         """Points in space, (n, 3) mm, of points (n, 3) in plan: x, y and height above the cavities' floors."""
         return path
 
+    def outwards(self, point: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Unit vector away from the surface at a point in space, (3,) float64."""
+        return np.array([0.0, 0.0, 1.0])
+
 
 @dataclass(frozen=True)
 class Cylinder:
@@ -75,6 +79,11 @@ class Cylinder:
     def mapped(self, path: NDArray[np.float64]) -> NDArray[np.float64]:
         """Points in space, (n, 3) mm, of points (n, 3) in plan: x, y and height above the cavities' floors."""
         return np.array([self.frame(x, y).at(0.0, 0.0, z) for x, y, z in path])
+
+    def outwards(self, point: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Unit vector away from the surface at a point in space, (3,) float64."""
+        away = np.array([point[0], 0.0, point[2] + self.floor_radius])
+        return np.asarray(away / np.linalg.norm(away))
 
     def wound(
         self,
