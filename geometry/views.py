@@ -96,7 +96,7 @@ def top_view(
     length = _round_length(max(x1 - x0, y1 - y0) / 4)
     y = y0 - 0.06 * max(x1 - x0, y1 - y0)
     plotter.add_mesh(pv.Line((x0, y, z1), (x0 + length, y, z1)), color="black", line_width=5)
-    _labels(plotter, [(x0 + length / 2, y, z1)], [f"{length:g} mm"], 20, ("center", "top"))
+    _labels(plotter, [(x0 + length / 2, y - 0.01 * (x1 - x0), z1)], [f"{length:g} mm"], 20, ("center", "top"))
     _aim(plotter, (0.0, 0.0, 1.0), (0.0, 1.0, 0.0))
     return _save(plotter, path)
 
