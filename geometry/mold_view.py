@@ -13,7 +13,7 @@ from geometry.assembly import build_parts
 from geometry.design import ArrayDesign
 from geometry.mold import Mold, mold_counts
 from geometry.mold_plan import plan_mold
-from geometry.views import _aim, _plotter, _polydata, _save
+from geometry.views import _aim, _labels, _plotter, _polydata, _save
 
 _COLOURS = {"mold-base": "#d9c27a", "mold-lid": "#8fa7b8", "mold-scraper": "#8fa7b8"}
 
@@ -40,7 +40,12 @@ def mold_section(
         reach = 2 * (solid.BoundingBox().DiagonalLength + abs(cut_at) + 1)
         half = solid.cut(cq.Solid.makeBox(2 * reach, reach, 2 * reach, cq.Vector(-reach, cut_at - reach, -reach)))
         plotter.add_mesh(_polydata(half), color=colour, split_sharp_edges=True, smooth_shading=True)
-    legend = list(dict.fromkeys((name, colour) for name, _, colour in bodies))
-    plotter.add_legend(legend, bcolor=None, face="rectangle", size=(0.16, 0.04 * len(legend)), loc="upper right")
-    _aim(plotter, (0.0, -1.0, 0.18))
+    # Names stand in the left margin, each at the height of its body.
+    block = parts["mold-base"].val().BoundingBox()
+    x = block.xmin - 0.03 * block.xlen
+    lid = parts[names[-1]].val().BoundingBox()
+    heights = {names[-1]: lid.zmax / 2, "silicone": min(z for _, z in plan.profile) / 2, names[0]: 0.8 * block.zmin}
+    for name, height in heights.items():
+        _labels(plotter, [(x, cut_at, height)], [name], 20, ("right", "center"))
+    _aim(plotter, (0.0, -1.0, 0.18), left=0.14)
     return _save(plotter, path)
