@@ -21,7 +21,7 @@ def figures(disc):
 @pytest.mark.parametrize(("raised", "tolerance"), [((0.0, 0.4, 1e-5), 1e-3), ((1.0, 1.5, 1e-5), 2e-4)])
 def test_a_rim_or_boss_of_no_height_is_the_flat_disc(raised, tolerance):
     """To first order in the height h the difference is a few h / thickness and more where a corner is made."""
-    flat, shaped = (figures(solve_dimensionless(glued(part))) for part in (None, raised))
+    flat, shaped = (figures(solve_dimensionless(glued(part), 3)) for part in (None, raised))
     assert shaped == pytest.approx(flat, rel=tolerance, abs=0)
 
 
@@ -34,7 +34,7 @@ def test_a_clamped_boss_as_wide_as_the_disc_is_a_thicker_disc():
 
 @pytest.mark.parametrize("part", [(0.0, 0.4), (1.0, 1.5)], ids=["boss", "rim"])
 def test_a_higher_rim_or_boss_makes_a_stiffer_disc(part):
-    heights = (0.1 * H, 0.3 * H, H, 3 * H)
+    heights = (0.1 * H, H, 3 * H)
     discs = [solve_dimensionless(glued((*part, height)), 3) for height in heights]
     values = [solve_dimensionless(glued(), 3).compliance, *(disc.compliance for disc in discs)]
     assert np.all(np.diff(values) < 0)
@@ -61,14 +61,14 @@ def test_a_rigid_boss_is_an_annular_plate_on_a_rigid_centre():
 @pytest.mark.parametrize("part", [(0.0, 0.4, H), (0.0, 0.4, 1.0)])
 def test_what_an_incompressible_clamped_disc_sweeps_below_it_sweeps_above(part):
     """The faces and the upright wall of the boss together."""
-    disc = solve_dimensionless(DiscShape(H, 0.49999, 0.0, 0.0, 0.0, 0.25, part))
+    disc = solve_dimensionless(DiscShape(H, 0.49999, 0.0, 0.0, 0.0, 0.25, part), 3)
     assert disc.swept_above[:2] == pytest.approx(disc.swept[:2], rel=2e-4, abs=0)
 
 
 @pytest.mark.parametrize("part", [(0.0, 0.4, H), (1.0, 1.5, H)], ids=["boss", "rim"])
 def test_shaped_discs_are_converged(part):
-    coarse, fine = (figures(solve_dimensionless(glued(part), refinement)) for refinement in (4, 6))
-    assert coarse == pytest.approx(fine, rel=4e-4, abs=0)
+    coarse, fine = (figures(solve_dimensionless(glued(part), refinement)) for refinement in (4, 5))
+    assert coarse == pytest.approx(fine, rel=1.5e-4, abs=0)
 
 
 def test_a_heavy_boss_lowers_the_resonance_and_a_rim_raises_it():
