@@ -36,13 +36,15 @@ def maybe(strategy: st.SearchStrategy[Any]) -> st.SearchStrategy[Any]:
 @st.composite
 def designs(draw: st.DrawFn) -> dict[str, Any]:
     """Designs of all kinds of cavity, membrane, mold, layout and carrier; most of them are valid."""
+    kind = draw(st.sampled_from(["serpentine", "ring", "cylinder", "hand"]))
+    in_hand = kind == "hand"  # its lines meet at narrow angles, and turn back at the tip of a finger
     height = draw(number(0.8, 6))
     outside = draw(number(0.2, max(0.21, min(1.8, height - 0.5))))
     wire = draw(number(0.01, max(0.011, 0.2 * outside)))
     bore = draw(number(0.05, max(0.06, outside - 2 * wire - 0.04)))
     cavity = draw(number(max(0.8, 2 * bore + 0.2), 12))
     wall = draw(number(0.4, 3))
-    chamber = draw(number(max(1.0, 2 * bore + 0.2, 2 * outside), 5))
+    chamber = draw(number(6, 9) if in_hand else number(max(1.0, 2 * bore + 0.2, 2 * outside), 5))
     thickness = draw(number(max(0.05, 0.006 * cavity), min(1.5, cavity)))
     membrane = {
         "material": "silicone-shore-a-30",
@@ -58,7 +60,8 @@ def designs(draw: st.DrawFn) -> dict[str, Any]:
     else:
         membrane["stretch"] = draw(st.sampled_from([1.0, 1.1, 1.3]))
     feet = draw(st.sampled_from([0, 0, 0, 2, 3]))
-    kind = draw(st.sampled_from(["serpentine", "ring", "cylinder", "hand"]))
+    floor = draw(number(0.3, 2))
+    carrier = "none" if feet else draw(st.sampled_from(["none", "row", "sheet"]))
     names = ["A", "B", "C"][: 3 if kind == "ring" else draw(st.integers(2, 3))]
     pairs = list(zip(names, [*names[1:], names[0]], strict=True))[: len(names) if kind == "ring" else len(names) - 1]
     tube = {
@@ -77,7 +80,7 @@ def designs(draw: st.DrawFn) -> dict[str, Any]:
             "cavity_diameter": cavity,
             "cavity_height": height,
             "wall_thickness": wall,
-            "floor_thickness": draw(number(0.3, 2)),
+            "floor_thickness": floor,
             "shape": draw(st.sampled_from(["cylinder", "box", "dome"])),
         },
         "shell": {
@@ -86,7 +89,7 @@ def designs(draw: st.DrawFn) -> dict[str, Any]:
             "feet": feet,
             "foot_length": draw(number(1.6, 2.5)),
             "foot_hole": draw(number(0.3, 0.6)),
-            "label": draw(st.sampled_from(["none", "raised", "engraved"])),
+            "label": "none" if carrier == "none" else draw(st.sampled_from(["none", "raised", "engraved"])),
         },
         "membrane": membrane,
         "tube": tube,
@@ -97,13 +100,15 @@ def designs(draw: st.DrawFn) -> dict[str, Any]:
             "wall_thickness": draw(number(0.6, 2)),
             "sound_hole_diameter": draw(number(0.1, 0.9)),
             "gasket_width": draw(maybe(number(0.3, 1))),
+            "gasket_depth": draw(number(0.1, 0.3)),
         },
-        "lines": [{"between": list(pair), "points": draw(st.integers(1, 5))} for pair in pairs],
+        "lines": [{"between": list(pair), "points": draw(st.integers(2 if in_hand else 1, 5))} for pair in pairs],
         "layout": layout,
         "printing": {
             "glue_gap": draw(number(0.02, 0.1)),
             "port_lip": draw(number(0.1, 0.3)),
-            "carrier": "none" if feet else draw(st.sampled_from(["none", "row", "sheet"])),
+            "carrier": carrier,
+            "carrier_neck": draw(number(0.2, min(0.8, floor))),
         },
         "mold": {
             "kind": draw(st.sampled_from(["two-part", "open-face"])),
