@@ -161,6 +161,14 @@ def test_parts_fill_a_folder_with_all_it_takes_to_make_the_array(command: Comman
     assert "resin" in told.out
 
 
+@pytest.mark.slow
+@pytest.mark.parametrize(("name", "seconds"), [("array-2x6", 25), ("large-area-64", 90)])
+def test_parts_with_all_reports_are_made_in_time(command: Command, tmp_path: Path, name: str, seconds: float) -> None:
+    started = time.process_time()
+    assert command("parts", name, "--out", tmp_path / "parts").code == 0
+    assert time.process_time() - started < seconds
+
+
 def test_parts_for_an_unknown_process_are_refused(command: Command, row: Path, tmp_path: Path) -> None:
     told = command("parts", row, "--out", tmp_path / "parts", "--process", "sls")
     assert (told.code, not (tmp_path / "parts").exists()) == (1, True)
