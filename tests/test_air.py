@@ -198,7 +198,7 @@ port_lists = st.lists(st.tuples(st.floats(0, 360), st.floats(0.1, 0.6), st.float
 
 
 def check_random_shell(size, ports, fraction):
-    """A random shell is filled by its air and tubes, or refused by name."""
+    """Whether a random shell, filled by its air and tubes, is built; otherwise it is refused by name."""
     diameter, height = size["cavity_diameter"], size["cavity_height"]
     own = {"dome": {"dome_depth": max(0.05, fraction * min(diameter / 2, height))}}.get(size["shape"], {})
     resonator = Resonator(**size, **own)
@@ -209,22 +209,23 @@ def check_random_shell(size, ports, fraction):
     except ValueError as error:
         if not str(error).startswith(("shell: ", "the air of resonator")):
             raise
-        return
+        return False
     assert abs(missing) < 1e-6
     assert overlap < 1e-6
+    return True
 
 
-@settings(max_examples=12, derandomize=True, deadline=None, suppress_health_check=list(HealthCheck))
-@given(sizes, port_lists, st.floats(0.1, 1.0))
-def test_random_shells_are_filled_or_refused_by_name(size, ports, fraction):
-    check_random_shell(size, ports, fraction)
+@pytest.mark.parametrize("examples", [15, pytest.param(300, marks=pytest.mark.slow)])
+def test_random_shells_are_filled_or_refused_by_name(examples):
+    built = []
 
+    @settings(max_examples=examples, derandomize=True, deadline=None, suppress_health_check=list(HealthCheck))
+    @given(sizes, port_lists, st.floats(0.1, 1.0))
+    def build(size, ports, fraction):
+        built.append(check_random_shell(size, ports, fraction))
 
-@pytest.mark.slow
-@settings(max_examples=300, derandomize=True, deadline=None, suppress_health_check=list(HealthCheck))
-@given(sizes, port_lists, st.floats(0.1, 1.0))
-def test_hundreds_of_random_shells_are_filled_or_refused_by_name(size, ports, fraction):
-    check_random_shell(size, ports, fraction)
+    build()
+    assert sum(built) >= examples // 5
 
 
 def test_a_cell_without_a_shape_is_a_cylinder():

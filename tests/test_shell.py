@@ -156,6 +156,18 @@ def test_a_number_is_read_from_outside_left_to_right_and_keeps_off_the_seat(kind
         assert inside(marked, radius, middle, height) is (drawn if kind == "raised" else not drawn)
 
 
+def test_a_number_stands_above_a_foot():
+    small = Resonator(cavity_diameter=2, cavity_height=2, wall_thickness=1)
+    membrane = Membrane(material="x", thickness=0.3, rim_width=1.0)
+    marked = Shell(feet=1, foot_length=3.0, foot_hole=1.0, label="engraved")
+    solids = [
+        build_shell(small, membrane, Printing(port_lip=0.15), [Port(0.0, 0.2, 0.5)], features, "0").val()
+        for features in (marked, marked.model_copy(update={"label": "none"}))
+    ]
+    assert facets(solids[0]).is_volume
+    assert solids[1].cut(solids[0]).BoundingBox().zmin > 0
+
+
 def test_numbers_need_no_font(monkeypatch):
     monkeypatch.setattr(cq.Compound, "makeText", None)
     assert shell(Shell(label="raised"), "0123").isValid()
