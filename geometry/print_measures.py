@@ -27,8 +27,8 @@ _OPPOSED = 15.0
 _PROBES = 40
 #: Where an overhang is probed for its middle: this many places per patch.
 _SAMPLES = 1000
-#: Finest and largest grid in which cups are looked for: steps per narrowest hole, cells in all.
-_STEPS_PER_HOLE, _MOST_CELLS = 2.5, 3_000_000
+#: The grid in which cups are looked for: steps per narrowest hole and across the part, cells in all at most.
+_STEPS_PER_HOLE, _STEPS_ACROSS, _MOST_CELLS = 2.5, 12, 3_000_000
 #: Facets and grid cells treated at once, to bound the memory.
 _BLOCK = 2_000_000
 
@@ -196,7 +196,8 @@ def sealed_cup(facets: Tessellation, narrowest_hole: float, upside_down: bool = 
     """
     skin = _Skin(facets)
     low, size = skin.vertices.min(axis=0), np.ptp(skin.vertices, axis=0)
-    step = max(narrowest_hole / _STEPS_PER_HOLE, float(np.prod(size) / _MOST_CELLS) ** (1 / 3))
+    finest = min(narrowest_hole / _STEPS_PER_HOLE, float(size.min()) / _STEPS_ACROSS)
+    step = max(finest, float(np.prod(size) / _MOST_CELLS) ** (1 / 3))
     solid = _grid(skin, low, size, step)
     order = range(solid.shape[2])
     groups = _Groups()

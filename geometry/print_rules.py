@@ -96,7 +96,8 @@ def _built(name: str, facets: Tessellation, process: PrintProcess, holes: list[R
         note = f"built {way}, flatter than {process.overhang_angle:g} degrees: {hang.area:.3g} mm^2 in all"
         findings.append(_with_note(finding, note))
     if math.isfinite(process.cup_volume.advised):
-        narrowest = max(holes[0].diameter if holes else process.hole.advised, process.hole.limit)
+        advised = process.hole.advised
+        narrowest = max(min(holes[0].diameter, advised) if holes else advised, process.hole.limit)
         cup = sealed_cup(facets, narrowest, upside_down)
         findings.append(_by_rule(name, "sealed cup", cup.value, "mm^3", process.cup_volume, cup.place))
     return findings

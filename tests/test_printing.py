@@ -106,6 +106,8 @@ def test_a_cup_is_sealed_by_the_film_up_to_its_vent():
     # Up to the lowest layer in which the vent, 0.8 wide at z = 2, is open.
     assert sealed_cup(facets_of(vented), 0.8).value == pytest.approx(8 * 8 * 0.75, rel=0.45)
     assert sealed_cup(facets_of(vented), 0.8).value < 0.35 * 8 * 8 * 4
+    dish = {"dish": cq.Workplane().circle(7).extrude(3).faces(">Z").workplane().circle(5.5).cutBlind(-1)}
+    assert finding(print_report(dish), "dish", "sealed cup").value == pytest.approx(math.pi * 5.5**2, rel=0.1)
     trough = cut_box(((8, 10, 5), (1, 0, 1)))
     assert sealed_cup(facets_of(trough), 0.5).value == 0
 
