@@ -10,6 +10,7 @@ Procedures (1996), chapter 6).
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -44,6 +45,9 @@ class DiscShape:
         glue: width of the held annulus, at most rim; ignored if rim is 0.
         prestress: equi-biaxial stress in the plane / E, uniform.
         contact: radius of the patch in the middle of the upper face / a.
+        raised: a thicker part: inner radius, outer radius and height above the disc's upper face, all / a; a boss
+            from the axis, (0, b, height) with contact <= b <= 1, or a rim, (1, 1 + rim, height). Only where
+            the prestress is 0.
     """
 
     thickness: float
@@ -52,6 +56,7 @@ class DiscShape:
     glue: float
     prestress: float
     contact: float
+    raised: tuple[float, float, float] | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -120,10 +125,16 @@ def solve_dimensionless(shape: DiscShape, refinement: int = REFINEMENT, modes: i
     face, radius = _axial(displacement, "loaded")
     loads = np.zeros((size, 3))
     loads[face, 0] = _ring_areas(radius)
-    for column, name in enumerate(("patch", "upper"), 1):
-        nodes, radii = _axial(displacement, name)
-        loads[nodes, column] = _ring_areas(radii)
-    loads[:, 1] /= np.pi * shape.contact**2
+    nodes, radii = _axial(displacement, "patch")
+    loads[nodes, 1] = _ring_areas(radii) / (np.pi * shape.contact**2)
+    for name in ("upper", "raised"):
+        if len(mesh.boundaries[name]):
+            nodes, radii = _axial(displacement, name)
+            loads[nodes, 2] += _ring_areas(radii)
+    if shape.raised is not None and len(mesh.boundaries["step"]):
+        start, end, _ = shape.raised
+        nodes, heights = _along(displacement, "step", "u^1", 1)
+        loads[nodes, 2] += 2 * np.pi * (end if start == 0 else -start) * _lengths(heights)
     loads = loads[free]
     system = 2 * np.pi * system[np.ix_(free, free)]
     mass = 2 * np.pi * _padded(_inertia_form.assemble(displacement), size)[np.ix_(free, free)]
@@ -213,45 +224,77 @@ def _padded(matrix: Any, size: int) -> Any:
 
 def _axial(displacement: skfem.Basis, face: str) -> tuple[NDArray[np.int64], Vector]:
     """Axial unknowns of a horizontal face and their radii, outwards: corner, middle, corner, ..."""
-    nodes = displacement.get_dofs(face).all("u^2")
-    radius = displacement.doflocs[0, nodes]
-    order = np.argsort(radius)
-    return nodes[order], radius[order]
+    return _along(displacement, face, "u^2", 0)
+
+
+def _along(displacement: skfem.Basis, face: str, component: str, axis: int) -> tuple[NDArray[np.int64], Vector]:
+    """Unknowns of one component on a straight face and their places along it, ascending."""
+    nodes = displacement.get_dofs(face).all(component)
+    place = displacement.doflocs[axis, nodes]
+    order = np.argsort(place)
+    return nodes[order], place[order]
 
 
 def _ring_areas(radius: Vector) -> Vector:
-    """2 pi times integrals of N r dr for quadratic shape functions: cubic, so Simpson's rule is exact."""
-    steps = radius[2::2] - radius[:-2:2]
-    weights = np.zeros_like(radius)
-    weights[:-2:2] += steps / 6
-    weights[1::2] += 4 * steps / 6
-    weights[2::2] += steps / 6
-    result: Vector = 2 * np.pi * radius * weights
+    """2 pi times integrals of N r dr for quadratic shape functions."""
+    result: Vector = 2 * np.pi * radius * _lengths(radius)
     return result
 
 
+def _lengths(place: Vector) -> Vector:
+    """Weights of Simpson's rule for nodes corner, middle, corner, ...: exact for cubics, so for N r."""
+    steps = place[2::2] - place[:-2:2]
+    weights = np.zeros_like(place)
+    weights[:-2:2] += steps / 6
+    weights[1::2] += 4 * steps / 6
+    weights[2::2] += steps / 6
+    return weights
+
+
 def _mesh(shape: DiscShape, refinement: int) -> skfem.MeshQuad:
-    """Rectangles, graded towards the edge of the clamp, where the stress is singular, and of the patch."""
+    """Rectangles, graded towards singular stresses: the edges of the clamp, the patch and a raised part."""
     thickness, rim, contact = shape.thickness, shape.rim, shape.contact
+    start, end, height = shape.raised or (0.0, 0.0, 0.0)
     finest = min(thickness, 1.0) * 0.5 ** (2 * refinement + 2)
     radial = max(thickness, _RADIAL_SCALE) / refinement
+    boss = end if height and start == 0 else 0.0
     at_patch = min(contact, 1 - contact, thickness) / refinement
-    parts = [contact - _graded(contact, at_patch, radial)[::-1]]
-    parts.append(contact + _graded_from_both(1 - contact, at_patch, finest, radial)[1:])
+    if contact < boss:
+        at_patch = min(at_patch, (boss - contact) / refinement)
+    # between radii where something ends: from radius to radius with the smallest step at each
+    edges = {contact: at_patch}
+    if boss:
+        edges[boss] = min(edges.get(boss, finest), finest)
+    edges[1.0] = finest
+    first = min(edges)
+    parts = [first - _graded(first, edges[first], radial)[::-1]]
+    for inner, outer in pairwise(sorted(edges)):
+        parts.append(inner + _graded_from_both(outer - inner, edges[inner], edges[outer], radial)[1:])
     if rim:
         parts.append(1 + _graded(shape.glue, finest, radial)[1:])
         if shape.glue < rim:
             parts.append(1 + shape.glue + _graded(rim - shape.glue, min(radial, shape.glue), radial)[1:])
-    heights = _graded_from_both(thickness, finest, at_patch if rim else finest, thickness / refinement)
+    at_top = finest if height else at_patch if rim else finest
+    heights = _graded_from_both(thickness, finest, at_top, thickness / refinement)
+    if height:
+        at_patch = min(at_patch, height) if boss < 1 else finest
+        above = _graded_from_both(height, finest, at_patch, max(thickness, height) / refinement)
+        heights = np.concatenate([heights, thickness + above[1:]])
     mesh = skfem.MeshQuad.init_tensor(np.concatenate(parts), heights)
+    if height:
+        r, z = mesh.p[:, mesh.t].mean(axis=1)
+        mesh = mesh.restrict(np.flatnonzero((z < thickness) | ((r > start) & (r < end))))
 
     tiny = 1e-9 * min(thickness, 1.0)
+    middle = thickness + (height if boss else 0.0)
     return mesh.with_boundaries(
         {
             "axis": lambda x: x[0] < tiny,
             "loaded": lambda x: (x[1] < tiny) & (x[0] < 1),
-            "patch": lambda x: (x[1] > thickness - tiny) & (x[0] < contact),
-            "upper": lambda x: x[1] > thickness - tiny,
+            "patch": lambda x: (x[1] > middle - tiny) & (x[0] < contact),
+            "upper": lambda x: np.abs(x[1] - thickness) < tiny,
+            "raised": lambda x: x[1] > thickness + height - tiny if height else np.zeros(x.shape[1:], bool),
+            "step": lambda x: (x[1] > thickness + tiny) & (np.abs(x[0] - (boss or 1.0)) < tiny) & (boss < 1),
             "held": (lambda x: (x[1] < tiny) & (x[0] > 1) & (x[0] < 1 + shape.glue))
             if rim
             else (lambda x: x[0] > 1 - tiny),

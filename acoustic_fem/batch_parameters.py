@@ -161,7 +161,8 @@ class ArrayParameters:
         """The same for several designs of one topology.
 
         Raises:
-            ValueError: no design, designs that are wired in different ways, or a pre-stretched membrane with loss.
+            ValueError: no design, designs that are wired in different ways, a cavity that is no cylinder, or a
+                pre-stretched membrane with loss.
         """
         if not designs:
             raise ValueError("designs is empty; a batch needs at least one")
@@ -301,6 +302,11 @@ def _row(design: ArrayDesign, medium: Medium) -> dict[str, list[Any]]:
         raise ValueError(
             f"membrane.stretch = {design.membrane.stretch:g} must be 1 in a batch: the tension has no loss, so the "
             f"modes do not share the loss factor {loss:g} of {design.membrane.material!r}; solve() takes it"
+        )
+    if design.resonator.shape != "cylinder":
+        raise ValueError(
+            f"resonator.shape = {design.resonator.shape!r} must be 'cylinder' in a batch, which has closed forms only; "
+            "solve() takes it at every fidelity"
         )
     share = disc.model.swept**2 / disc.model.eigenvalues
     mode_frequency = np.sqrt(disc.model.eigenvalues * disc.modulus / disc.density) / (2 * np.pi * disc.opening)

@@ -23,6 +23,7 @@ from acoustic_fem import cell_cache
 from acoustic_fem.cell import Progress, checked_physics, converge
 from acoustic_fem.checks import frequency_grid
 from acoustic_fem.medium import Medium
+from geometry.cavity_shapes import Box, Dome
 from geometry.cells import Cell, CellPort
 
 #: Cells of a design are solved over at least this band (Hz), so that another grid finds them in the cache.
@@ -93,7 +94,7 @@ class _Task:
     @property
     def key(self) -> str:
         about = {"model": CELL_MODEL_VERSION, "accuracy": DESIGN_ACCURACY, "gmsh": version("gmsh")}
-        return cell_cache.key_of({**asdict(self), **about})
+        return cell_cache.key_of({**_stated(asdict(self)), **about})
 
     def as_json(self) -> str:
         return json.dumps(asdict(self))
@@ -102,8 +103,10 @@ class _Task:
     def from_json(cls, text: str) -> _Task:
         plain = json.loads(text)
         ports = tuple(CellPort(**port) for port in plain["cell"].pop("ports"))
+        sizes = plain["cell"].pop("shape")
+        shape = None if sizes is None else Dome(**sizes) if "depth" in sizes else Box(**sizes)
         return cls(
-            cell=Cell(**plain["cell"], ports=ports),
+            cell=Cell(**plain["cell"], ports=ports, shape=shape),
             medium=Medium(**plain["medium"]),
             band=tuple(plain["band"]),
             fidelity=plain["fidelity"],
@@ -170,6 +173,19 @@ def solve_cells(
     return {task.cell: _solution(task, records[task], grid, cached=task not in missing) for task in tasks}
 
 
+def _stated(description: dict[str, Any]) -> dict[str, Any]:
+    """Without what is not stated: a cell keeps its place in the cache when cells can state more."""
+    plain: dict[str, Any] = {}
+    for name, value in description.items():
+        if isinstance(value, dict):
+            plain[name] = _stated(value)
+        elif isinstance(value, tuple):
+            plain[name] = [_stated(item) if isinstance(item, dict) else item for item in value]
+        elif value is not None:
+            plain[name] = value
+    return plain
+
+
 def _solve(task: _Task, report: Callable[[float], None]) -> _Record:
     """Solve one cell."""
     from acoustic_fem.navier_stokes import WallMotion
@@ -192,7 +208,7 @@ def _solve(task: _Task, report: Callable[[float], None]) -> _Record:
             task.band,
             checked_physics(task.fidelity),
             DESIGN_ACCURACY,
-            min(cell.height, cell.diameter),
+            cell.smallest_extent,
             report,
             checked_band=(task.band[0], task.band[1] if task.band[1] > DESIGN_BAND[1] else CHECKED_UP_TO),
             scale=_FIRST_SCALE,

@@ -155,6 +155,9 @@ def solve_disc(
     tension: float = 0.0,
     stretch: float = 1.0,
     contact_radius: float | None = None,
+    rim_height: float = 0.0,
+    boss_radius: float = 0.0,
+    boss_height: float = 0.0,
 ) -> DiscSolution:
     """Axisymmetric mixed elasticity (Q2-Q1) of a disc under pressure and under a force in its middle.
 
@@ -182,7 +185,12 @@ def solve_disc(
         tension: in the plane, the same in all directions, N/m; at most 20 thickness x youngs_modulus.
         stretch: ratio of lengths in the plane, stretched to relaxed, 1 to 1.9; not beside a tension.
         contact_radius: of the patch that takes a force as uniform pressure, in the middle of the upper
-            face, m, 0.02 to 0.9 radii; by default a quarter of the radius.
+            face, m, 0.02 to 0.9 radii; by default a quarter of the radius, or the whole boss.
+        rim_height: the disc is thicker by this all along its rim, on the upper face, m, at most 2 radii; needs
+            a rim_width, and neither tension nor stretch: the stress of such a disc is not uniform.
+        boss_radius: of a boss in the middle of the upper face, m, 0.1 to 0.9 radii, at least contact_radius;
+            instead of a rim_height, and without tension and stretch.
+        boss_height: of the boss above that face, m, above 0, at most 2 radii.
 
     Raises:
         ValueError: a value that is not finite or out of range.
@@ -214,14 +222,41 @@ def solve_disc(
         in_range("glue_width", glue, 0.05 * thickness, rim_width, "m")
     elif glue_width is not None:
         raise ValueError(f"glue_width = {glue_width:g} m needs a rim: rim_width = 0 clamps the lateral face")
-    contact = CONTACT * radius if contact_radius is None else contact_radius
-    in_range("contact_radius", contact, 0.02 * radius, 0.9 * radius, "m")
+    raised = _raised(radius, rim_width, rim_height, boss_radius, boss_height)
+    if raised is not None and tension != 0:
+        raise ValueError(
+            f"rim_height = {rim_height:g} m, boss_height = {boss_height:g} m must be 0 under a tension or a stretch: "
+            "only a flat disc is stretched evenly"
+        )
+    contact = (boss_radius or CONTACT * radius) if contact_radius is None else contact_radius
+    in_range("contact_radius", contact, 0.02 * radius, (boss_radius or 0.9 * radius) * more, "m")
+    contact = min(contact, boss_radius or contact)
     # rounding lets equal discs in different units share one solution
     shape = (thickness, rim_width, glue, contact)
     thickness, rim, glue, contact = (round(float(length) / radius, 12) for length in shape)
     prestress = round(tension / (thickness * radius * youngs_modulus), 12)
-    disc: ElasticDisc = _cached_disc(DiscShape(thickness, float(poisson_ratio), rim, glue, prestress, contact))
+    disc: ElasticDisc = _cached_disc(DiscShape(thickness, float(poisson_ratio), rim, glue, prestress, contact, raised))
     return _in_si(disc, contact, float(radius), float(youngs_modulus), float(density))
+
+
+def _raised(
+    radius: float, rim_width: float, rim_height: float, boss_radius: float, boss_height: float
+) -> tuple[float, float, float] | None:
+    """Inner and outer radius and height of the raised part of a disc, per its radius; None where it is flat."""
+    for name, value in (("rim_height", rim_height), ("boss_height", boss_height)):
+        in_range(name, value, 0, 2 * radius, "m")
+    if rim_height and boss_height:
+        raise ValueError(f"boss_height = {boss_height:g} m must not be given beside rim_height = {rim_height:g} m")
+    if bool(boss_radius) != bool(boss_height):
+        raise ValueError(f"boss_radius = {boss_radius:g} m and boss_height = {boss_height:g} m must be given together")
+    if rim_height:
+        if not rim_width:
+            raise ValueError(f"rim_height = {rim_height:g} m needs a rim: rim_width = 0 clamps the lateral face")
+        return 1.0, 1.0 + round(float(rim_width) / radius, 12), round(float(rim_height) / radius, 12)
+    if boss_height:
+        in_range("boss_radius", boss_radius, 0.1 * radius * (1 - 1e-9), 0.9 * radius * (1 + 1e-9), "m")
+        return 0.0, round(float(boss_radius) / radius, 12), round(float(boss_height) / radius, 12)
+    return None
 
 
 def _in_si(disc: ElasticDisc, contact: float, radius: float, modulus: float, density: float) -> DiscSolution:
@@ -261,7 +296,9 @@ def disc_compliance(
 
 
 def design_disc(design: ArrayDesign, *, contact_radius: float | None = None) -> DiscSolution:
-    """The membrane of a design, mounted and stretched as it says.
+    """The membrane of a design, mounted, shaped and stretched as it says; its draft is left out.
+
+    A clamped rim does not move, however thick it is.
 
     Args:
         design: the array.
@@ -281,6 +318,9 @@ def design_disc(design: ArrayDesign, *, contact_radius: float | None = None) -> 
         material.density,
         stretch=membrane.stretch,
         contact_radius=contact_radius,
+        rim_height=0.0 if membrane.mounting == "clamped" else metres(membrane.rim_height or 0.0),
+        boss_radius=metres(membrane.boss_diameter or 0.0) / 2,
+        boss_height=metres(membrane.boss_height or 0.0),
     )
 
 

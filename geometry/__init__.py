@@ -9,7 +9,9 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from geometry.array_model import build_assembly
     from geometry.assembly import build_parts
+    from geometry.bill import bill_of_materials
     from geometry.design import ArrayDesign
     from geometry.design_fields import DesignError
     from geometry.design_file import load_design, prototype, prototype_names, resolve_design, save_design
@@ -19,6 +21,8 @@ if TYPE_CHECKING:
 _HOME = {
     "ArrayDesign": "geometry.design",
     "DesignError": "geometry.design_fields",
+    "bill_of_materials": "geometry.bill",
+    "build_assembly": "geometry.array_model",
     "build_parts": "geometry.assembly",
     "export": "geometry.part_files",
     "load_design": "geometry.design_file",
@@ -32,6 +36,8 @@ _HOME = {
 __all__ = [
     "ArrayDesign",
     "DesignError",
+    "bill_of_materials",
+    "build_assembly",
     "build_parts",
     "export",
     "load_design",

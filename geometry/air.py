@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from itertools import combinations
 from typing import TYPE_CHECKING
 
-from geometry.cells import Cell
+from geometry.cavity_shapes import draw_cavity, separation
+from geometry.cells import Cell, CellPort
 
 if TYPE_CHECKING:
     import cadquery
@@ -40,44 +41,36 @@ def port_names(cell: Cell) -> tuple[str, ...]:
     return tuple(f"port-{k}" for k in range(len(cell.ports)))
 
 
+def air_solid(cell: Cell) -> cadquery.Solid:
+    """Draw the whole air of a cell: the cavity, its tube stubs and, for a microphone, the sound hole.
+
+    A stub of length L ends at the distance diameter / 2 + L from the axis: tube lengths count from the radius
+    of the cavity, where the tube's axis meets the wall of a cylinder.
+
+    Raises:
+        ValueError: no port, two ports overlap, or the drawn solid is not one valid solid.
+    """
+    return _checked(_drawn(cell), cell)
+
+
 def air_volume(cell: Cell) -> AirVolume:
-    """Draw the air of a cell: the cavity, its tube stubs and, for a microphone, the sound hole.
+    """Draw the air of a cell as :func:`air_solid` does, with its faces.
 
     Where every tube lies in the plane y = 0 the cell is its own mirror image and one half is drawn.
-
-    A stub of length L ends at the distance diameter / 2 + L from the axis: tube lengths count from the
-    point where the tube's axis meets the cavity wall.
 
     Raises:
         ValueError: no port, two ports overlap, or the drawn solid is not one valid solid.
     """
     import cadquery as cq
 
-    if not cell.ports:
-        raise ValueError(f"the air of {cell.label} has no port; it needs at least one tube")
+    air = _drawn(cell)
     radius = cell.diameter / 2
-    for first, second in combinations(cell.ports, 2):
-        apart = 2 * radius * abs(math.sin(math.radians(first.angle - second.angle) / 2))
-        if apart <= (first.bore_diameter + second.bore_diameter) / 2:
-            raise ValueError(
-                f"the air of {cell.label} has overlapping ports at {first.angle:g} and {second.angle:g} deg"
-            )
-    air = cq.Solid.makeCylinder(radius, cell.height)
     ports = {}
     for name, port in zip(port_names(cell), cell.ports, strict=True):
-        bore = port.bore_diameter / 2
-        direction = cq.Vector(math.cos(math.radians(port.angle)), math.sin(math.radians(port.angle)), 0)
-        start = cq.Vector(0, 0, cell.port_height) + direction * (radius / 2)
-        end = cq.Vector(0, 0, cell.port_height) + direction * (radius + port.stub_length)
-        stub = cq.Solid.makeCylinder(bore, (end - start).Length, start, direction)
-        air = air.fuse(stub)
-        ports[name] = end.toTuple()
-    centre = (0.0, 0.0, cell.height + cell.opening_length)
-    if cell.opening_length > 0:
-        hole = cell.opening_diameter / 2
-        air = air.fuse(cq.Solid.makeCylinder(hole, cell.opening_length, cq.Vector(0, 0, cell.height)))
+        end = _direction(port) * (radius + port.stub_length)
+        ports[name] = (end.x, end.y, cell.height_of(port))
+    opening = centre = (0.0, 0.0, cell.height + cell.opening_length)
     mirror = None
-    opening = centre
     if all(port.angle in (0.0, 180.0) for port in cell.ports):
         size = 2 * max(radius + port.stub_length for port in cell.ports) + 2 * (cell.height + cell.opening_length)
         half = cq.Solid.makeBox(2 * size, size, 2 * size, cq.Vector(-size, 0, -size))
@@ -86,7 +79,43 @@ def air_volume(cell: Cell) -> AirVolume:
         ports = {name: (x, y + inwards, z) for name, (x, y, z) in ports.items()}
         opening = (0.0, inwards, centre[2])
         mirror = (0.0, 0.0, cell.height / 2)
+    return AirVolume(_checked(air, cell), ports, opening, centre, mirror)
+
+
+def _drawn(cell: Cell) -> cadquery.Shape:
+    import cadquery as cq
+
+    if not cell.ports:
+        raise ValueError(f"the air of {cell.label} has no port; it needs at least one tube")
+    radius = cell.diameter / 2
+    for first, second in combinations(cell.ports, 2):
+        near = min(cell.mouth_of(first), cell.mouth_of(second))
+        apart = separation(near, first.angle - second.angle, cell.height_of(first) - cell.height_of(second))
+        if apart <= (first.bore_diameter + second.bore_diameter) / 2:
+            raise ValueError(
+                f"the air of {cell.label} has overlapping ports at {first.angle:g} and {second.angle:g} deg"
+            )
+    air: cq.Shape = draw_cavity(cell.shape, radius, cell.height)
+    for port in cell.ports:
+        direction, middle = _direction(port), cq.Vector(0, 0, cell.height_of(port))
+        # Wholly inside the cavity, where the floor of a bowl rises towards the wall.
+        start = radius / 2 if cell.shape is None else cell.mouth_of(port) / 10
+        length = radius + port.stub_length - start
+        air = air.fuse(cq.Solid.makeCylinder(port.bore_diameter / 2, length, middle + direction * start, direction))
+    if cell.opening_length > 0:
+        hole = cell.opening_diameter / 2
+        air = air.fuse(cq.Solid.makeCylinder(hole, cell.opening_length, cq.Vector(0, 0, cell.height)))
+    return air
+
+
+def _direction(port: CellPort) -> cadquery.Vector:
+    import cadquery as cq
+
+    return cq.Vector(math.cos(math.radians(port.angle)), math.sin(math.radians(port.angle)), 0)
+
+
+def _checked(air: cadquery.Shape, cell: Cell) -> cadquery.Solid:
     solids = air.Solids()
     if len(solids) != 1 or not solids[0].isValid():
         raise ValueError(f"the air of {cell.label} is not one valid solid")
-    return AirVolume(solids[0].clean(), ports, opening, centre, mirror)
+    return solids[0].clean()

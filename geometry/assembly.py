@@ -2,14 +2,21 @@
 
 from __future__ import annotations
 
+import math
 from collections import Counter
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+import numpy as np
+from numpy.typing import NDArray
+
+from geometry.cavity_shapes import turned
 from geometry.design import ArrayDesign, Tube
-from geometry.layout import ArrayLayout, place
+from geometry.layout import ArrayLayout, MicrophonePlacement, PointPlacement, place
+from geometry.mold import mold_counts
 from geometry.tube import Port
+from geometry.wrap import FLAT, Axes
 
 if TYPE_CHECKING:
     import cadquery as cq
@@ -33,12 +40,25 @@ class PartSet(dict[str, "cq.Workplane"]):
 
 @dataclass(frozen=True)
 class PlacedPart:
-    """One copy of a part in the array: turned about z by ``rotation`` degrees, then moved (mm)."""
+    """One copy of a part in the array: turned about its z by ``rotation`` degrees, laid along ``axes``, moved (mm)."""
 
     part: str
     label: str
     position: tuple[float, float, float]
     rotation: float
+    axes: Axes = FLAT
+    """Where its x, y and z point, as rows; on a flat array as in its own coordinates."""
+    group: str = ""
+    """What it belongs to: ``point 3``, ``microphone A``, ``tube 2 of line 1``."""
+
+    @property
+    def matrix(self) -> NDArray[np.float64]:
+        """The (4, 4) float64 matrix that moves the part into place, mm."""
+        cos, sin = math.cos(math.radians(self.rotation)), math.sin(math.radians(self.rotation))
+        matrix = np.eye(4)
+        matrix[:3, :3] = np.array(self.axes).T @ np.array([[cos, -sin, 0], [sin, cos, 0], [0, 0, 1]])
+        matrix[:3, 3] = self.position
+        return matrix
 
 
 def build_parts(design: ArrayDesign) -> PartSet:
@@ -46,13 +66,16 @@ def build_parts(design: ArrayDesign) -> PartSet:
 
     Returns:
         ``shell-straight``, ``shell-corner-90``, ... one per distinct set of port angles; ``membrane``;
-        ``mold-base`` and ``mold-lid`` in which membranes are cast; ``microphone-housing``, with the angles
-        of further ports where lines meet; ``microphone-lid``. Where tubes of different diameters are used,
-        the names of shells and housings end in bore x outside of their ports' tubes.
+        ``mold-base``, ``mold-lid``, ... in which membranes are cast, see :func:`geometry.mold.build_mold`;
+        ``microphone-housing``, with the angles of further ports where lines meet; ``microphone-lid``. Where
+        tubes of different diameters are used, the names of shells and housings end in bore x outside
+        of their ports' tubes. With ``printing.carrier`` also ``carrier``, the shells of all points in one piece,
+        in place of those printed one by one.
 
     Raises:
         ValueError: a part is not one valid solid.
     """
+    from geometry.carrier import array_carrier
     from geometry.membrane import build_membrane, membrane_radius
     from geometry.microphone import build_housing, build_lid
     from geometry.mold import build_mold
@@ -67,7 +90,8 @@ def build_parts(design: ArrayDesign) -> PartSet:
     )
     parts = PartSet()
     joints: dict[str, float | int | str] = {"glue_gap": printing.glue_gap, "port_lip": printing.port_lip}
-    shell = {
+    shell: dict[str, float | int | str] = {
+        "shape": resonator.shape,
         "cavity_diameter": resonator.cavity_diameter,
         "cavity_height": resonator.cavity_height,
         "wall_thickness": resonator.wall_thickness,
@@ -82,26 +106,35 @@ def build_parts(design: ArrayDesign) -> PartSet:
     chamber = {
         "chamber_diameter": microphone.chamber_diameter,
         "chamber_height": microphone.chamber_height,
+        "board_length": microphone.board_size[0],
+        "board_width": microphone.board_size[1],
         "wall_thickness": microphone.wall_thickness,
     }
     for name, ports in plan.shells.items():
-        parts[name] = build_shell(resonator, membrane, printing, ports)
+        parts[name] = build_shell(resonator, membrane, printing, ports, design.shell)
         parts.parameters[name] = {**shell, **joints, "ports": _describe(ports)}
-    parts["membrane"] = build_membrane(resonator, membrane)
-    mold = build_mold(resonator, membrane)
-    parts["mold-base"], parts["mold-lid"] = mold.base, mold.lid
+    parts["membrane"] = build_membrane(design)
+    mold = build_mold(design)
+    parts.update(mold.parts)
     for name, ports in plan.housings.items():
         parts[name] = build_housing(microphone, printing, ports)
         parts.parameters[name] = {**chamber, **joints, "ports": _describe(ports)}
     parts["microphone-lid"] = build_lid(microphone)
     parts.parameters["microphone-lid"] = {
+        "length": microphone.board_size[0],
+        "width": microphone.board_size[1],
         "sound_hole_diameter": microphone.sound_hole_diameter,
         "sound_hole_length": microphone.sound_hole_length,
         "model": microphone.model,
     }
-    for name in ("membrane", "mold-base", "mold-lid"):
-        parts.parameters[name] = disc
-    parts.counts = _counts(plan)
+    parts.parameters["membrane"] = disc
+    for name in mold.parts:
+        parts.parameters[name] = {**disc, "scale": design.mold.scale, "draft": design.mold.draft}
+    if printing.carrier != "none":
+        carrier = array_carrier(design, [plan.shells[name] for name, _ in plan.point_shells])
+        parts["carrier"] = carrier.part
+        parts.parameters["carrier"] = {**shell, **joints, "shells": len(carrier.places), "necks": carrier.necks}
+    parts.counts = _counts(design, plan)
     for name in parts:
         parts.parameters[name] = {"design": design.name, "count": parts.counts[name], **parts.parameters[name]}
     return parts
@@ -109,22 +142,38 @@ def build_parts(design: ArrayDesign) -> PartSet:
 
 def part_counts(design: ArrayDesign) -> dict[str, int]:
     """How many of each part one array needs, by the names of :func:`build_parts` (one mold serves all)."""
-    return _counts(_plan(design))
+    return _counts(design, _plan(design))
 
 
 def place_parts(design: ArrayDesign, layout: ArrayLayout) -> tuple[PlacedPart, ...]:
-    """Where every copy of every part lies; the floors of all cavities of resonators lie at z = 0."""
+    """Where every copy of every made part lies; the floors of resonators' cavities lie at z = 0 of a flat array."""
     plan, placed = _plan(design, layout), []
+
+    def put(
+        part: str, label: str, at: PointPlacement | MicrophonePlacement, height: float, turn: float, group: str
+    ) -> None:
+        frame = layout.frame(at)
+        x, y, z = (round(float(c), 9) + 0.0 for c in frame.at(0.0, 0.0, height))
+        placed.append(PlacedPart(part, label, (x, y, z), turn, frame.axes, group))
+
     top = design.resonator.cavity_height
     for point, (name, turn) in zip(layout.points, plan.point_shells, strict=True):
-        placed.append(PlacedPart(name, f"shell {point.number}", (*point.position, 0.0), turn))
-        placed.append(PlacedPart("membrane", f"membrane {point.number}", (*point.position, top), 0.0))
-    # Tubes lie in one plane: the middle of a chamber is at the height of the resonators' ports.
+        group = f"point {point.number}"
+        put(name, f"shell {point.number}", point, 0.0, turn, group)
+        put("membrane", f"membrane {point.number}", point, top, 0.0, group)
+    # The middle of a chamber is at the height of the resonators' ports.
     floor = design.resonator.port_axis_height - design.microphone.chamber_height / 2
     for microphone, (name, turn) in zip(layout.microphones, plan.microphone_housings, strict=True):
-        placed.append(PlacedPart(name, f"microphone {microphone.name}", (*microphone.position, floor), turn))
-        lid = (*microphone.position, floor + design.microphone.chamber_height)
-        placed.append(PlacedPart("microphone-lid", f"lid {microphone.name}", lid, 0.0))
+        group = f"microphone {microphone.name}"
+        put(name, group, microphone, floor, turn, group)
+        put(
+            "microphone-lid",
+            f"lid {microphone.name}",
+            microphone,
+            floor + design.microphone.chamber_height,
+            turn,
+            group,
+        )
     return tuple(placed)
 
 
@@ -146,9 +195,12 @@ def _plan(design: ArrayDesign, layout: ArrayLayout | None = None) -> _Plan:
         line = design.lines[point.line]
         before = design.microphone_tube_of(line) if point.place == 0 else design.tube_of(line)
         after = design.microphone_tube_of(line) if point.place == line.points - 1 else design.tube_of(line)
-        at_points.append(_turned(list(zip(point.port_angles, (before, after), strict=True))))
+        at_points.append(_turned(point.port_angles, (before, after)))
     at_microphones = [
-        _turned([(port.angle, design.microphone_tube_of(design.lines[port.line])) for port in microphone.ports])
+        _turned(
+            [port.angle for port in microphone.ports],
+            [design.microphone_tube_of(design.lines[port.line]) for port in microphone.ports],
+        )
         for microphone in layout.microphones
     ]
     shells, point_shells = _named(at_points, _shell_name)
@@ -156,20 +208,9 @@ def _plan(design: ArrayDesign, layout: ArrayLayout | None = None) -> _Plan:
     return _Plan(shells, housings, point_shells, microphone_housings)
 
 
-def _turned(tubes: Sequence[tuple[float, Tube]]) -> tuple[tuple[Port, ...], float]:
-    """Ports in the one rotation that all equal housings share, and the angle that turns them back.
-
-    Only rotations are tried: a mirrored housing is another part, since its floor stays below.
-    """
-    candidates = []
-    for reference, _ in tubes:
-        ports = [Port(_step(angle - reference), tube.inner_diameter, tube.outer_diameter) for angle, tube in tubes]
-        candidates.append((tuple(sorted(ports)), reference))
-    return min(candidates)
-
-
-def _step(angle: float) -> float:
-    return round(round(angle / _ANGLE_STEP) * _ANGLE_STEP % 360.0, 6)
+def _turned(angles: Sequence[float], tubes: Sequence[Tube]) -> tuple[tuple[Port, ...], float]:
+    ports = [Port(angle, t.inner_diameter, t.outer_diameter) for angle, t in zip(angles, tubes, strict=True)]
+    return turned(ports, _ANGLE_STEP)
 
 
 def _named(
@@ -196,15 +237,15 @@ def _housing_name(ports: tuple[Port, ...]) -> str:
     return "microphone-housing" + "".join(f"-{port.angle:g}" for port in ports[1:])
 
 
-def _counts(plan: _Plan) -> dict[str, int]:
+def _counts(design: ArrayDesign, plan: _Plan) -> dict[str, int]:
     used = Counter(name for name, _ in plan.point_shells + plan.microphone_housings)
     return {
         **{name: used[name] for name in plan.shells},
         "membrane": len(plan.point_shells),
-        "mold-base": 1,
-        "mold-lid": 1,
+        **mold_counts(design),
         **{name: used[name] for name in plan.housings},
         "microphone-lid": len(plan.microphone_housings),
+        **({} if design.printing.carrier == "none" else {"carrier": 1}),
     }
 
 

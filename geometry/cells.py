@@ -8,11 +8,13 @@ one canonical form here, so that each is meshed and solved once.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
-from geometry.design import STUB_LENGTH_IN_RADII, ArrayDesign
+from geometry.cavity_shapes import Box, Dome, port_rank, turned, wall_distance
+from geometry.design import STUB_LENGTH_IN_RADII, ArrayDesign, Resonator
 from geometry.layout import ArrayLayout
+from geometry.tube import Port
 
 #: Angles closer than this are one cell, degrees.
 ANGLE_STEP = 0.1
@@ -24,6 +26,8 @@ class CellPort:
 
     angle: float
     bore_diameter: float
+    height: float | None = None
+    """Of its axis above the floor, mm; None: that of the cell's ports."""
 
     @property
     def stub_length(self) -> float:
@@ -33,9 +37,10 @@ class CellPort:
 
 @dataclass(frozen=True)
 class Cell:
-    """Air of one resonator or microphone chamber with tube stubs: a cylinder with an opening on top.
+    """Air of one resonator or microphone chamber with tube stubs and an opening on top.
 
-    The opening is the membrane (as wide as the cavity, length 0) or the microphone's sound hole.
+    It is a cylinder where no other shape is given. The opening is the membrane (as wide as the cavity, length 0)
+    or the microphone's sound hole.
     Lengths in mm.
     """
 
@@ -46,12 +51,32 @@ class Cell:
     ports: tuple[CellPort, ...]
     opening_diameter: float
     opening_length: float
+    shape: Box | Dome | None = None
 
     @property
     def label(self) -> str:
         """Short name for progress displays and reports."""
         ports = ", ".join(f"{p.angle:g} deg bore {p.bore_diameter:g}" for p in self.ports)
-        return f"{self.kind} {self.diameter:g} x {self.height:g} mm ({ports})"
+        shape = "" if self.shape is None else f"{type(self.shape).__name__.lower()} "
+        return f"{self.kind} {shape}{self.diameter:g} x {self.height:g} mm ({ports})"
+
+    @property
+    def smallest_extent(self) -> float:
+        """Height or width of the cavity, whichever is less, mm."""
+        sides = (self.shape.length, self.shape.width) if isinstance(self.shape, Box) else ()
+        return min(self.height, self.diameter, *sides)
+
+    def height_of(self, port: CellPort) -> float:
+        """Height of a port's axis above the floor, mm."""
+        return self.port_height if port.height is None else port.height
+
+    def mouth_of(self, port: CellPort) -> float:
+        """From the axis to where the port's axis meets the wall of the cavity, mm."""
+        return wall_distance(self.shape, self.diameter / 2, self.height_of(port), port.angle)
+
+    def bore_of(self, port: CellPort) -> float:
+        """Length of a stub from the wall of the cavity, mm; stubs count from the cavity's radius."""
+        return self.diameter / 2 + port.stub_length - self.mouth_of(port)
 
 
 @dataclass(frozen=True)
@@ -78,26 +103,62 @@ class CellCatalogue:
         return tuple(dict.fromkeys(use.cell for use in self.points + self.microphones))
 
 
-def canonical_ports(ports: Sequence[CellPort]) -> tuple[tuple[CellPort, ...], tuple[int, ...]]:
+def canonical_ports(
+    ports: Sequence[CellPort], shape: Box | Dome | None = None
+) -> tuple[tuple[CellPort, ...], tuple[int, ...]]:
     """Bring ports to canonical rotation, reflection and order.
+
+    Args:
+        ports: at any angles; those of a box as seen from its own x axis.
+        shape: of the cavity: a box is turned and reflected into itself only.
 
     Returns:
         The canonical ports, and for each given port its place among them.
     """
+    turns = [port.angle for port in ports]
+    if isinstance(shape, Box):
+        turns = [0.0, 90.0, 180.0, 270.0] if shape.length == shape.width else [0.0, 180.0]
     candidates = []
-    for reference in ports:
+    for turn in turns:
         for sense in (1.0, -1.0):
-            turned = [
+            moved = [
                 CellPort(
-                    round(round(sense * (port.angle - reference.angle) / ANGLE_STEP) * ANGLE_STEP % 360.0, 6),
+                    round(round(sense * (port.angle - turn) / ANGLE_STEP) * ANGLE_STEP % 360.0, 6),
                     port.bore_diameter,
+                    port.height,
                 )
                 for port in ports
             ]
-            ranked = sorted((port, k) for k, port in enumerate(turned))
-            candidates.append((tuple(port for port, _ in ranked), [k for _, k in ranked]))
-    best, ranking = min(candidates, key=lambda candidate: candidate[0])
+            ranked = sorted(range(len(moved)), key=[port_rank(port) for port in moved].__getitem__)
+            candidates.append((tuple(moved[k] for k in ranked), ranked))
+    best, ranking = min(candidates, key=lambda candidate: [port_rank(port) for port in candidate[0]])
     return best, tuple(ranking.index(k) for k in range(len(best)))
+
+
+def resonator_cell(resonator: Resonator, ports: Sequence[Port]) -> CellUse:
+    """The air that a shell with these ports leaves, in its canonical form.
+
+    Args:
+        resonator: as :func:`geometry.shell.build_shell` takes it.
+        ports: as it takes them, at any angles: a box lies as in the one shell that serves all its rotations.
+    """
+    shape, own = resonator.cavity_shape, resonator.port_axis_height
+    placed = [replace(port, height=None if port.height == own else port.height) for port in ports]
+    turn = turned(placed, ANGLE_STEP)[1]
+    canonical, order = canonical_ports(
+        [CellPort(port.angle - turn, port.bore_diameter, port.height) for port in placed], shape
+    )
+    cell = Cell(
+        kind="resonator",
+        diameter=resonator.cavity_diameter,
+        height=resonator.cavity_height,
+        port_height=own,
+        ports=canonical,
+        opening_diameter=resonator.cavity_diameter,
+        opening_length=0.0,
+        shape=shape,
+    )
+    return CellUse(cell, order)
 
 
 def cell_catalogue(design: ArrayDesign, layout: ArrayLayout) -> CellCatalogue:
@@ -109,24 +170,13 @@ def cell_catalogue(design: ArrayDesign, layout: ArrayLayout) -> CellCatalogue:
         segment, outer = design.tube_of(line), design.microphone_tube_of(line)
         before = outer if placement.place == 0 else segment
         after = outer if placement.place == line.points - 1 else segment
-        ports, order = canonical_ports(
-            [
-                CellPort(angle, tube.inner_diameter)
-                for angle, tube in zip(placement.port_angles, (before, after), strict=True)
-            ]
-        )
         points.append(
-            CellUse(
-                Cell(
-                    kind="resonator",
-                    diameter=resonator.cavity_diameter,
-                    height=resonator.cavity_height,
-                    port_height=resonator.port_axis_height,
-                    ports=ports,
-                    opening_diameter=resonator.cavity_diameter,
-                    opening_length=0.0,
-                ),
-                order,
+            resonator_cell(
+                resonator,
+                [
+                    Port(angle, tube.inner_diameter, tube.outer_diameter)
+                    for angle, tube in zip(placement.port_angles, (before, after), strict=True)
+                ],
             )
         )
     microphones = []

@@ -176,7 +176,9 @@ def _items(section: BaseModel, prefix: str, notes: Mapping[str, str]) -> Iterato
         if value is None or value == {}:
             continue
         if isinstance(value, BaseModel):
-            tables.append((key, _table(value, f"{name}.", notes)))
+            table = _table(value, f"{name}.", notes)
+            if table:
+                tables.append((key, table))
         elif isinstance(value, dict):
             group = tomlkit.table(is_super_table=True)
             for own, entry in value.items():

@@ -6,14 +6,17 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from geometry import ring
+from geometry import hand, ring, shell_rules, wrap
 from geometry.materials import MATERIALS
+from geometry.print_processes import process_of
 
 if TYPE_CHECKING:
     from geometry.design import ArrayDesign, Tube
 
 #: Thinnest wall above and below the socket of a tube, mm: less does not survive the glue.
 SOCKET_COVER = 0.1
+#: Most by which shims raise the lid of a mold, mm: the pins stay in their sockets.
+MOST_SHIMS = 1.0
 
 
 def check_consistency(design: ArrayDesign) -> None:
@@ -22,7 +25,23 @@ def check_consistency(design: ArrayDesign) -> None:
     Raises:
         ValueError: the first broken rule, with field, value and range.
     """
-    for rule in (_materials, _membrane, _tubes, _sockets, _sound_hole, _layout, _sockets_around_microphones):
+    for rule in (
+        _materials,
+        _membrane,
+        _membrane_shape,
+        _mold,
+        _tubes,
+        _sockets,
+        shell_rules.cavity_shape,
+        shell_rules.shell_features,
+        _sound_hole,
+        _board,
+        _layout,
+        _cylinder,
+        _hand,
+        _sockets_around_microphones,
+        _print_rules,
+    ):
         for message in rule(design):
             raise ValueError(message)
 
@@ -61,6 +80,86 @@ def _membrane(design: ArrayDesign) -> Iterator[str]:
         )
     if rim > wall:
         yield f"membrane.rim_width = {rim:g} mm must be at most resonator.wall_thickness ({wall:g} mm)"
+
+
+def _membrane_shape(design: ArrayDesign) -> Iterator[str]:
+    """A rim or a boss stands on the outer face of the disc; each has its own fields."""
+    membrane, cavity = design.membrane, design.resonator.cavity_diameter
+    for shape, names in (("rim", ("rim_height",)), ("boss", ("boss_diameter", "boss_height"))):
+        for name in names:
+            value = getattr(membrane, name)
+            if membrane.shape == shape and value is None:
+                yield f"membrane.{name} must be given, mm, for membrane.shape = {shape!r}"
+            elif membrane.shape != shape and value is not None:
+                yield f"membrane.{name} = {value:g} mm needs membrane.shape = {shape!r}; it is {membrane.shape!r}"
+    if membrane.shape != "flat" and membrane.stretch != 1:
+        yield (
+            f"membrane.stretch = {membrane.stretch:g} must be 1 for membrane.shape = {membrane.shape!r}: "
+            "only a flat disc is stretched evenly"
+        )
+    if membrane.total_height - membrane.thickness > cavity:
+        name = "rim_height" if membrane.shape == "rim" else "boss_height"
+        yield (
+            f"membrane.{name} = {membrane.total_height - membrane.thickness:g} mm must be at most "
+            f"resonator.cavity_diameter ({cavity:g} mm)"
+        )
+    if membrane.boss_diameter is not None and not 0.1 * cavity <= membrane.boss_diameter <= 0.9 * cavity + 1e-9:
+        yield (
+            f"membrane.boss_diameter = {membrane.boss_diameter:g} mm must be between {0.1 * cavity:g} and "
+            f"{0.9 * cavity:g} mm, 0.1 to 0.9 of resonator.cavity_diameter ({cavity:g} mm)"
+        )
+
+
+def _mold(design: ArrayDesign) -> Iterator[str]:
+    """Sloping walls leave at least half of a rim or boss; shims leave the pins in their sockets."""
+    membrane, mold = design.membrane, design.mold
+    slopes = [("membrane.rim_width", membrane.rim_width, membrane.total_height + (membrane.rim_height or 0.0))]
+    if membrane.boss_diameter is not None and membrane.boss_height is not None:
+        slopes.append(("membrane.boss_diameter", membrane.boss_diameter, 2 * membrane.boss_height))
+    for field, width, height in slopes:
+        steepest = math.degrees(math.atan(width / 2 / height))
+        if mold.draft > steepest:
+            yield (
+                f"mold.draft = {mold.draft:g} degrees must be at most {steepest:.3g} degrees to leave half of {field} "
+                f"({width:g} mm)"
+            )
+    raised = mold.shim_count * mold.shim_step
+    if mold.kind == "two-part" and raised > MOST_SHIMS + 1e-9:
+        yield (
+            f"mold.shim_count = {mold.shim_count} must be at most {int(MOST_SHIMS / mold.shim_step + 1e-9)}: shims of "
+            f"mold.shim_step = {mold.shim_step:g} mm may raise the lid by {MOST_SHIMS:g} mm"
+        )
+    if mold.vent_diameter > mold.groove_width:
+        yield (
+            f"mold.vent_diameter = {mold.vent_diameter:g} mm must be at most mold.groove_width "
+            f"({mold.groove_width:g} mm), into which the vents lead"
+        )
+
+
+def _board(design: ArrayDesign) -> Iterator[str]:
+    """The board carries the package and closes the chamber."""
+    microphone = design.microphone
+    narrowest = min(microphone.package_length, microphone.package_width)
+    if microphone.sound_hole_diameter > narrowest:
+        yield (
+            f"microphone.sound_hole_diameter = {microphone.sound_hole_diameter:g} mm must be at most {narrowest:g} mm, "
+            "the smaller of microphone.package_length and package_width, for the package to cover it"
+        )
+    for side in ("length", "width"):
+        value, least = getattr(microphone, f"board_{side}"), getattr(microphone, f"least_board_{side}")
+        if value is not None and value < least - 1e-9:
+            yield (
+                f"microphone.board_{side} = {value:g} mm must be at least {least:g} mm to cover package, chamber and "
+                "gasket"
+            )
+    if microphone.gasket_width is not None:
+        for field, tube, to_microphone in _tubes_of(design):
+            deepest = microphone.chamber_height / 2 - tube.outer_diameter / 2 - design.printing.glue_gap - SOCKET_COVER
+            if to_microphone and microphone.gasket_depth > deepest + 1e-9:
+                yield (
+                    f"microphone.gasket_depth = {microphone.gasket_depth:g} mm must be at most {deepest:.3g} mm to "
+                    f"stay {SOCKET_COVER:g} mm above the socket of {field}"
+                )
 
 
 def _tubes(design: ArrayDesign) -> Iterator[str]:
@@ -191,8 +290,60 @@ def _layout(design: ArrayDesign) -> Iterator[str]:
             )
 
 
+def _cylinder(design: ArrayDesign) -> Iterator[str]:
+    layout, resonator, chamber = design.layout, design.resonator, design.microphone
+    if layout.kind != "cylinder":
+        if layout.diameter is not None:
+            yield f"layout.diameter = {layout.diameter:g} mm goes with layout.kind = 'cylinder', not {layout.kind!r}"
+        return
+    if layout.diameter is None:
+        yield "layout.diameter is missing: layout.kind = 'cylinder' needs the diameter the shells stand on, in mm"
+        return
+    if layout.pitch is not None:
+        yield f"layout.pitch = {layout.pitch:g} mm must not be given for layout.kind = 'cylinder': its tubes never bow"
+    surface = wrap.surface_of(design)
+    assert isinstance(surface, wrap.Cylinder)
+    shell = (resonator.cavity_diameter / 2, resonator.outer_diameter / 2)
+    housing = (chamber.chamber_diameter / 2, chamber.chamber_diameter / 2 + chamber.wall_thickness)
+    for field, tube, to_microphone in _tubes_of(design):
+        (inner, outer), (inner_end, outer_end) = shell, housing if to_microphone else shell
+        try:
+            wrap.wound_turn(tube.length, (inner, inner_end), (outer, outer_end), surface.port_radius)
+        except ValueError as error:
+            yield f"{field}.length on a cylinder, layout.diameter = {layout.diameter:g} mm: {error}"
+
+
+def _hand(design: ArrayDesign) -> Iterator[str]:
+    layout = design.layout
+    if layout.kind != "hand":
+        for field, value in (("palm", layout.palm), ("spread", layout.spread)):
+            if value is not None:
+                yield f"layout.{field} = {value:g} goes with layout.kind = 'hand', not {layout.kind!r}"
+        return
+    for index, line in enumerate(design.lines):
+        if line.points == 1:
+            yield (
+                f"lines.{index}.points = 1 must be at least 2 for layout.kind = 'hand': both tubes of a finger's only "
+                "point would leave towards the wrist"
+            )
+            return
+    fingers = sum(hand.fingers_of(design))
+    if fingers > hand.FINGERS:
+        yield (
+            f"layout.columns = {layout.columns} points per finger makes {fingers} fingers; must be enough for at most "
+            f"{hand.FINGERS}, each line beginning on a finger of its own"
+        )
+        return
+    beyond, longest = hand.longest_step(design)
+    if beyond > 1e-9:
+        yield (
+            f"layout.spread = {layout.spread or hand.SPREAD:g} degrees must be smaller, or the tube of lines.{longest} "
+            f"({design.tube_of(design.lines[longest]).length:g} mm) {beyond:.3g} mm longer, to reach the next finger"
+        )
+
+
 def _sockets_around_microphones(design: ArrayDesign) -> Iterator[str]:
-    """Lines enter a chamber at equal angles, at a corner of a ring along its two sides."""
+    """Lines enter a chamber at equal angles, at a corner of a ring along its two sides, in a palm as they meet."""
     chamber, printing = design.microphone, design.printing
     at_corners = design.layout.kind == "ring"
     angles = ring.corner_angles(ring.corners(ring.side_lengths(design))) if at_corners else None
@@ -200,6 +351,8 @@ def _sockets_around_microphones(design: ArrayDesign) -> Iterator[str]:
         ends = [design.microphone_tube_of(line) for line in design.lines if name in line.between]
         if len(ends) > 1:
             apart = 360 / len(ends) if angles is None else float(angles[index])
+            if design.layout.kind == "hand":
+                apart = hand.meeting_angle(design, name) or apart
             hole = max(tube.outer_diameter for tube in ends) / 2 + printing.glue_gap
             least = 2 * (hole / math.sin(math.radians(apart) / 2) - printing.port_lip)
             if chamber.chamber_diameter < least:
@@ -208,6 +361,14 @@ def _sockets_around_microphones(design: ArrayDesign) -> Iterator[str]:
                     f"for the sockets of the {len(ends)} lines that end at {name!r} to fit around it, "
                     f"{apart:.4g} degrees apart"
                 )
+
+
+def _print_rules(design: ArrayDesign) -> Iterator[str]:
+    """A rule's advice is on the safe side of its limit."""
+    try:
+        process_of(design.printing)
+    except ValueError as error:
+        yield f"printing.{error}"
 
 
 def _tubes_of(design: ArrayDesign) -> Iterator[tuple[str, Tube, bool]]:

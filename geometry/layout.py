@@ -9,10 +9,12 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from geometry import ring
 from geometry.design import ArrayDesign, Tube
+from geometry.hand import hand_runs
 from geometry.overlaps import overlaps
-from geometry.routing import bow_angle, bowed_path, drawn_path, path_length, unit
+from geometry.routing import bearing, bow_angle, bowed_path, drawn_path, path_length, tidy, unit
+from geometry.runs import End, Run, ring_runs, serpentine_runs
+from geometry.wrap import Cylinder, Frame, Plane, surface_of
 
 #: Directions are rounded to 1e-6 degrees: places closer than this are one, mm.
 _SAME_PLACE = 1e-4
@@ -64,7 +66,9 @@ class TubePlacement:
     segment: int
     tube: Tube
     path: NDArray[np.float64]
-    """(n, 3) float64, mm, along the axis of the bore."""
+    """(n, 3) float64, mm, along the axis of the bore, in plan: x, y and the height above the cavities' floors."""
+    course: NDArray[np.float64]
+    """(n, 3) float64, mm, along the axis of the bore in space: the path, but for arrays on a cylinder."""
     schematic: bool = False
     """The path is drawn to show what is joined; its length is not the tube's."""
 
@@ -82,10 +86,15 @@ class ArrayLayout:
     microphones: tuple[MicrophonePlacement, ...]
     tubes: tuple[TubePlacement, ...]
     notes: tuple[str, ...]
+    surface: Plane | Cylinder = Plane()  # noqa: RUF009 - immutable
+
+    def frame(self, placement: PointPlacement | MicrophonePlacement) -> Frame:
+        """Where a point or a microphone stands in space; the floors of resonators' cavities lie at its z = 0."""
+        return self.surface.frame(*placement.position)
 
 
 def place(design: ArrayDesign) -> ArrayLayout:
-    """Lay out a design in plan.
+    """Lay out a design in plan and in space.
 
     ``serpentine``: rows of ``columns`` points, every second row backwards; lines are blocks above each
     other. Where the pitch is shorter than a straight tube, tubes bow out along one circular arc of exactly
@@ -93,114 +102,28 @@ def place(design: ArrayDesign) -> ArrayLayout:
     straight out at its tube's length. A microphone that joins several ends cannot lie at its tubes' length
     from all of them: it is drawn beside the blocks and noted.
 
+    ``cylinder``: a serpentine whose rows run around a cylinder; the plan is unrolled at the height of the ports.
+    Tubes of a row are arcs between the shells, those from row to row straight, all of exactly their length.
+
+    ``hand``: see :mod:`geometry.hand`.
+
     ``ring``: the lines are the sides of a polygon at their true length, the microphones its corners (see
     :func:`geometry.ring.corners`). Microphone tubes lie straight, other tubes bow outwards.
 
     Overlaps of shells, housings and tubes are measured and noted by name.
     """
-    runs = _ring_runs(design) if design.layout.kind == "ring" else _serpentine_runs(design)
+    builders = {"serpentine": serpentine_runs, "cylinder": serpentine_runs, "ring": ring_runs, "hand": hand_runs}
+    runs = builders[design.layout.kind](design)
     ends = [end for run in runs for end in run.ends]
-    if design.layout.kind == "ring":
-        microphones = _ring_microphones(design, ends)
-    else:
-        microphones = _serpentine_microphones(design, ends, np.vstack([run.positions for run in runs]))
+    microphones = _microphones(design, ends, np.vstack([run.positions for run in runs]))
     points, tubes = _points_and_tubes(design, runs, {m.name: m for m in microphones})
-    layout = ArrayLayout(tuple(points), tuple(microphones), tuple(tubes), ())
+    layout = ArrayLayout(tuple(points), tuple(microphones), tuple(tubes), (), surface_of(design))
     return replace(layout, notes=(*_schematic_notes(design, layout), *overlaps(design, layout)))
 
 
-# -- lines ------------------------------------------------------------------------------------------
-@dataclass(frozen=True)
-class _End:
-    """An end of a line: its last point and the direction from there to the microphone, degrees."""
-
-    line: int
-    end: Literal[0, 1]
-    microphone: str
-    point: NDArray[np.float64]
-    direction: float
-    distance: float
-    """From the axis of the point to the axis of the chamber if the tube lies straight, mm."""
-
-    @property
-    def target(self) -> NDArray[np.float64]:
-        """Axis of the chamber at the end of a straight tube, (2,) float64."""
-        return self.point + self.distance * unit(self.direction)
-
-
-@dataclass(frozen=True)
-class _Run:
-    """The points of one line in plan and the side (+1 left, -1 right) to which each tube bows."""
-
-    positions: NDArray[np.float64]
-    sides: tuple[int, ...]
-    ends: tuple[_End, _End]
-
-
-def _run(
-    design: ArrayDesign, line: int, positions: NDArray[np.float64], sides: tuple[int, ...], out: tuple[float, float]
-) -> _Run:
-    microphones = design.lines[line].between
-    reach = design.microphone_reach_of(design.lines[line])
-    first = _End(line, 0, microphones[0], positions[0], out[0], reach)
-    last = _End(line, 1, microphones[1], positions[-1], out[1], reach)
-    return _Run(positions, sides, (first, last))
-
-
-def _serpentine_runs(design: ArrayDesign) -> list[_Run]:
-    runs, bottom = [], 0.0
-    for index, line in enumerate(design.lines):
-        pitch, columns = design.pitch_of(line), min(design.layout.columns, line.points)
-        place = np.arange(line.points)
-        row, column = place // columns, place % columns
-        column = np.where(row % 2 == 0, column, columns - 1 - column)
-        positions = np.column_stack([column, row]) * pitch + [0.0, bottom]
-        sides = []
-        for k in range(1, line.points):
-            backwards = row[k - 1] % 2 == 1
-            turn = row[k] != row[k - 1]
-            sides.append((1 if backwards else -1) if turn else (-1 if backwards else 1))
-        if line.points == 1:
-            out = (180.0, 0.0)
-        else:
-            out = (
-                _bearing(positions[1], positions[0]),
-                _bearing(positions[-2], positions[-1]),
-            )
-        runs.append(_run(design, index, positions, tuple(sides), out))
-        bottom = float(positions[-1, 1]) + pitch + design.resonator.outer_diameter
-    return runs
-
-
-def _ring_runs(design: ArrayDesign) -> list[_Run]:
-    # Lines join neighbouring corners only (a rule of the design), so every line is a side.
-    corners = dict(zip(design.microphones, ring.corners(ring.side_lengths(design)), strict=True))
-    runs = []
-    for index, line in enumerate(design.lines):
-        start, end = (corners[name] for name in line.between)
-        direction = _bearing(start, end)
-        middle, along = (start + end) / 2, (end - start) / np.linalg.norm(end - start)
-        steps = (np.arange(line.points) - (line.points - 1) / 2) * design.pitch_of(line)
-        positions = middle + np.outer(steps, along)
-        outward = float(middle @ unit(direction + 90)) > 0
-        sides = (1 if outward else -1,) * (line.points - 1)
-        runs.append(_run(design, index, positions, sides, ((direction + 180) % 360, direction)))
-    return runs
-
-
 # -- microphones --------------------------------------------------------------------------------------
-def _ring_microphones(design: ArrayDesign, ends: list[_End]) -> list[MicrophonePlacement]:
-    microphones = []
-    for name in design.microphones:
-        own = [end for end in ends if end.microphone == name]
-        ports = tuple(MicrophonePort(e.line, e.end, _tidy(e.direction + 180)) for e in own)
-        microphones.append(MicrophonePlacement(name, _pair(own[0].target), ports))
-    return microphones
-
-
-def _serpentine_microphones(
-    design: ArrayDesign, ends: list[_End], points: NDArray[np.float64]
-) -> list[MicrophonePlacement]:
+def _microphones(design: ArrayDesign, ends: list[End], points: NDArray[np.float64]) -> list[MicrophonePlacement]:
+    """Where straight tubes of all its ends meet, else beside the array."""
     housing = design.microphone.chamber_diameter / 2 + design.microphone.wall_thickness
     joined = {name: [end for end in ends if end.microphone == name] for name in design.microphones}
     middle = (points[:, 0].min() + points[:, 0].max()) / 2
@@ -208,7 +131,7 @@ def _serpentine_microphones(
     beyond = max(end.distance for end in ends) + 4 * housing
     sides: dict[int, list[tuple[float, str]]] = {-1: [], 1: []}
     for name, own in joined.items():
-        if len(own) > 1:
+        if any(np.linalg.norm(end.target - own[0].target) > _SAME_PLACE for end in own):
             mean = np.mean([end.target for end in own], axis=0)
             sides[1 if mean[0] > middle + 1e-9 else -1].append((float(mean[1]), name))
     drawn = {}
@@ -221,11 +144,11 @@ def _serpentine_microphones(
     for name, own in joined.items():
         if name in drawn:
             position = drawn[name]
-            angles = _equally_spaced([_bearing(position, end.point) for end in own])
+            angles = _equally_spaced([bearing(position, end.point) for end in own])
         else:
             position = own[0].target
-            angles = [own[0].direction + 180]
-        ports = tuple(MicrophonePort(e.line, e.end, _tidy(angle)) for e, angle in zip(own, angles, strict=True))
+            angles = [end.direction + 180 for end in own]
+        ports = tuple(MicrophonePort(e.line, e.end, tidy(angle)) for e, angle in zip(own, angles, strict=True))
         microphones.append(MicrophonePlacement(name, _pair(position), ports))
     return microphones
 
@@ -258,34 +181,37 @@ def _equally_spaced(bearings: list[float]) -> list[float]:
 
 # -- points and tubes ---------------------------------------------------------------------------------
 def _points_and_tubes(
-    design: ArrayDesign, runs: list[_Run], microphones: dict[str, MicrophonePlacement]
+    design: ArrayDesign, runs: list[Run], microphones: dict[str, MicrophonePlacement]
 ) -> tuple[list[PointPlacement], list[TubePlacement]]:
     cavity, outer = design.resonator.cavity_diameter / 2, design.resonator.outer_diameter / 2
+    surface = surface_of(design)
     points: list[PointPlacement] = []
     tubes: list[TubePlacement] = []
     for index, (line, run) in enumerate(zip(design.lines, runs, strict=True)):
         tube, first, last = design.tube_of(line), *run.ends
         backward, forward = [first.direction], []
-        paths = []
+        placed: list[TubePlacement] = []
         for start, end, side in zip(run.positions[:-1], run.positions[1:], run.sides, strict=True):
-            bow = bow_angle(tube.length, float(np.linalg.norm(end - start)), cavity, outer)
-            direction = _bearing(start, end)
+            # On a cylinder the points lie where unbowed tubes put them.
+            distance = float(np.linalg.norm(end - start))
+            bow = bow_angle(tube.length, distance, cavity, outer) if isinstance(surface, Plane) else 0.0
+            direction = bearing(start, end)
             forward.append(direction + side * bow)
             backward.append(direction + 180 - side * bow)
-            paths.append(bowed_path(start, end, bow, side, cavity, outer))
+            path = _at_port_height(design, bowed_path(start, end, bow, side, cavity, outer))
+            course = _course(surface, path, (start, end), (cavity, cavity), (outer, outer))
+            placed.append(TubePlacement(index, len(placed) + 1, tube, path, course))
         forward.append(last.direction)
         for place_, position in enumerate(run.positions):
-            angles = (_tidy(backward[place_]), _tidy(forward[place_]))
+            angles = (tidy(backward[place_]), tidy(forward[place_]))
             points.append(PointPlacement(len(points) + 1, index, place_, _pair(position), angles))
         tubes.append(_microphone_tube(design, first, microphones[first.microphone], runs))
-        tubes += [TubePlacement(index, k + 1, tube, _at_port_height(design, path)) for k, path in enumerate(paths)]
+        tubes += placed
         tubes.append(_microphone_tube(design, last, microphones[last.microphone], runs))
     return points, tubes
 
 
-def _microphone_tube(
-    design: ArrayDesign, end: _End, microphone: MicrophonePlacement, runs: list[_Run]
-) -> TubePlacement:
+def _microphone_tube(design: ArrayDesign, end: End, microphone: MicrophonePlacement, runs: list[Run]) -> TubePlacement:
     """The tube of a line's end, always drawn from the line's first microphone towards its second."""
     line = design.lines[end.line]
     tube = design.microphone_tube_of(line)
@@ -293,9 +219,10 @@ def _microphone_tube(
     centre = np.array(microphone.position)
     if np.linalg.norm(centre - end.target) < _SAME_PLACE:
         out = unit(end.direction)
-        plan = np.array([end.point + cavity * out, end.target - chamber * out])
-        path = _at_port_height(design, plan)
-        schematic = abs(path_length(path) - tube.length) > 1e-6
+        path = _at_port_height(design, np.array([end.point + cavity * out, end.target - chamber * out]))
+        outer = (design.resonator.outer_diameter / 2, chamber + design.microphone.wall_thickness)
+        course = _course(surface_of(design), path, (end.point, end.target), (cavity, chamber), outer)
+        schematic = False
     else:
         port = next(port for port in microphone.ports if (port.line, port.end) == (end.line, end.end))
         plan = drawn_path(
@@ -316,9 +243,24 @@ def _microphone_tube(
             lift = resonator.cavity_height - resonator.port_axis_height + design.membrane.thickness
             s = np.linspace(0, 1, len(plan) - 2)
             path[1:-1, 2] += (lift + 2 * tube.outer_diameter) * np.minimum(1, 4 * np.sin(np.pi * s) ** 2)
+        course = surface_of(design).mapped(path)
     if end.end == 0:
-        path = path[::-1].copy()
-    return TubePlacement(end.line, 0 if end.end == 0 else line.points, tube, path, schematic)
+        path, course = path[::-1].copy(), course[::-1].copy()
+    return TubePlacement(end.line, 0 if end.end == 0 else line.points, tube, path, course, schematic)
+
+
+def _course(
+    surface: Plane | Cylinder,
+    path: NDArray[np.float64],
+    axes: tuple[NDArray[np.float64], NDArray[np.float64]],
+    inner: tuple[float, float],
+    outer: tuple[float, float],
+) -> NDArray[np.float64]:
+    """The way of a tube in space between two housings (axes in plan, inner and outer radii, mm)."""
+    if isinstance(surface, Plane) or abs(axes[0][0] - axes[1][0]) < _SAME_PLACE:
+        return surface.mapped(path)
+    (x0, y0), (x1, y1) = axes
+    return surface.wound((x0, y0), (x1, y1), inner, outer)
 
 
 def _schematic_notes(design: ArrayDesign, layout: ArrayLayout) -> list[str]:
@@ -341,15 +283,6 @@ def _schematic_notes(design: ArrayDesign, layout: ArrayLayout) -> list[str]:
 
 def _at_port_height(design: ArrayDesign, plan: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.column_stack([plan, np.full(len(plan), design.resonator.port_axis_height)])
-
-
-def _bearing(start: NDArray[np.float64], end: NDArray[np.float64]) -> float:
-    return _tidy(math.degrees(math.atan2(end[1] - start[1], end[0] - start[0])))
-
-
-def _tidy(angle: float) -> float:
-    """The angle in [0, 360), free of rounding noise, so that equal cells and parts are seen to be equal."""
-    return round(round(angle, 6) % 360.0, 6)
 
 
 def _pair(position: NDArray[np.float64]) -> tuple[float, float]:

@@ -1,4 +1,4 @@
-"""What can be measured on a CAD solid: its tessellation, holes, walls and inner voids. Lengths in mm."""
+"""What can be measured on a CAD solid: its tessellation, genus, round holes, pins and inner voids. Lengths in mm."""
 
 from __future__ import annotations
 
@@ -11,17 +11,16 @@ from numpy.typing import NDArray
 from OCP.BRep import BRep_Tool
 from OCP.BRepAdaptor import BRepAdaptor_Surface
 from OCP.BRepMesh import BRepMesh_IncrementalMesh
-from OCP.GeomAbs import GeomAbs_Cylinder, GeomAbs_Plane
+from OCP.GeomAbs import GeomAbs_Cone, GeomAbs_Cylinder, GeomAbs_Plane
+from OCP.gp import gp_Dir, gp_Pnt
 from OCP.Poly import Poly_Triangulation
 from OCP.TopAbs import TopAbs_REVERSED
 from OCP.TopLoc import TopLoc_Location
 
 #: Largest angle between neighbouring facets, rad: a round body of such facets lacks angle^2 / 6 = 0.05 % of volume.
 FACET_ANGLE = 0.055
-#: Facets that face each other within this angle (degrees) have a wall between them; others meet in an edge.
-_OPPOSED = 40.0
-#: Where a wall is probed: this many places per face of the solid.
-_PROBES = 40
+#: A round face that goes this far round (rad) is a hole or a pin; less is a fillet or a trough.
+_ROUND = 1.5 * math.pi
 
 
 @dataclass(frozen=True)
@@ -35,7 +34,13 @@ class Tessellation:
     faces: NDArray[np.int64]
     """(m,) int64: the face of the solid that each facet belongs to."""
     deviation: float
-    """Largest distance of a facet's edge from the solid's surface, measured at mid edge, mm."""
+    """Largest distance from the solid's surface of the middles of facets and of their edges, mm."""
+
+    @property
+    def volume(self) -> float:
+        """Volume inside the facets, mm^3."""
+        a, b, c = (self.vertices[self.triangles[:, k]] - self.vertices[0] for k in range(3))
+        return float(np.einsum("ij,ij->", a, np.cross(b, c)) / 6)
 
 
 def tessellate(solid: cq.Shape, tolerance: float, facet_angle: float = FACET_ANGLE) -> Tessellation:
@@ -83,28 +88,91 @@ def tessellate(solid: cq.Shape, tolerance: float, facet_angle: float = FACET_ANG
 def _deviation(
     face: cq.Face, mesh: Poly_Triangulation, points: NDArray[np.float64], corners: NDArray[np.int64]
 ) -> float:
-    """Distance between the middles of facets' edges and the surface at the same parameters."""
+    """Distance of the middles of facets and of their edges from the surface, along the facets' normals.
+
+    The surface is taken at the middle parameters, which on a spline lie elsewhere along the surface.
+    """
     surface = BRepAdaptor_Surface(face.wrapped)
     if surface.GetType() == GeomAbs_Plane:
         return 0.0
     parameters = np.array([(p.X(), p.Y()) for p in (mesh.UVNode(k) for k in range(1, mesh.NbNodes() + 1))])
-    edges = np.unique(np.sort(np.vstack([corners[:, [0, 1]], corners[:, [1, 2]], corners[:, [2, 0]]]), axis=1), axis=0)
-    on_surface = [surface.Value(u, v) for u, v in parameters[edges].mean(axis=1).tolist()]
-    gaps = points[edges].mean(axis=1) - np.array([(p.X(), p.Y(), p.Z()) for p in on_surface])
-    return float(np.linalg.norm(gaps, axis=1).max())
+    edges, first = np.unique(
+        np.sort(corners[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1), axis=0, return_index=True
+    )
+    a, b, c = (points[corners[:, k]] for k in range(3))
+    normals = np.cross(b - a, c - a)
+    normals /= np.maximum(np.linalg.norm(normals, axis=1), 1e-300)[:, None]
+    at = np.vstack([parameters[edges].mean(axis=1), parameters[corners].mean(axis=1)])
+    middles = np.vstack([points[edges].mean(axis=1), points[corners].mean(axis=1)])
+    on_surface = np.array([(p.X(), p.Y(), p.Z()) for p in (surface.Value(u, v) for u, v in at.tolist())])
+    across = np.vstack([normals[first // 3], normals])
+    return float(np.abs(np.einsum("ij,ij->i", middles - on_surface, across)).max())
+
+
+@dataclass(frozen=True)
+class Round:
+    """A round hole or pin of a solid: mean diameter, length along its axis, middle of the axis, mm."""
+
+    diameter: float
+    length: float
+    place: tuple[float, float, float]
+    direction: tuple[float, float, float]
+    hollow: bool
+    """Whether the material is outside of it."""
+
+
+def rounds(solid: cq.Shape) -> list[Round]:
+    """Round holes and pins: cylinders and cones that go three quarters round, faces of one surface as one."""
+    found: dict[tuple[object, ...], list[tuple[float, float, float, BRepAdaptor_Surface]]] = {}
+    for face in solid.Faces():
+        surface = BRepAdaptor_Surface(face.wrapped)
+        kind = surface.GetType()
+        if kind not in (GeomAbs_Cylinder, GeomAbs_Cone):
+            continue
+        body = surface.Cylinder() if kind == GeomAbs_Cylinder else surface.Cone()
+        axis = body.Axis()
+        # The parametric normal of a right-handed surface points away from its axis; reversed, the axis is in air.
+        hollow = (face.wrapped.Orientation() == TopAbs_REVERSED) == body.Position().Direct()
+        at, along = axis.Location(), axis.Direction()
+        offset = np.array([at.X(), at.Y(), at.Z()])
+        unit = np.array([along.X(), along.Y(), along.Z()])
+        foot = offset - (offset @ unit) * unit  # the same for every point of the axis
+        first, last = surface.FirstVParameter(), surface.LastVParameter()
+        radii = [_distance(surface.Value(surface.FirstUParameter(), v), offset, unit) for v in (first, last)]
+        # Two halves of one bore are one; two coaxial bores of one width, apart along the axis, are two.
+        key = (kind, hollow, *np.round([*foot, *np.abs(unit), sum(radii), *sorted((first, last))], 4).tolist())
+        turn = surface.LastUParameter() - surface.FirstUParameter()
+        found.setdefault(key, []).append((turn, *radii, surface))
+    result = []
+    for key, faces in found.items():
+        if sum(turn for turn, *_ in faces) < _ROUND:
+            continue
+        _, start, end, surface = faces[0]
+        axis = (surface.Cylinder() if surface.GetType() == GeomAbs_Cylinder else surface.Cone()).Axis()
+        ends = [
+            _on_axis(surface.Value(surface.FirstUParameter(), v), axis.Location(), axis.Direction())
+            for v in (surface.FirstVParameter(), surface.LastVParameter())
+        ]
+        along = axis.Direction()
+        x, y, z = np.mean(ends, axis=0).tolist()
+        length = float(np.linalg.norm(np.subtract(*ends)))
+        result.append(Round(start + end, length, (x, y, z), (along.X(), along.Y(), along.Z()), bool(key[1])))
+    return sorted(result, key=lambda one: one.diameter)
+
+
+def _distance(point: gp_Pnt, offset: NDArray[np.float64], unit: NDArray[np.float64]) -> float:
+    to = np.array([point.X(), point.Y(), point.Z()]) - offset
+    return float(np.linalg.norm(to - (to @ unit) * unit))
+
+
+def _on_axis(point: gp_Pnt, at: gp_Pnt, along: gp_Dir) -> NDArray[np.float64]:
+    offset, unit = np.array([at.X(), at.Y(), at.Z()]), np.array([along.X(), along.Y(), along.Z()])
+    return np.asarray(offset + ((np.array([point.X(), point.Y(), point.Z()]) - offset) @ unit) * unit)
 
 
 def hole_diameters(solid: cq.Shape) -> list[float]:
-    """Diameters of all concave cylindrical faces of a solid (holes, cavities, sockets), ascending, mm."""
-    diameters = []
-    for face in solid.Faces():
-        surface = BRepAdaptor_Surface(face.wrapped)
-        if surface.GetType() != GeomAbs_Cylinder:
-            continue
-        # The parametric normal of a right-handed cylinder points away from its axis; reversed, the axis is in air.
-        if (face.wrapped.Orientation() == TopAbs_REVERSED) == surface.Cylinder().Direct():
-            diameters.append(2 * surface.Cylinder().Radius())
-    return sorted(diameters)
+    """Diameters of all round holes of a solid (bores, cavities, sockets), ascending, mm."""
+    return [one.diameter for one in rounds(solid) if one.hollow]
 
 
 def inner_voids(solid: cq.Shape) -> int:
@@ -112,55 +180,13 @@ def inner_voids(solid: cq.Shape) -> int:
     return len(solid.Shells()) - len(solid.Solids())
 
 
-def thinnest_wall(facets: Tessellation) -> float:
-    """Smallest distance through the material between facets that face each other, mm.
+def genus(solid: cq.Shape) -> int:
+    """How many ways lead through a solid, such as bores: the genus of its skin, by Euler and Poincare.
 
-    Rays go inwards from facets of every face. A hit counts where its facet faces the start within 40
-    degrees, so that the two sides of an edge are not taken for a wall. With 40 rays per face the thinnest
-    place is met within a few micrometres. Infinite when nothing is opposed.
+    A closed mesh of it has the Euler number ``2 * (shells - genus)``.
     """
-    corners = facets.vertices[facets.triangles]
-    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    areas = np.linalg.norm(normals, axis=1)
-    keep = areas > 1e-12
-    corners, normals, faces = corners[keep], normals[keep] / areas[keep, None], facets.faces[keep]
-    random = np.random.default_rng(0)
-    starts, inward = [], []
-    for face in np.unique(faces):
-        own = np.flatnonzero(faces == face)
-        chosen = random.choice(own, _PROBES, p=areas[keep][own] / areas[keep][own].sum())
-        # Uniform in each facet, from barycentric coordinates.
-        a, b = random.random((2, _PROBES, 1))
-        root = np.sqrt(a)
-        c = corners[chosen]
-        starts.append((1 - root) * c[:, 0] + root * (1 - b) * c[:, 1] + root * b * c[:, 2])
-        inward.append(-normals[chosen])
-    return float(
-        min(_first_opposed(origins, rays, corners, normals) for origins, rays in zip(starts, inward, strict=True))
-    )
-
-
-def _first_opposed(
-    origins: NDArray[np.float64],
-    rays: NDArray[np.float64],
-    corners: NDArray[np.float64],
-    normals: NDArray[np.float64],
-) -> float:
-    """Shortest way from origins along rays to a first hit that is opposed (Moeller-Trumbore, all with all)."""
-    edge1, edge2 = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
-    shortest = math.inf
-    with np.errstate(divide="ignore", invalid="ignore"):
-        for origin, ray in zip(origins, rays, strict=True):
-            p = np.cross(ray, edge2)
-            scale = 1 / np.einsum("ij,ij->i", edge1, p)
-            offset = origin - corners[:, 0]
-            u = np.einsum("ij,ij->i", offset, p) * scale
-            q = np.cross(offset, edge1)
-            v = q @ ray * scale
-            t = np.einsum("ij,ij->i", edge2, q) * scale
-            hit = (u >= 0) & (v >= 0) & (u + v <= 1) & (t > 1e-6)
-            if hit.any():
-                first = np.flatnonzero(hit)[np.argmin(t[hit])]
-                if normals[first] @ ray > math.cos(math.radians(_OPPOSED)):
-                    shortest = min(shortest, float(t[first]))
-    return shortest
+    faces = solid.Faces()
+    edges = [edge for edge in solid.Edges() if not BRep_Tool.Degenerated_s(edge.wrapped)]
+    inner_loops = sum(len(face.innerWires()) for face in faces)
+    euler = len(solid.Vertices()) - len(edges) + len(faces) - inner_loops
+    return len(solid.Shells()) - euler // 2

@@ -1,4 +1,4 @@
-"""The housing of a microphone: a chamber with the ports of its lines, and a lid that carries the package."""
+"""The housing of a microphone: a chamber with the ports of its lines, and a seat for the board with the package."""
 
 from __future__ import annotations
 
@@ -6,30 +6,54 @@ from collections.abc import Sequence
 
 import cadquery as cq
 
-from geometry.design import Microphone, Printing
+from geometry.design import BOARD_SEAL, Microphone, Printing
 from geometry.shell import cut_ports, cylinder, one_solid
 from geometry.tube import Port
 
+#: Gap around the board in its seat, mm.
+BOARD_CLEARANCE = 0.1
+#: Width of the slot for the wires per width of the board.
+_SLOT = 0.6
+
 
 def build_housing(microphone: Microphone, printing: Printing, ports: Sequence[Port]) -> cq.Workplane:
-    """Draw the cup around the chamber, its floor at z = 0, open at the top; ports at mid height as in a shell.
+    """Draw the housing: a cup around the chamber, its floor at z = 0, and on it the seat of the board.
+
+    The board lies on the seat at the chamber's height and closes the chamber; the walls around it are as high
+    as the package on it, so that both are potted. A slot towards -x lets the wires out. With a gasket, a groove
+    for it surrounds the chamber. Ports are at mid height as in a shell; below the seat the tubes have free way.
 
     Raises:
-        ValueError: the drawn housing is not one valid solid.
+        ValueError: no port, or the drawn housing is not one valid solid.
     """
-    radius, wall = microphone.chamber_diameter / 2, microphone.wall_thickness
-    solid = cylinder(radius + wall, -wall, microphone.chamber_height)
-    solid = solid.cut(cylinder(radius, 0, microphone.chamber_height))
-    solid = cut_ports(solid, ports, printing, radius, radius + wall, microphone.chamber_height / 2)
-    return one_solid(solid, "microphone housing")
+    if not ports:
+        raise ValueError("microphone housing: has no port; it must have at least 1")
+    radius, wall, top = microphone.chamber_diameter / 2, microphone.wall_thickness, microphone.chamber_height
+    length, width = (side + 2 * BOARD_CLEARANCE for side in microphone.board_size)
+    height = microphone.sound_hole_length + microphone.package_height
+    outside = (length + 2 * wall, width + 2 * wall)
+    gasket = microphone.gasket_depth if microphone.gasket_width is not None else 0.0
+    head = _box(*outside, top - min(wall + gasket, top), top + height)
+    slot = _box(length, _SLOT * width, top, top + height).moved(cq.Location(cq.Vector(-length / 2, 0, 0)))
+    solid = cylinder(radius + wall, -wall, top).fuse(head)
+    solid = solid.cut(_box(length, width, top, top + height), slot, cylinder(radius, 0, top))
+    if microphone.gasket_width is not None:
+        inner = radius + BOARD_SEAL
+        ring = cylinder(inner + microphone.gasket_width, top - microphone.gasket_depth, top)
+        solid = solid.cut(ring.cut(cylinder(inner, top - microphone.gasket_depth, top)))
+    reach = max(radius + wall, sum(side**2 for side in outside) ** 0.5 / 2)
+    return one_solid(cut_ports(solid, ports, printing, radius, reach, top / 2), "microphone housing")
 
 
 def build_lid(microphone: Microphone) -> cq.Workplane:
-    """Draw the flat lid with the sound hole, its lower face at z = 0.
+    """Draw the board with the sound hole, its lower face at z = 0: it closes the chamber and carries the package.
 
-    The package is sealed on it over the hole; where the hole of the package itself is the sound hole, the
-    package takes the place of the lid.
+    A circuit board of this outline and thickness, or a printed plate on which the package is sealed.
     """
-    radius = microphone.chamber_diameter / 2 + microphone.wall_thickness
-    lid = cylinder(radius, 0, microphone.sound_hole_length)
-    return one_solid(lid.cut(cylinder(microphone.sound_hole_diameter / 2, 0, microphone.sound_hole_length)), "lid")
+    lid = _box(*microphone.board_size, 0, microphone.sound_hole_length)
+    hole = cylinder(microphone.sound_hole_diameter / 2, 0, microphone.sound_hole_length)
+    return one_solid(lid.cut(hole), "microphone lid")
+
+
+def _box(length: float, width: float, bottom: float, top: float) -> cq.Solid:
+    return cq.Solid.makeBox(length, width, top - bottom, cq.Vector(-length / 2, -width / 2, bottom))

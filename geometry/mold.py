@@ -1,67 +1,71 @@
-"""The two-part casting mold of the membrane.
-
-The base holds the cavity, open at the parting plane z = membrane thickness; the lid's flat face closes it.
-What is poured too much flows over a narrow land into a groove and out of vents in the lid. No draft: the
-cavity is exactly the disc, and soft silicone is peeled out.
-"""
+"""The casting mold of the membranes: what parts it has, and how a membrane lies in it."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
-import cadquery as cq
+from geometry.design import ArrayDesign
+from geometry.mold_plan import MoldPlan, plan_mold
 
-from geometry.design import Membrane, Resonator
-from geometry.membrane import membrane_radius
-from geometry.shell import cylinder, one_solid
-
-_LAND = 0.6  # between cavity and groove: narrow, so that flash is thin
-_GROOVE_WIDTH, _GROOVE_DEPTH = 1.2, 0.8
-_PIN_DIAMETER, _PIN_CLEARANCE = 2.5, 0.1
-_VENT_DIAMETER = 1.0
-_MARGIN = 1.5  # around grooves, pins and below the cavity: stiff enough to be clamped
-_LID_THICKNESS = 2.5
+if TYPE_CHECKING:
+    import cadquery as cq
 
 
 @dataclass(frozen=True)
 class Mold:
-    """Both halves as they lie when closed: the membrane's lower face at z = 0, its axis z."""
+    """The parts of a mold as they lie when it is closed, mm; shims lie at the origin.
 
-    base: cq.Workplane
-    lid: cq.Workplane
+    Attributes:
+        parts: name to workplane with one solid: ``mold-base`` and, of a two-part mold, ``mold-lid`` and
+            ``mold-shim-1``, ... for one step, two steps, ...; of an open-face mold ``mold-scraper``.
+        counts: how many of each part one mold has; a set of shims has one per pin.
+        plan: its numbers.
+    """
+
+    parts: Mapping[str, cq.Workplane]
+    counts: Mapping[str, int]
+    plan: MoldPlan
+
+    def cast(self, membrane: cq.Workplane) -> list[cq.Workplane]:
+        """Copies of the membrane as they fill the cavities: turned over, and larger by the shrinkage."""
+        import cadquery as cq
+
+        solid = membrane.val()
+        turned_over = solid.scale(self.plan.mold.scale).rotate(cq.Vector(0, 0, 0), cq.Vector(1, 0, 0), 180)
+        return [cq.Workplane(turned_over.moved(cq.Location(cq.Vector(x, y, 0)))) for x, y in self.plan.centres]
 
 
-def build_mold(resonator: Resonator, membrane: Membrane) -> Mold:
-    """Draw the mold of a design's membrane.
+def mold_counts(design: ArrayDesign) -> dict[str, int]:
+    """How many of each part one mold has, by the names of :func:`build_mold`."""
+    if design.mold.kind == "open-face":
+        return {"mold-base": 1, "mold-scraper": 1}
+    shims = len(plan_mold(design).pins)
+    return {
+        "mold-base": 1,
+        "mold-lid": 1,
+        **{f"mold-shim-{step}": shims for step in range(1, design.mold.shim_count + 1)},
+    }
+
+
+def build_mold(design: ArrayDesign) -> Mold:
+    """Draw the mold of a design's membranes, two-part or open-face as ``mold.kind`` says.
 
     Raises:
-        ValueError: a half is not one valid solid.
+        ValueError: a part is not one valid solid.
     """
-    radius, parting = membrane_radius(resonator, membrane), membrane.thickness
-    groove = (radius + _LAND, radius + _LAND + _GROOVE_WIDTH)
-    # Pins on three corners of the block: the lid fits in one way only.
-    pin_at = (groove[1] + _MARGIN / 2 + _PIN_DIAMETER / 2) / 2**0.5
-    corners = [(pin_at, pin_at), (-pin_at, pin_at), (-pin_at, -pin_at)]
-    half = max(groove[1], pin_at + _PIN_DIAMETER / 2) + _MARGIN
-    floor, pin_top = -max(_MARGIN, _GROOVE_DEPTH + _MARGIN - parting), parting + _LID_THICKNESS - 0.5
+    from geometry.mold_base import base_block, mark, mark_text
+    from geometry.open_mold import scraper, with_rails
+    from geometry.shell import one_solid
+    from geometry.two_part_mold import lid, shim, with_pins
 
-    base = _block(half, floor, parting).cut(cylinder(radius, 0, parting))
-    ring = cylinder(groove[1], parting - _GROOVE_DEPTH, parting)
-    base = base.cut(ring.cut(cylinder(groove[0], parting - _GROOVE_DEPTH, parting)))
-    for corner in corners:
-        pin = cylinder(_PIN_DIAMETER / 2, floor, pin_top, corner)
-        top = pin.faces(">Z").Edges()
-        base = base.fuse(pin.chamfer(0.3, None, top))
-
-    lid = _block(half, parting, parting + _LID_THICKNESS)
-    for corner in corners:
-        # Through holes: nothing is trapped while printing, and the halves can be pushed apart.
-        lid = lid.cut(cylinder(_PIN_DIAMETER / 2 + _PIN_CLEARANCE, parting, parting + _LID_THICKNESS, corner))
-    for side in (-1, 1):
-        vent = (side * (groove[0] + groove[1]) / 2, 0.0)
-        lid = lid.cut(cylinder(_VENT_DIAMETER / 2, parting, parting + _LID_THICKNESS, vent))
-    return Mold(one_solid(base, "mold-base"), one_solid(lid, "mold-lid"))
-
-
-def _block(half: float, bottom: float, top: float) -> cq.Shape:
-    return cq.Solid.makeBox(2 * half, 2 * half, top - bottom, cq.Vector(-half, -half, bottom))
+    plan = plan_mold(design)
+    base = mark(base_block(plan), plan, mark_text(design))
+    if design.mold.kind == "open-face":
+        shapes = {"mold-base": with_rails(base, plan), "mold-scraper": scraper(plan)}
+    else:
+        shapes = {"mold-base": with_pins(base, plan), "mold-lid": lid(plan)}
+        for step in range(1, design.mold.shim_count + 1):
+            shapes[f"mold-shim-{step}"] = shim(plan, step)
+    return Mold({name: one_solid(shape, name) for name, shape in shapes.items()}, mold_counts(design), plan)

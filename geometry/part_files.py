@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+import hashlib
+import math
 import os
 import re
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from geometry.assembly import PartSet
+from geometry.three_mf import Body, read_3mf, write_3mf
 
 if TYPE_CHECKING:
     import cadquery as cq
@@ -19,11 +24,13 @@ if TYPE_CHECKING:
 
 FORMATS = ("stl", "step", "3mf")
 #: A file whose volume differs more than this from the CAD solid is refused.
-LARGEST_VOLUME_ERROR = 0.005
+LARGEST_VOLUME_ERROR = 0.001
+#: Facets are made finer until the volume of their body keeps this.
+_VOLUME_ERROR_AIM = 0.0008
+#: How often they are made finer, each time by half.
+_REFINEMENTS = 3
 #: Facets stay this part of the narrowest hole's diameter from the surface.
 _TOLERANCE_IN_HOLES = 1 / 50
-#: Namespace of our metadata in 3MF files.
-_NAMESPACE = "urn:acoustic-fem:part"
 
 
 @dataclass(frozen=True)
@@ -39,6 +46,10 @@ class ExportedFile:
     cad_volume: float
     mesh_volume: float
     """Volume of what the file holds."""
+    count: int = 1
+    """How many to make, of all parts of this shape."""
+    also: tuple[str, ...] = ()
+    """Other parts of the same shape: they have no file of their own."""
 
     @property
     def volume_error(self) -> float:
@@ -58,24 +69,33 @@ def tessellation_tolerance(parts: Mapping[str, cq.Workplane]) -> float:
 
 
 def export(
-    parts: Mapping[str, cq.Workplane], folder: str | os.PathLike[str], formats: Iterable[str] = FORMATS
+    parts: Mapping[str, cq.Workplane],
+    folder: str | os.PathLike[str],
+    formats: Iterable[str] = FORMATS,
+    tolerance: float | None = None,
+    progress: Callable[[str, float], None] | None = None,
+    shapes: Sequence[SharedShape] | None = None,
 ) -> tuple[ExportedFile, ...]:
-    """Write each part to ``folder/NAME.FORMAT``, in mm; existing files are replaced only by complete ones.
+    """Write each shape to ``folder/NAME.FORMAT``, in mm; existing files are replaced only by complete ones.
 
-    Facets keep an absolute tolerance, see :func:`tessellation_tolerance`. STL is binary; 3MF carries the
-    unit, the part's name and, for parts from :func:`geometry.build_parts`, what it was generated from.
+    Facets keep an absolute tolerance and are made anew at every call. STL is binary; 3MF carries the unit, the
+    part's name and, for parts from :func:`geometry.build_parts`, what it was generated from. Parts of one shape
+    are written once, under the name of the first, with the count of all.
 
     Args:
         parts: name to workplane with one solid, mm.
         folder: made if it does not exist.
         formats: of ``stl``, ``step``, ``3mf``.
+        tolerance: largest distance of facets from the surface, mm; default: see :func:`tessellation_tolerance`.
+        progress: called with what of which part is being made, and the fraction done.
+        shapes: of :func:`tessellate_distinct`, where they exist already; they have a tolerance of their own.
 
     Returns:
         One record per file, parts in their order, formats in the order given.
 
     Raises:
-        ValueError: an unknown format, no parts, a name that cannot be a file name, or a file that is not
-            one closed body with the part's volume.
+        ValueError: an unknown format, no parts, a tolerance that is not above 0, a name that cannot be a file
+            name, or a file that is not one closed body with the part's bores and volume.
         OSError: the folder cannot be written.
     """
     formats = tuple(dict.fromkeys(formats))
@@ -87,36 +107,101 @@ def export(
     for name in parts:
         if not re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9._-]*", name):
             raise ValueError(f"parts: name {name!r} must be of letters, digits, '.', '_' and '-' to name a file")
+    if tolerance is not None and not 0 < tolerance < math.inf:
+        raise ValueError(f"tolerance = {tolerance!r} mm must be above 0")
     folder = Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
-    from geometry.measure import tessellate
-
-    tolerance = tessellation_tolerance(parts)
+    shapes = tessellate_distinct(parts, tolerance, progress) if shapes is None else shapes
     parameters = parts.parameters if isinstance(parts, PartSet) else {}
     files = []
-    for name, part in parts.items():
-        shape = _shape(part)
-        if len(shape.Solids()) != 1 or not shape.isValid():
-            raise ValueError(f"parts: {name} must be one valid solid; it has {len(shape.Solids())}")
-        facets = None if formats == ("step",) else tessellate(shape, tolerance)
+    for index, shared in enumerate(shapes):
+        name, shape, facets = shared.names[0], _shape(parts[shared.names[0]]), shared.facets
+        if progress is not None:
+            progress(f"files of {name}", 0.4 + 0.6 * index / len(shapes))
         for format_ in formats:
             path = folder / f"{name}.{format_}"
             beside = folder / f".{name}.{os.getpid()}.{format_}"
             try:
-                if format_ == "step" or facets is None:
+                if format_ == "step":
                     _write_step(shape, name, beside)
                     record = _checked_step(shape, name, beside, path)
                 elif format_ == "stl":
                     _mesh(facets).export(beside, file_type="stl")
                     record = _checked_mesh(_read_stl(beside), facets, shape, name, path)
                 else:
-                    _write_3mf(facets, name, parameters.get(name, {}), beside)
-                    record = _checked_mesh(_read_3mf(beside), facets, shape, name, path)
+                    write_3mf([Body(name, facets, parameters.get(name, {}))], name, beside)
+                    record = _checked_mesh(_read_only_body(beside, name), facets, shape, name, path)
                 os.replace(beside, path)
             finally:
                 beside.unlink(missing_ok=True)
-            files.append(record)
+            files.append(replace(record, count=shared.count, also=shared.names[1:]))
     return tuple(files)
+
+
+@dataclass(frozen=True)
+class SharedShape:
+    """A shape, the parts that have it, and how many of them there are."""
+
+    names: tuple[str, ...]
+    count: int
+    facets: Tessellation
+
+
+def tessellate_distinct(
+    parts: Mapping[str, cq.Workplane],
+    tolerance: float | None = None,
+    progress: Callable[[str, float], None] | None = None,
+) -> tuple[SharedShape, ...]:
+    """Facets of every distinct shape of a set of parts, in order of first use.
+
+    Facets start at the tolerance and are made finer where the volume asks for it. Two parts share a shape where
+    their facets are the same.
+
+    Args:
+        parts: name to workplane with one solid, mm.
+        tolerance: largest distance of facets from the surface, mm; default: see :func:`tessellation_tolerance`.
+        progress: called with the part and a fraction that ends at 0.4, when its file is yet to be written.
+
+    Raises:
+        ValueError: a part that is not one valid solid.
+    """
+    counts = parts.counts if isinstance(parts, PartSet) else {}
+    tolerance = tessellation_tolerance(parts) if tolerance is None else tolerance
+    shared: dict[bytes, SharedShape] = {}
+    for index, (name, part) in enumerate(parts.items()):
+        if progress is not None:
+            progress(f"facets of {name}", 0.4 * index / len(parts))
+        shape = _shape(part)
+        if len(shape.Solids()) != 1 or not shape.isValid():
+            raise ValueError(f"parts: {name} must be one valid solid; it has {len(shape.Solids())}")
+        facets = _fine_enough(shape, tolerance)
+        # Vertices are sorted by their coordinates, so equal shapes get equal numbers.
+        corners = np.unique(np.sort(facets.triangles, axis=1), axis=0)
+        key = hashlib.sha256(facets.vertices.round(6).tobytes() + corners.tobytes()).digest()
+        known = shared.get(key)
+        count = counts.get(name, 1)
+        shared[key] = (
+            SharedShape((name,), count, facets)
+            if known is None
+            else replace(known, names=(*known.names, name), count=known.count + count)
+        )
+    return tuple(shared.values())
+
+
+def _fine_enough(shape: cq.Shape, tolerance: float) -> Tessellation:
+    from geometry.measure import FACET_ANGLE, tessellate
+
+    volume = shape.Volume()
+    for halving in range(_REFINEMENTS + 1):
+        facets = tessellate(shape, tolerance / 2**halving, FACET_ANGLE / 2**halving)
+        if abs(facets.volume / volume - 1) <= _VOLUME_ERROR_AIM:
+            break
+    return facets
+
+
+def is_cast(name: str) -> bool:
+    """Whether a part of that name is cast in silicone; every other one is printed."""
+    return name.startswith("membrane")
 
 
 def _shape(part: cq.Workplane) -> cq.Shape:
@@ -126,10 +211,18 @@ def _shape(part: cq.Workplane) -> cq.Shape:
 
 # -- checks -----------------------------------------------------------------------------------------------
 def _checked_mesh(mesh: trimesh.Trimesh, facets: Tessellation, shape: cq.Shape, name: str, path: Path) -> ExportedFile:
+    from geometry.measure import genus
+
     if not mesh.is_volume or mesh.body_count != 1:
         raise ValueError(
             f"{path.name}: is not one closed body (closed: {mesh.is_watertight}, bodies: {mesh.body_count}); "
             "the part has features finer than the tessellation"
+        )
+    through = genus(shape)
+    if mesh.euler_number != 2 - 2 * through:
+        raise ValueError(
+            f"{path.name}: Euler number {mesh.euler_number} must be {2 - 2 * through} for the {through} ways through "
+            "the part"
         )
     return _checked_volume(
         ExportedFile(
@@ -178,56 +271,14 @@ def _read_stl(path: Path) -> trimesh.Trimesh:
     return trimesh.load_mesh(path, file_type="stl")
 
 
+def _read_only_body(path: Path, name: str) -> trimesh.Trimesh:
+    bodies = read_3mf(path)
+    if list(bodies) != [name]:
+        raise ValueError(f"{path.name}: holds {len(bodies)} bodies instead of {name} alone")
+    return bodies[name]
+
+
 def _write_step(shape: cq.Shape, name: str, path: Path) -> None:
     import cadquery as cq
 
     cq.Assembly(shape, name=name).export(str(path), "STEP")
-
-
-def _write_3mf(facets: Tessellation, name: str, parameters: Mapping[str, Any], path: Path) -> None:
-    import lib3mf
-
-    wrapper = lib3mf.get_wrapper()
-    model = wrapper.CreateModel()
-    model.SetUnit(lib3mf.ModelUnit.MilliMeter)
-    model.GetMetaDataGroup().AddMetaData("", "Title", name, "xs:string", True)
-    model.GetMetaDataGroup().AddMetaData("", "Application", "acoustic-fem", "xs:string", True)
-    body = model.AddMeshObject()
-    body.SetName(name)
-    body.SetPartNumber(name)
-    for key, value in parameters.items():
-        body.GetMetaDataGroup().AddMetaData(_NAMESPACE, key, str(value), "xs:string", True)
-    body.SetGeometry(
-        [_filled(lib3mf.Position(), vertex) for vertex in facets.vertices.tolist()],
-        [_filled(lib3mf.Triangle(), corners) for corners in facets.triangles.tolist()],
-    )
-    model.AddBuildItem(body, wrapper.GetIdentityTransform())
-    writer = model.QueryWriter("3mf")
-    writer.SetDecimalPrecision(7)
-    writer.WriteToFile(str(path))
-
-
-def _filled(record: Any, numbers: list[Any]) -> Any:
-    (field,) = (getattr(record, name) for name, _ in record._fields_)
-    for index, number in enumerate(numbers):
-        field[index] = number
-    return record
-
-
-def _read_3mf(path: Path) -> trimesh.Trimesh:
-    import lib3mf
-    import numpy as np
-    import trimesh
-
-    model = lib3mf.get_wrapper().CreateModel()
-    model.QueryReader("3mf").ReadFromFile(str(path))
-    bodies = model.GetMeshObjects()
-    if model.GetUnit() != lib3mf.ModelUnit.MilliMeter or bodies.Count() != 1:
-        raise ValueError(f"{path.name}: holds {bodies.Count()} bodies instead of one, or another unit than mm")
-    bodies.MoveNext()
-    body = bodies.GetCurrentMeshObject()
-    return trimesh.Trimesh(
-        np.array([list(vertex.Coordinates) for vertex in body.GetVertices()]),
-        np.array([list(triangle.Indices) for triangle in body.GetTriangleIndices()]),
-        process=False,
-    )

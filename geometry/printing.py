@@ -1,100 +1,24 @@
-"""Can it be printed? Rules of a process as data, and what is measured on the parts against them."""
+"""Can it be printed? What is measured on the parts against the rules of a process."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import os
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING
 
 from geometry.assembly import PartSet
-from geometry.part_files import tessellation_tolerance
+from geometry.part_files import SharedShape, is_cast, tessellation_tolerance
+from geometry.print_processes import PrintProcess, Verdict, find_process, process_of
+from geometry.print_rules import Finding, judge_cast, judge_printed
+from geometry.print_tolerance import AcousticEffect, acoustic_effects
 
 if TYPE_CHECKING:
     import cadquery as cq
 
-Verdict = Literal["ok", "warn", "fail"]
+    from geometry.design import ArrayDesign
 
-
-@dataclass(frozen=True)
-class Rule:
-    """Smallest value of a measure: below ``least`` it fails, below ``advised`` it is a risk (mm)."""
-
-    least: float
-    advised: float
-    source: str
-
-    def verdict(self, value: float) -> Verdict:
-        """How a measured value, mm, stands to the rule; rounding of the measure (1 micrometre) is forgiven."""
-        if value < self.least - 1e-3:
-            return "fail"
-        return "warn" if value < self.advised - 1e-3 else "ok"
-
-
-@dataclass(frozen=True)
-class PrintProcess:
-    """What a printing process can make; lengths in mm."""
-
-    name: str
-    title: str
-    wall: Rule
-    hole: Rule
-    glue_gap: Rule
-    """Radial gap between a tube and its socket."""
-    pixel: float
-    """Width of a pixel or laser spot: facets coarser than half of it show."""
-    build_volume: tuple[float, float, float]
-    source: str
-
-
-_GUIDES = (
-    "print services' resin guides (addema.se/guides-sla; layerx3d.in, SLA and DLP design rules), read as typical values"
-)
-_ASSUMED = "assumed for projection micro-stereolithography of 10 micrometre pixels: about ten pixels, advised twenty"
-
-PROCESSES: dict[str, PrintProcess] = {
-    "sla-resin": PrintProcess(
-        name="sla-resin",
-        title="desktop stereolithography, standard resin, layers of 0.05 mm",
-        wall=Rule(0.2, 0.4, f"supported walls from 0.4: {_GUIDES}; below 0.2, two laser spots, none: assumed"),
-        hole=Rule(0.25, 0.5, f"holes below 0.5 may close off: {_GUIDES}; below 0.25, three laser spots, all: assumed"),
-        glue_gap=Rule(0.05, 0.05, f"0.1 to 0.2 on the diameter of a clearance fit: {_GUIDES}"),
-        pixel=0.085,
-        build_volume=(145.0, 145.0, 175.0),
-        source="laser spot and build volume of a common desktop machine, assumed",
-    ),
-    "dlp-fine": PrintProcess(
-        name="dlp-fine",
-        title="projection micro-stereolithography, layers of 0.01 mm",
-        wall=Rule(0.1, 0.2, _ASSUMED),
-        hole=Rule(0.1, 0.2, _ASSUMED),
-        glue_gap=Rule(0.01, 0.02, "assumed: one to two pixels"),
-        pixel=0.01,
-        build_volume=(100.0, 100.0, 75.0),
-        source="pixel and build volume of a machine of this class, assumed",
-    ),
-}
-
-#: Thickness of a silicone disc cast between two printed plates, whatever printed them.
-CAST_THICKNESS = Rule(
-    0.1,
-    0.3,
-    "assumed: the gap of a closed mold of printed halves is true to about 0.1 mm, which is all of a 0.1 mm disc and "
-    "changes the compliance of a 0.3 mm disc by a factor of three",
-)
-
-
-@dataclass(frozen=True)
-class Finding:
-    """One rule applied to one part."""
-
-    part: str
-    rule: str
-    value: float
-    limit: float
-    unit: str
-    verdict: Verdict
-    reason: str
-    """Where the limit comes from, or what was measured."""
+DEFAULT_PROCESS = "sla-resin"
 
 
 @dataclass(frozen=True)
@@ -103,6 +27,8 @@ class PrintReport:
 
     process: PrintProcess
     findings: tuple[Finding, ...]
+    effects: tuple[AcousticEffect, ...] = ()
+    """What the tolerance of the process does to the acoustics, where the design is known."""
 
     @property
     def verdict(self) -> Verdict:
@@ -117,77 +43,54 @@ class PrintReport:
         return tuple(sorted(bad, key=lambda finding: finding.verdict == "warn"))
 
 
-def print_report(parts: Mapping[str, cq.Workplane], process: str = "sla-resin") -> PrintReport:
+def print_report(
+    parts: Mapping[str, cq.Workplane],
+    process: str | os.PathLike[str] | PrintProcess | None = None,
+    design: ArrayDesign | None = None,
+    progress: Callable[[str, float], None] | None = None,
+    shapes: Sequence[SharedShape] | None = None,
+) -> PrintReport:
     """Measure parts and compare them with the rules of a process.
 
-    Walls are measured by rays through the facets that are exported, holes as the cylinders of the solid. The
-    part ``membrane`` is cast and only its thickness is judged; every other part is printed. The gap around
-    the tubes is not in the solids: it is judged for parts from :func:`geometry.build_parts`, which know it.
+    Walls and gaps are measured by rays between the facets that are exported, holes and pins as the cylinders and
+    cones of the solid, overhangs and cups on the facets, built along z as drawn or upside down. Parts named
+    ``membrane...`` are cast and only their thickness is judged; every other part is printed. Gaps to what is put
+    into a part are not in the solids: they are judged for parts from :func:`geometry.build_parts`, which know them.
 
     Args:
         parts: name to workplane with one solid, mm.
-        process: name of a process in :data:`PROCESSES`.
+        process: name of a process, path of a process file (see :func:`geometry.print_processes.find_process`), or
+            a process; default: that of the design with the rules it states, else ``sla-resin``.
+        design: what the parts were built from; with it the report says what the tolerance does to the acoustics.
+        progress: called with the part being measured and the fraction done.
+        shapes: of :func:`geometry.part_files.tessellate_distinct`, where they exist already.
 
     Raises:
         ValueError: no such process, or no parts.
     """
-    if process not in PROCESSES:
-        raise ValueError(f"process = {process!r} must be one of: {', '.join(PROCESSES)}")
+    if process is None:
+        rules = process_of(design.printing) if design is not None else find_process(DEFAULT_PROCESS)
+    else:
+        rules = find_process(process)
     if not parts:
         raise ValueError("parts = {} must not be empty")
-    rules = PROCESSES[process]
+    from geometry.measure import tessellate
+
     tolerance = tessellation_tolerance(parts)
+    facets_of = {name: shape.facets for shape in shapes or () for name in shape.names}
     parameters = parts.parameters if isinstance(parts, PartSet) else {}
     findings: list[Finding] = []
-    for name, part in parts.items():
-        if name == "membrane":
-            findings.append(_cast_thickness(part))
-            continue
-        findings += _printed(name, part, rules, tolerance)
-        gap = parameters.get(name, {}).get("glue_gap")
-        if isinstance(gap, float):
-            findings.append(_by_rule(name, "gap around tube", gap, rules.glue_gap))
-    return PrintReport(rules, tuple(findings))
-
-
-def _printed(name: str, part: cq.Workplane, process: PrintProcess, tolerance: float) -> list[Finding]:
-    from geometry.measure import hole_diameters, inner_voids, tessellate, thinnest_wall
-
-    solid = part.val()
-    facets = tessellate(solid, tolerance)
-    findings = [_by_rule(name, "thinnest wall", thinnest_wall(facets), process.wall)]
-    holes = hole_diameters(solid)
-    if holes:
-        findings.append(_by_rule(name, "narrowest hole", holes[0], process.hole))
-    voids = inner_voids(solid)
-    box = solid.BoundingBox()
-    # A part may be turned: its largest extent must fit the largest of the machine, and so on.
-    sizes = sorted((box.xlen, box.ylen, box.zlen))
-    size, room = max(zip(sizes, sorted(process.build_volume), strict=True), key=lambda pair: pair[0] / pair[1])
-    half_pixel = process.pixel / 2
-    findings += [
-        Finding(name, "size", size, room, "mm", "ok" if size <= room else "fail", f"build volume: {process.source}"),
-        Finding(
-            name, "trapped volumes", voids, 0, "", "fail" if voids else "ok", "voids without a way out for liquid resin"
-        ),
-        Finding(
-            name,
-            "facets off the surface",
-            facets.deviation,
-            half_pixel,
-            "mm",
-            "ok" if facets.deviation <= half_pixel else "warn",
-            f"half a pixel, as exported; {process.source}",
-        ),
-    ]
-    return findings
-
-
-def _cast_thickness(part: cq.Workplane) -> Finding:
-    return _by_rule("membrane", "cast thickness", part.val().BoundingBox().zlen, CAST_THICKNESS)
-
-
-def _by_rule(part: str, name: str, value: float, rule: Rule) -> Finding:
-    verdict = rule.verdict(value)
-    limit = rule.least if verdict == "fail" else rule.advised
-    return Finding(part, name, value, limit, "mm", verdict, rule.source)
+    for index, (name, part) in enumerate(parts.items()):
+        if progress is not None:
+            progress(name, index / len(parts))
+        solid = part.val()
+        if is_cast(name):
+            findings.append(judge_cast(name, solid.BoundingBox().zlen, rules))
+        else:
+            facets = facets_of[name] if name in facets_of else tessellate(solid, tolerance)
+            known = dict(parameters.get(name, {}))
+            if design is not None and name.startswith("mold-lid"):
+                known["pin_clearance"] = design.mold.pin_clearance
+            findings += judge_printed(name, solid, facets, rules, known)
+    effects = acoustic_effects(design, rules.tolerance) if design is not None else ()
+    return PrintReport(rules, tuple(findings), effects)

@@ -130,9 +130,40 @@ def unit(angle: float) -> NDArray[np.float64]:
     return np.array([math.cos(math.radians(angle)), math.sin(math.radians(angle))])
 
 
+def bearing(start: NDArray[np.float64], end: NDArray[np.float64]) -> float:
+    """Direction in plan from one point to another, degrees in [0, 360)."""
+    return tidy(math.degrees(math.atan2(end[1] - start[1], end[0] - start[0])))
+
+
+def tidy(angle: float) -> float:
+    """The angle in [0, 360), free of rounding noise, so that equal cells and parts are seen to be equal."""
+    return round(round(angle, 6) % 360.0, 6)
+
+
 def path_length(path: NDArray[np.float64]) -> float:
     """Length of a polyline (n, 2) or (n, 3) float64, mm."""
     return float(np.linalg.norm(np.diff(path, axis=0), axis=1).sum())
+
+
+def tightest_bend(path: NDArray[np.float64]) -> float:
+    """Smallest radius of a polyline (n, 2) or (n, 3) float64, mm: of the circles through three points in a row.
+
+    Exact where the points lie on an arc; infinite where the path is straight.
+    """
+    a, b = path[1:-1] - path[:-2], path[2:] - path[1:-1]
+    product = np.linalg.norm(a, axis=1) * np.linalg.norm(b, axis=1) * np.linalg.norm(a + b, axis=1)
+    area = np.sqrt(np.maximum(np.sum(a**2, axis=1) * np.sum(b**2, axis=1) - np.sum(a * b, axis=1) ** 2, 0.0))
+    bent = area > 1e-9 * np.maximum(np.linalg.norm(a, axis=1) * np.linalg.norm(b, axis=1), 1e-300)
+    return float((product[bent] / (2 * area[bent])).min()) if bent.any() else math.inf
+
+
+def trimmed(path: NDArray[np.float64], length: float) -> NDArray[np.float64]:
+    """A polyline (n, 3) without ``length`` mm of its first and of its last segment, which are longer than that."""
+    ends = path.copy()
+    for end, inwards in ((0, 1), (-1, -2)):
+        step = path[inwards] - path[end]
+        ends[end] = path[end] + length * step / np.linalg.norm(step)
+    return ends
 
 
 def resampled(path: NDArray[np.float64], step: float, trim: float = 0.0) -> NDArray[np.float64]:

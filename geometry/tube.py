@@ -14,6 +14,8 @@ class Port:
     angle: float
     bore_diameter: float
     tube_diameter: float
+    height: float | None = None
+    """Of its axis above the floor of the cavity, mm; None: that of the housing's ports."""
 
 
 @dataclass(frozen=True)

@@ -2,25 +2,50 @@
 
 from __future__ import annotations
 
+import math
 import os
+from collections import Counter
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import cadquery as cq
 import numpy as np
 import pyvista as pv
+from numpy.typing import NDArray
 
-from geometry.assembly import build_parts, place_parts
+from geometry.array_model import LOOKS, ArrayModel, Kind, array_model, kind_of
+from geometry.assembly import build_parts
 from geometry.design import ArrayDesign
-from geometry.layout import ArrayLayout, place
 from geometry.measure import tessellate
 from geometry.routing import unit
+from geometry.wrap import Cylinder
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-_SHELL, _MEMBRANE, _MOLD, _HOUSING, _LID = "#9fb8cc", "#e39a7b", "#d9c27a", "#4f7f6b", "#2f2f2f"
-_TUBE, _SCHEMATIC = "#4a4a4a", "#b08fc7"
+_MOLD, _SCHEMATIC = "#d9c27a", "#b08fc7"
+#: Layers of the exploded view, from below.
+_LEVELS: dict[Kind, int] = {
+    "shell": 0,
+    "housing": 0,
+    "spring": 1,
+    "sheath": 2,
+    "membrane": 3,
+    "lid": 3,
+    "package": 4,
+}
+_PLURALS: dict[Kind, str] = {
+    "shell": "shells",
+    "housing": "housings",
+    "spring": "springs",
+    "sheath": "sheaths",
+    "membrane": "membranes",
+    "lid": "lids",
+    "package": "microphones",
+}
+#: Arrays of more points are shown exploded in an excerpt of so many.
+_MOST_EXPLODED, _EXCERPT = 24, 5
 #: Facets for the eye: within this distance (mm) and angle (rad).
 _DEVIATION, _FACET_ANGLE = 0.05, 0.2
 #: Tubes of a microphone lead away from the viewer where their directions add up to more than this.
@@ -43,22 +68,77 @@ def draw_array(
         parts: of :func:`geometry.build_parts`, where they exist already.
         size: width and height in pixels.
     """
-    parts = build_parts(design) if parts is None else parts
-    layout = place(design)
-    copies: dict[str, list[tuple[tuple[float, float, float], float]]] = {}
-    for placed in place_parts(design, layout):
-        copies.setdefault(placed.part, []).append((placed.position, placed.rotation))
+    model = array_model(design, parts)
     plotter = _plotter(size)
-    for name, places in copies.items():
-        colour, opacity = _look(name)
-        mesh = _copies(_polydata(parts[name].val()), places)
-        plotter.add_mesh(mesh, color=colour, opacity=opacity, split_sharp_edges=True, smooth_shading=True)
-    _add_tubes(plotter, layout)
+    _add_parts(plotter, model)
+    _add_schematic(plotter, model)
     x0, x1, y0, y1, _, _ = plotter.bounds
     # Tall arrays are seen from their right side, so that they lie along the picture's longer edge.
     seen_from = (0.0, -0.7, 1.0) if x1 - x0 >= y1 - y0 else (0.7, 0.0, 1.0)
-    _add_labels(plotter, design, layout, seen_from)
+    _add_labels(plotter, model, seen_from)
     _aim(plotter, seen_from)
+    return _save(plotter, path)
+
+
+def top_view(
+    design: ArrayDesign,
+    path: str | os.PathLike[str],
+    parts: Mapping[str, cq.Workplane] | None = None,
+    size: tuple[int, int] = (1600, 1000),
+) -> Path:
+    """Render the whole array from straight above, with a scale bar. Arguments as for :func:`draw_array`."""
+    model = array_model(design, parts)
+    plotter = _plotter(size)
+    _add_parts(plotter, model)
+    _add_schematic(plotter, model)
+    x0, x1, y0, y1, _, z1 = plotter.bounds
+    _add_labels(plotter, model, (0.0, 0.0, 1.0))
+    length = _round_length(max(x1 - x0, y1 - y0) / 4)
+    y = y0 - 0.06 * max(x1 - x0, y1 - y0)
+    plotter.add_mesh(pv.Line((x0, y, z1), (x0 + length, y, z1)), color="black", line_width=5)
+    _labels(plotter, [(x0 + length / 2, y - 0.01 * (x1 - x0), z1)], [f"{length:g} mm"], 20, ("center", "top"))
+    _aim(plotter, (0.0, 0.0, 1.0), (0.0, 1.0, 0.0))
+    return _save(plotter, path)
+
+
+def exploded_view(
+    design: ArrayDesign,
+    path: str | os.PathLike[str],
+    parts: Mapping[str, cq.Workplane] | None = None,
+    size: tuple[int, int] = (1600, 1000),
+) -> Path:
+    """Render the array pulled apart, away from what it stands on, one layer per kind, each named with its count.
+
+    From below: shells and housings, springs, sheaths, membranes, lids, microphones. Of an array of many points
+    the first microphone and the points next to it are shown. Tubes that are drawn schematically are left out.
+    Arguments as for :func:`draw_array`.
+    """
+    model = array_model(design, parts)
+    counts = Counter(model.kind(part.part) for part in model.placed)
+    if design.point_count > _MOST_EXPLODED:
+        model = _first_of(model, _EXCERPT)
+    boxes = [model.shapes[part.part].BoundingBox() for part in model.placed]
+    places = np.array([part.position for part in model.placed])
+    low, high = places.min(axis=0), places.max(axis=0)
+    # Long sides lie across the picture; layers are far enough apart not to hide the rows behind them.
+    tall = high[1] - low[1] > high[0] - low[0]
+    step = max(2 * max(box.zlen for box in boxes), 0.6 * float(min(high[0] - low[0], high[1] - low[1])))
+    plotter = _plotter(size)
+    _add_parts(plotter, model, {kind: step * level for kind, level in _LEVELS.items()})
+    aside = 0.03 * float(max(high[:2] - low[:2])) + max(max(box.xlen, box.ylen) for box in boxes) / 2
+    if isinstance(model.layout.surface, Cylinder):
+        aside += step * max(_LEVELS.values())  # its layers spread sideways too
+    start = (high[0], low[1] - aside) if tall else (low[0] - aside, low[1])
+    names, anchors = [], []
+    for level in sorted(set(_LEVELS.values())):
+        kinds = [kind for kind, own in _LEVELS.items() if own == level and counts[kind]]
+        names.append(", ".join(f"{counts[kind]} {_PLURALS[kind]}" for kind in kinds))
+        anchors.append((*start, step * level))
+    if design.point_count > _MOST_EXPLODED:
+        names.append(f"shown: {_EXCERPT} of {design.point_count} points")
+        anchors.append((*start, -step))
+    _labels(plotter, anchors, names, 20, ("right", "center"))
+    _aim(plotter, (1.0, 0.25, 0.5) if tall else (0.25, -1.0, 0.5), left=0.2)
     return _save(plotter, path)
 
 
@@ -94,7 +174,7 @@ def draw_point(
             # The quarter towards the viewer; ports lie at 0 degrees and beyond, so one of them is cut in half.
             reach = 2 * (box.DiagonalLength + 1)
             solid = solid.cut(cq.Solid.makeBox(reach, reach, reach, cq.Vector(0, -reach, -reach / 2)))
-        mesh = _copies(_polydata(solid), [(offset, 0.0)])
+        mesh = _polydata(solid).translate(offset)
         plotter.add_mesh(mesh, color=_look(name)[0], split_sharp_edges=True, smooth_shading=True)
         labels.append(name)
         anchors.append((offset[0] + box.xmin, offset[1] + box.ymin, offset[2] + box.zmin))
@@ -105,15 +185,13 @@ def draw_point(
 
 def _look(name: str) -> tuple[str, float]:
     """Colour and opacity of a part."""
-    for start, colour, opacity in (
-        ("shell", _SHELL, 0.45),
-        ("membrane", _MEMBRANE, 0.6),
-        ("mold", _MOLD, 1.0),
-        ("microphone-lid", _LID, 1.0),
-    ):
-        if name.startswith(start):
-            return colour, opacity
-    return _HOUSING, 1.0
+    return (_MOLD, 1.0) if name.startswith("mold") else LOOKS[kind_of(name)]
+
+
+def _round_length(length: float) -> float:
+    """The largest of 1, 2, 5, 10, ... that is not above a length, mm."""
+    ten = 10 ** math.floor(math.log10(length))
+    return float(max(step * ten for step in (1, 2, 5) if step * ten <= length))
 
 
 def _plotter(size: tuple[int, int]) -> pv.Plotter:
@@ -125,11 +203,19 @@ def _plotter(size: tuple[int, int]) -> pv.Plotter:
     return plotter
 
 
-def _aim(plotter: pv.Plotter, seen_from: tuple[float, float, float]) -> None:
-    """Look from a direction, with everything just inside the picture and room for labels at its edges."""
-    plotter.view_vector(seen_from, viewup=(0, 0, 1))
+def _aim(
+    plotter: pv.Plotter,
+    seen_from: tuple[float, float, float],
+    upwards: tuple[float, float, float] = (0.0, 0.0, 1.0),
+    left: float = 0.0,
+) -> None:
+    """Look from a direction, with everything just inside the picture and room for labels at its edges.
+
+    ``left`` is the part of the picture's width kept free for labels at its left edge.
+    """
+    plotter.view_vector(seen_from, viewup=upwards)
     towards = np.array(seen_from) / np.linalg.norm(seen_from)
-    right = np.cross((0, 0, 1), towards)
+    right = np.cross(upwards, towards)
     right /= np.linalg.norm(right)
     up = np.cross(towards, right)
     points = np.vstack([mesh.points for mesh in plotter.meshes])
@@ -138,7 +224,8 @@ def _aim(plotter: pv.Plotter, seen_from: tuple[float, float, float]) -> None:
     )
     centre = sum((low + high) / 2 * axis for low, high, axis in zip(lows, highs, (right, up), strict=True))
     width, height = plotter.window_size
-    half = max((highs[1] - lows[1]) / 2, (highs[0] - lows[0]) / 2 * height / width)
+    half = max((highs[1] - lows[1]) / 2, (highs[0] - lows[0]) / 2 * height / (width * (1 - left)))
+    centre = centre - left * half * width / height * right
     distance = 2 * float(np.linalg.norm(points.max(axis=0) - points.min(axis=0)))
     plotter.camera.focal_point = centre
     plotter.camera.position = centre + distance * towards
@@ -164,42 +251,62 @@ def _polydata(solid: cq.Shape) -> pv.PolyData:
     return pv.PolyData.from_regular_faces(facets.vertices, facets.triangles)
 
 
-def _copies(mesh: pv.PolyData, places: list[tuple[tuple[float, float, float], float]]) -> pv.PolyData:
-    """One mesh of all copies, each turned about z (degrees) and then moved."""
-    points, triangles = [], []
-    for count, (position, rotation) in enumerate(places):
-        c, s = np.cos(np.radians(rotation)), np.sin(np.radians(rotation))
-        points.append(mesh.points @ np.array([[c, s, 0], [-s, c, 0], [0, 0, 1]]) + position)
-        triangles.append(mesh.regular_faces + count * mesh.n_points)
+def _first_of(model: ArrayModel, count: int) -> ArrayModel:
+    """The first points of the first line with their tubes and the line's first microphone."""
+    line = model.design.lines[0]
+    count = min(count, line.points)
+    tubes = [tube.label for tube in model.layout.tubes if tube.line == 0 and tube.segment < count]
+    groups = {*tubes, *(f"point {k + 1}" for k in range(count))}
+    if not any(tube.line == 0 and tube.segment == 0 for tube in model.schematic):
+        groups.add(f"microphone {line.between[0]}")
+    return replace(model, placed=tuple(part for part in model.placed if part.group in groups))
+
+
+def _add_parts(plotter: pv.Plotter, model: ArrayModel, lifted: Mapping[Kind, float] | None = None) -> None:
+    """All placed parts, each kind raised away from what the array stands on (mm)."""
+    copies: dict[str, list[NDArray[np.float64]]] = {}
+    for placed in model.placed:
+        matrix = placed.matrix
+        if lifted:
+            matrix[:3, 3] += lifted[model.kind(placed.part)] * model.layout.surface.outwards(matrix[:3, 3])
+        copies.setdefault(placed.part, []).append(matrix)
+    for name, matrices in copies.items():
+        colour, opacity = LOOKS[model.kind(name)]
+        mesh = _copies(_polydata(model.shapes[name]), matrices)
+        plotter.add_mesh(mesh, color=colour, opacity=opacity, split_sharp_edges=True, smooth_shading=True)
+
+
+def _copies(mesh: pv.PolyData, matrices: list[NDArray[np.float64]]) -> pv.PolyData:
+    """One mesh of all copies, each moved by a (4, 4) matrix."""
+    points = [mesh.points @ matrix[:3, :3].T + matrix[:3, 3] for matrix in matrices]
+    triangles = [mesh.regular_faces + count * mesh.n_points for count in range(len(matrices))]
     return pv.PolyData.from_regular_faces(np.vstack(points), np.vstack(triangles))
 
 
-def _add_tubes(plotter: pv.Plotter, layout: ArrayLayout) -> None:
-    for schematic, colour in ((False, _TUBE), (True, _SCHEMATIC)):
-        meshes = [
-            pv.MultipleLines(tube.path).tube(radius=tube.tube.outer_diameter / 2, n_sides=16)
-            for tube in layout.tubes
-            if tube.schematic == schematic
-        ]
-        if meshes:
-            plotter.add_mesh(pv.merge(meshes), color=colour, smooth_shading=True)
+def _add_schematic(plotter: pv.Plotter, model: ArrayModel) -> None:
+    meshes = [
+        pv.MultipleLines(tube.course).tube(radius=tube.tube.outer_diameter / 2, n_sides=16) for tube in model.schematic
+    ]
+    if meshes:
+        plotter.add_mesh(pv.merge(meshes), color=_SCHEMATIC, smooth_shading=True)
 
 
-def _add_labels(
-    plotter: pv.Plotter, design: ArrayDesign, layout: ArrayLayout, seen_from: tuple[float, float, float]
-) -> None:
-    top = design.resonator.cavity_height + design.membrane.thickness
-    _labels(plotter, [(*p.position, top) for p in layout.points], [str(p.number) for p in layout.points], 16)
+def _add_labels(plotter: pv.Plotter, model: ArrayModel, seen_from: tuple[float, float, float]) -> None:
+    design, layout = model.design, model.layout
+    top = design.resonator.cavity_height + design.membrane.total_height
+    numbers = [tuple(layout.frame(point).at(0.0, 0.0, top).tolist()) for point in layout.points]
+    _labels(plotter, numbers, [str(point.number) for point in layout.points], 16)
     # Names stand behind their housing as seen in the picture, before it where its tubes lead away from the viewer.
-    towards = np.array(seen_from[:2]) / np.linalg.norm(seen_from[:2])
+    towards = np.array(seen_from[:2])
+    towards = towards / np.linalg.norm(towards) if towards.any() else np.array([0.0, -1.0])
     housing = design.microphone.chamber_diameter + 2 * design.microphone.wall_thickness
     reach = max(0.8 * housing, design.resonator.outer_diameter / 2)
     for microphone in layout.microphones:
         before = sum(float(unit(port.angle) @ towards) for port in microphone.ports) < -_LEADS_AWAY
-        x, y = np.add(microphone.position, (reach if before else -reach) * towards)
-        words = [f"microphone {microphone.name}"]
+        x, y = (reach if before else -reach) * towards
         height = -design.resonator.floor_thickness if before else top
-        _labels(plotter, [(x, y, height)], words, 20, ("center", "top" if before else "bottom"))
+        anchor = tuple(layout.frame(microphone).at(float(x), float(y), height).tolist())
+        _labels(plotter, [anchor], [f"microphone {microphone.name}"], 20, ("center", "top" if before else "bottom"))
 
 
 def _labels(

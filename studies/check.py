@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, Literal
 from geometry.cells import Cell, cell_catalogue
 from geometry.design import ArrayDesign
 from geometry.layout import place
+from geometry.print_report_files import report_content
 from geometry.topology import WiringCounts, wiring_counts
 from studies.metrics import BAND, worst_heard
 
@@ -73,9 +74,9 @@ class DesignCheck:
     def failures(self) -> tuple[str, ...]:
         """What stands in the way of making the array, one line each."""
         return tuple(
-            f"{f.part}: {f.rule} {f.value:.3g} {f.unit} must be at least {f.limit:.3g} {f.unit}".replace("  ", " ")
-            if f.rule not in ("size", "trapped volumes")
-            else f"{f.part}: {f.rule} {f.value:.3g} {f.unit} must be at most {f.limit:.3g} {f.unit}".rstrip()
+            f"{f.part}: {f.rule} {f.value:.3g} {f.unit} must be {f.relation} {f.limit:.3g} {f.unit}".replace(
+                "  ", " "
+            ).rstrip()
             for f in self.printing.findings
             if f.verdict == "fail"
         )
@@ -89,11 +90,7 @@ class DesignCheck:
             "layout_notes": list(self.notes),
             "fidelities": list(self.fidelities),
             "parts": dict(self.part_counts),
-            "printing": {
-                "process": self.printing.process.name,
-                "verdict": self.printing.verdict,
-                "findings": [asdict(finding) for finding in self.printing.findings],
-            },
+            "printing": report_content(self.printing),
             "validity": [{**asdict(item), "holds": item.holds} for item in self.validity],
             "attenuation": [
                 {"frequency_hz": f, "second_microphone_db": level, "point": point}
@@ -125,8 +122,9 @@ def check_design(design: ArrayDesign, progress: Callable[[str, float], None] | N
     levels = [(frequency, *worst_heard(library.transfer_function, frequency)) for frequency in ATTENUATION_AT]
     report("parts", 0.3)
     parts = build_parts(design)
-    report("print rules", 0.5)
-    printing = print_report(parts, design.printing.process)
+    printing = print_report(
+        parts, design=design, progress=lambda part, fraction: report(f"print rules: {part}", 0.5 + 0.5 * fraction)
+    )
     report("done", 1.0)
     return DesignCheck(
         design=design,

@@ -120,41 +120,41 @@ def parts(
     design: Design,
     out: Annotated[Path, typer.Option(help="The folder to write to.", show_default=False)],
     format: Annotated[str, typer.Option(metavar="FORMATS", help="Of stl, step and 3mf, with commas.")] = "stl,step,3mf",
+    process: Annotated[
+        str | None,
+        typer.Option(
+            metavar="PROCESS",
+            help="Judge for this printing process, a name or a .toml file; default: that of the design.",
+            show_default=False,
+        ),
+    ] = None,
 ) -> None:
-    """Files to print and to cast, the tubes to cut, and what the print rules say.
+    """Everything to print, cast, cut, buy and assemble, with pictures, and what the print rules say.
+
+    Writes a file of every part and format, plates with all of them in the numbers needed, print-report.html, the
+    bill of materials, the array as assembly.step, array.glb and array.html, and pictures.
 
     Example: [bold]acoustic-fem parts array-2x6 --out parts --format stl,3mf[/bold]
     """
     formats = [word.strip().lower() for word in format.split(",")]
-    from geometry import build_parts, export, print_report, resolve_design
+    from geometry import resolve_design
     from geometry.part_files import FORMATS
-    from geometry.tube import cutting_list
+    from geometry.print_processes import find_process, process_of
     from studies.folders import check_folder
+    from studies.part_folder import make_parts
+    from studies.tables import show_parts
 
     check_folder(out)
     for word in formats:
         if word not in FORMATS:
             raise typer.BadParameter(f"--format: {word!r} must be of {', '.join(FORMATS)}, with commas")
     resolved = resolve_design(design)
+    rules = process_of(resolved.printing) if process is None else find_process(process)
     with display_on_stderr() as display, display.stage("Parts") as report:
-        report("CAD", 0.0)
-        built = build_parts(resolved)
-        report("files", 0.3)
-        files = export(built, out, formats)
-        report("print rules", 0.6)
-        printing = print_report(built, resolved.printing.process)
-    table = table_of("part", "count", "volume (mm^3)", "files", numbers=(1, 2))
-    for name, count in built.counts.items():
-        own = [file for file in files if file.part == name]
-        table.add_row(name, str(count), f"{own[0].cad_volume:.1f}", ", ".join(file.path.name for file in own))
-    show(table)
-    table = table_of("tube", "count", "cut length (mm)", "bore (mm)", "outside (mm)", numbers=(1, 2, 3, 4))
-    for cut in cutting_list(resolved):
-        use = "between points" if cut.use == "segment" else "to a microphone"
-        bore, outside = cut.tube.inner_diameter, cut.tube.outer_diameter
-        table.add_row(use, str(cut.count), f"{cut.cut_length:g}", f"{bore:g}", f"{outside:g}")
-    show(table)
-    show_findings(printing)
+        made = make_parts(resolved, out, formats, rules, report)
+    show_parts(resolved, made)
+    show_findings(made.printing)
+    print(f"{out / 'print-report.html'}")
 
 
 def run(

@@ -235,7 +235,7 @@ def _make_parts(
         written = export(parts, fresh)
     files = tuple(replace(file, path=folder / "parts" / file.path.name) for file in written)
     report("print rules", 0.5)
-    printing = print_report(parts, design.printing.process)
+    printing = print_report(parts, design=design)
     report("pictures", 0.7)
     figures = {
         "array": draw_array(design, folder / "figures" / "array.png", parts, size=(1600, _picture_height(design))),

@@ -9,8 +9,10 @@ from studies.display import number
 if TYPE_CHECKING:
     from rich.table import Table
 
+    from geometry.design import ArrayDesign
     from geometry.printing import PrintReport
     from studies.check import DesignCheck
+    from studies.part_folder import MadeParts
 
 
 def table_of(*columns: str, numbers: tuple[int, ...] = ()) -> Table:
@@ -91,12 +93,43 @@ def show_check(found: DesignCheck) -> None:
     show_findings(found.printing)
 
 
+def show_parts(design: ArrayDesign, made: MadeParts) -> None:
+    """What was made: parts with their files, tubes to cut, the bill."""
+    from geometry.tube import cutting_list
+
+    table = table_of("part", "count", "volume (mm^3)", "files", numbers=(1, 2))
+    for name in dict.fromkeys(file.part for file in made.files):
+        own = [file for file in made.files if file.part == name]
+        words = ", ".join(file.path.name for file in own) + "".join(f"; also {other}" for other in own[0].also)
+        table.add_row(name, str(own[0].count), f"{own[0].cad_volume:.1f}", words)
+    show(table)
+    table = table_of("tube", "count", "cut length (mm)", "bore (mm)", "outside (mm)", numbers=(1, 2, 3, 4))
+    for cut in cutting_list(design):
+        use = "between points" if cut.use == "segment" else "to a microphone"
+        bore, outside = cut.tube.inner_diameter, cut.tube.outer_diameter
+        table.add_row(use, str(cut.count), f"{cut.cut_length:g}", f"{bore:g}", f"{outside:g}")
+    show(table)
+    bill = made.bill
+    money = bill.prices.currency
+    print(
+        f"resin {bill.resin_ml:.3g} ml and {bill.tooling_resin_ml:.3g} ml in molds, "
+        f"silicone {bill.silicone_ml:.3g} ml, tube {bill.tube_m:.3g} m: "
+        f"about {bill.cost:.2f} {money}, molds {bill.tooling_cost:.2f} {money} (bill.txt)"
+    )
+    for name in made.too_large:
+        print(f"note: {name} is too large for the plate of {made.printing.process.name} and lies on none")
+    for note in made.notes:
+        print(f"note: {note}")
+
+
 def show_findings(printing: PrintReport) -> None:
     """The print verdict and what leads to it."""
     print(f"printing, {printing.process.title}: {printing.verdict}")
     if printing.problems:
-        table = table_of("part", "measure", "value", "limit", "verdict", numbers=(2, 3))
+        table = table_of("part", "measure", "value", "must be", "place (mm)", "verdict", numbers=(2, 3, 4))
         for finding in printing.problems:
-            value, limit = f"{finding.value:.3g} {finding.unit}", f"{finding.limit:.3g} {finding.unit}"
-            table.add_row(finding.part, finding.rule, value, limit, finding.verdict)
+            value = f"{finding.value:.3g} {finding.unit}"
+            limit = f"{finding.relation} {finding.limit:.3g} {finding.unit}"
+            place = "" if finding.place is None else ", ".join(f"{0.0 + round(x, 2):g}" for x in finding.place)
+            table.add_row(finding.part, finding.rule, value, limit, place, finding.verdict)
         show(table)

@@ -7,7 +7,15 @@ from hypothesis import strategies as st
 from reference_data import AIR, rows
 from scipy.special import jn_zeros
 
+import acoustic_fem
+import geometry
 from acoustic_fem import cavity
+from acoustic_fem.batch_parameters import ArrayParameters
+from acoustic_fem.design_cells import solve_cells
+from acoustic_fem.lumped_cell import lumped_admittance
+from acoustic_fem.shaped_cavity import shaped_cavity_compliance
+from geometry.cavity_shapes import Box, Dome
+from geometry.cells import Cell, CellPort
 
 BAND = np.logspace(-3, 4, 15)
 sizes = st.floats(3e-4, 2.5e-2)
@@ -101,3 +109,83 @@ def test_a_value_that_is_not_positive_is_refused_by_name(arguments, message):
     with pytest.raises(ValueError) as error:
         cavity.closed_cylinder_compliance(*arguments, AIR)
     assert message in str(error.value)
+
+
+# -- shapes without a closed form -----------------------------------------------------------------------
+
+
+def shaped_cell(shape, angles=(0.0, 180.0), size=(1.6, 1.3, 0.18)):
+    diameter, height, bore = size
+    ports = tuple(CellPort(angle, bore) for angle in angles)
+    return Cell("resonator", diameter, height, height / 2, ports, diameter, 0.0, shape=shape)
+
+
+def differences(cell, fidelity="navier-stokes"):
+    """Of the lumped from the 3-D cell: largest of its admittances, relative to rows and columns; compliance."""
+    frequency = np.geomspace(1, 100, 5)
+    solved = solve_cells([cell], frequency, AIR, fidelity)[cell].admittance
+    lumped = lumped_admittance(cell, frequency, AIR)
+    scale = np.sqrt(np.abs(np.einsum("fii->fi", solved)))
+    apart = np.abs(lumped - solved) / (scale[:, :, None] * scale[:, None, :])
+    return apart.max(), np.abs(lumped.sum((1, 2)) / solved.sum((1, 2)) - 1).max()
+
+
+@pytest.mark.parametrize(
+    ("shape", "angles", "accuracy"),
+    [(Box(1.2, 0.8, 0.16, 0.26), (0.0,), 2e-3), (Dome(0.8), (0.0, 180.0), 8e-3)],
+    ids=["box", "dome"],
+)
+def test_lumped_boxes_and_domes_agree_with_navier_stokes(shape, angles, accuracy):
+    admittance, compliance = differences(shaped_cell(shape, angles))
+    assert admittance < accuracy
+    assert compliance < 1e-3
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("shape", "angles", "accuracy"),
+    [
+        (Box(4.17, 4.17, 0.6, 0.5), (0.0, 180.0), 2e-3),
+        (Box(4.17, 4.17, 0.6, 0.5), (0.0, 130.0), 1.3e-2),
+        (Dome(0.8333), (0.0, 180.0), 8e-3),
+        (Dome(2.5), (0.0, 180.0), 3e-2),
+    ],
+    ids=["box", "a port in the corner of a box", "dome", "ports in a bowl"],
+)
+def test_lumped_boxes_and_domes_of_six_millimetres_agree_with_navier_stokes(shape, angles, accuracy):
+    admittance, compliance = differences(shaped_cell(shape, angles, (6.0, 2.5, 0.44)))
+    assert admittance < accuracy
+    assert compliance < 1e-3
+
+
+@pytest.mark.parametrize("shape", [Box(1.1, 1.1, 0.16, 0.26), Dome(0.4), Dome(0.8)], ids=repr)
+def test_boxes_and_domes_go_from_isothermal_to_adiabatic(shape):
+    volume = shape.volume(0.8, 1.3) * 1e-9
+    compliance = shaped_cavity_compliance(shape, 0.8e-3, 1.3e-3, np.geomspace(1, 500, 9), AIR)
+    relative = compliance * AIR.pressure / volume
+    assert relative[0] == pytest.approx(1, abs=0.01)
+    assert np.all(relative.imag < 0)
+    assert np.all(np.diff(relative.real) < 0)
+    assert relative[-1].real > 1 / AIR.gamma
+    # Inside the cylinder around it every place is nearer to a wall: nearer to isothermal.
+    cylinder = cavity.closed_cylinder_compliance(0.8e-3, 1.3e-3, 50.0, AIR) / (np.pi * 0.8e-3**2 * 1.3e-3)
+    own = shaped_cavity_compliance(shape, 0.8e-3, 1.3e-3, 50.0, AIR) / volume
+    assert own.shape == ()
+    assert cylinder.real < own.real
+
+
+def test_a_batch_refuses_a_cavity_that_is_no_cylinder_by_name():
+    design = geometry.prototype("array-2x6").with_values({"resonator.shape": "dome"})
+    with pytest.raises(
+        ValueError, match=r"resonator\.shape = 'dome' must be 'cylinder' in a batch.*solve\(\) takes it"
+    ):
+        ArrayParameters.from_design(design)
+
+
+def test_lumped_solutions_of_a_design_feel_its_shape():
+    """A third less air: a stiffer cavity at every point."""
+    frequency, responses = np.array([5.0]), {}
+    for shape in ("cylinder", "box"):
+        design = geometry.prototype("fingertip-3x4").with_values({"resonator.shape": shape})
+        responses[shape] = acoustic_fem.solve(design, frequency, fidelity="lumped").point_impedance.values
+    assert np.all(np.abs(responses["box"]) > 1.001 * np.abs(responses["cylinder"]))

@@ -135,17 +135,44 @@ def test_the_fields_of_a_design_file_are_listed(command: Command) -> None:
         assert name in told.out
 
 
-def test_parts_are_written_in_the_formats_asked_for(command: Command, row: Path, tmp_path: Path) -> None:
-    told = command("parts", row, "--out", tmp_path / "parts", "--format", "stl")
+def test_parts_fill_a_folder_with_all_it_takes_to_make_the_array(command: Command, row: Path, tmp_path: Path) -> None:
+    told = command("parts", row, "--out", tmp_path / "parts", "--format", "stl", "--process", "dlp-fine")
     assert told.code == 0, told.err
-    names = {path.name for path in (tmp_path / "parts").iterdir()}
-    assert names == {
-        "shell-straight.stl", "membrane.stl", "mold-base.stl", "mold-lid.stl", "microphone-housing.stl",
-        "microphone-lid.stl",
-    }  # fmt: skip
-    assert trimesh.load_mesh(tmp_path / "parts" / "shell-straight.stl").is_volume
-    assert "shell-straight.stl" in told.out
+    written = {path.name: path for path in (tmp_path / "parts").iterdir()}
+    made = ["shell-straight", "membrane", "mold-base", "mold-lid", "microphone-housing"]
+    for name in made:
+        assert trimesh.load_mesh(written[f"{name}.stl"]).is_volume
+        assert f"{name}.stl" in told.out
+        for doing in ("facets of", "files of", "print rules of"):
+            assert f"Parts: {doing} {name}" in told.err
+    assert not [name for name in written if name.startswith(".") or name == "membrane.step"]
+    report = json.loads(written["print-report.json"].read_text(encoding="utf-8"))
+    assert report["process"]["name"] == "dlp-fine"
+    assert {file["name"] for file in report["files"]} == {name for name in written if name.endswith(".stl")}
+    assert report["acoustic_effects"]
+    plate = trimesh.load(written["plate-1.3mf"])
+    assert "shell-straight" in plate.geometry
+    assert written["assembly.step"].read_text().startswith("ISO-10303-21")
+    assert json.loads(written["bill.json"].read_text(encoding="utf-8"))["items"]
+    for name in ("array.glb", "array.html", "bill.csv", "bill.txt", "print-report.html", "top-view.png",
+                 "exploded-view.png", "mold-section.png"):  # fmt: skip
+        assert written[name].stat().st_size > 500
     assert "to a microphone" in told.out
+    assert "resin" in told.out
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("name", "seconds"), [("array-2x6", 25), ("large-area-64", 90)])
+def test_parts_with_all_reports_are_made_in_time(command: Command, tmp_path: Path, name: str, seconds: float) -> None:
+    started = time.process_time()
+    assert command("parts", name, "--out", tmp_path / "parts").code == 0
+    assert time.process_time() - started < seconds
+
+
+def test_parts_for_an_unknown_process_are_refused(command: Command, row: Path, tmp_path: Path) -> None:
+    told = command("parts", row, "--out", tmp_path / "parts", "--process", "sls")
+    assert (told.code, not (tmp_path / "parts").exists()) == (1, True)
+    assert "process = 'sls' must be one of: sla-resin, dlp-fine, fdm, mjf; or a .toml file" in told.err
 
 
 def test_solve_train_and_evaluate_lead_from_a_design_to_a_judged_localizer(
@@ -182,7 +209,8 @@ def test_one_point_is_enough_for_solve_and_parts(command: Command, tmp_path: Pat
     geometry.save_design(small_design().with_values({"lines.0.points": 1}), tmp_path / "one.toml")
     told = command("solve", tmp_path / "one.toml", "--out", tmp_path / "one.nc", "--fidelity", "lumped")
     assert (told.code, "1 points" in told.out) == (0, True)
-    assert command("parts", tmp_path / "one.toml", "--out", tmp_path / "parts", "--format", "stl").code == 0
+    parts = geometry.build_parts(geometry.load_design(tmp_path / "one.toml"))
+    assert parts.counts["shell-straight"] == parts.counts["membrane"] == 1
 
 
 def test_train_has_the_defaults_of_the_plan_and_the_noise_of_the_design(

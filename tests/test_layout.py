@@ -13,7 +13,8 @@ import geometry
 from geometry.cells import cell_catalogue
 from geometry.layout import place
 from geometry.ring import corner_angles, corners
-from geometry.routing import bow_angle, bow_radius, bowed_path, path_length
+from geometry.routing import bow_angle, bow_radius, bowed_path, path_length, tightest_bend
+from geometry.wrap import wound_length, wound_radius, wound_turn
 
 
 def design_of(**values):
@@ -218,8 +219,129 @@ def test_a_kinked_tube_is_noted_with_its_radius():
     design = design_of(**{"layout.pitch": 10.05, "tube.length": 4.1, "layout.columns": 12})
     radius = bow_radius(bow_angle(4.1, 10.05, 3.0, 5.0), 10.05, 5.0)
     assert radius < design.tube.outer_diameter
-    note = f"tube 2 of line 1 bends to a radius of {radius:.2g} mm, below its outside diameter 0.9 mm"
+    note = f"tube 2 of line 1 bends to a radius of {radius:.2g} mm, below the 0.9 mm that it may be bent to"
     assert note in place(design).notes
+
+
+def test_a_tube_bent_below_what_its_design_allows_is_noted_by_name():
+    design = geometry.prototype("fingertip-3x4")
+    bends = [tightest_bend(tube.course) for tube in place(design).tubes]
+    bow = min(bends)
+    assert bow == pytest.approx(1.606, abs=1e-3)
+    assert place(design.with_values({"tube.bend_radius": bow - 1e-3})).notes == ()
+    notes = place(design.with_values({"tube.bend_radius": bow + 1e-3})).notes
+    assert len(notes) == np.sum(np.isfinite(bends)) == 11
+    assert notes[0] == "tube 2 of line 1 bends to a radius of 1.6 mm, below the 1.61 mm that it may be bent to"
+
+
+def test_the_smallest_bend_radius_follows_from_spring_and_sheath():
+    tube = geometry.prototype("fingertip-3x4").tube
+    assert tube.smallest_bend_radius == tube.outer_diameter  # a thin spring in a thick sheath
+    thin = tube.model_copy(update={"inner_diameter": 0.5, "wire_diameter": 0.02})
+    assert thin.smallest_bend_radius == pytest.approx(1.5 * 0.54)
+    # There the turns gape by one wire on the outside: each turn takes up as much more as the radii are to each other.
+    outside, axis = 0.54, thin.smallest_bend_radius
+    assert 0.02 * (axis + outside / 2) / (axis - outside / 2) - 0.02 == pytest.approx(0.02)
+
+
+# -- on a cylinder --------------------------------------------------------------------------------------
+@given(
+    cavities=st.tuples(st.floats(0.5, 5), st.floats(0.5, 5)),
+    walls=st.tuples(st.floats(0.2, 3), st.floats(0.2, 3)),
+    radius=st.floats(10, 200),
+    part=st.floats(0.01, 0.99),
+)
+def test_a_wound_tube_has_exactly_its_length(cavities, walls, radius, part):
+    outer = tuple(c + w for c, w in zip(cavities, walls, strict=True))
+    shortest, longest = 2 * max(outer) - sum(cavities), 2 * max(outer) - sum(cavities) + math.pi * radius
+    length = shortest + part * (longest - shortest)
+    turn = wound_turn(length, cavities, outer, radius)
+    assert wound_length(turn, cavities, outer, radius) == pytest.approx(length)
+    assert 0 < wound_radius(turn, outer, radius) < radius
+
+
+def test_a_serpentine_on_a_cylinder_keeps_every_tube_at_its_length_and_off_the_cylinder():
+    design = design_of(layout={"kind": "cylinder", "columns": 6, "diameter": 50.0})
+    layout = place(design)
+    assert layout.notes == ()
+    axis, ports = -25.0 - 1.0, 25.0 + 1.0 + design.resonator.port_axis_height
+    frames = {("point", p.line, p.place): (layout.frame(p), p.port_angles) for p in layout.points}
+    bends = set()
+    for tube in layout.tubes:
+        assert path_length(tube.course) == pytest.approx(tube.tube.length, rel=2e-4)
+        from_axis = np.hypot(tube.course[:, 0], tube.course[:, 2] - axis)
+        assert from_axis.min() > ports - 1e-9
+        bends.add(round(tightest_bend(tube.course), 6))
+        if ("point", tube.line, tube.segment - 1) in frames:
+            frame, angles = frames["point", tube.line, tube.segment - 1]
+            along = frame.seen(tube.course[:2])
+            turn = math.radians(angles[1])
+            inner, outer = design.resonator.cavity_diameter / 2, design.resonator.outer_diameter / 2
+            height = design.resonator.port_axis_height
+            assert along[0] == pytest.approx([inner * math.cos(turn), inner * math.sin(turn), height], abs=1e-6)
+            assert np.hypot(*along[1, :2]) >= outer - 1e-6
+            assert along[1, 2] == pytest.approx(height)
+    assert len(bends) == 3  # around to the next point, around to a microphone, straight from row to row
+    wide = place(design.with_values({"layout.diameter": 2000.0}))
+    flat = place(design_of(layout={"kind": "serpentine", "columns": 6}))
+    apart = [np.linalg.norm(np.diff([p.position for p in lay.points], axis=0), axis=1) for lay in (wide, flat)]
+    assert apart[0] == pytest.approx(apart[1], rel=1e-4)
+
+
+def test_a_row_longer_than_its_cylinder_is_round_runs_into_itself_by_name():
+    layout = place(design_of(layout={"kind": "cylinder", "columns": 12, "diameter": 50.0}))
+    assert any(note.startswith("shell 1 overlaps shell 1") for note in layout.notes)
+
+
+@pytest.mark.parametrize(
+    ("layout", "message"),
+    [
+        ({"kind": "cylinder"}, "layout.diameter is missing: layout.kind = 'cylinder' needs the diameter"),
+        ({"kind": "serpentine", "diameter": 50.0}, "layout.diameter = 50 mm goes with layout.kind = 'cylinder', not"),
+        ({"kind": "cylinder", "diameter": 50.0, "pitch": 12.0}, "layout.pitch = 12 mm must not be given"),
+        ({"kind": "cylinder", "diameter": 2.0}, "tube.length on a cylinder, layout.diameter = 2 mm: a tube of 20 mm"),
+        ({"kind": "hand", "columns": 2}, "layout.columns = 2 points per finger makes 6 fingers; must be enough"),
+        ({"kind": "hand", "columns": 3, "spread": 30.0}, "layout.spread = 30 degrees must be smaller, or the tube"),
+        ({"kind": "serpentine", "palm": 90.0}, "layout.palm = 90 goes with layout.kind = 'hand', not 'serpentine'"),
+    ],
+)
+def test_layouts_that_cannot_be_are_refused_by_name(layout, message):
+    with pytest.raises(geometry.DesignError) as caught:
+        design_of(**{"layout": layout, "tube.length": 20.0})
+    assert message in str(caught.value)
+
+
+# -- on a hand ------------------------------------------------------------------------------------------
+def glove(**values):
+    lines = [{"between": pair, "points": 6} for pair in (["A", "B"], ["B", "C"])]
+    changes = {"microphones": ["A", "B", "C"], "lines": lines, "layout": {"kind": "hand", "columns": 3}}
+    return geometry.prototype("glove").with_values({**changes, "microphone.chamber_diameter": 2.8, **values})
+
+
+def test_points_of_a_hand_lie_along_fingers_that_fan_out_from_the_wrist():
+    design = glove()
+    layout = place(design)
+    assert layout.notes == ()
+    points = np.array([p.position for p in layout.points])
+    reach, bearing = np.linalg.norm(points, axis=1), np.degrees(np.arctan2(points[:, 1], points[:, 0]))
+    assert reach == pytest.approx([80, 101, 122, 122, 101, 80] * 2)
+    assert bearing == pytest.approx(np.repeat([103.5, 94.5, 85.5, 76.5], 3))
+    for tube in layout.tubes:
+        assert not tube.schematic
+        assert path_length(tube.course) == pytest.approx(tube.tube.length, rel=2e-4)
+    # The microphone of two lines lies in the palm, as far from both ends as their straight tubes reach.
+    middle = layout.microphones[1].position
+    for end in (points[5], points[6]):
+        assert math.dist(middle, end) == pytest.approx(design.microphone_reach_of(design.lines[0]))
+    assert np.linalg.norm(middle) < 80
+    # Bows over the fingertips lie outside of all points.
+    over = next(tube for tube in layout.tubes if tube.label == "tube 4 of line 1")
+    assert np.linalg.norm(over.course[len(over.course) // 2, :2]) > 122
+
+
+def test_tubes_that_meet_in_the_palm_at_too_sharp_an_angle_are_refused():
+    with pytest.raises(geometry.DesignError, match=r"microphone.chamber_diameter = 1\.8 mm must be at least 2\.6"):
+        glove(**{"microphone.chamber_diameter": 1.8})
 
 
 def test_neither_layout_nor_counts_load_the_cad_kernel():

@@ -8,14 +8,27 @@ import pytest
 import trimesh
 
 import geometry
+import geometry.assembly
 from geometry import part_files
 from geometry.measure import tessellate
-from geometry.part_files import export, tessellation_tolerance
+from geometry.part_files import LARGEST_VOLUME_ERROR, export, tessellation_tolerance
+from geometry.print_plates import SPACING, export_plates
+from geometry.print_processes import PROCESSES, with_rules
 
 
-@pytest.fixture(scope="module", params=["array-2x6", "fingertip-3x4"])
+@pytest.fixture(
+    scope="module",
+    params=[
+        "array-2x6",
+        "fingertip-3x4",
+        *(pytest.param(name, marks=pytest.mark.slow) for name in ("fingertip-4x6", "glove", "large-area-64")),
+    ],
+)
 def exported(request, tmp_path_factory):
     parts = geometry.build_parts(geometry.prototype(request.param))
+    if request.param == "fingertip-3x4":  # what is finer than in the other array
+        for name in [name for name in parts if name.startswith("mold")]:
+            del parts[name]
     folder = tmp_path_factory.mktemp("parts")
     return parts, folder, export(parts, folder)
 
@@ -33,8 +46,8 @@ def test_files_are_named_after_parts_and_formats(exported):
 
 def test_every_stl_is_one_closed_body_of_the_cad_volume(exported):
     parts, _, files = exported
-    # Through holes in the skin: the ports of shells and housings, one per pin and vent, the sound hole.
-    holes = {"shell": 2, "membrane": 0, "mold-base": 0, "mold-lid": 5, "microphone-housing": 1, "microphone-lid": 1}
+    # Ways through: sockets and vents of a lid, a shim's ring, the sound hole; shells and housings have one per port.
+    ways = {"membrane": 0, "mold-base": 0, "mold-lid": 5, "mold-shim": 1, "microphone-lid": 1}
     checked = 0
     for file in files:
         if file.format != "stl":
@@ -44,8 +57,12 @@ def test_every_stl_is_one_closed_body_of_the_cad_volume(exported):
         assert mesh.body_count == 1
         assert mesh.volume == pytest.approx(parts[file.part].val().Volume(), rel=1e-3)
         assert len(mesh.faces) == file.triangles
-        handles = next(count for start, count in holes.items() if file.part.startswith(start))
-        assert mesh.euler_number == 2 - 2 * handles
+        if "ports" in parts.parameters[file.part]:
+            through = parts.parameters[file.part]["ports"].count("bore")
+            assert through >= 1
+        else:
+            through = next(count for start, count in ways.items() if file.part.startswith(start))
+        assert mesh.euler_number == 2 - 2 * through
         manifold = manifold3d.Manifold(
             manifold3d.Mesh64(np.asarray(mesh.vertices), np.asarray(mesh.faces, dtype=np.uint64))
         )
@@ -84,6 +101,17 @@ def test_3mf_carries_unit_name_and_generating_parameters(exported):
     assert "cavity_diameter" in read
 
 
+def test_3mf_opens_in_trimesh_with_unit_and_name(exported):
+    parts, folder, _ = exported
+    for name, part in parts.items():
+        scene = trimesh.load(folder / f"{name}.3mf")
+        assert scene.units == "millimeter"
+        (mesh,) = scene.geometry.values()
+        assert list(scene.geometry) == [name]
+        assert mesh.is_volume
+        assert mesh.volume == pytest.approx(part.val().Volume(), rel=1e-3)
+
+
 def test_step_carries_the_name_and_the_exact_solid(exported):
     parts, folder, _ = exported
     for name, part in parts.items():
@@ -107,6 +135,80 @@ def test_an_earlier_tessellation_is_not_reused(tolerance, angle, tmp_path):
     export(fresh, tmp_path / "fresh", ("stl",))
     export(used, tmp_path / "used", ("stl",))
     assert (tmp_path / "fresh/rod.stl").read_bytes() == (tmp_path / "used/rod.stl").read_bytes()
+
+
+def test_a_change_of_tolerance_makes_new_facets(tmp_path):
+    rod = {"rod": cq.Workplane().circle(20).extrude(1)}
+    counts, deviations = [], []
+    for tolerance in (0.01, 0.001, 0.01):
+        (file,) = export(rod, tmp_path, ("stl",), tolerance)
+        counts.append(file.triangles)
+        deviations.append(file.linear_deviation)
+        assert len(trimesh.load_mesh(file.path).faces) == file.triangles
+        assert file.linear_deviation <= tolerance
+    assert counts[1] > 1.5 * counts[0] == 1.5 * counts[2]
+    assert deviations[1] < deviations[0]
+    with pytest.raises(ValueError, match=r"tolerance = 0 mm must be above 0"):
+        export(rod, tmp_path, ("stl",), 0)
+
+
+def test_a_coarse_tolerance_is_refined_until_the_volume_is_right(tmp_path):
+    (file,) = export({"ball": cq.Workplane(cq.Solid.makeSphere(5, angleDegrees1=-90))}, tmp_path, ("stl",), 1.0)
+    assert abs(file.volume_error) <= LARGEST_VOLUME_ERROR
+
+
+def test_equal_shapes_are_written_once_with_their_count(tmp_path):
+    parts = geometry.assembly.PartSet()
+    ring = cq.Workplane().circle(2).circle(1).extrude(1)
+    parts |= {
+        "left": ring,
+        "plate": cq.Workplane().box(1, 2, 3),
+        "right": cq.Workplane().circle(2).circle(1).extrude(1),
+    }
+    parts.counts = {"left": 2, "plate": 1, "right": 3}
+    files = export(parts, tmp_path, ("stl",))
+    assert [(file.path.name, file.count, file.also) for file in files] == [
+        ("left.stl", 5, ("right",)), ("plate.stl", 1, ()),
+    ]  # fmt: skip
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["left.stl", "plate.stl"]
+
+
+def test_plates_hold_every_printed_part_as_often_as_it_is_needed(tmp_path):
+    parts = geometry.assembly.PartSet()
+    parts |= {
+        "block": cq.Workplane().box(10, 20, 3),
+        "rod": cq.Workplane().circle(4).extrude(5),
+        "membrane": cq.Workplane().circle(3).extrude(1),
+        "beam": cq.Workplane().box(60, 3, 3),
+    }
+    parts.counts = {"block": 7, "rod": 3, "membrane": 9, "beam": 1}
+    parts.parameters = {"block": {"width": 10.0}}
+    process = with_rules(PROCESSES["sla-resin"], {"build_volume": (40, 45, 50)})
+    made = export_plates(parts, tmp_path, process)
+    assert made.too_large == ("beam",)
+    assert [plate.copies for plate in made.plates] == [{"block": 6}, {"block": 1, "rod": 3}]
+    for plate in made.plates:
+        scene = trimesh.load(plate.path)
+        assert scene.units == "millimeter"
+        assert set(scene.geometry) == set(plate.copies)
+        boxes = []
+        for node in scene.graph.nodes_geometry:
+            matrix, name = scene.graph[node]
+            boxes.append(scene.geometry[name].copy().apply_transform(matrix).bounds)
+        assert len(boxes) == sum(plate.copies.values())
+        for k, (low, high) in enumerate(boxes):
+            assert low == pytest.approx(np.maximum(low, 0), abs=1e-4)
+            assert low[2] == pytest.approx(0, abs=1e-4)
+            assert (high[:2] <= np.array([40, 45]) + 1e-4).all()
+            for other_low, other_high in boxes[:k]:
+                apart = np.maximum(low - other_high, other_low - high)[:2].max()
+                assert apart >= SPACING - 1e-4
+
+
+def test_a_mesh_that_lost_a_bore_is_refused(tmp_path, monkeypatch):
+    monkeypatch.setattr("geometry.measure.genus", lambda solid: 2)
+    with pytest.raises(ValueError, match=r"ring\.stl: Euler number 0 must be -2 for the 2 ways through the part"):
+        export({"ring": cq.Workplane().circle(2).circle(1).extrude(1)}, tmp_path, ("stl",))
 
 
 @pytest.mark.parametrize("solid", [cq.Solid.makeSphere(1), cq.Solid.makeCone(1, 0, 2)], ids=["sphere", "cone"])

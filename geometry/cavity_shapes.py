@@ -1,0 +1,173 @@
+"""Shapes of the air cavity that are no plain cylinder: a box under a round collar, a cylinder with a bowl as floor.
+
+The membrane always spans a circle of the cavity's diameter. A box lies wholly inside that circle and ends below it
+in a round collar, so that nothing overhangs when the shell is printed. Its first side looks along x. Lengths in mm.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, fields, replace
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    import cadquery
+
+    from geometry.cells import CellPort
+    from geometry.tube import Port
+
+#: Furthest that the corners of a box reach from the axis, in radii of the cavity: the ledge beyond carries the collar.
+WIDEST_BOX = 0.95
+#: Reach of the box that is drawn when no size is given, in radii.
+USUAL_BOX = 0.9
+#: Steepest run of a bowl's wall at a port, degrees from upright: flatter walls make a groove of the bore.
+FLATTEST_PORT_WALL = 50.0
+
+
+@dataclass(frozen=True, order=True)
+class Box:
+    """A box with rounded upright edges, below a round collar of the cavity's diameter."""
+
+    length: float
+    """Along x."""
+    width: float
+    """Along y."""
+    corner_radius: float
+    collar_height: float
+
+    @property
+    def reach(self) -> float:
+        """Distance of the corners from the axis, mm."""
+        r = self.corner_radius
+        return math.hypot(self.length / 2 - r, self.width / 2 - r) + r
+
+    @property
+    def area(self) -> float:
+        """Of its floor, mm^2."""
+        return self.length * self.width - (4 - math.pi) * self.corner_radius**2
+
+    def volume(self, radius: float, height: float) -> float:
+        """Of the cavity of that radius and height, mm^3."""
+        return self.area * (height - self.collar_height) + math.pi * radius**2 * self.collar_height
+
+    def wall_distance(self, radius: float, height: float, angle: float) -> float:
+        """From the axis to the wall at a height and in a direction (degrees), mm."""
+        del radius, height  # the same at every height below the collar
+        x, y = (abs(part(math.radians(angle))) for part in (math.cos, math.sin))
+        a, b, r = self.length / 2, self.width / 2, self.corner_radius
+        if a * y <= (b - r) * x:
+            return a / x
+        if b * x <= (a - r) * y:
+            return b / y
+        along, across = (a - r) * x + (b - r) * y, (a - r) * y - (b - r) * x
+        return along + math.sqrt(r**2 - across**2)
+
+    def draw(self, radius: float, height: float, top: float) -> cadquery.Solid:
+        """The cavity, with its collar carried on to the height ``top``."""
+        import cadquery as cq
+
+        below = height - self.collar_height
+        sides = cq.Workplane().box(self.length, self.width, below, centered=(True, True, False))
+        box = sides.edges("|Z").fillet(self.corner_radius).val()
+        collar = cq.Solid.makeCylinder(radius, top - below, cq.Vector(0, 0, below))
+        return _one(box.fuse(collar))
+
+
+@dataclass(frozen=True, order=True)
+class Dome:
+    """A cylinder whose floor is a bowl, part of a sphere; a hemisphere where its depth is the cavity's radius."""
+
+    depth: float
+
+    def sphere_radius(self, radius: float) -> float:
+        """Of the sphere of the bowl, mm."""
+        return (radius**2 + self.depth**2) / (2 * self.depth)
+
+    def volume(self, radius: float, height: float) -> float:
+        """Of the cavity of that radius and height, mm^3."""
+        bowl = math.pi / 6 * self.depth * (3 * radius**2 + self.depth**2)
+        return bowl + math.pi * radius**2 * (height - self.depth)
+
+    def wall_distance(self, radius: float, height: float, angle: float) -> float:
+        """From the axis to the wall at a height and in a direction (degrees), mm."""
+        del angle
+        if height >= self.depth:
+            return radius
+        return math.sqrt(height * (2 * self.sphere_radius(radius) - height))
+
+    def lowest_port(self, radius: float) -> float:
+        """Height above which the wall is steep enough for a port, mm."""
+        return self.sphere_radius(radius) * (1 - math.sin(math.radians(FLATTEST_PORT_WALL)))
+
+    def draw(self, radius: float, height: float, top: float) -> cadquery.Solid:
+        """The cavity, carried on to the height ``top``."""
+        import cadquery as cq
+
+        del height
+        sphere = self.sphere_radius(radius)
+        half = math.atan2(radius, sphere - self.depth) / 2
+        middle = (sphere * math.sin(half), sphere * (1 - math.cos(half)))
+        side = cq.Workplane("XZ").lineTo(0, top).lineTo(radius, top)
+        if top > self.depth + 1e-9:
+            side = side.lineTo(radius, self.depth)
+        profile = side.threePointArc(middle, (0, 0)).close()
+        return _one(profile.revolve(360, (0, 0, 0), (0, 1, 0)).val())
+
+
+def draw_cavity(shape: Box | Dome | None, radius: float, height: float, top: float | None = None) -> cadquery.Solid:
+    """The air of a cavity, its floor at z = 0, its axis z.
+
+    Args:
+        shape: None for a plain cylinder.
+        radius: of the opening under the membrane, mm.
+        height: from the lowest place of the floor to the membrane, mm.
+        top: height at which the drawing ends, mm, where it must reach through the seat.
+    """
+    import cadquery as cq
+
+    top = height if top is None else top
+    return cq.Solid.makeCylinder(radius, top) if shape is None else shape.draw(radius, height, top)
+
+
+def wall_distance(shape: Box | Dome | None, radius: float, height: float, angle: float) -> float:
+    """From the axis to the wall of a cavity at a height (mm) and in a direction (degrees), mm."""
+    return radius if shape is None else shape.wall_distance(radius, height, angle)
+
+
+def separation(distance: float, turn: float, rise: float) -> float:
+    """Of two rays from the axis that differ by ``turn`` degrees and ``rise`` mm, from that distance on, mm."""
+    return math.hypot(2 * distance * math.sin(math.radians(turn) / 2), rise)
+
+
+def turned(ports: Sequence[Port], step: float) -> tuple[tuple[Port, ...], float]:
+    """Ports in the one rotation that all equal housings share, and the angle that turns them back.
+
+    The direction that comes to lie along x is also that of a box's first side. Only rotations are tried: a
+    mirrored housing is another part, since its floor stays below.
+
+    Args:
+        ports: of a housing, at any angles.
+        step: to which angles are rounded, degrees.
+    """
+    candidates = []
+    for reference in ports:
+        moved = [
+            replace(port, angle=round(round((port.angle - reference.angle) / step) * step % 360.0, 6)) for port in ports
+        ]
+        moved.sort(key=port_rank)
+        candidates.append((tuple(moved), reference.angle))
+    return min(candidates, key=lambda candidate: (*map(port_rank, candidate[0]), candidate[1]))
+
+
+def port_rank(port: Port | CellPort) -> tuple[float, ...]:
+    """What ports are sorted by; those without a height of their own come first."""
+    sizes = [getattr(port, field.name) for field in fields(port)]
+    return tuple(-1.0 if size is None else size for size in sizes)
+
+
+def _one(shape: cadquery.Shape) -> cadquery.Solid:
+    solids = shape.Solids()
+    if len(solids) != 1 or not solids[0].isValid():
+        raise ValueError(f"the cavity is drawn as {len(solids)} solids instead of one valid solid")
+    return solids[0]

@@ -1,0 +1,100 @@
+"""Everything that it takes to make an array, in one folder."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from geometry.design import ArrayDesign
+from geometry.print_processes import PrintProcess
+from studies.display import Report
+
+if TYPE_CHECKING:
+    from geometry.bill import Bill
+    from geometry.part_files import ExportedFile
+    from geometry.printing import PrintReport
+
+
+@dataclass(frozen=True)
+class MadeParts:
+    """What lies in the folder."""
+
+    files: tuple[ExportedFile, ...]
+    printing: PrintReport
+    bill: Bill
+    too_large: tuple[str, ...]
+    """Parts that fit on no plate."""
+    notes: tuple[str, ...]
+    """What is drawn but could not be built as drawn."""
+
+
+def make_parts(
+    design: ArrayDesign, folder: Path, formats: Sequence[str], process: PrintProcess, report: Report
+) -> MadeParts:
+    """Draw, export and judge the parts of a design, and put the array together.
+
+    Args:
+        design: the array.
+        folder: made if it does not exist; files of the same name in it are replaced, each by a complete one.
+        formats: of the files of each part.
+        process: whose rules are applied.
+        report: told what is being made.
+
+    Raises:
+        ValueError: a part cannot be built or written.
+        OSError: the folder cannot be written.
+    """
+    from geometry import build_parts, export, print_report
+    from geometry.array_model import build_assembly
+    from geometry.bill import bill_of_materials, write_bill
+    from geometry.layout import place
+    from geometry.mold_view import mold_section
+    from geometry.part_files import tessellate_distinct
+    from geometry.print_plates import export_plates
+    from geometry.print_report_files import write_report
+    from geometry.scene import write_gltf, write_viewer
+    from geometry.views import exploded_view, top_view
+
+    report("drawing the parts", 0.0)
+    parts = build_parts(design)
+    shapes = tessellate_distinct(parts, progress=lambda part, done: report(part, 0.1 + 0.25 * done))
+    files = export(parts, folder, formats, progress=lambda part, done: report(part, 0.1 + 0.25 * done), shapes=shapes)
+    report("plates", 0.35)
+    plates = export_plates(parts, folder, process, shapes)
+    printing = print_report(
+        parts, process, design, lambda part, done: report(f"print rules of {part}", 0.45 + 0.2 * done), shapes
+    )
+    write_report(printing, folder, design.name, files)
+    report("bill of materials", 0.65)
+    bill = bill_of_materials(design, parts)
+    write_bill(bill, folder)
+    report("assembly.step", 0.68)
+    with _complete(folder / "assembly.step") as path:
+        build_assembly(design, parts).export(str(path), "STEP")
+    report("array.glb", 0.78)
+    write_gltf(design, folder / "array.glb", parts)
+    report("array.html", 0.82)
+    write_viewer(design, folder / "array.html", parts)
+    report("top-view.png", 0.87)
+    top_view(design, folder / "top-view.png", parts)
+    report("exploded-view.png", 0.91)
+    exploded_view(design, folder / "exploded-view.png", parts)
+    report("mold-section.png", 0.96)
+    mold_section(design, folder / "mold-section.png", parts)
+    report("done", 1.0)
+    return MadeParts(files, printing, bill, plates.too_large, place(design).notes)
+
+
+@contextmanager
+def _complete(path: Path) -> Iterator[Path]:
+    """A file beside, of the same ending, which takes the place of ``path`` when all went well."""
+    beside = path.with_name(f".{path.stem}.{os.getpid()}{path.suffix}")
+    try:
+        yield beside
+        os.replace(beside, path)
+    finally:
+        beside.unlink(missing_ok=True)
