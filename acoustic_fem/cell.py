@@ -8,16 +8,16 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import partial
 from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING, TypeAlias, TypeVar
+from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from acoustic_fem.checks import frequency_grid, in_range, numbers, port_points
 from acoustic_fem.medium import Medium
+from acoustic_fem.refinement import BEST_ORDER, Refinement, refined
 from acoustic_fem.units import metres
 
 if TYPE_CHECKING:
@@ -28,9 +28,6 @@ if TYPE_CHECKING:
     from acoustic_fem.navier_stokes import WallMotion
     from geometry.mesh import MeshSizes, Point
 
-#: What is solved on a mesh.
-Solution = TypeVar("Solution")
-
 #: Called with what is being done and the fraction of it that is done.
 Progress: TypeAlias = Callable[[str, float], None]
 
@@ -38,30 +35,8 @@ Progress: TypeAlias = Callable[[str, float], None]
 PHYSICS = ("navier-stokes", "helmholtz")
 
 _ACCURACY_RANGE = (2e-4, 3e-3)
-_COARSER = 1.5
-#: Orders of convergence believed. 4 is expected along tubes and in layers, 1 where edges of mouths are felt; what
-#: three meshes show is taken between these bounds, and the middle one where there are but two.
-_LEAST_ORDER, _USUAL_ORDER, _BEST_ORDER = 1.0, 2.0, 3.5
-_MOST_REFINEMENTS = 3
 #: Scales (see :func:`mesh_sizes`) that give an accuracy of 1e-3 in most bodies: of the flow and of heat.
 _USUAL_SCALES = {"flow": 1.0, "heat": 0.7}
-
-
-@dataclass(frozen=True)
-class Refinement:
-    """One mesh of a body and how much its answer differs from that of the next coarser one.
-
-    Attributes:
-        field: ``"heat"`` or ``"flow"``.
-        scale: of its element sizes, see :func:`mesh_sizes`.
-        elements: number of tetrahedra.
-        change: relative change from a mesh 1.5 times coarser; None for the first.
-    """
-
-    field: str
-    scale: float
-    elements: int
-    change: float | None
 
 
 @dataclass(frozen=True, eq=False)
@@ -122,10 +97,6 @@ def port_admittance(
     solved = solve_solid(solid, ports, (float(grid[0]), float(grid[-1])), medium, fidelity, accuracy, progress)
     admittance = solved.body.nodal_admittance(grid)
     return admittance[0] if np.ndim(frequency) == 0 else admittance
-
-
-class ConvergenceError(RuntimeError):
-    """The meshes did not reach the accuracy asked for."""
 
 
 def solve_solid(
@@ -215,7 +186,7 @@ def converge(
     started = time.perf_counter()
     low, high = checked_band or band
     checked = np.geomspace(low, high, 5) if high > low else np.array([low])
-    flow_scale, heat_scale = (usual * (accuracy / 1e-3) ** (1 / _BEST_ORDER) for field, usual in _USUAL_SCALES.items())
+    flow_scale, heat_scale = (usual * (accuracy / 1e-3) ** (1 / BEST_ORDER) for field, usual in _USUAL_SCALES.items())
     open_faces = [*tubes] if mirror is None else [*tubes, mirror]
 
     def heat_on(scale: float, advance: Callable[[float], None]) -> tuple[DiffusionField, int]:
@@ -229,7 +200,7 @@ def converge(
         )
         return float(np.max(np.abs(fine_factor / coarse_factor - 1)))
 
-    heat, heat_error, heat_meshes = _refined(
+    heat, heat_error, heat_meshes = refined(
         "heat", heat_on, compliance_change, heat_scale, accuracy, lambda done: report(0.2 * done)
     )
 
@@ -240,7 +211,7 @@ def converge(
         )
         return body, len(mesh.tetrahedra)
 
-    flow, flow_error, flow_meshes = _refined(
+    flow, flow_error, flow_meshes = refined(
         "flow",
         flow_on,
         lambda fine, coarse: _difference(fine, coarse, checked),
@@ -249,73 +220,6 @@ def converge(
         lambda done: report(0.2 + 0.8 * done),
     )
     return SolvedBody(flow, max(heat_error, flow_error), (*heat_meshes, *flow_meshes), time.perf_counter() - started)
-
-
-def _refined(
-    field: str,
-    solved_on: Callable[[float, Callable[[float], None]], tuple[Solution, int]],
-    change_between: Callable[[Solution, Solution], float],
-    scale: float,
-    accuracy: float,
-    report: Callable[[float], None],
-) -> tuple[Solution, float, list[Refinement]]:
-    """Solve on finer and finer meshes until the change says that the error is below the accuracy.
-
-    Args:
-        field: what is solved.
-        solved_on: scale of the mesh and where to report -> the solution and the number of elements.
-        change_between: a solution and the next coarser one -> relative change.
-        scale: of the first mesh that may do; two are solved before it, each 1.5 times coarser than the next.
-        accuracy: relative error aimed at.
-        report: called with the fraction done, never less than before.
-
-    Returns:
-        The solution, its estimated error and the meshes.
-    """
-    from geometry.mesh import InvertedElementsError
-
-    furthest = 0.0
-
-    def advance(begin: float, end: float, done: float) -> None:
-        nonlocal furthest
-        furthest = max(furthest, begin + (end - begin) * done)
-        report(furthest)
-
-    coarser: Solution | None = None
-    changes: list[float] = []
-    meshes: list[Refinement] = []
-    failure = ""
-    for step in range(-2, _MOST_REFINEMENTS + 1):
-        finer = scale / _COARSER**step
-        # How far the meshes take us, were the first that may do good enough.
-        begin, end = {-2: (0.0, 0.1), -1: (0.1, 0.3)}.get(step, (0.3, 0.95))
-        try:
-            solution, elements = solved_on(finer, partial(advance, begin, end))
-        except InvertedElementsError as error:
-            # Too coarse for the shape: the comparison starts anew with the next one.
-            coarser, changes, failure = None, [], str(error)
-            continue
-        if coarser is not None:
-            changes.append(change_between(solution, coarser))
-        meshes.append(Refinement(field, finer, elements, changes[-1] if changes else None))
-        coarser = solution
-        if step < 0 or not changes:
-            continue
-        error_left = _remaining_error(changes)
-        if error_left <= accuracy:
-            report(1.0)
-            return solution, error_left, meshes
-        failure = f"the mesh error of the {field} is still {error_left:.2g}, above accuracy = {accuracy:g}"
-    raise ConvergenceError(f"after {_MOST_REFINEMENTS} refinements {failure}")
-
-
-def _remaining_error(changes: list[float]) -> float:
-    """Error of the finest mesh from the last changes, if they go on to fall as they did (Richardson)."""
-    order = _USUAL_ORDER
-    if len(changes) > 1 and changes[-1] > 0:
-        shown = np.log(changes[-2] / changes[-1]) / np.log(_COARSER) if changes[-2] > 0 else _LEAST_ORDER
-        order = float(np.clip(shown, _LEAST_ORDER, _BEST_ORDER))
-    return changes[-1] / (_COARSER**order - 1)
 
 
 def _difference(first: CondensedBody, second: CondensedBody, frequency: NDArray[np.float64]) -> float:

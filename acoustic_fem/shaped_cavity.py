@@ -84,9 +84,9 @@ def _solve(
 ) -> dict[str, NDArray[np.float64]]:
     import cadquery as cq
 
-    from acoustic_fem.cell import _refined as refined
     from acoustic_fem.cell import mesh_sizes
     from acoustic_fem.diffusion_field import DiffusionField, diffusion_field
+    from acoustic_fem.refinement import refined
     from geometry.mesh import mesh_solid
 
     diffusivity = medium.thermal_diffusivity

@@ -71,8 +71,11 @@ OUT_OF_RANGE = [
     ("lines.0.points", 0, "= 0 must be a whole number between 1 and 1000"),
     ("lines.0.points", 2.5, "= 2.5 must be a whole number between 1 and 1000"),
     ("lines.0.points", True, "= true must be a whole number between 1 and 1000"),
-    ("layout.kind", "serpentin",
-     "= 'serpentin' must be one of 'serpentine', 'ring', 'cylinder', 'hand'; did you mean 'serpentine'?"),
+    (
+        "layout.kind",
+        "serpentin",
+        "= 'serpentin' must be one of 'serpentine', 'ring', 'cylinder', 'hand'; did you mean 'serpentine'?",
+    ),
     ("layout.kind", 3, "= 3 must be one of 'serpentine', 'ring'"),
     ("printing.process", "fdm", "= 'fdm' must be one of 'sla-resin', 'dlp-fine'"),
     ("name", "", "= '' must be a text of 1 to 80 characters"),
