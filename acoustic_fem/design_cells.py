@@ -39,7 +39,7 @@ CHECKED_UP_TO = 200.0
 _FIRST_SCALE = 1.2
 
 #: Part of the cache key: raise it when the mesh or the equations of a cell change.
-CELL_MODEL_VERSION = 7
+CELL_MODEL_VERSION = 8
 
 _MODELS = ("heat", "viscous", "flow")
 

@@ -13,9 +13,10 @@ import numpy as np
 Solution = TypeVar("Solution")
 
 _COARSER = 1.5
-#: Orders of convergence believed. 4 is expected along tubes and in layers, 1 where edges of mouths are felt; what
-#: three meshes show is taken between these bounds, and the middle one where there are but two.
-_LEAST_ORDER, _USUAL_ORDER, BEST_ORDER = 1.0, 2.0, 3.5
+#: Orders of convergence believed: 4 is expected along tubes and in layers, 2 at the edges of mouths, where fine meshes
+#: get finer with the square of the scale. What three meshes show is taken between these bounds; coarse ones show
+#: chance. Where there are but two the least is taken.
+_LEAST_ORDER, BEST_ORDER = 2.0, 3.5
 _MOST_REFINEMENTS = 3
 
 
@@ -103,8 +104,8 @@ def refined(
 
 def _remaining_error(changes: list[float]) -> float:
     """Error of the finest mesh from the last changes, if they go on to fall as they did (Richardson)."""
-    order = _USUAL_ORDER
-    if len(changes) > 1 and changes[-1] > 0:
-        shown = np.log(changes[-2] / changes[-1]) / np.log(_COARSER) if changes[-2] > 0 else _LEAST_ORDER
+    order = _LEAST_ORDER
+    if len(changes) > 1 and min(changes[-2:]) > 0:
+        shown = np.log(changes[-2] / changes[-1]) / np.log(_COARSER)
         order = float(np.clip(shown, _LEAST_ORDER, BEST_ORDER))
     return changes[-1] / (_COARSER**order - 1)
