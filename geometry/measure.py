@@ -14,8 +14,10 @@ from OCP.BRepMesh import BRepMesh_IncrementalMesh
 from OCP.GeomAbs import GeomAbs_Cone, GeomAbs_Cylinder, GeomAbs_Plane
 from OCP.gp import gp_Dir, gp_Pnt
 from OCP.Poly import Poly_Triangulation
-from OCP.TopAbs import TopAbs_REVERSED
+from OCP.TopAbs import TopAbs_EDGE, TopAbs_FACE, TopAbs_REVERSED
+from OCP.TopExp import TopExp
 from OCP.TopLoc import TopLoc_Location
+from OCP.TopTools import TopTools_IndexedDataMapOfShapeListOfShape
 
 #: Largest angle between neighbouring facets, rad: a round body of such facets lacks angle^2 / 6 = 0.05 % of volume.
 FACET_ANGLE = 0.055
@@ -190,3 +192,10 @@ def genus(solid: cq.Shape) -> int:
     inner_loops = sum(len(face.innerWires()) for face in faces)
     euler = len(solid.Vertices()) - len(edges) + len(faces) - inner_loops
     return len(solid.Shells()) - euler // 2
+
+
+def pinched_edges(solid: cq.Shape) -> int:
+    """Number of edges on which more than two faces meet: there the solid touches itself and has no closed mesh."""
+    faces_of = TopTools_IndexedDataMapOfShapeListOfShape()
+    TopExp.MapShapesAndAncestors_s(solid.wrapped, TopAbs_EDGE, TopAbs_FACE, faces_of)
+    return sum(faces_of.FindFromIndex(k).Extent() > 2 for k in range(1, faces_of.Extent() + 1))

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 import cadquery as cq
 
 from geometry.design import BOARD_SEAL, Microphone, Printing
+from geometry.design_rules import SOCKET_COVER
 from geometry.shell import cut_ports, cylinder, one_solid
 from geometry.tube import Port
 
@@ -33,7 +34,13 @@ def build_housing(microphone: Microphone, printing: Printing, ports: Sequence[Po
     height = microphone.sound_hole_length + microphone.package_height
     outside = (length + 2 * wall, width + 2 * wall)
     gasket = microphone.gasket_depth if microphone.gasket_width is not None else 0.0
-    head = _box(*outside, top - min(wall + gasket, top), top + height)
+    underside = max(top - wall - gasket, 0.0)
+    hole = max(port.tube_diameter for port in ports) / 2 + printing.glue_gap
+    for edge in (top / 2 + hole, top / 2 - hole):
+        # A socket that grazes the underside would leave a wall of no thickness.
+        if abs(underside - edge) < SOCKET_COVER:
+            underside = max(edge - SOCKET_COVER, 0.0)
+    head = _box(*outside, underside, top + height)
     slot = _box(length, _SLOT * width, top, top + height).moved(cq.Location(cq.Vector(-length / 2, 0, 0)))
     solid = cylinder(radius + wall, -wall, top).fuse(head)
     solid = solid.cut(_box(length, width, top, top + height), slot, cylinder(radius, 0, top))

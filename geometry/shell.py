@@ -10,6 +10,7 @@ import cadquery as cq
 from geometry.cavity_shapes import draw_cavity, separation, wall_distance
 from geometry.design import Membrane, Printing, Resonator, Shell
 from geometry.design_rules import SOCKET_COVER
+from geometry.measure import pinched_edges
 from geometry.routing import unit
 from geometry.shell_features import add_feet, add_label, cut_groove
 from geometry.shell_rules import cavity_problems, feature_problems
@@ -164,4 +165,8 @@ def one_solid(shape: cq.Shape, name: str) -> cq.Workplane:
     solids = shape.Solids()
     if len(solids) != 1 or not solids[0].isValid():
         raise ValueError(f"{name}: drawn as {len(solids)} solids instead of one valid solid; its features cut it apart")
+    if pinched_edges(solids[0]):
+        raise ValueError(
+            f"{name}: drawn as a solid that touches itself along a line; move what meets there"
+        )
     return cq.Workplane(solids[0])

@@ -8,12 +8,13 @@ import numpy as np
 import pytest
 
 import geometry
-from geometry.measure import genus, hole_diameters, inner_voids, rounds, tessellate
+from geometry.measure import genus, hole_diameters, inner_voids, pinched_edges, rounds, tessellate
 from geometry.print_measures import narrowest_gap, overhangs, sealed_cup, thinnest_wall
 from geometry.print_processes import PROCESSES, RULES, Rule, find_process, process_of, with_rules
 from geometry.print_report_files import write_report
 from geometry.print_tolerance import acoustic_effects
 from geometry.printing import print_report
+from geometry.shell import one_solid
 
 
 def finding(report, part, rule):
@@ -150,6 +151,15 @@ def test_pins_are_as_slender_as_they_are_drawn():
 )
 def test_the_ways_through_a_solid_are_counted(solid, ways):
     assert genus(solid) == ways
+
+
+def test_a_solid_that_touches_itself_is_found_and_refused():
+    touching = cut_box(((4, 4, 3), (1, 1, 1)), ((4, 4, 3), (5, 5, 1)))  # two voids that meet in an edge
+    assert touching.isValid()
+    assert pinched_edges(touching) == 1
+    with pytest.raises(ValueError, match="block: drawn as a solid that touches itself along a line"):
+        one_solid(touching, "block")
+    assert pinched_edges(cut_box(((4, 4, 3), (1, 1, 1)))) == pinched_edges(cq.Solid.makeTorus(3, 1)) == 0
 
 
 def test_a_closed_void_traps_resin():
