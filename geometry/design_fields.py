@@ -163,7 +163,8 @@ def _adapter(model: type[BaseModel], loc: tuple[int | str, ...]) -> TypeAdapter[
     info, _ = _find(model, loc)
     if info is None:
         raise KeyError(loc)
-    return TypeAdapter(Annotated[info.annotation, info], config=ConfigDict(allow_inf_nan=False))
+    limited: Any = Annotated[info.annotation, info]
+    return TypeAdapter(limited, config=ConfigDict(allow_inf_nan=False))
 
 
 def _sentence(detail: ErrorDetails, model: type[BaseModel], given: object, what: str) -> str:

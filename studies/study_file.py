@@ -39,7 +39,7 @@ class Parameter:
     Attributes:
         name: dotted name.
         values: the list; empty for a range.
-        low: where a range begins; NaN for a list.
+        low: where a range begins.
         high: where it ends.
         count: values of the range in a grid; 0 where none is given.
         scale: of a range: equal steps, or equal ratios.
@@ -48,8 +48,8 @@ class Parameter:
 
     name: str
     values: tuple[float | int | str, ...] = ()
-    low: float = np.nan
-    high: float = np.nan
+    low: float = 0.0
+    high: float = 0.0
     count: int = 0
     scale: Literal["linear", "log"] = "linear"
     whole: bool = False
