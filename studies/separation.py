@@ -51,7 +51,7 @@ def pair_distances(responses: Responses, band: tuple[float, float] = BAND) -> Pa
     pairs = list(combinations(range(microphones), 2))
     weight = trapezoidal_weights(responses.frequency[inside]) / len(pairs)
     log = np.log(responses.transfer_function[..., inside])
-    first, second = np.triu_indices(points, 1)
+    first = np.triu_indices(points, 1)[0]
     level, phase = np.zeros((2, len(log), len(first)))
     for a, b in pairs:
         ratio = log[:, :, a] - log[:, :, b]
