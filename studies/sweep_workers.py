@@ -1,0 +1,149 @@
+"""Who computes: this process, processes of this machine, or the workers of a dask scheduler."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
+from typing import Any, Protocol
+
+#: Tasks handed out per worker thread: one is computed while the next waits beside it.
+_AHEAD = 2
+#: Seconds to wait for a scheduler and its first worker.
+_PATIENCE = 60
+
+
+class WorkersLost(RuntimeError):
+    """Workers or their scheduler are gone."""
+
+
+class Workers(Protocol):
+    """Something that runs tasks."""
+
+    def run(self, function: Callable[..., Any], tasks: Iterable[tuple[Any, ...]]) -> Iterator[tuple[int, Any]]:
+        """Call a function with the arguments of each task; number of the task and result, as they come."""
+
+
+def cores() -> int:
+    """Processors this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+@contextmanager
+def open_workers(count: int | None, scheduler: str | None, tasks: int | None = None) -> Iterator[Workers]:
+    """Workers, for as long as the block lasts.
+
+    Args:
+        count: processes on this machine; 1 works in this process; None: one per core, at most one per task.
+        scheduler: address of a dask scheduler in place of processes of this machine.
+        tasks: how many there will be, where it is known.
+
+    Raises:
+        ValueError: a bad count, or both given.
+        WorkersLost: no scheduler or no worker answers.
+    """
+    if count is not None and not 1 <= count <= 1024:
+        raise ValueError(f"workers = {count} must be between 1 and 1024")
+    if scheduler is not None:
+        if count is not None:
+            raise ValueError("workers must not be given beside a scheduler, which has its own")
+        with _connected(scheduler) as team:
+            yield team
+        return
+    number = count if count is not None else max(1, min(cores(), tasks or cores()))
+    if number == 1:
+        yield _Here()
+        return
+    with _local(number) as team:
+        yield team
+
+
+class _Here:
+    """This process."""
+
+    def run(self, function: Callable[..., Any], tasks: Iterable[tuple[Any, ...]]) -> Iterator[tuple[int, Any]]:
+        for number, task in enumerate(tasks):
+            yield number, _in_one_thread(function, *task)
+
+
+class _Dask:
+    """The workers of a dask client. A task whose worker dies is given to another one."""
+
+    def __init__(self, client: Any) -> None:
+        self._client = client
+
+    def run(self, function: Callable[..., Any], tasks: Iterable[tuple[Any, ...]]) -> Iterator[tuple[int, Any]]:
+        from distributed import CancelledError, KilledWorker, as_completed
+
+        waiting = enumerate(tasks)
+        numbers: dict[str, int] = {}
+        lost = 0
+        completed = as_completed(loop=self._client.loop, with_results=True, raise_errors=False)
+
+        def hand_out() -> bool:
+            for number, task in waiting:
+                future = self._client.submit(_in_one_thread, function, *task, pure=False)
+                numbers[future.key] = number
+                completed.add(future)
+                return True
+            return False
+
+        threads = max(1, sum(self._client.nthreads().values()))
+        for _ in range(_AHEAD * threads):
+            hand_out()
+        for future, result in completed:
+            number = numbers.pop(future.key)
+            if future.status == "cancelled" or isinstance(result, CancelledError):
+                raise WorkersLost("the connection to the scheduler was lost")
+            if future.status == "error":
+                _, error, _ = result
+                if not isinstance(error, KilledWorker):
+                    raise error
+                lost += 1
+            else:
+                yield number, result
+            future.release()
+            hand_out()
+        if lost:
+            raise WorkersLost(f"{lost} task{'s' * (lost > 1)} ended several workers each, which may lack memory")
+
+
+def _in_one_thread(function: Callable[..., Any], *task: Any) -> Any:
+    """Run a task with one thread in BLAS: the workers share the processors among themselves."""
+    from threadpoolctl import threadpool_limits
+
+    with threadpool_limits(1):
+        return function(*task)
+
+
+@contextmanager
+def _local(count: int) -> Iterator[_Dask]:
+    """A cluster of processes on this machine, which end with this one."""
+    import dask
+    from distributed import Client, LocalCluster
+
+    one = {f"distributed.nanny.pre-spawn-environ.{name}_NUM_THREADS": 1 for name in ("OMP", "MKL", "OPENBLAS")}
+    with (
+        dask.config.set({**one, "distributed.comm.timeouts.connect": "60s"}),
+        LocalCluster(n_workers=count, threads_per_worker=1, processes=True, dashboard_address=None,
+                     silence_logs=40) as cluster,
+        Client(cluster, set_as_default=False) as client,
+    ):  # fmt: skip
+        yield _Dask(client)
+
+
+@contextmanager
+def _connected(address: str) -> Iterator[_Dask]:
+    """The workers of a scheduler that runs already."""
+    from distributed import Client
+
+    try:
+        client = Client(address, timeout=_PATIENCE, set_as_default=False)
+    except (OSError, TimeoutError, ValueError) as error:
+        raise WorkersLost(f"no scheduler answers at {address}: {error}") from None
+    with client:
+        try:
+            client.wait_for_workers(1, timeout=_PATIENCE)
+        except TimeoutError:
+            raise WorkersLost(f"the scheduler at {address} has no workers") from None
+        yield _Dask(client)
