@@ -142,8 +142,7 @@ def solve_cells(
     """
     grid = frequency_grid(frequency)
     checked_physics(fidelity)
-    band = (min(DESIGN_BAND[0], float(grid[0])), max(DESIGN_BAND[1], float(grid[-1])))
-    tasks = [_Task(cell, medium, band, fidelity) for cell in cells]
+    tasks = [_Task(cell, medium, _band(grid), fidelity) for cell in cells]
     records = {task: record for task in tasks if (record := cell_cache.fetch(task.key)) is not None}
     missing = [task for task in tasks if task not in records]
     done = {task: float(task in records) for task in tasks}
@@ -168,6 +167,15 @@ def solve_cells(
         for task in missing:
             keep(task, _solve(task, partial(report, task)))
     return {task.cell: _solution(task, records[task], grid, cached=task not in missing) for task in tasks}
+
+
+def is_cached(cell: Cell, frequency: ArrayLike, medium: Medium, fidelity: str = "navier-stokes") -> bool:
+    """Whether :func:`solve_cells` would find a cell in the cache; arguments as there."""
+    return cell_cache.holds(_Task(cell, medium, _band(frequency_grid(frequency)), fidelity).key)
+
+
+def _band(grid: NDArray[np.float64]) -> tuple[float, float]:
+    return min(DESIGN_BAND[0], float(grid[0])), max(DESIGN_BAND[1], float(grid[-1]))
 
 
 def _solve(task: _Task, report: Callable[[float], None]) -> _Record:

@@ -14,7 +14,7 @@ from typing import Annotated, NoReturn, TextIO
 
 import typer
 
-from studies import cli_bending, cli_design, cli_localizer
+from studies import cli_bending, cli_design, cli_localizer, cli_sweep
 from studies.cli_options import Fidelity
 
 __all__ = ["Fidelity", "app", "fail", "main"]
@@ -39,6 +39,7 @@ VERBS = (
     cli_localizer.evaluate,
     cli_design.run,
     cli_bending.bend,
+    cli_sweep.sweep,
 )
 
 

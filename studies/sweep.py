@@ -26,8 +26,10 @@ from studies.sweep_cases import CellKey, Job, SolvedCell, cells_of, check_metric
 from studies.sweep_store import DONE, FAILED, BlockResult, SweepStore
 from studies.sweep_workers import Workers, WorkersLost, open_workers
 
-#: Cells solved per task of a worker, and cases looked at for a valid one before the metrics are tried.
+#: Cases looked at for a valid one, on which the metrics are tried before any work.
 _LOOKED_AT = 1000
+#: So many lumped cases are computed in this process by default.
+_FEW = 512
 
 
 class SweepError(RuntimeError):
@@ -117,7 +119,7 @@ def run_sweep(
         write_line(log, {"event": "start", **versions(study.seed, ()), "waiting_blocks": len(waiting)})
         cells: dict[CellKey, SolvedCell] = {}
         if waiting:
-            pool = open_workers(workers, scheduler, len(waiting) if study.fidelity == "lumped" else None)
+            pool = open_workers(_team(study, waiting, workers, scheduler), scheduler)
             try:
                 with pool as team:
                     needed = _cells_of_blocks(study, cases, waiting)
@@ -139,6 +141,13 @@ def run_sweep(
         write_line(log, {"event": "end", "done": int((state == DONE).sum()), "failed": int((state == FAILED).sum()),
                          "seconds": round(summary.seconds, 3)})  # fmt: skip
     return summary
+
+
+def _team(study: Study, waiting: list[tuple[int, int]], workers: int | None, scheduler: str | None) -> int | None:
+    """Workers of this machine: a few lumped cases are done before processes for them have started."""
+    if workers is None and scheduler is None and study.fidelity == "lumped":
+        return 1 if sum(stop - first for first, stop in waiting) <= _FEW else None
+    return workers
 
 
 def _try_metrics(job: Job, cases: Cases, study: Study) -> None:

@@ -7,7 +7,7 @@ case by case with the admittances of the cells given. A case that fails keeps it
 from __future__ import annotations
 
 import warnings
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, TypeAlias
 
@@ -300,15 +300,6 @@ def check_metrics(job: Job, design: ArrayDesign) -> None:
     responses = _network(replace(job, fidelity="lumped"), design, {})
     for metric in metrics_named(job.metrics):
         metric.of_batch(responses)
-
-
-def timed(call: Callable[[], Any]) -> float:
-    """Seconds that a call takes."""
-    from time import perf_counter
-
-    start = perf_counter()
-    call()
-    return perf_counter() - start
 
 
 def _in_words(error: BaseException) -> str:

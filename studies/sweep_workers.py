@@ -30,13 +30,12 @@ def cores() -> int:
 
 
 @contextmanager
-def open_workers(count: int | None, scheduler: str | None, tasks: int | None = None) -> Iterator[Workers]:
+def open_workers(count: int | None, scheduler: str | None) -> Iterator[Workers]:
     """Workers, for as long as the block lasts.
 
     Args:
-        count: processes on this machine; 1 works in this process; None: one per core, at most one per task.
+        count: processes on this machine; 1 works in this process; None: one per core.
         scheduler: address of a dask scheduler in place of processes of this machine.
-        tasks: how many there will be, where it is known.
 
     Raises:
         ValueError: a bad count, or both given.
@@ -50,7 +49,7 @@ def open_workers(count: int | None, scheduler: str | None, tasks: int | None = N
         with _connected(scheduler) as team:
             yield team
         return
-    number = count if count is not None else max(1, min(cores(), tasks or cores()))
+    number = count if count is not None else cores()
     if number == 1:
         yield _Here()
         return
