@@ -1,7 +1,7 @@
 """Predicted top-1 accuracy against that of trained networks and of the model-based decoder, on designs and noises.
 
-``python benchmarks/predicted_accuracy.py`` trains what docs/predicted_accuracy.json does not hold yet (about half a
-minute of one core per 12 points), predicts again, and writes the table of docs/metrics.md anew.
+``python benchmarks/predicted_accuracy.py`` trains what docs/predicted_accuracy.json does not hold yet (about a
+quarter of a minute of one core per 12 points), predicts again, and writes the table of docs/metrics.md anew.
 """
 
 from __future__ import annotations
@@ -17,12 +17,14 @@ import numpy as np
 import acoustic_fem
 import geometry
 import localize
-from studies.confusion import predict_confusion
+from studies.confusion import Listener, predict_confusion
+from studies.metric_registry import METRICS
 
 DOCS = Path(__file__).parents[1] / "docs"
 RESULTS = DOCS / "predicted_accuracy.json"
 PAGE = DOCS / "metrics.md"
 BEGIN, END = "<!-- predicted accuracy: made by benchmarks/predicted_accuracy.py -->", "<!-- end -->"
+DEFINED, DEFINED_END = "<!-- definitions: made by benchmarks/predicted_accuracy.py -->", "<!-- end definitions -->"
 
 #: What it is called, the prototype, what is changed in it, and the microphone noise, Pa rms over 0 to 500 Hz.
 CASES: list[tuple[str, str, dict[str, Any], float]] = [
@@ -52,6 +54,7 @@ CASES: list[tuple[str, str, dict[str, Any], float]] = [
     ("line of 36", "line-2", {}, 0.01),
 ]
 GRID = np.linspace(1.0, 100.0, 64)
+SHARES = ("predicted_network", "trained", "predicted_model", "bayes")
 #: One-second touches per point in training, and touches per point in the evaluation.
 SECONDS_PER_POINT, EPOCHS, EVALUATED = 150, 16, 200
 
@@ -78,10 +81,9 @@ def solved(prototype: str, values: dict[str, Any]) -> acoustic_fem.Library:
     return acoustic_fem.solve(geometry.prototype(prototype).with_values(values), GRID, "lumped")
 
 
-def predicted(row: dict[str, Any], touches: int = 200) -> float:
-    library = solved(row["prototype"], row["values"])
-    found = predict_confusion(library.transfer_function.values[None], GRID, row["noise"], touches=touches)
-    return float(found.top1[0])
+def predicted(row: dict[str, Any], listener: Listener, touches: int = 200) -> float:
+    h = solved(row["prototype"], row["values"]).transfer_function.values[None]
+    return float(predict_confusion(h, GRID, row["noise"], listener=listener, touches=touches).top1[0])
 
 
 def agreement(first: np.ndarray, second: np.ndarray) -> str:
@@ -94,18 +96,27 @@ def agreement(first: np.ndarray, second: np.ndarray) -> str:
 
 def table(rows: list[dict[str, Any]]) -> str:
     lines = [
-        "| design | points | microphones | noise (Pa) | predicted (%) | network (%) | model-based decoder (%) |",
-        "|---|---|---|---|---|---|---|",
+        "| design | points | microphones | noise (Pa) | predicted, `network` (%) | trained network (%) "
+        "| predicted, `model` (%) | Bayes decoder (%) |",
+        "|---|---|---|---|---|---|---|---|",
     ]
     for row in rows:
-        shares = " | ".join(f"{100 * row[name]:.1f}" for name in ("predicted", "trained", "bayes"))
+        shares = " | ".join(f"{100 * row[name]:.1f}" for name in SHARES)
         lines.append(f"| {row['title']} | {row['points']} | {row['microphones']} | {row['noise']:g} | {shares} |")
-    own, network, decoder = (np.array([row[name] for row in rows]) for name in ("predicted", "trained", "bayes"))
+    at = {name: np.array([row[name] for row in rows]) for name in SHARES}
     lines += [
         "",
-        f"Predicted against network: {agreement(own, network)}.",
-        f"Predicted against model-based decoder: {agreement(own, decoder)}.",
+        f"Predicted against trained network: {agreement(at['predicted_network'], at['trained'])}.",
+        f"Predicted against Bayes decoder: {agreement(at['predicted_model'], at['bayes'])}.",
     ]
+    return "\n".join(lines)
+
+
+def definitions() -> str:
+    lines = ["| name | unit | better | definition |", "|---|---|---|---|"]
+    for metric in METRICS.values():
+        words = metric.definition.replace("|", "\\|")
+        lines.append(f"| `{metric.name}` | {metric.unit} | {metric.better} | {words} |")
     return "\n".join(lines)
 
 
@@ -120,13 +131,14 @@ def main() -> None:
             sys.stdout.flush()
             RESULTS.write_text(json.dumps(rows, indent=1) + "\n")
     for row in rows:
-        row["predicted"] = predicted(row)
+        row["predicted_network"], row["predicted_model"] = predicted(row, "network"), predicted(row, "model")
     RESULTS.write_text(json.dumps(rows, indent=1) + "\n")
     print(table(rows))
-    if PAGE.exists():
-        page = PAGE.read_text(encoding="utf-8")
-        before, rest = page.split(BEGIN)
-        PAGE.write_text(f"{before}{BEGIN}\n{table(rows)}\n{END}{rest.split(END, 1)[1]}", encoding="utf-8")
+    page = PAGE.read_text(encoding="utf-8")
+    for begin, end, content in ((BEGIN, END, table(rows)), (DEFINED, DEFINED_END, definitions())):
+        before, rest = page.split(begin)
+        page = f"{before}{begin}\n{content}\n{end}{rest.split(end, 1)[1]}"
+    PAGE.write_text(page, encoding="utf-8")
 
 
 if __name__ == "__main__":

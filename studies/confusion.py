@@ -26,7 +26,6 @@ from typing import TYPE_CHECKING, Literal, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy.interpolate import CubicSpline
 
 if TYPE_CHECKING:
     from localize.noise import NoiseSpectrum
@@ -95,7 +94,7 @@ def predict_confusion(
             squares per hertz (n_design, 500), Pa^2.
         listener: "network" or "model".
         assumed: (n, n_point, n_microphone, n_freq) transfer functions that the listener goes by; by default those of
-            each sensor itself. Several are averaged: the covariance of one who knows a scatter of designs.
+            each sensor itself. Several are a scatter that the listener knows: likelihoods are averaged over them.
         touches: per point.
         seed: of touches and noise.
 
@@ -116,7 +115,7 @@ def predict_confusion(
             raise ValueError(
                 f"assumed has shape {known.shape}; it must be (n, {', '.join(map(str, h.shape[1:]))}), all finite"
             )
-        hypotheses = ear.covariance(known).mean(axis=0, keepdims=True)
+        hypotheses = ear.covariance(known)
     confusion, pairwise = np.zeros((2, designs, points, points))
     size = 16 * points * touches * (microphones * of_filters.shape[1] * 2 + points * len(POWERS))
     step = max(1, _MEMORY // size)
@@ -124,8 +123,14 @@ def predict_confusion(
         part = slice(first, first + step)
         power = of_filters[part if len(of_filters) > 1 else slice(None)]
         signal = ear.frames(h[part]) / np.sqrt(power)[:, None, None, None, :] + standard
-        covariance = ear.covariance(h[part]) if hypotheses is None else hypotheses
-        confusion[part], pairwise[part] = _counted(_scores(signal, covariance / power[:, None, :, None, None]))
+        level = power[:, None, :, None, None]
+        if hypotheses is None:
+            score = _scores(signal, ear.covariance(h[part]) / level)
+        else:
+            score = _scores(signal, hypotheses[:1] / level)
+            for one in hypotheses[1:]:
+                score = np.logaddexp(score, _scores(signal, one / level))
+        confusion[part], pairwise[part] = _counted(score)
     return PredictedConfusion(confusion, pairwise, touches)
 
 
@@ -154,13 +159,14 @@ class _Ear:
 
     def __init__(self, grid: Array, listener: Listener, touches: int, seed: int) -> None:
         from localize import stimulus
+        from localize.dataset import interpolation
 
         lines = stimulus.lines_within(BAND)
         spectrum = stimulus.multi_sines(seed, "evaluation", 0, touches, BAND).spectrum[:, lines].numpy()
         spectrum = spectrum.astype(np.complex128)
         at = stimulus.line_frequencies()[lines]
         forth, back = _filtered(at, listener)
-        real, imaginary = _interpolation(grid, at)
+        real, imaginary = interpolation(grid, at)
         one, other = spectrum[:, :, None] * forth, spectrum.conj()[:, :, None] * back  # (touch, line, filter)
         self._shape = touches, forth.shape[1]
         of_real = np.tensordot(real, one + other, (0, 1)).reshape(len(grid), -1)
@@ -168,7 +174,7 @@ class _Ear:
         # real numbers throughout: real and imaginary parts of transfer functions to those of frames
         self._matrix = np.concatenate([of_real, of_imaginary]).view(np.float64)
         source = np.arange(BAND[0], BAND[1] + 1e-9, 1.0)
-        self._to_source = _interpolation(grid, source)
+        self._to_source = interpolation(grid, source)
         forth, back = _filtered(source, listener)
         # mean square of the source per hertz, half of it at the negative frequency
         density = SOURCE_RMS**2 / len(source) / 2
@@ -184,7 +190,7 @@ class _Ear:
         real, imaginary = self._to_source
         at = h.real @ real.T + 1j * (h.imag @ imaginary.T)
         cross = at[:, :, :, None] * at[:, :, None].conj()
-        seen = cross @ self._weight[0] + cross.conj() @ self._weight[1]
+        seen = np.asarray(cross @ self._weight[0] + cross.conj() @ self._weight[1], np.complex128)
         return np.moveaxis(seen, -1, 2)
 
 
@@ -290,14 +296,6 @@ def _filtered(frequency: Array, listener: Listener) -> tuple[Complex, Complex]:
     wave = np.exp(2j * np.pi * frequency[:, None] * np.arange(FRAME) / SAMPLE_RATE)
     filters = _filters(listener).T
     return wave @ filters, wave.conj() @ filters
-
-
-def _interpolation(grid: Array, frequency: Array) -> tuple[Array, Array]:
-    """Cubic splines of real and imaginary parts, even and odd about 0 Hz: (n, n_freq) each."""
-    unit = np.eye(len(grid))
-    both = np.concatenate([-grid[::-1], grid])
-    even, odd = (CubicSpline(both, np.concatenate([sign * unit[::-1], unit]))(frequency) for sign in (1, -1))
-    return even, odd
 
 
 def _check(h: Complex, grid: Array, touches: int) -> None:
