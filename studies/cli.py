@@ -14,7 +14,7 @@ from typing import Annotated, NoReturn, TextIO
 
 import typer
 
-from studies import cli_bending, cli_design, cli_localizer, cli_sweep
+from studies import cli_bending, cli_design, cli_localizer, cli_optimize, cli_report, cli_sweep, cli_tolerance
 from studies.cli_options import Fidelity
 
 __all__ = ["Fidelity", "app", "fail", "main"]
@@ -40,6 +40,10 @@ VERBS = (
     cli_design.run,
     cli_bending.bend,
     cli_sweep.sweep,
+    cli_tolerance.tolerance,
+    cli_optimize.optimize,
+    cli_report.report,
+    cli_report.best,
 )
 
 

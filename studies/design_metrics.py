@@ -1,80 +1,78 @@
-"""Figures of merit of a list of designs, where a search needs them now: lumped ones in one call for each wiring."""
+"""Figures of merit of a list of designs, where a search needs them now: the runner of sweeps without its store."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from collections.abc import Mapping, Sequence
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from geometry import ArrayDesign
-from studies.responses import Responses
+from studies.cases import Cases
 
 if TYPE_CHECKING:
+    from geometry import ArrayDesign
     from studies.metric_registry import Metric
     from studies.study_file import Study
+    from studies.sweep_workers import Workers
 
 
 def design_metrics(
-    designs: Sequence[ArrayDesign], study: Study, metrics: Sequence[Metric]
-) -> tuple[NDArray[np.float64], list[str]]:
-    """Metrics of designs, with the fidelity and the frequencies of a study.
+    values: Sequence[Mapping[str, Any]],
+    study: Study,
+    metrics: Sequence[Metric],
+    team: Workers,
+    parts: int = 1,
+) -> tuple[NDArray[np.float64], tuple[str, ...]]:
+    """Metrics of designs, with the base, the fidelity and the frequencies of a study.
 
     Args:
-        designs: any, of one or several wirings.
-        study: gives fidelity and frequencies; what it varies does not count.
+        values: of each design by dotted name, the same names in each; they need not be those of the study.
+        study: gives base, fidelity and frequencies.
         metrics: what to compute.
+        team: who computes.
+        parts: in how many parts the designs are handed out.
 
     Returns:
         (n_design, n_metric) float64, NaN where it failed, and for each design why it failed, or nothing.
     """
-    table = np.full((len(designs), len(metrics)), np.nan)
-    reasons = [""] * len(designs)
-    for rows in _batches(designs, study.fidelity):
+    from studies.sweep_cases import Job, solve_block
+
+    names = [metric.name for metric in metrics]
+    job = Job(study.fidelity, study.frequency, tuple(names), False)
+    cases = _cases(values, study.base)
+    ends = np.linspace(0, len(values), min(max(parts, 1), len(values)) + 1).round().astype(int).tolist()
+    blocks = list(pairwise(ends))
+    cells = {} if study.fidelity == "lumped" else _cells(values, study, team)
+    table = np.full((len(values), len(names)), np.nan)
+    reasons = [""] * len(values)
+    tasks = ((job, cases.part(*block), block[0], cells) for block in blocks)
+    for number, (result, _) in team.run(solve_block, tasks):
+        part = slice(*blocks[number])
+        table[part] = np.column_stack([result.values[name] for name in names])
+        reasons[part] = result.reason
+    return table, tuple(reasons)
+
+
+def _cases(values: Sequence[Mapping[str, Any]], base: ArrayDesign) -> Cases:
+    """Columns of objects, so that whole numbers stay whole. No name: the base itself, under its own name."""
+    rows = [dict(each) or {"name": base.name} for each in values]
+    columns = [np.array([row[name] for row in rows], dtype=object) for name in rows[0]]
+    return Cases(base, tuple(rows[0]), tuple(columns))
+
+
+def _cells(values: Sequence[Mapping[str, Any]], study: Study, team: Workers) -> dict[Any, Any]:
+    """Every distinct 3-D cell of valid designs, solved once."""
+    from geometry import DesignError
+    from studies.sweep_cases import cells_of, solve_cell
+
+    keys: dict[Any, None] = {}
+    for each in values:
         try:
-            responses = _responses([designs[row] for row in rows], study)
-            table[rows] = np.column_stack([metric.of_batch(responses) for metric in metrics])
-        except ValueError as error:
-            if len(rows) > 1:  # one bad design must not take the others with it
-                for row in rows:
-                    table[row : row + 1], (reasons[row],) = design_metrics([designs[row]], study, metrics)
-            else:
-                reasons[rows[0]] = str(error)
-    return table, reasons
-
-
-def _batches(designs: Sequence[ArrayDesign], fidelity: str) -> list[list[int]]:
-    if fidelity != "lumped":
-        return [[row] for row in range(len(designs))]
-    from acoustic_fem.batch_parameters import Topology
-
-    groups: dict[Topology, list[int]] = {}
-    for row, design in enumerate(designs):
-        groups.setdefault(Topology.of(design), []).append(row)
-    return list(groups.values())
-
-
-def _responses(designs: list[ArrayDesign], study: Study) -> Responses:
-    if study.fidelity != "lumped":
-        import acoustic_fem
-
-        (design,) = designs
-        return Responses.of_library(acoustic_fem.solve(design, study.frequency, study.fidelity))
-    from acoustic_fem.batch_network import batch_response
-    from acoustic_fem.batch_parameters import ArrayParameters, MediumParameters, Topology, design_air
-
-    media = [design_air(design) for design in designs]
-    topology = Topology.of(designs[0])
-    response = batch_response(
-        ArrayParameters.from_designs(designs), topology, study.frequency, MediumParameters.from_media(media)
-    )
-    return Responses(
-        frequency=study.frequency,
-        transfer_function=response.transfer_function,
-        designs=designs,
-        medium=media,
-        source_response=response.source_response,
-        point_impedance=response.point_impedance,
-        microphone_impedance=response.microphone_impedance,
-    )
+            keys |= dict.fromkeys(cells_of(study.base.with_values(each)))
+        except DesignError:
+            continue  # its block says why
+    tasks = ((key, study.frequency, study.fidelity) for key in keys)
+    order = list(keys)
+    return {order[number]: cell for number, cell in team.run(solve_cell, tasks)}

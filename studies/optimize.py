@@ -22,12 +22,17 @@ from geometry import ArrayDesign, DesignError
 from studies.design_metrics import design_metrics
 from studies.optimize_file import Optimization, searched_range
 from studies.study_file import Parameter, StudyError
+from studies.sweep_workers import open_workers
 
 if TYPE_CHECKING:
     import optuna
 
+    from studies.sweep_workers import Workers
+
 JOURNAL = "trials.journal"
 """File of the trials in the folder of an optimisation."""
+_PART = 16
+"""Designs of a batch that one worker takes at a time."""
 _DIGITS = 4
 """Significant digits of a length that is searched: below a micrometre nothing is made."""
 
@@ -67,20 +72,27 @@ class OptimizationResult:
 
 
 def optimize(
-    problem: Optimization, out: Path, progress: Callable[[str, float], None] | None = None
+    problem: Optimization,
+    out: Path,
+    *,
+    workers: int | None = 1,
+    scheduler: str | None = None,
+    progress: Callable[[str, float], None] | None = None,
 ) -> OptimizationResult:
     """Search, or go on with a search that was stopped.
 
     Args:
         problem: what is wanted.
         out: folder of the journal; it must exist.
+        workers: processes on this machine; 1 computes in this one; None: one per core.
+        scheduler: address of a dask scheduler whose workers are used instead.
         progress: called with what is being done and the fraction done, 0 to 1.
 
     Raises:
         StudyError: the folder holds the journal of another problem.
     """
     report = progress or (lambda message, fraction: None)
-    with _quiet():
+    with _quiet(), open_workers(workers, scheduler) as team:
         journal = _opened(problem, out)
         search = _in_memory(journal, problem)
         done = len(search.trials)
@@ -88,7 +100,7 @@ def optimize(
             count = min(problem.batch, problem.trials - done)
             # A sampler's state is not in the journal: every batch has a seed of its own instead.
             search.sampler = _sampler(problem, done)
-            _run_batch(search, problem, count)
+            _run_batch(search, problem, count, team)
             trials = search.get_trials(deepcopy=False)
             journal.add_trials(trials[len(journal.get_trials(deepcopy=False)) :])
             done += count
@@ -96,20 +108,11 @@ def optimize(
         return _result(search, problem)
 
 
-def changed(base: ArrayDesign, values: dict[str, Any]) -> ArrayDesign:
-    """The design of a candidate.
-
-    Raises:
-        DesignError: it is not valid.
-    """
-    return base.with_values(values)
-
-
 def refusal_of(problem: Optimization, values: dict[str, Any]) -> tuple[ArrayDesign | None, str]:
     """The design of some values; or None and why it cannot be built, printed, laid out, or is not in the study."""
     study = problem.study
     try:
-        design = changed(study.base, values)
+        design = study.base.with_values(values)
     except DesignError as error:
         return None, str(error)
     from geometry.design_file import value_of
@@ -153,6 +156,16 @@ def ranked(problem: Optimization, candidates: Sequence[Candidate]) -> tuple[Cand
 
 
 # -- trials -----------------------------------------------------------------------------------------
+def found_so_far(problem: Optimization, out: Path) -> OptimizationResult:
+    """What the journal in a folder holds; nothing is computed but the base.
+
+    Raises:
+        StudyError: the folder holds the journal of another problem.
+    """
+    with _quiet():
+        return _result(_opened(problem, out), problem)
+
+
 def _opened(problem: Optimization, out: Path) -> optuna.Study:
     """The trials on disk."""
     import optuna
@@ -223,11 +236,11 @@ def _sampler(problem: Optimization, done: int) -> optuna.samplers.BaseSampler:
     return optuna.samplers.RandomSampler(seed=seed)
 
 
-def _run_batch(search: optuna.Study, problem: Optimization, count: int) -> None:
+def _run_batch(search: optuna.Study, problem: Optimization, count: int, team: Workers) -> None:
     import optuna
 
     trials = [search.ask() for _ in range(count)]
-    kept: list[tuple[optuna.Trial, ArrayDesign]] = []
+    kept: list[tuple[optuna.Trial, dict[str, Any]]] = []
     for trial in trials:
         values = _proposed(trial, problem)
         trial.set_user_attr("values", values)
@@ -236,11 +249,12 @@ def _run_batch(search: optuna.Study, problem: Optimization, count: int) -> None:
             trial.set_user_attr("reason", reason)
             search.tell(trial, state=optuna.trial.TrialState.FAIL)
         else:
-            kept.append((trial, design))
+            kept.append((trial, values))
     if not kept:
         return
     names = [metric.name for metric in problem.metrics]
-    table, reasons = design_metrics([design for _, design in kept], problem.study, problem.metrics)
+    parts = -(-len(kept) // _PART)
+    table, reasons = design_metrics([values for _, values in kept], problem.study, problem.metrics, team, parts)
     for (trial, _), row, reason in zip(kept, table, reasons, strict=True):
         figures = dict(zip(names, (float(value) for value in row), strict=True))
         bad = [name for name, value in figures.items() if not math.isfinite(value)]
@@ -315,13 +329,12 @@ def evaluated(problem: Optimization, number: int, values: dict[str, Any]) -> Can
     """One design with its figures.
 
     Raises:
-        DesignError: it is not valid.
-        StudyError: it cannot be computed.
+        StudyError: it is not valid, or cannot be computed.
     """
-    design = changed(problem.study.base, values)
-    table, (reason,) = design_metrics([design], problem.study, problem.metrics)
+    with open_workers(1, None) as team:
+        table, (reason,) = design_metrics([values], problem.study, problem.metrics, team)
     if reason:
-        raise StudyError(f"{design.name}: cannot be computed: {reason}")
+        raise StudyError(f"{problem.study.base.name}: cannot be computed: {reason}")
     figures = {metric.name: float(value) for metric, value in zip(problem.metrics, table[0], strict=True)}
     return Candidate(number, values, figures, keeps(problem, figures))
 

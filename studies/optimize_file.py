@@ -11,6 +11,7 @@ import tomlkit
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from tomlkit.exceptions import TOMLKitError
 
+from geometry import ArrayDesign
 from geometry.design_fields import error_from_validation
 from studies.metric_registry import Metric, metrics_named
 from studies.printable import Demand, PrintRules
@@ -136,7 +137,9 @@ def load_optimization(path: str | os.PathLike[str]) -> Optimization:
     return read_optimization(text, str(path), path.parent)
 
 
-def read_optimization(text: str, source: str = "study.toml", folder: Path | None = None) -> Optimization:
+def read_optimization(
+    text: str, source: str = "study.toml", folder: Path | None = None, base: ArrayDesign | None = None
+) -> Optimization:
     """Read the text of such a file; arguments and errors as :func:`studies.study_file.read_study`."""
     try:
         document = tomlkit.parse(text)
@@ -150,7 +153,7 @@ def read_optimization(text: str, source: str = "study.toml", folder: Path | None
         )
     data = given.unwrap() if hasattr(given, "unwrap") else given
     document["sampling"], document["cases"] = "random", 1  # the optimiser proposes the cases
-    study = read_study(tomlkit.dumps(document), source, folder)
+    study = read_study(tomlkit.dumps(document), source, folder, base)
     try:
         file = _Optimize.model_validate(data)
     except ValidationError as error:

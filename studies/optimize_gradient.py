@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import fields
+from dataclasses import fields, replace
 from itertools import combinations, product
 from typing import TYPE_CHECKING, Any
 
@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from acoustic_fem.batch_parameters import ArrayParameters, Topology, design_air
 from acoustic_fem.units import metres
 from studies.metrics import BAND, DECIBEL, trapezoidal_weights
-from studies.optimize import Candidate, evaluated, ranked, refusal_of, rounded
+from studies.optimize import Candidate, OptimizationResult, evaluated, ranked, refusal_of, rounded
 from studies.optimize_file import Optimization, searched_range
 
 if TYPE_CHECKING:
@@ -395,6 +395,7 @@ def _values(
     return start.values | own
 
 
-def best_of(problem: Optimization, front: Sequence[Candidate], refined: Sequence[Candidate]) -> tuple[Candidate, ...]:
-    """The front of trials and refined designs together."""
-    return ranked(problem, [*front, *refined])
+def with_refined(problem: Optimization, result: OptimizationResult, refined: Sequence[Candidate]) -> OptimizationResult:
+    """The result of a search with the designs found by descent among its own."""
+    candidates = (*result.candidates, *refined)
+    return replace(result, candidates=candidates, front=ranked(problem, candidates))

@@ -75,6 +75,11 @@ def _rule(process: PrintProcess, kind: str) -> Rule:
     return {"wall": process.wall, "hole": process.hole, "glue_gap": process.glue_gap, "cast": CAST_THICKNESS}[kind]
 
 
+def worst_accepted(demand: Demand) -> frozenset[str]:
+    """Verdicts of :func:`geometry.print_report` on drawn parts that a demand lets pass."""
+    return frozenset({"ok"}) if demand == "advised" else frozenset({"ok", "warn"})
+
+
 class PrintRules:
     """What the designs of a search must meet to be printed and laid out.
 
@@ -104,7 +109,7 @@ class PrintRules:
         return reasons or [note for note in place(design).notes if note not in self._accepted]
 
     def _limit(self, measure: Measure) -> float:
-        """ "base": the advised value, or that of the base where it is below; never less than the rule's least."""
+        """With "base" the advised value, or that of the base where it is below; never less than the rule's least."""
         rule = measure.rule
         if self.demand != "base":
             return rule.least if self.demand == "least" else rule.advised
