@@ -7,9 +7,9 @@ they come. What was killed and started again ends in the same store as what was 
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from pathlib import Path
 from time import perf_counter
@@ -17,12 +17,14 @@ from typing import IO, Any
 
 import numpy as np
 
+from acoustic_fem.axisymmetric_elasticity import DiscShape, ElasticDisc, solve_dimensionless
+from acoustic_fem.disc_table import DiscTable, disc_tables
 from acoustic_fem.provenance import versions
 from geometry import DesignError
 from studies.cases import Cases, cases_of
 from studies.metric_registry import metrics_named
 from studies.study_file import Study, StudyError
-from studies.sweep_cases import CellKey, Job, SolvedCell, cells_of, check_metrics, solve_block, solve_cell
+from studies.sweep_cases import CellKey, Job, SolvedCell, cells_of, check_metrics, discs_of, solve_block, solve_cell
 from studies.sweep_store import DONE, FAILED, BlockResult, SweepStore
 from studies.sweep_workers import Workers, WorkersLost, open_workers
 
@@ -122,6 +124,7 @@ def run_sweep(
             pool = open_workers(_team(study, waiting, workers, scheduler), scheduler)
             try:
                 with pool as team:
+                    job = replace(job, discs=_interpolate_discs(team, cases))
                     needed = _cells_of_blocks(study, cases, waiting)
                     cells = _solve_cells(team, job, needed, progress)
                     _solve_blocks(team, job, cases, store, waiting, needed, cells, progress, notes, log)
@@ -162,6 +165,16 @@ def _try_metrics(job: Job, cases: Cases, study: Study) -> None:
         except ValueError as error:
             raise StudyError(f"{study.name}: {error}") from None
         return
+
+
+def _interpolate_discs(team: Workers, cases: Cases) -> tuple[DiscTable, ...]:
+    """Tables of the membranes of all cases, waiting or not, so that every run has the same."""
+
+    def solve(shapes: Sequence[DiscShape]) -> list[ElasticDisc]:
+        solved = dict(team.run(solve_dimensionless, ((shape,) for shape in shapes)))
+        return [solved[number] for number in range(len(shapes))]
+
+    return disc_tables(discs_of(cases), solve)
 
 
 def _cells_of_blocks(

@@ -15,9 +15,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acoustic_fem import Medium
+from acoustic_fem.axisymmetric_elasticity import DiscShape
 from acoustic_fem.batch_network import batch_response
 from acoustic_fem.batch_parameters import ArrayParameters, MediumParameters, Topology, design_air
 from acoustic_fem.design_cells import CellError, solve_cells
+from acoustic_fem.disc_table import DiscTable, design_shape, interpolated_discs
 from acoustic_fem.lumped_cell import lumped_admittance
 from acoustic_fem.network import solve_network
 from geometry import ArrayDesign, DesignError
@@ -44,12 +46,14 @@ class Job:
         frequency: (n_freq,) Hz.
         metrics: their names.
         transfer_functions: whether they are handed back.
+        discs: membranes to interpolate between.
     """
 
     fidelity: str
     frequency: NDArray[np.float64]
     metrics: tuple[str, ...]
     transfer_functions: bool
+    discs: tuple[DiscTable, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,6 +89,21 @@ def cells_of(design: ArrayDesign) -> tuple[CellKey, ...]:
     return tuple((cell, air) for cell in cell_catalogue(design, place(design)).distinct)
 
 
+def discs_of(cases: Cases) -> list[DiscShape]:
+    """The membranes of all cases that can be interpolated, each once; none where no parameter changes them."""
+    if not any(name.startswith(("membrane.", "materials.", "resonator.cavity_diameter")) for name in cases.names):
+        return []
+    shapes: dict[DiscShape, None] = {}
+    for number in range(len(cases)):
+        try:
+            shape = design_shape(cases.design(number))
+        except DesignError:
+            continue
+        if shape is not None:
+            shapes[shape] = None
+    return list(shapes)
+
+
 @dataclass
 class _Block:
     """Results of a block while it is being computed."""
@@ -115,7 +134,7 @@ def solve_block(
     """
     metrics = metrics_named(job.metrics)
     block = _Block(len(cases), {metric.name: np.full(len(cases), np.nan) for metric in metrics}, [""] * len(cases))
-    with warnings.catch_warnings(record=True) as caught:
+    with warnings.catch_warnings(record=True) as caught, interpolated_discs(job.discs):
         warnings.simplefilter("always")
         designs: dict[int, ArrayDesign] = {}
         for number in range(len(cases)):

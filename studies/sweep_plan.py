@@ -7,15 +7,18 @@ from dataclasses import dataclass
 from time import process_time
 
 from acoustic_fem.design_cells import is_cached
+from acoustic_fem.disc_table import disc_count
 from geometry import DesignError
 from studies.cases import Cases, cases_of
 from studies.study_file import Study, StudyError
-from studies.sweep_cases import CellKey, Job, cells_of, check_metrics, solve_block
+from studies.sweep_cases import CellKey, Job, cells_of, check_metrics, discs_of, solve_block
 from studies.sweep_store import block_size, point_count
 from studies.sweep_workers import cores
 
 #: Processor time of one cell that is not in the cache, s: typical of the prototypes (docs/studies.md).
 SECONDS_PER_CELL = {"helmholtz": 25.0, "navier-stokes": 60.0}
+#: Of one membrane.
+_SECONDS_PER_DISC = 0.22
 #: Memory of a worker that has loaded everything, and of one that solves a 3-D cell, bytes.
 _WORKER_MEMORY = 0.25e9
 _CELL_MEMORY = 1.5e9
@@ -79,8 +82,10 @@ def plan_sweep(study: Study, workers: int | None = None) -> Plan:
             refused[str(error)] += 1
     cached = sum(is_cached(cell, study.frequency, air, study.fidelity) for cell, air in cells)
     team = workers or cores()
-    per_case = _seconds_per_case(study, cases, valid)
-    seconds = per_case * len(valid) / team + SECONDS_PER_CELL.get(study.fidelity, 0.0) * (len(cells) - cached) / team
+    seconds = _seconds_per_case(study, cases, valid) * len(valid)
+    seconds += SECONDS_PER_CELL.get(study.fidelity, 0.0) * (len(cells) - cached)
+    seconds += _SECONDS_PER_DISC * disc_count(discs_of(cases))
+    seconds /= team
     values = point_count(cases) * len(study.base.microphones) * len(study.frequency) * 16
     memory = team * (_WORKER_MEMORY + block_size(study, cases) * values * _ARRAYS)
     if len(cells) > cached:
@@ -101,11 +106,12 @@ def _seconds_per_case(study: Study, cases: Cases, valid: list[int]) -> float:
     chosen = np.array(valid)[np.unique(np.linspace(0, len(valid) - 1, _TRIED).astype(int))]
     few = Cases(cases.base, cases.names, tuple(column[chosen] for column in cases.columns))
     job = Job("lumped", study.frequency, study.metrics, False)
-    solve_block(job, few.part(0, 2), 0, {})  # loads and compiles what is needed once
-    start = process_time()
-    if study.fidelity == "lumped":
-        solve_block(job, few, 0, {})
-    else:
-        for number in range(len(few)):
-            solve_block(job, few.part(number, number + 1), 0, {})
-    return (process_time() - start) / len(few)
+    for _ in range(2):  # the second time all modules are loaded and the membranes are known
+        start = process_time()
+        if study.fidelity == "lumped":
+            solve_block(job, few, 0, {})
+        else:
+            for number in range(len(few)):
+                solve_block(job, few.part(number, number + 1), 0, {})
+        seconds = (process_time() - start) / len(few)
+    return seconds

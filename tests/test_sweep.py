@@ -16,6 +16,7 @@ from typer.testing import CliRunner
 
 import acoustic_fem
 from acoustic_fem import cell_cache, design_cells
+from acoustic_fem.axisymmetric_elasticity import DiscShape, ElasticDisc, solve_dimensionless
 from geometry.cells import Cell
 from studies import sweep, sweep_cases
 from studies.cases import cases_of
@@ -356,3 +357,28 @@ def test_a_cell_in_the_cache_is_known_without_reading_it(tmp_path: Path, monkeyp
     cell_cache.store(key, {}, {})
     assert design_cells.is_cached(cell, [10.0, 20.0], air)
     assert not design_cells.is_cached(cell, [10.0, 20.0], air, "helmholtz")
+
+
+def test_many_membranes_are_interpolated_between_few_that_are_solved(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    text = TEXT.split("[parameters]")[0].replace("cases = 40", "cases = 120") + (
+        '[parameters]\n"membrane.thickness" = {from = 0.4, to = 0.6}\n'
+    )
+    study = read_study(text)
+    solved: list[object] = []
+
+    def counted(shape: DiscShape) -> ElasticDisc:
+        solved.append(shape)
+        return solve_dimensionless(shape)
+
+    monkeypatch.setattr(sweep, "solve_dimensionless", counted)
+    run_sweep(study, tmp_path / "r.zarr", workers=1)
+    assert 0 < len(solved) < 12
+    result = open_sweep(tmp_path / "r.zarr")
+    assert result.done.all()
+    for number in (0, 119):
+        library = acoustic_fem.solve(result.design(number), study.frequency, "lumped")
+        for name, accuracy in (("distance_smallest", 2e-4), ("sensitivity_force", 4e-4)):
+            expected = METRICS[name].of_library(library)
+            assert float(result.dataset[name][number]) == pytest.approx(expected, rel=accuracy, abs=0)
