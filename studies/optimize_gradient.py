@@ -110,7 +110,8 @@ class DiscTable:
             for ratio, axis, count in zip(ratios, self._axes, self._counts, strict=True)
         ]
         values = (basis[0][:, :, None] * basis[1][:, None, :]).flatten(1) @ self._coefficients
-        eigenvalues, share = torch.exp(values[:, 2 : 2 + self._modes]), values[:, 2 + self._modes :]
+        eigenvalues = torch.exp(values[:, 2 : 2 + self._modes])
+        share = values[:, 2 + self._modes :].clamp(min=0)  # of high modes nearly zero, where polynomials swing
         frequency = torch.sqrt(eigenvalues * (self._modulus / self._density)) / (2 * math.pi * radius[:, None])
         return {
             "membrane_compliance": (torch.exp(values[:, 0]) * radius**3 / self._modulus)[:, None],
