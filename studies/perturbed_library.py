@@ -104,7 +104,7 @@ def write_perturbed_library(
             for part in ("real", "imag")
         ]  # fmt: skip
         for first in range(0, count, BLOCK):
-            report(f"sensor {first} of {count}", first / count)
+            report("sensors", first / count)
             size = min(BLOCK, count - first)
             h = batch_transfer_function(scattered.sample(first, size, seed), scattered.topology, grid, air)
             parts[0][first : first + size], parts[1][first : first + size] = h.real, h.imag
