@@ -116,6 +116,8 @@ def solve_cells(
     medium: Medium,
     fidelity: str = "navier-stokes",
     progress: Progress | None = None,
+    *,
+    apart: bool = False,
 ) -> dict[Cell, CellSolution]:
     """Nodal admittances of the cells of a design, in 3-D.
 
@@ -132,6 +134,8 @@ def solve_cells(
         medium: the gas.
         fidelity: ``"navier-stokes"`` or ``"helmholtz"``.
         progress: called with the label of a cell and the fraction done of all.
+        apart: solve a single cell in a process of its own, too: what stops that one does not stop the caller,
+            and the caller's other threads go on.
 
     Returns:
         Per cell its solution.
@@ -161,7 +165,7 @@ def solve_cells(
         if task not in missing:
             report(task, 1.0)
     workers = min(len(missing), os.cpu_count() or 1)
-    if workers > 1:
+    if workers > 1 or (apart and missing):
         _solve_side_by_side(missing, workers, report, keep)
     else:
         for task in missing:

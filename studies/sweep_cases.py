@@ -77,8 +77,8 @@ def solve_cell(key: CellKey, frequency: NDArray[np.float64], fidelity: str) -> S
     """Solve one cell, or take it from the cache of this machine."""
     cell, medium = key
     try:
-        solution = solve_cells([cell], frequency, medium, fidelity)[cell]
-    except (CellError, ValueError, MemoryError) as error:
+        solution = solve_cells([cell], frequency, medium, fidelity, apart=True)[cell]
+    except (CellError, ValueError, OSError) as error:
         return SolvedCell(None, _in_words(error))
     return SolvedCell(solution.admittance, "", solution.seconds, solution.cached)
 

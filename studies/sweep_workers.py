@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import os
+import queue
+import sys
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from typing import Any, Protocol
 
 #: Tasks handed out per worker thread: one is computed while the next waits beside it.
 _AHEAD = 2
-#: Seconds to wait for a scheduler and its first worker.
-_PATIENCE = 60
+#: Seconds to wait for a scheduler and for workers, and between looks at whether there are any.
+_PATIENCE = 60.0
+_WATCH = 5.0
 
 
 class WorkersLost(RuntimeError):
@@ -72,46 +75,69 @@ class _Dask:
         self._client = client
 
     def run(self, function: Callable[..., Any], tasks: Iterable[tuple[Any, ...]]) -> Iterator[tuple[int, Any]]:
-        from distributed import CancelledError, KilledWorker, as_completed
+        from distributed import KilledWorker
 
         waiting = enumerate(tasks)
-        numbers: dict[str, int] = {}
+        running: dict[Any, int] = {}
+        finished: queue.SimpleQueue[Any] = queue.SimpleQueue()
         lost = 0
-        completed = as_completed(loop=self._client.loop, with_results=True, raise_errors=False)
 
-        def hand_out() -> bool:
+        def hand_out() -> None:
             for number, task in waiting:
                 future = self._client.submit(_in_one_thread, function, *task, pure=False)
-                numbers[future.key] = number
-                completed.add(future)
-                return True
-            return False
+                running[future] = number
+                future.add_done_callback(finished.put)
+                return
 
-        threads = max(1, sum(self._client.nthreads().values()))
-        for _ in range(_AHEAD * threads):
+        for _ in range(_AHEAD * max(1, self._threads())):
             hand_out()
-        for future, result in completed:
-            number = numbers.pop(future.key)
-            if future.status == "cancelled" or isinstance(result, CancelledError):
+        while running:
+            future = self._next(finished)
+            number = running.pop(future)
+            if future.status == "cancelled":
                 raise WorkersLost("the connection to the scheduler was lost")
             if future.status == "error":
-                _, error, _ = result
+                error = future.exception()
                 if not isinstance(error, KilledWorker):
                     raise error
                 lost += 1
             else:
-                yield number, result
+                yield number, future.result()
             future.release()
             hand_out()
         if lost:
             raise WorkersLost(f"{lost} task{'s' * (lost > 1)} ended several workers each, which may lack memory")
 
+    def _next(self, finished: queue.SimpleQueue[Any]) -> Any:
+        """The next future that is done, while there is anybody to work on it."""
+        alone = 0.0
+        while True:
+            try:
+                return finished.get(timeout=_WATCH)
+            except queue.Empty:
+                if self._client.status != "running":
+                    raise WorkersLost("the connection to the scheduler was lost") from None
+                alone = 0.0 if self._threads() else alone + _WATCH
+                if alone >= _PATIENCE:
+                    raise WorkersLost(f"there have been no workers for {alone:.0f} s") from None
+
+    def _threads(self) -> int:
+        return sum(self._client.nthreads().values())
+
+
+#: What BLAS and OpenMP libraries are loaded, and how many modules there were when they were looked for.
+_libraries: tuple[int, Any] = (0, None)
+
 
 def _in_one_thread(function: Callable[..., Any], *task: Any) -> Any:
     """Run a task with one thread in BLAS: the workers share the processors among themselves."""
-    from threadpoolctl import threadpool_limits
+    global _libraries
+    from threadpoolctl import ThreadpoolController
 
-    with threadpool_limits(1):
+    if _libraries[0] != len(sys.modules):  # looking for them takes ten milliseconds
+        controller = ThreadpoolController()
+        _libraries = len(sys.modules), controller
+    with _libraries[1].limit(limits=1):
         return function(*task)
 
 
@@ -121,9 +147,15 @@ def _local(count: int) -> Iterator[_Dask]:
     import dask
     from distributed import Client, LocalCluster
 
+    # a worker whose thread keeps the interpreter to itself for a while, or a machine that is busy, is not dead
+    patient = {
+        "distributed.comm.timeouts.connect": "60s",
+        "distributed.comm.timeouts.tcp": "600s",
+        "distributed.scheduler.worker-ttl": None,
+    }
     one = {f"distributed.nanny.pre-spawn-environ.{name}_NUM_THREADS": 1 for name in ("OMP", "MKL", "OPENBLAS")}
     with (
-        dask.config.set({**one, "distributed.comm.timeouts.connect": "60s"}),
+        dask.config.set({**one, **patient}),
         LocalCluster(n_workers=count, threads_per_worker=1, processes=True, dashboard_address=None,
                      silence_logs=40) as cluster,
         Client(cluster, set_as_default=False) as client,
