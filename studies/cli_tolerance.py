@@ -30,7 +30,7 @@ def tolerance(
 ) -> None:
     """What manufacturing scatter does: spread of transfer functions and accuracy, and which tolerance matters most.
 
-    Every tube, cavity and membrane deviates by itself. Lumped fidelity, about twenty seconds for 12 points:
+    Every tube, cavity and membrane deviates by itself. Lumped fidelity, about half a minute for 12 points:
     tolerance.json and tolerance.png.
 
     Example: [bold]acoustic-fem tolerance array-2x6 --out scatter --library 2000[/bold]
