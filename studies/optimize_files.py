@@ -10,6 +10,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from geometry import ArrayDesign, save_design
+from geometry.printing import PrintReport
 from studies.folders import write_json, write_text
 from studies.optimize import Candidate, OptimizationResult, ranked
 from studies.optimize_file import Optimization
@@ -32,26 +33,32 @@ def check_printed(
     from geometry import build_parts, print_report
 
     report = progress or (lambda message, fraction: None)
-    failed: set[int] = set()
+    verdicts: dict[int, str] = {}
     reasons = dict(result.refused)
     front = result.front
     while True:
-        unchecked = [each for each in front[:LARGEST_FRONT] if each.number not in failed]
-        bad = []
-        for place, each in enumerate(unchecked):
-            report(f"design {label(each)}", place / max(len(unchecked), 1))
+        for each in front[:LARGEST_FRONT]:
+            if each.number in verdicts:
+                continue
+            report(f"design {label(each)}", min(len(verdicts) / LARGEST_FRONT, 1.0))
             design = problem.study.base.with_values(each.values)
             printing = print_report(build_parts(design), design.printing.process)
-            if printing.verdict not in worst_accepted(problem.rules.demand):
-                finding = printing.problems[0]
-                reason = f"{finding.rule} of the drawn {finding.part.split('-')[0]}"
-                reasons[reason] = reasons.get(reason, 0) + 1
-                bad.append(each.number)
-        if not bad:
-            refused = tuple(sorted(reasons.items(), key=lambda pair: (-pair[1], pair[0])))
-            return replace(result, front=front, refused=refused)
-        failed.update(bad)
+            passes = printing.verdict in worst_accepted(problem.rules.demand)
+            verdicts[each.number] = "" if passes else _failure(printing)
+        failed = {number: why for number, why in verdicts.items() if why}
+        if not any(each.number in failed for each in front):
+            break
         front = ranked(problem, [each for each in result.candidates if each.number not in failed])
+    for why in failed.values():
+        reasons[why] = reasons.get(why, 0) + 1
+    kept = tuple(each for each in result.candidates if each.number not in failed)
+    refused = tuple(sorted(reasons.items(), key=lambda pair: (-pair[1], pair[0])))
+    return replace(result, candidates=kept, front=front, refused=refused)
+
+
+def _failure(printing: PrintReport) -> str:
+    finding = printing.problems[0]
+    return f"drawn and measured: {finding.rule} of the {finding.part.split('-')[0]} against the print rules"
 
 
 def label(candidate: Candidate) -> str:
