@@ -38,6 +38,8 @@ def tolerance(
     grid = frequency_option(frequencies)
     if seed < 0:
         raise typer.BadParameter(f"--seed: {seed} must be 0 or above")
+    if not 0 <= library <= 1_000_000:
+        raise typer.BadParameter(f"--library: {library} must be from 0 to 1000000")
     from geometry import resolve_design
     from studies.folders import check_folder
     from studies.perturbed_library import write_perturbed_library

@@ -306,6 +306,19 @@ def _check(h: Complex, grid: Array, touches: int) -> None:
     for name, count in (("points", h.shape[1]), ("microphones", h.shape[2])):
         if count < 2:
             raise ValueError(f"predicted confusion: {count} {name} must be at least 2")
+    check_grid(grid)
+    if not np.all(np.isfinite(h)):
+        raise ValueError("transfer_function must be finite")
+    if isinstance(touches, bool) or not 1 <= touches <= 100_000:
+        raise ValueError(f"touches = {touches} must be a whole number from 1 to 100000")
+
+
+def check_grid(grid: Array) -> None:
+    """Refuse frequencies from which no confusion can be predicted.
+
+    Raises:
+        ValueError: fewer than 4 ascending values, or less than 1 to 100 Hz.
+    """
     if len(grid) < 4 or grid[0] <= 0 or np.any(np.diff(grid) <= 0):
         raise ValueError("frequency must hold at least 4 ascending values above 0 Hz")
     if grid[0] > BAND[0] + 1e-6 or grid[-1] < BAND[1] - 1e-6:
@@ -313,7 +326,3 @@ def _check(h: Complex, grid: Array, touches: int) -> None:
             f"frequency runs from {grid[0]:g} to {grid[-1]:g} Hz; predicted confusion needs {BAND[0]:g} to "
             f"{BAND[1]:g} Hz, the band of the touches"
         )
-    if not np.all(np.isfinite(h)):
-        raise ValueError("transfer_function must be finite")
-    if isinstance(touches, bool) or not 1 <= touches <= 100_000:
-        raise ValueError(f"touches = {touches} must be a whole number from 1 to 100000")

@@ -91,7 +91,9 @@ def read_tolerances(path: Path) -> tuple[Tolerance, ...]:
     """
     try:
         text = tomllib.loads(path.read_text(encoding="utf-8"))
-    except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
+    except OSError as error:
+        raise ValueError(f"{path}: {error.strerror}") from None
+    except (UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
         raise ValueError(f"{path}: {error}") from None
     known = {tolerance.quantity: tolerance for tolerance in TOLERANCES}
     for quantity, given in text.items():

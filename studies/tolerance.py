@@ -26,7 +26,7 @@ from acoustic_fem.batch_network import batch_transfer_function
 from acoustic_fem.batch_parameters import design_air
 from acoustic_fem.checks import frequency_grid
 from geometry.design import ArrayDesign
-from studies.confusion import predict_confusion
+from studies.confusion import check_grid, predict_confusion
 from studies.responses import Responses
 from studies.scatter import TOLERANCES, ScatteredDesign, Tolerance
 from studies.separation import pair_distances
@@ -141,8 +141,10 @@ def tolerance_study(
     if noise is not None and not 0 < noise <= 100:
         raise ValueError(f"noise = {noise!r} Pa must be above 0 and at most 100")
     report = progress or (lambda message, fraction: None)
+    grid, air = frequency_grid(frequency), design_air(design)
+    check_grid(grid)
     report("membranes", 0.0)
-    grid, scattered, air = frequency_grid(frequency), ScatteredDesign(design, tolerances), design_air(design)
+    scattered = ScatteredDesign(design, tolerances)
     level = _noise(design, noise)
     nominal = batch_transfer_function(scattered.nominal, scattered.topology, grid, air)
     h = np.concatenate(
