@@ -233,7 +233,7 @@ def table_of_sweep(sweep: Sweep) -> ResultTable:
         metrics=tuple(_metric(name, values[rows]) for name, values in columns.items()),
         failures=_counted(reasons),
         waiting=int((~sweep.done & ~sweep.failed).sum()),
-        base_metrics={},
+        base_metrics=_base_metrics(sweep) if data.attrs["fidelity"] == "lumped" else {},
     )
 
 
@@ -288,6 +288,14 @@ def _parameter(name: str, values: NDArray[Any], unit: str) -> Column:
         texts = [str(value) for value in values]
         labels = tuple(dict.fromkeys(texts))
         return Column(name, name, "", np.array([labels.index(text) for text in texts], dtype=np.float64), labels)
+
+
+def _base_metrics(sweep: Sweep) -> dict[str, float]:
+    """Figures of the base of a lumped sweep, which is rarely among its cases."""
+    import acoustic_fem
+
+    library = acoustic_fem.solve(sweep.base, np.asarray(sweep.dataset["frequency"].values, np.float64), "lumped")
+    return {name: METRICS[name].of_library(library) for name in sweep.metrics}
 
 
 def _metric(name: str, values: Values) -> Column:
