@@ -37,7 +37,7 @@ _DIGITS = 4
 """Significant digits of a length that is searched: below a micrometre nothing is made."""
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True)
 class Candidate:
     """One design that was computed.
 

@@ -81,7 +81,7 @@ def save_search(problem: Optimization, result: OptimizationResult, out: Path) ->
 
     best, table, report, folder = (out / name for name in ("best.toml", "front.csv", "report.html", "front"))
     write_text(out / _STUDY, problem.text)
-    save_design(problem.study.base.completed(), out / _BASE)
+    save_design(problem.study.base, out / _BASE)
     refined = [vars(each) for each in result.candidates if each.number < 0]
     write_json(out / _REFINED, {"refined": refined})
     save_design(candidate_design(problem, result.front[0]), best)

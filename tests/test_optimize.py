@@ -21,7 +21,8 @@ from geometry.layout import place
 from studies.metric_registry import metrics_named
 from studies.optimize import JOURNAL, OptimizationResult, optimize, pareto_front, ranked, refusal_of
 from studies.optimize_file import Optimization, read_optimization
-from studies.optimize_gradient import SmoothModel, refine
+from studies.optimize_files import read_search, save_search
+from studies.optimize_gradient import SmoothModel, refine, with_refined
 from studies.printable import PrintRules, measures
 from studies.study_file import StudyError
 
@@ -132,6 +133,25 @@ def test_a_search_killed_for_real_goes_on(tmp_path: Path, problem: Optimization,
     (tmp_path / f"{JOURNAL}.lock").unlink(missing_ok=True)  # Optuna waits half a minute for its owner
     again = optimize(problem, tmp_path)
     assert [(c.number, c.values) for c in again.candidates] == [(c.number, c.values) for c in found.candidates]
+
+
+def test_what_is_on_disk_is_what_was_found(problem: Optimization, found: OptimizationResult, folder: Path) -> None:
+    better = with_refined(problem, found, refine(problem, found.front[-1:]))
+    save_search(problem, better, folder)
+    _, again = read_search(folder)
+    assert again.front == better.front
+    assert any(each.number < 0 for each in again.candidates)
+    first = load_design(folder / "best.toml")
+    assert first.tube.inner_diameter == better.front[0].values["tube.inner_diameter"]
+    assert len(list((folder / "front").glob("*.toml"))) == min(len(better.front), 10)
+    number = next(each.number for each in better.front if each.number >= 0)
+    out = folder / "one.toml"
+    command = [sys.executable, "-m", "studies.cli", "best", str(folder), str(number), "--out", str(out)]
+    subprocess.run(command, cwd=Path(__file__).parents[1], check=True, capture_output=True)
+    assert (
+        load_design(out).tube
+        == problem.study.base.with_values(next(each.values for each in better.front if each.number == number)).tube
+    )
 
 
 def test_a_folder_of_another_search_is_refused(found: OptimizationResult, folder: Path) -> None:
