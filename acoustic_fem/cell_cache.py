@@ -67,6 +67,11 @@ def store(key: str, arrays: dict[str, NDArray], about: dict[str, Any]) -> None:
         )
 
 
+def holds(key: str) -> bool:
+    """Whether there is a file for this key; whether it is usable shows :func:`fetch`."""
+    return (cache_folder() / f"{key}.cell").is_file()
+
+
 def fetch(key: str, folder: Path | None = None) -> tuple[dict[str, NDArray], dict[str, Any]] | None:
     """Read what :func:`store` wrote, or None where there is nothing usable; from the cache by default."""
     path = (folder or cache_folder()) / f"{key}.cell"

@@ -119,6 +119,8 @@ def solve_cells(
     medium: Medium,
     fidelity: str = "navier-stokes",
     progress: Progress | None = None,
+    *,
+    apart: bool = False,
 ) -> dict[Cell, CellSolution]:
     """Nodal admittances of the cells of a design, in 3-D.
 
@@ -135,6 +137,8 @@ def solve_cells(
         medium: the gas.
         fidelity: ``"navier-stokes"`` or ``"helmholtz"``.
         progress: called with the label of a cell and the fraction done of all.
+        apart: solve a single cell in a process of its own, too: what stops that one does not stop the caller,
+            and the caller's other threads go on.
 
     Returns:
         Per cell its solution.
@@ -145,8 +149,7 @@ def solve_cells(
     """
     grid = frequency_grid(frequency)
     checked_physics(fidelity)
-    band = (min(DESIGN_BAND[0], float(grid[0])), max(DESIGN_BAND[1], float(grid[-1])))
-    tasks = [_Task(cell, medium, band, fidelity) for cell in cells]
+    tasks = [_Task(cell, medium, _band(grid), fidelity) for cell in cells]
     records = {task: record for task in tasks if (record := cell_cache.fetch(task.key)) is not None}
     missing = [task for task in tasks if task not in records]
     done = {task: float(task in records) for task in tasks}
@@ -165,7 +168,7 @@ def solve_cells(
         if task not in missing:
             report(task, 1.0)
     workers = min(len(missing), os.cpu_count() or 1)
-    if workers > 1:
+    if workers > 1 or (apart and missing):
         _solve_side_by_side(missing, workers, report, keep)
     else:
         for task in missing:
@@ -184,6 +187,15 @@ def _stated(description: dict[str, Any]) -> dict[str, Any]:
         elif value is not None:
             plain[name] = value
     return plain
+
+
+def is_cached(cell: Cell, frequency: ArrayLike, medium: Medium, fidelity: str = "navier-stokes") -> bool:
+    """Whether :func:`solve_cells` would find a cell in the cache; arguments as there."""
+    return cell_cache.holds(_Task(cell, medium, _band(frequency_grid(frequency)), fidelity).key)
+
+
+def _band(grid: NDArray[np.float64]) -> tuple[float, float]:
+    return min(DESIGN_BAND[0], float(grid[0])), max(DESIGN_BAND[1], float(grid[-1]))
 
 
 def _solve(task: _Task, report: Callable[[float], None]) -> _Record:

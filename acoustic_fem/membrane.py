@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import warnings
+from collections.abc import Callable
+from contextvars import ContextVar
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -22,6 +24,9 @@ _LARGEST_PRESTRESS = 20.0
 _LARGEST_STRETCH = 1.9
 
 _cached_disc = lru_cache(maxsize=256)(solve_dimensionless)
+
+#: Asked for a disc before it is solved; set by :func:`acoustic_fem.disc_table.interpolated_discs`.
+disc_source: ContextVar[Callable[[DiscShape], ElasticDisc | None] | None] = ContextVar("disc_source", default=None)
 
 
 @dataclass(frozen=True, eq=False)
@@ -232,10 +237,13 @@ def solve_disc(
     in_range("contact_radius", contact, 0.02 * radius, (boss_radius or 0.9 * radius) * more, "m")
     contact = min(contact, boss_radius or contact)
     # rounding lets equal discs in different units share one solution
-    shape = (thickness, rim_width, glue, contact)
-    thickness, rim, glue, contact = (round(float(length) / radius, 12) for length in shape)
+    lengths = (thickness, rim_width, glue, contact)
+    thickness, rim, glue, contact = (round(float(length) / radius, 12) for length in lengths)
     prestress = round(tension / (thickness * radius * youngs_modulus), 12)
-    disc: ElasticDisc = _cached_disc(DiscShape(thickness, float(poisson_ratio), rim, glue, prestress, contact, raised))
+    shape = DiscShape(thickness, float(poisson_ratio), rim, glue, prestress, contact, raised)
+    # What interpolates between discs knows flat ones only.
+    source = disc_source.get() if raised is None else None
+    disc: ElasticDisc = (source(shape) if source is not None else None) or _cached_disc(shape)
     return _in_si(disc, contact, float(radius), float(youngs_modulus), float(density))
 
 

@@ -7,9 +7,10 @@ import math
 import types
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Annotated, Any, Literal, Union, get_args, get_origin
 
-from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from pydantic import BaseModel, ConfigDict, Field, TypeAdapter, ValidationError
 from pydantic.fields import FieldInfo
 from pydantic_core import ErrorDetails, PydanticUndefined
 
@@ -103,7 +104,7 @@ def nearest(word: str, known: Sequence[str]) -> str:
 
 
 def error_from_validation(
-    error: ValidationError, model: type[BaseModel], given: object, source: str = ""
+    error: ValidationError, model: type[BaseModel], given: object, source: str = "", what: str = "design"
 ) -> DesignError:
     """The error of this package for one of pydantic's.
 
@@ -112,6 +113,7 @@ def error_from_validation(
         model: the model.
         given: the data as they were given, to quote from.
         source: file the data come from, put before each line.
+        what: what the file describes.
     """
     details = sorted(
         error.errors(include_url=False), key=lambda e: (e["type"] == "missing", e["type"] == "value_error")
@@ -129,11 +131,43 @@ def error_from_validation(
             len(e["loc"]) > len(loc) and e["loc"][: len(loc)] == loc for e in details
         ):
             continue  # pydantic counts the good entries only; the bad one has its own line
-        lines.append((f"{source}: " if source else "") + _one_line(_sentence(detail, model, given)))
+        lines.append((f"{source}: " if source else "") + _one_line(_sentence(detail, model, given, what)))
     return DesignError(*lines)
 
 
-def _sentence(detail: ErrorDetails, model: type[BaseModel], given: object) -> str:
+def check_value(model: type[BaseModel], name: str, value: object, source: str) -> None:
+    """Check a value against the kind and range of its field alone, whatever the other fields are.
+
+    Args:
+        model: the model.
+        name: dotted name of a field; one that stands in for another is not checked.
+        value: the value.
+        source: file the value comes from.
+
+    Raises:
+        DesignError: the value is not allowed.
+    """
+    loc = tuple(int(step) if step.isdecimal() else step for step in name.split("."))
+    info, _ = _find(model, loc)
+    if info is None:
+        return
+    try:
+        _adapter(model, loc).validate_python(value)
+    except ValidationError as error:
+        detail: Any = {**error.errors(include_url=False)[0], "loc": loc}
+        raise DesignError(f"{source}: {_one_line(_sentence(detail, model, {}, 'design'))}") from None
+
+
+@lru_cache(maxsize=256)
+def _adapter(model: type[BaseModel], loc: tuple[int | str, ...]) -> TypeAdapter[Any]:
+    info, _ = _find(model, loc)
+    if info is None:
+        raise KeyError(loc)
+    limited: Any = Annotated[info.annotation, info]
+    return TypeAdapter(limited, config=ConfigDict(allow_inf_nan=False))
+
+
+def _sentence(detail: ErrorDetails, model: type[BaseModel], given: object, what: str) -> str:
     loc, kind = detail["loc"], detail["type"]
     name = ".".join(str(step) for step in loc)
     value = detail["input"]
@@ -142,7 +176,7 @@ def _sentence(detail: ErrorDetails, model: type[BaseModel], given: object) -> st
     if kind == "extra_forbidden":
         section = _find(model, loc[:-1])[1]
         known = names_of(section) if section is not None else []
-        return f"{name} = {_quote(value)} is not a field of a design{nearest(str(loc[-1]), known)}"
+        return f"{name} = {_quote(value)} is not a field of a {what}{nearest(str(loc[-1]), known)}"
     info, section = _find(model, loc)
     field = _field(name, info) if info is not None else None
     must = _must(field, section, detail)
@@ -158,7 +192,7 @@ def _sentence(detail: ErrorDetails, model: type[BaseModel], given: object) -> st
         table = _lookup(given, loc[:-1])
         if isinstance(table, Mapping) and source_key in table:
             note = f" (it is {formula})"
-    return f"{name or 'design'} = {_quote(value)}{unit} {must}{note}"
+    return f"{name or what} = {_quote(value)}{unit} {must}{note}"
 
 
 def _must(field: DesignField | None, section: type[BaseModel] | None, detail: ErrorDetails) -> str:

@@ -115,6 +115,35 @@ def changed_design(design: ArrayDesign, values: Mapping[str, Any]) -> ArrayDesig
     return _validated(data, design.name)
 
 
+def value_of(design: ArrayDesign, name: str) -> Any:
+    """What a dotted name stands for: a field, a property of a section, or what a file may give in place of a field.
+
+    Args:
+        design: the design.
+        name: for example ``tube.inner_diameter``, ``lines.0.points``, ``resonator.cavity_volume``.
+
+    Raises:
+        DesignError: no such name.
+    """
+    place: Any = design
+    steps = name.split(".")
+    for depth, step in enumerate(steps):
+        if isinstance(place, BaseModel):
+            derived = [key for key in dir(type(place)) if isinstance(getattr(type(place), key), property)]
+            known = [*type(place).model_fields, *(key for key in derived if not key.startswith(("_", "model_")))]
+        else:
+            known = _keys(_as_lists(place))
+        if step not in known:
+            if place is None:
+                raise DesignError(f"{design.name}: {'.'.join(steps[:depth])} is not given, so there is no {name}")
+            raise DesignError(f"{design.name}: {name} is not a field of this design{nearest(step, known)}")
+        if isinstance(place, BaseModel):
+            place = getattr(place, step)
+        else:
+            place = place[int(step)] if isinstance(place, tuple) else place[step]
+    return place
+
+
 def prototype_names() -> list[str]:
     """Names of the designs that come with the package."""
     folder = resources.files("geometry") / "prototypes"

@@ -166,7 +166,5 @@ def one_solid(shape: cq.Shape, name: str) -> cq.Workplane:
     if len(solids) != 1 or not solids[0].isValid():
         raise ValueError(f"{name}: drawn as {len(solids)} solids instead of one valid solid; its features cut it apart")
     if pinched_edges(solids[0]):
-        raise ValueError(
-            f"{name}: drawn as a solid that touches itself along a line; move what meets there"
-        )
+        raise ValueError(f"{name}: drawn as a solid that touches itself along a line; move what meets there")
     return cq.Workplane(solids[0])

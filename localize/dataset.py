@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import asdict, dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 import torch
@@ -103,11 +103,35 @@ class ArrayResponse:
         Returns:
             (n_point, n_microphone, n) complex128.
         """
-        # Continued to negative frequencies, where the response of a real system is the conjugate: the spline then
-        # needs no end condition near 0 Hz, where the response bends most.
-        both = np.concatenate([-self.frequency[::-1], self.frequency])
-        values = np.concatenate([self.transfer_function[..., ::-1].conj(), self.transfer_function], axis=-1)
-        return np.asarray(CubicSpline(both, values, axis=-1)(frequency))
+        even, odd = interpolation(self.frequency, frequency)
+        return self.transfer_function.real @ even.T + 1j * (self.transfer_function.imag @ odd.T)
+
+
+class TransferFunctionSource(Protocol):
+    """Transfer functions of many sensors of one design, read as they are needed."""
+
+    @property
+    def frequency(self) -> NDArray[np.float64]:
+        """(n_freq,) float64, Hz."""
+
+    @property
+    def sensor_count(self) -> int:
+        """Number of sensors."""
+
+    def sensors(self, first: int, count: int) -> NDArray[np.complex128]:
+        """(count, n_point, n_microphone, n_freq) complex128 of consecutive sensors."""
+
+
+def interpolation(
+    grid: NDArray[np.float64], frequency: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """The splines as matrices (n, n_freq): of real parts, which are even about 0 Hz, and of imaginary ones, odd."""
+    # Continued to negative frequencies, where the response of a real system is the conjugate: the spline then
+    # needs no end condition near 0 Hz, where the response bends most.
+    unit = np.eye(len(grid))
+    both = np.concatenate([-grid[::-1], grid])
+    even, odd = (CubicSpline(both, np.concatenate([sign * unit[::-1], unit]))(frequency) for sign in (1, -1))
+    return even, odd
 
 
 def response_of(library: Library | ArrayResponse) -> ArrayResponse:
@@ -154,37 +178,75 @@ class TouchSignals:
 class TouchGenerator:
     """Endless stream of touches; sample i touches point i modulo the number of points.
 
+    With a source of many sensors, each sensor in turn is touched at all of its points; only the sensors of the
+    samples at hand are read.
+
     Args:
         response: the array.
         seed: any non-negative integer.
         purpose: streams of different purposes never share a stimulus.
         microphone_noise: added to every microphone, Gaussian: Pa rms over 0 to 500 Hz, white, or "design" for that of
             the design's microphone, see :mod:`localize.noise`.
+        source: transfer functions of many sensors in place of those of the array, on frequencies of its own.
+        sensors: those of the source that are touched; by default all.
 
     Raises:
-        ValueError: as :meth:`ArrayResponse.noise`.
+        ValueError: as :meth:`ArrayResponse.noise`; a source that covers less than 1 to 100 Hz, holds other points or
+            microphones than the array, or has none of the sensors asked for.
     """
 
     def __init__(
-        self, response: ArrayResponse, seed: int, purpose: Purpose, microphone_noise: NoiseChoice = 0.0
+        self,
+        response: ArrayResponse,
+        seed: int,
+        purpose: Purpose,
+        microphone_noise: NoiseChoice = 0.0,
+        source: TransferFunctionSource | None = None,
+        sensors: range | None = None,
     ) -> None:
         self.response = response
         self.seed = seed
         self.purpose: Purpose = purpose
         self.microphone_noise = response.noise(microphone_noise)
-        lines = stimulus.line_frequencies()
-        self._noise_band = (float(response.frequency[0]), float(response.frequency[-1]))
+        grid = response.frequency if source is None else source.frequency
+        self._noise_band = (float(grid[0]), float(grid[-1]))
         self._lines = stimulus.lines_within(self._noise_band)
-        on_lines = np.zeros((response.point_count, len(response.microphones), self._lines.stop), np.complex64)
-        on_lines[..., self._lines] = response.at(np.clip(lines[self._lines], *self._noise_band))
-        self._transfer_function = torch.from_numpy(on_lines)
+        lines = np.clip(stimulus.line_frequencies()[self._lines], *self._noise_band)
+        self._splines = interpolation(grid, lines)
+        self._source = source
+        self._sensors = range(1)
+        if source is None:
+            self._on_lines = self._on_all_lines(response.transfer_function)
+        else:
+            self._sensors = range(source.sensor_count) if sensors is None else sensors
+            _check_source(source, response, self._sensors)
+
+    def _on_all_lines(self, values: NDArray[np.complex128]) -> Tensor:
+        """From the grid to the stimulus's lines, with zeros on those below the ones that the grid covers."""
+        even, odd = self._splines
+        padded = np.zeros((*values.shape[:-1], self._lines.stop), np.complex64)
+        padded[..., self._lines] = values.real @ even.T + 1j * (values.imag @ odd.T)
+        return torch.from_numpy(padded)
+
+    def _transfer_function(self, start: int, count: int) -> Tensor:
+        """(count, n_microphone, n_line) of consecutive samples."""
+        points = self.response.point_count
+        if self._source is None:
+            return self._on_lines[torch.arange(start, start + count) % points]
+        turn = np.arange(start, start + count) // points % len(self._sensors)
+        runs = np.split(np.unique(turn), np.flatnonzero(np.diff(np.unique(turn)) > 1) + 1)
+        first = self._sensors.start
+        read = np.concatenate([self._source.sensors(first + int(run[0]), len(run)) for run in runs])
+        place = np.searchsorted(np.unique(turn), turn)
+        return self._on_all_lines(read)[place, np.arange(start, start + count) % points]
 
     @one_thread()
     def samples(self, start: int, count: int) -> TouchSignals:
         """Samples ``start`` to ``start + count - 1``, the same whatever was asked for before."""
         stimuli = stimulus.multi_sines(self.seed, self.purpose, start, count, self._noise_band)
         point = torch.arange(start, start + count) % self.response.point_count
-        signals = microphone_signals(stimuli.spectrum[:, : self._lines.stop], self._transfer_function[point])
+        transfer_function = self._transfer_function(start, count)
+        signals = microphone_signals(stimuli.spectrum[:, : self._lines.stop], transfer_function)
         stream = (self.seed, self.purpose, start, count, len(self.response.microphones))
         if isinstance(self.microphone_noise, NoiseSpectrum):
             signals = signals + stimulus.coloured_noise(*stream, self.microphone_noise.power)
@@ -212,3 +274,20 @@ def microphone_signals(
         (n, n_microphone, sample_count) real.
     """
     return stimulus.time_signal(spectrum[:, None, :] * transfer_function, sample_count)
+
+
+def _check_source(source: TransferFunctionSource, response: ArrayResponse, sensors: range) -> None:
+    grid = source.frequency
+    if grid[0] > BAND[0] + 1e-6 or grid[-1] < BAND[1] - 1e-6:
+        raise ValueError(
+            f"source: frequency runs from {grid[0]:g} to {grid[-1]:g} Hz; it must cover {BAND[0]:g} to {BAND[1]:g} Hz"
+        )
+    if sensors.step != 1 or not 0 <= sensors.start < sensors.stop <= source.sensor_count:
+        raise ValueError(f"sensors = {sensors} must be consecutive ones of the source's {source.sensor_count}")
+    shape = source.sensors(sensors.start, 1).shape[1:3]
+    expected = (response.point_count, len(response.microphones))
+    if shape != expected:
+        raise ValueError(
+            f"source: its sensors have {shape[0]} points and {shape[1]} microphones; the array has {expected[0]} and "
+            f"{expected[1]}"
+        )

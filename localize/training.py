@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from torch import Tensor, nn
 
 from acoustic_fem.provenance import versions
-from localize.dataset import ArrayResponse, TouchGenerator, TouchSignals, response_of
+from localize.dataset import ArrayResponse, TouchGenerator, TouchSignals, TransferFunctionSource, response_of
 from localize.features import map_count
 from localize.frames import FRAME
 from localize.localizer import Localizer
@@ -111,6 +111,7 @@ def train(
     library: Library | ArrayResponse,
     plan: TrainingPlan | None = None,
     progress: Callable[[TrainingProgress], None] | None = None,
+    source: TransferFunctionSource | None = None,
 ) -> Localizer:
     """Train a localizer for the array of a library.
 
@@ -121,9 +122,12 @@ def train(
         library: transfer functions that cover 1 to 100 Hz, of at least two points and two microphones.
         plan: by default one that takes about 25 s for 12 points on one core.
         progress: called after every epoch.
+        source: transfer functions of many sensors of this design, to train on in place of the library's own; read as
+            they are needed. The last fifth of the sensors is held out (of a single one, its stimuli only).
 
     Raises:
-        ValueError: the library does not cover 1 to 100 Hz, or the plan's network does not fit the maps.
+        ValueError: the library or the source does not cover 1 to 100 Hz, they hold different points or microphones,
+            or the plan's network does not fit the maps.
     """
     plan = plan or TrainingPlan()
     response = response_of(library)
@@ -131,12 +135,13 @@ def train(
         maps=map_count(len(response.microphones)), points=response.point_count, width=plan.width, depths=plan.depths
     )
     started = perf_counter()
-    touches = TouchGenerator(response, plan.seed, "training", plan.microphone_noise)
+    seen, unseen = _split(source)
+    touches = TouchGenerator(response, plan.seed, "training", plan.microphone_noise, source, seen)
     noise = touches.microphone_noise
     # The global state of torch's generator is left as it was found.
     with torch.random.fork_rng(devices=[]), one_thread():
         torch.manual_seed(plan.seed)
-        held_out = _held_out(response, plan)
+        held_out = _held_out(response, plan, source, unseen)
         classifier = TouchClassifier(len(response.microphones), shape)
         classifier.fit_normalisation(_frames(touches.samples(0, NORMALISATION_TOUCHES * response.point_count)))
         curve, touch_count = _run_epochs(classifier, touches, held_out, plan, started, progress)
@@ -158,6 +163,7 @@ def train(
             "seconds": curve[-1].seconds,
             "cut_short": touch_count < plan.epochs * _steps_per_epoch(plan, response) * plan.batch,
             "microphone_noise": noise.rms if isinstance(noise, NoiseSpectrum) else noise,
+            "sensors": 1 if seen is None else len(seen),
         },
         provenance={
             **response.provenance,
@@ -244,10 +250,22 @@ def _frames(touches: TouchSignals) -> Tensor:
     return touches.signals[..., -FRAME:]
 
 
-def _held_out(response: ArrayResponse, plan: TrainingPlan) -> TouchSignals:
+def _split(source: TransferFunctionSource | None) -> tuple[range | None, range | None]:
+    """Sensors to train on, and those held out."""
+    if source is None:
+        return None, None
+    count = source.sensor_count
+    seen = max(1, count - max(1, round(count / 5)))
+    return range(seen), range(min(seen, count - 1), count)
+
+
+def _held_out(
+    response: ArrayResponse, plan: TrainingPlan, source: TransferFunctionSource | None, sensors: range | None
+) -> TouchSignals:
     """Held-out touches, cut to their last frame at once to keep them small."""
     count = max(1, round(plan.held_out_fraction * plan.seconds_per_point)) * response.point_count
-    parts = list(TouchGenerator(response, plan.seed, "held-out", plan.microphone_noise).stream(0, count))
+    touches = TouchGenerator(response, plan.seed, "held-out", plan.microphone_noise, source, sensors)
+    parts = list(touches.stream(0, count))
     return TouchSignals(
         signals=torch.cat([_frames(part).clone() for part in parts]),
         point=torch.cat([part.point for part in parts]),

@@ -14,7 +14,7 @@ from typing import Annotated, NoReturn, TextIO
 
 import typer
 
-from studies import cli_bending, cli_design, cli_localizer
+from studies import cli_bending, cli_design, cli_localizer, cli_optimize, cli_report, cli_sweep, cli_tolerance
 from studies.cli_options import Fidelity
 
 __all__ = ["Fidelity", "app", "fail", "main"]
@@ -39,6 +39,11 @@ VERBS = (
     cli_localizer.evaluate,
     cli_design.run,
     cli_bending.bend,
+    cli_sweep.sweep,
+    cli_tolerance.tolerance,
+    cli_optimize.optimize,
+    cli_report.report,
+    cli_report.best,
 )
 
 

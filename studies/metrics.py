@@ -105,7 +105,7 @@ def separability(transfer_function: xr.DataArray, band: tuple[float, float] = BA
         if count < 2:
             raise ValueError(f"separability: {count} {name} must be at least 2")
     log = np.log(microphone_ratios(transfer_function)[..., inside])
-    weight = _trapezoidal_weights(frequency[inside]) / log.shape[1]
+    weight = trapezoidal_weights(frequency[inside]) / log.shape[1]
     level, phase = np.zeros((2, len(log), len(log)))
     for index, own in enumerate(log):
         difference = log - own
@@ -209,7 +209,7 @@ def _at(array: xr.DataArray, frequency: float) -> NDArray[np.complex128]:
     return np.asarray((1 - share) * values[..., lower] + share * values[..., upper], np.complex128)
 
 
-def _trapezoidal_weights(frequency: Array) -> Array:
+def trapezoidal_weights(frequency: Array) -> Array:
     """Weights of a mean over a linear axis, summing to 1."""
     steps = np.diff(frequency)
     weights = np.zeros_like(frequency)

@@ -77,7 +77,7 @@ OUT_OF_RANGE = [
         "= 'serpentin' must be one of 'serpentine', 'ring', 'cylinder', 'hand'; did you mean 'serpentine'?",
     ),
     ("layout.kind", 3, "= 3 must be one of 'serpentine', 'ring'"),
-    ("printing.process", "fdm", "= 'fdm' must be one of 'sla-resin', 'dlp-fine'"),
+    ("printing.process", "ink", "= 'ink' must be one of 'sla-resin', 'dlp-fine', 'fdm', 'mjf'"),
     ("name", "", "= '' must be a text of 1 to 80 characters"),
     ("name", "a/b", "= 'a/b' must be a text of 1 to 80 characters, starting with a letter or digit"),
     ("microphones", [], "= [] must be a list of 2 to 16 entries"),

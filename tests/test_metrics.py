@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import json
+from dataclasses import replace
+from pathlib import Path
+
 import numpy as np
 import pytest
 import xarray as xr
@@ -10,6 +14,12 @@ from hypothesis import strategies as st
 
 import acoustic_fem
 import geometry
+from acoustic_fem.noise import detection_limits, touch_response
+from geometry.layout import place
+from studies import build_metrics
+from studies.build_metrics import _volumes
+from studies.confusion import predict_confusion
+from studies.metric_registry import METRICS, metrics_named
 from studies.metrics import (
     DECIBEL,
     attenuation,
@@ -17,8 +27,12 @@ from studies.metrics import (
     microphone_ratios,
     sensitivity,
     separability,
+    trapezoidal_weights,
     worst_heard,
 )
+from studies.responses import Responses
+from studies.separation import pair_distances
+from studies.touch_metrics import force_response
 
 
 def array(values: np.ndarray, frequency: np.ndarray | None = None) -> xr.DataArray:
@@ -160,3 +174,149 @@ def test_sensitivity_at_low_frequency_is_that_of_the_sealed_volume() -> None:
 
 #: Without loss, so that compliances are real and add up.
 SOFT = {"youngs_modulus": 1.0, "poisson_ratio": 0.49, "density": 1070.0, "loss_factor": 0.0, "source": "a test"}
+
+
+# -- metrics by name ----------------------------------------------------------------------------------
+GRID = np.linspace(1.0, 100.0, 32)
+
+
+@pytest.fixture(scope="module")
+def glove() -> acoustic_fem.Library:
+    return acoustic_fem.solve(geometry.prototype("glove"), GRID, "lumped")
+
+
+def test_every_metric_has_a_unit_a_definition_and_a_value(glove: acoustic_fem.Library) -> None:
+    for name, metric in METRICS.items():
+        assert metric.name == name
+        assert metric.unit
+        assert metric.definition.endswith(".")
+        assert metric.better in ("larger", "smaller")
+        assert np.isfinite(metric.of_library(glove)), name
+
+
+def test_a_design_has_the_same_metrics_in_any_batch() -> None:
+    """Each metric at once for three designs and alone for each; to rounding, for sums are taken in other orders."""
+    base = geometry.prototype("array-2x6").with_values({"lines.0.points": 4})
+    changes = [{}, {"resonator.cavity_height": 4.0}, {"tube.length": 20.0, "membrane.thickness": 0.6}]
+    libraries = [acoustic_fem.solve(base.with_values(change), GRID, "lumped") for change in changes]
+    alone = [Responses.of_library(library) for library in libraries]
+    fields = ("transfer_function", "source_response", "point_impedance", "microphone_impedance")
+    batch = Responses(
+        frequency=GRID,
+        designs=[library.design for library in libraries],
+        medium=[library.medium for library in libraries],
+        **{name: np.concatenate([getattr(one, name) for one in alone]) for name in fields},
+    )
+    for name, metric in METRICS.items():
+        expected = [float(metric.of_batch(one)[0]) for one in alone]
+        assert metric.of_batch(batch) == pytest.approx(expected, rel=1e-10, abs=0), name
+
+
+@given(random_arrays)
+def test_batches_of_distances_are_those_of_one_design(h: xr.DataArray) -> None:
+    one, pairs = separability(h), np.triu_indices(4, 1)
+    found = pair_distances(Responses(h["frequency"].values, h.values[None]))
+    assert np.allclose(found.level[0], one.level[pairs], rtol=1e-9, atol=1e-12)
+    assert np.allclose(found.phase[0], one.phase[pairs], rtol=1e-9, atol=1e-9)
+    assert np.allclose(found.combined[0], one.combined[pairs], rtol=1e-9, atol=1e-12)
+
+
+def test_sensitivities_are_those_of_the_touch_response(glove: acoustic_fem.Library) -> None:
+    weight = trapezoidal_weights(GRID)
+    for name, touch, unit in (("force", "force", 1.0), ("displacement", "displacement", 1e-6)):
+        power = np.abs(touch_response(glove, touch).values) ** 2 @ weight
+        expected = unit * np.sqrt(power.max(axis=1).min())
+        assert METRICS[f"sensitivity_{name}"].of_library(glove) == pytest.approx(expected, rel=1e-9, abs=0)
+    assert glove.force_response.values[None] == pytest.approx(force_response(Responses.of_library(glove)), rel=1e-9)
+
+
+def test_noise_equivalent_force_is_the_detection_limit_of_the_deafest_point(glove: acoustic_fem.Library) -> None:
+    expected = float(detection_limits(glove, (1.0, 100.0))["force"].max())
+    assert METRICS["noise_equivalent_force"].of_library(glove) == pytest.approx(expected, rel=1e-9, abs=0)
+
+
+def test_bandwidth_of_a_low_pass_and_of_a_resonance() -> None:
+    library = acoustic_fem.solve(geometry.prototype("array-2x6"), np.linspace(1, 100, 397), "lumped")
+    own = Responses.of_library(library)
+    grid = own.frequency
+
+    def shaped(response: np.ndarray) -> Responses:
+        """With this pressure per force at every point."""
+        source = own.source_response * (response / force_response(own))
+        return replace(own, source_response=source)
+
+    low_pass = METRICS["bandwidth"].of_batch(shaped(1 / (1 + 1j * grid / 20)))[0]
+    assert low_pass == pytest.approx(np.sqrt(20**2 + 2) - 1, rel=1e-3)
+    resonance = METRICS["bandwidth"].of_batch(shaped(1 / (1 + 1j * 4 * (grid / 40 - 40 / grid))))[0]
+    assert resonance == pytest.approx(40 / 4, rel=1e-3)  # f0 / Q
+    assert METRICS["bandwidth"].of_batch(shaped(np.ones_like(grid)))[0] == pytest.approx(99)
+
+
+def test_parts_have_the_volume_of_their_solids() -> None:
+    design = geometry.prototype("array-2x6").with_values({"lines.0.points": 3})
+    parts = geometry.build_parts(design)
+    solids = {name: parts[name].val().Volume() * count for name, count in parts.counts.items()}
+    drawn = sum(volume for name, volume in solids.items() if not name.startswith("mold"))
+    tubes = sum(_volumes(design)[name][0] for name in ("wire", "sheath"))
+    # sockets are counted as straight cylinders in a flat wall
+    assert build_metrics.volume(design) - tubes == pytest.approx(drawn, rel=0.025)
+    box = parts_box(design)
+    assert build_metrics.size(design)[:2] == pytest.approx(box, abs=1e-6)
+
+
+def parts_box(design: geometry.ArrayDesign) -> tuple[float, float]:
+    """Sides of the box around shells and housings, from where they lie."""
+    layout = place(design)
+    shell, housing = design.resonator.outer_diameter, design.microphone.chamber_diameter + 2
+    ends = np.array(
+        [[*p.position, shell] for p in layout.points] + [[*m.position, housing] for m in layout.microphones]
+    )
+    sides = [np.ptp(np.concatenate([ends[:, k] + s * ends[:, 2] / 2 for s in (-1, 1)])) for k in (0, 1)]
+    return max(sides), min(sides)
+
+
+def test_mass_and_cost_add_up_and_the_wall_is_the_thinnest() -> None:
+    design = geometry.prototype("array-2x6")
+    heavier = design.with_values({"resonator.wall_thickness": 3.0})
+    resin = build_metrics.volume(heavier) - build_metrics.volume(design)
+    assert build_metrics.mass(heavier) - build_metrics.mass(design) == pytest.approx(resin * 1180e-6, rel=1e-9)
+    price = build_metrics.PRICES["resin"].value
+    assert build_metrics.cost(heavier) - build_metrics.cost(design) == pytest.approx(resin * 1e-3 * price, rel=1e-9)
+    assert build_metrics.smallest_wall(design.with_values({"resonator.floor_thickness": 0.35})) == pytest.approx(0.35)
+
+
+def test_unknown_metrics_and_missing_responses_are_refused_by_name() -> None:
+    with pytest.raises(
+        ValueError, match=r"metrics: 'predicted_top' must be one of: ild_smallest.* did you mean predicted"
+    ):
+        metrics_named(["ild_mean", "predicted_top"])
+    assert [metric.name for metric in metrics_named(["mass", "bandwidth"])] == ["mass", "bandwidth"]
+    bare = Responses(GRID, np.ones((1, 3, 2, 32), complex))
+    with pytest.raises(
+        ValueError, match="metric noise_equivalent_force needs designs, medium, microphone_impedance, p"
+    ):
+        METRICS["noise_equivalent_force"].of_batch(bare)
+    with pytest.raises(ValueError, match=r"source_response has shape \(1, 2, 2, 32\); it must be \(1, 3, 2, 32\)"):
+        replace(bare, source_response=np.ones((1, 2, 2, 32), complex))
+
+
+def test_the_page_lists_every_metric() -> None:
+    page = (Path(__file__).parents[1] / "docs" / "metrics.md").read_text(encoding="utf-8")
+    for metric in METRICS.values():
+        words = metric.definition.replace("|", "\\|")
+        assert f"| `{metric.name}` | {metric.unit} | {metric.better} | {words} |" in page
+
+
+def test_predicted_accuracy_of_the_page_is_that_of_the_code_and_follows_trained_networks() -> None:
+    """The stored accuracies of trained networks, and predictions made again for three of the designs."""
+    rows = json.loads((Path(__file__).parents[1] / "docs" / "predicted_accuracy.json").read_text())
+    assert len({(row["prototype"], str(row["values"])) for row in rows}) >= 8
+    trained, predicted = (np.array([row[name] for row in rows]) for name in ("trained", "predicted_network"))
+    assert np.ptp(trained) > 0.5
+    assert np.corrcoef(trained, predicted)[0, 1] > 0.95
+    assert np.sqrt(((trained - predicted) ** 2).mean()) < 0.07
+    for row in rows[:3]:
+        design = geometry.prototype(row["prototype"]).with_values(row["values"])
+        h = acoustic_fem.solve(design, np.linspace(1, 100, 64), "lumped").transfer_function.values[None]
+        again = predict_confusion(h, np.linspace(1, 100, 64), row["noise"], touches=200).top1[0]
+        assert again == pytest.approx(row["predicted_network"], abs=0.005)

@@ -1,0 +1,111 @@
+"""Networks trained on the nominal design and on a library of mis-made sensors, both judged on sensors never seen;
+and which designs forgive, by prediction.
+
+``python benchmarks/mis_made.py`` writes both tables of docs/tolerances.md anew, two minutes of one core per network;
+``python benchmarks/mis_made.py forgiving`` the second one only, in a quarter of a minute.
+"""
+
+from __future__ import annotations
+
+import sys
+import tempfile
+import warnings
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import acoustic_fem
+import geometry
+import localize
+from localize.dataset import response_of
+from studies.confusion import predict_confusion
+from studies.metric_registry import METRICS
+from studies.perturbed_library import write_perturbed_library
+
+PAGE = Path(__file__).parents[1] / "docs" / "tolerances.md"
+BEGIN, END = "<!-- mis-made: made by benchmarks/mis_made.py -->", "<!-- end -->"
+FORGIVING, FORGIVING_END = "<!-- forgiving: made by benchmarks/mis_made.py -->", "<!-- end forgiving -->"
+GRID = np.linspace(1.0, 100.0, 64)
+DESIGNS, NOISE = ("array-2x6", "fingertip-3x4"), 3e-3
+STORED, JUDGED, TOUCHES = 1000, 40, 20
+PLAN = localize.TrainingPlan(seconds_per_point=150, epochs=32, microphone_noise=NOISE)
+
+
+def row(name: str) -> str:
+    design = geometry.prototype(name)
+    library = acoustic_fem.solve(design, GRID, "lumped")
+    response = response_of(library)
+    with tempfile.TemporaryDirectory() as folder:
+        store = write_perturbed_library(Path(folder) / "seen.zarr", design, STORED, GRID)
+        unseen = write_perturbed_library(Path(folder) / "unseen.zarr", design, JUDGED, GRID, seed=1).sensors(0, JUDGED)
+        seen = store.sensors(0, 32)
+        networks = localize.train(library, PLAN), localize.train(library, PLAN, source=store)
+    nominal = library.transfer_function.values[None]
+    predicted = [
+        predict_confusion(unseen, GRID, NOISE, assumed=assumed).top1.mean() for assumed in (nominal, seen)
+    ]  # fmt: skip
+    trained = [
+        np.mean([
+            localize.evaluate(network, replace(response, transfer_function=h), TOUCHES, NOISE).top1 for h in unseen
+        ])
+        for network in networks
+    ]  # fmt: skip
+    shares = (predicted[0], trained[0], predicted[1], trained[1])
+    return f"| {name} | " + " | ".join(f"{100 * share:.1f}" for share in shares) + " |"
+
+
+def bores(diameter: float) -> dict[str, float]:
+    tubes = ("tube", "microphone_tube")
+    return {
+        f"{tube}.{field}": value
+        for tube in tubes
+        for field, value in (("inner_diameter", diameter), ("outer_diameter", diameter + 0.5))
+    }
+
+
+VARIANTS: list[tuple[str, str, dict[str, Any]]] = [
+    ("array-2x6", "array-2x6", {}),
+    ("bores of 0.6 mm", "array-2x6", bores(0.6)),
+    ("bores of 0.3 mm", "array-2x6", bores(0.3)),
+    ("membranes 1 mm thick", "array-2x6", {"membrane.thickness": 1.0}),
+    ("membranes 2 mm thick", "array-2x6", {"membrane.thickness": 2.0}),
+    ("membranes 2 mm thick, bores of 0.3 mm", "array-2x6", {"membrane.thickness": 2.0, **bores(0.3)}),
+    ("24 points on the line", "array-2x6", {"lines.0.points": 24}),
+    ("glove", "glove", {}),
+    ("fingertip-3x4", "fingertip-3x4", {}),
+]
+
+
+def forgiving() -> list[str]:
+    names = ("predicted_top1", "scattered_top1", "sensitivity_force")
+    lines = ["| design | as designed (%) | mis-made (%) | sensitivity (Pa/N) |", "|---|---|---|---|"]
+    for title, prototype, values in VARIANTS:
+        library = acoustic_fem.solve(geometry.prototype(prototype).with_values(values), GRID, "lumped")
+        own, scattered, sensitivity = (METRICS[name].of_library(library) for name in names)
+        lines.append(f"| {title} | {100 * own:.1f} | {100 * scattered:.1f} | {sensitivity:.3g} |")
+    return lines
+
+
+def put(lines: list[str], begin: str, end: str) -> None:
+    print("\n".join(lines))
+    before, rest = PAGE.read_text(encoding="utf-8").split(begin)
+    PAGE.write_text("\n".join([before + begin, *lines, end + rest.split(end, 1)[1]]), encoding="utf-8")
+
+
+def main() -> None:
+    warnings.simplefilter("ignore")
+    put(forgiving(), FORGIVING, FORGIVING_END)
+    if "forgiving" in sys.argv[1:]:
+        return
+    lines = [
+        "| design | nominal: predicted (%) | nominal: trained (%) | mis-made: predicted (%) | mis-made: trained (%) |",
+        "|---|---|---|---|---|",
+        *(row(name) for name in DESIGNS),
+    ]
+    put(lines, BEGIN, END)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,152 @@
+"""Size, volume, mass, cost and thinnest wall of a design from its fields alone, microseconds each. Lengths in mm.
+
+Parts are counted as closed forms: cylinders less their cavities, bores and sockets. Prices and densities that a
+design file does not state are data here, each with its source.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from geometry.design import ArrayDesign, Microphone, Tube
+from geometry.layout import place
+
+
+@dataclass(frozen=True)
+class Price:
+    """What something costs, in USD per unit."""
+
+    value: float
+    unit: str
+    source: str
+
+
+_ASSUMED = "assumed, small quantities; the paper says a few to 15 USD for a whole prototype"
+PRICES = {
+    "resin": Price(0.06, "USD/cm^3", _ASSUMED),
+    "silicone": Price(0.05, "USD/cm^3", _ASSUMED),
+    "tube": Price(2.0, "USD/m", _ASSUMED),
+    "microphone": Price(2.0, "USD each", _ASSUMED),
+}
+#: kg/m^3
+DENSITIES = {"wire": (7900.0, "stainless steel"), "sheath": (950.0, "polyethylene, polyurethane 1100: assumed")}
+MICROPHONE_MASS = (0.03, "g, a MEMS package of 3.5 x 2.65 x 1 mm on its board: assumed")
+
+
+def size(design: ArrayDesign) -> tuple[float, float, float]:
+    """Length (the longer side), width and height of the box around shells and housings, mm."""
+    layout = place(design)
+    shells = [(point.position, design.resonator.outer_diameter / 2) for point in layout.points]
+    wall = design.microphone.chamber_diameter / 2 + design.microphone.wall_thickness
+    shells += [(microphone.position, wall) for microphone in layout.microphones]
+    sides = [
+        max(position[axis] + radius for position, radius in shells)
+        - min(position[axis] - radius for position, radius in shells)
+        for axis in (0, 1)
+    ]
+    height = max(
+        design.resonator.floor_thickness + design.resonator.cavity_height + design.membrane.mounted_thickness,
+        design.microphone.wall_thickness + design.microphone.chamber_height + design.microphone.sound_hole_length,
+    )
+    return max(sides), min(sides), height
+
+
+def volume(design: ArrayDesign) -> float:
+    """Volume of shells, housings, lids, membranes and tubes, without the air in them, mm^3."""
+    return sum(part for part, _ in _volumes(design).values())
+
+
+def mass(design: ArrayDesign) -> float:
+    """Mass of all parts and the microphones, g."""
+    own = sum(part * density * 1e-6 for part, density in _volumes(design).values())
+    return own + len(design.microphones) * MICROPHONE_MASS[0]
+
+
+def cost(design: ArrayDesign) -> float:
+    """Materials and microphones by :data:`PRICES`, USD; no work, no electronics behind the microphones."""
+    volumes = _volumes(design)
+    resin = sum(volumes[name][0] for name in ("shells", "housings"))
+    length = sum(tube.length * count for tube, count in _tubes(design))
+    return (
+        PRICES["resin"].value * resin / 1e3
+        + PRICES["silicone"].value * volumes["membranes"][0] / 1e3
+        + PRICES["tube"].value * length / 1e3
+        + PRICES["microphone"].value * len(design.microphones)
+    )
+
+
+def smallest_wall(design: ArrayDesign) -> float:
+    """Thinnest printed wall, mm: of shells and housings, floors, lids, lips, and what covers a tube's socket."""
+    return min(_walls(design))
+
+
+def _walls(design: ArrayDesign) -> Iterator[float]:
+    resonator, microphone, printing = design.resonator, design.microphone, design.printing
+    yield from (resonator.wall_thickness, resonator.floor_thickness, microphone.wall_thickness, printing.port_lip)
+    yield microphone.sound_hole_length
+    for tube, _ in _tubes(design):
+        hole = tube.outer_diameter / 2 + printing.glue_gap
+        yield resonator.port_axis_height + resonator.floor_thickness - hole
+        yield resonator.cavity_height - resonator.port_axis_height - hole
+    for line in design.lines:
+        hole = design.microphone_tube_of(line).outer_diameter / 2 + printing.glue_gap
+        yield microphone.chamber_height / 2 + microphone.wall_thickness - hole
+        yield microphone.chamber_height / 2 - hole
+
+
+def _volumes(design: ArrayDesign) -> dict[str, tuple[float, float]]:
+    """Name -> volume of all such parts, mm^3, and density, kg/m^3."""
+    resonator, microphone, membrane = design.resonator, design.microphone, design.membrane
+    resin = design.material(design.printing.material).density
+    silicone = design.material(membrane.material).density
+    sockets_of_shells = sockets_of_housings = 0.0
+    for line in design.lines:
+        inner, outer = design.tube_of(line), design.microphone_tube_of(line)
+        wall, radius = resonator.wall_thickness, resonator.cavity_diameter / 2
+        sockets_of_shells += 2 * (line.points - 1) * _port(design, inner, radius, wall)
+        sockets_of_shells += 2 * _port(design, outer, radius, wall)
+        sockets_of_housings += 2 * _port(design, outer, microphone.chamber_diameter / 2, microphone.wall_thickness)
+    shell = _disc(resonator.outer_diameter, resonator.floor_thickness + resonator.cavity_height)
+    shell -= resonator.cavity_volume
+    disc = _disc(resonator.cavity_diameter + 2 * membrane.rim_width, membrane.mounted_thickness)
+    wire = sheath = 0.0
+    for tube, count in _tubes(design):
+        turns = math.pi / 4 * (tube.spring_outer_diameter**2 - tube.inner_diameter**2)
+        wire += count * tube.length * turns * math.pi / 4  # a close-wound round wire fills pi/4 of its ring
+        sheath += count * tube.length * math.pi / 4 * (tube.outer_diameter**2 - tube.spring_outer_diameter**2)
+    return {
+        "shells": (design.point_count * shell - sockets_of_shells, resin),
+        "housings": (len(design.microphones) * _housing(microphone) - sockets_of_housings, resin),
+        "membranes": (design.point_count * disc, silicone),
+        "wire": (wire, DENSITIES["wire"][0]),
+        "sheath": (sheath, DENSITIES["sheath"][0]),
+    }
+
+
+def _housing(microphone: Microphone) -> float:
+    """A cup and its lid, mm^3."""
+    outside = microphone.chamber_diameter + 2 * microphone.wall_thickness
+    lid = _disc(outside, microphone.sound_hole_length) - _disc(
+        microphone.sound_hole_diameter, microphone.sound_hole_length
+    )
+    return _disc(outside, microphone.wall_thickness + microphone.chamber_height) - microphone.chamber_volume + lid
+
+
+def _port(design: ArrayDesign, tube: Tube, radius: float, wall: float) -> float:
+    """Volume that a bore and its socket take out of the wall of a round housing, mm^3."""
+    lip = min(design.printing.port_lip, wall)
+    socket = _disc(tube.outer_diameter + 2 * design.printing.glue_gap, wall - lip)
+    return _disc(tube.inner_diameter, lip) + socket
+
+
+def _tubes(design: ArrayDesign) -> Iterator[tuple[Tube, int]]:
+    for line in design.lines:
+        yield design.microphone_tube_of(line), 2
+        if line.points > 1:
+            yield design.tube_of(line), line.points - 1
+
+
+def _disc(diameter: float, height: float) -> float:
+    return math.pi / 4 * diameter**2 * height

@@ -1,0 +1,86 @@
+"""What metrics are computed from: the responses of a batch of designs of one topology, and the designs."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    from acoustic_fem import Library, Medium
+    from geometry import ArrayDesign
+
+Complex = NDArray[np.complex128]
+
+
+@dataclass(frozen=True, eq=False)
+class Responses:
+    """Responses of several designs with equally many points and microphones; what is None is not known.
+
+    Shapes are checked against the transfer function.
+    """
+
+    frequency: NDArray[np.float64]
+    """(n_freq,) float64, Hz, ascending."""
+    transfer_function: Complex
+    """(n_design, n_point, n_microphone, n_freq) complex128, Pa/Pa."""
+    designs: Sequence[ArrayDesign] | None = None
+    """One per design."""
+    medium: Sequence[Medium] | None = None
+    """The air of each design."""
+    source_response: Complex | None = None
+    """(n_design, n_point, n_microphone, n_freq) complex128, Pa s/m^3."""
+    point_impedance: Complex | None = None
+    """(n_design, n_point, n_freq) complex128, Pa s/m^3."""
+    microphone_impedance: Complex | None = None
+    """(n_design, n_microphone, n_microphone, n_freq) complex128, Pa s/m^3."""
+
+    def __post_init__(self) -> None:
+        h = self.transfer_function
+        if h.ndim != 4 or h.shape[3] != len(self.frequency):
+            raise ValueError(
+                f"transfer_function has shape {h.shape}; it must be (n_design, n_point, n_microphone, "
+                f"{len(self.frequency)})"
+            )
+        designs, points, microphones, count = h.shape
+        for name, shape in (
+            ("source_response", h.shape),
+            ("point_impedance", (designs, points, count)),
+            ("microphone_impedance", (designs, microphones, microphones, count)),
+        ):
+            values = getattr(self, name)
+            if values is not None and values.shape != shape:
+                raise ValueError(f"{name} has shape {values.shape}; it must be {shape}")
+        for name in ("designs", "medium"):
+            given = getattr(self, name)
+            if given is not None and len(given) != designs:
+                raise ValueError(f"{name} has {len(given)} entries; it must have one for each of {designs} designs")
+
+    @property
+    def design_count(self) -> int:
+        """Number of designs."""
+        return len(self.transfer_function)
+
+    @classmethod
+    def of_library(cls, library: Library) -> Responses:
+        """One design: all that its library holds."""
+        order = ("point", "microphone", "frequency")
+        mutual = library.microphone_impedance
+        return cls(
+            frequency=np.asarray(library.frequency, np.float64),
+            transfer_function=_one(library.transfer_function.transpose(*order).values),
+            designs=(library.design,),
+            medium=(library.medium,),
+            source_response=_one(library.source_response.transpose(*order).values),
+            point_impedance=_one(library.point_impedance.transpose("point", "frequency").values),
+            microphone_impedance=None
+            if mutual is None
+            else _one(mutual.transpose("microphone", "microphone_2", "frequency").values),
+        )
+
+
+def _one(values: NDArray[np.complex128]) -> Complex:
+    return np.asarray(values, np.complex128)[None]

@@ -1,0 +1,401 @@
+"""Study files: which designs, and what to compute for each. Every refusal is a :class:`StudyError` of one line."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
+
+from geometry import ArrayDesign, DesignError, load_design
+from geometry.design_fields import check_value, error_from_validation, fields_of
+from geometry.design_file import prototype, prototype_names, value_of, write_design
+from studies.constraints import Constraint, parse_constraint
+
+Fidelity = Literal["lumped", "helmholtz", "navier-stokes"]
+Sampling = Literal["grid", "latin-hypercube", "sobol", "random"]
+
+#: Most cases of one study; a store of more should be several.
+LARGEST = 10_000_000
+_LARGEST_FILE = 1_000_000  # bytes
+
+
+class StudyError(ValueError):
+    """A study that is not valid. The message is one line: file, field, value and what is allowed."""
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """A field of the design that a study varies: a list of values, or a range.
+
+    Attributes:
+        name: dotted name.
+        values: the list; empty for a range.
+        low: where a range begins.
+        high: where it ends.
+        count: values of the range in a grid; 0 where none is given.
+        scale: of a range: equal steps, or equal ratios.
+        whole: whether the values are whole numbers, to which those of a range are rounded.
+    """
+
+    name: str
+    values: tuple[float | int | str, ...] = ()
+    low: float = 0.0
+    high: float = 0.0
+    count: int = 0
+    scale: Literal["linear", "log"] = "linear"
+    whole: bool = False
+
+    @property
+    def size(self) -> int:
+        """Number of values in a grid."""
+        return len(self.values) or self.count
+
+    def at(self, place: NDArray[np.float64]) -> NDArray[Any]:
+        """Values at places from 0 to 1: for a list each value takes an equal share of them."""
+        if self.values:
+            kind = np.float64 if all(isinstance(value, (int, float)) for value in self.values) else object
+            kind = np.int64 if self.whole else kind
+            index = np.minimum((place * len(self.values)).astype(np.int64), len(self.values) - 1)
+            return np.array(self.values, dtype=kind)[index]
+        if self.whole:  # each whole number takes an equal share
+            low, high = round(self.low), round(self.high)
+            return np.minimum(low + (place * (high - low + 1)).astype(np.int64), high)
+        if self.scale == "log":
+            values = self.low * (self.high / self.low) ** place
+        else:
+            values = self.low + (self.high - self.low) * place
+        return np.clip(values, min(self.low, self.high), max(self.low, self.high))
+
+    def grid(self) -> NDArray[Any]:
+        """All values in a grid, in the order of the file."""
+        if self.values:
+            return self.at((np.arange(len(self.values)) + 0.5) / len(self.values))
+        steps = np.arange(self.count) / max(self.count - 1, 1)
+        if self.whole:
+            return np.unique(np.round(self.low + (self.high - self.low) * steps).astype(np.int64))
+        return self.at(steps)
+
+
+@dataclass(frozen=True, eq=False)
+class Study:
+    """A set of designs and what to compute for each.
+
+    Attributes:
+        text: the study file.
+        name: of the study.
+        description: what it asks, for people.
+        base: the design that is varied.
+        axes: what varies on its own: one parameter, or several that go together.
+        sampling: how the cases lie: every combination, or samples of the ranges.
+        cases: number of samples; 0 for a grid.
+        seed: of the samples.
+        constraints: conditions that a case must meet to be part of the study.
+        fidelity: what the cells are computed with.
+        frequency: (n_freq,) Hz.
+        metrics: names of :data:`studies.metric_registry.METRICS`.
+        transfer_functions: whether they are kept.
+    """
+
+    text: str
+    name: str
+    description: str
+    base: ArrayDesign
+    axes: tuple[tuple[Parameter, ...], ...]
+    sampling: Sampling
+    cases: int
+    seed: int
+    constraints: tuple[Constraint, ...]
+    fidelity: Fidelity
+    frequency: NDArray[np.float64]
+    metrics: tuple[str, ...]
+    transfer_functions: bool
+
+    @property
+    def parameters(self) -> tuple[Parameter, ...]:
+        """All that varies, in the order of the file."""
+        return tuple(parameter for axis in self.axes for parameter in axis)
+
+    def content(self) -> dict[str, Any]:
+        """What decides the results, as plain values: neither comments nor the order of lines count."""
+        return {
+            "base": hashlib.sha256(write_design(self.base).encode()).hexdigest(),
+            "parameters": [[vars(parameter) | {"values": list(parameter.values)} for parameter in axis]
+                           for axis in self.axes],
+            "sampling": self.sampling,
+            "cases": self.cases,
+            "seed": self.seed,
+            "constraints": [constraint.text for constraint in self.constraints],
+            "fidelity": self.fidelity,
+            "frequencies": [float(value) for value in self.frequency],
+            "metrics": list(self.metrics),
+            "transfer_functions": self.transfer_functions,
+        }  # fmt: skip
+
+    def digest(self) -> str:
+        """Hash of :meth:`content`."""
+        return hashlib.sha256(json.dumps(self.content(), sort_keys=True).encode()).hexdigest()
+
+
+class _Section(BaseModel):
+    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
+
+
+class _Range(_Section):
+    first: Annotated[float, Field(strict=True, alias="from", description="where the range begins")]
+    last: Annotated[float, Field(strict=True, alias="to", description="where the range ends")]
+    count: Annotated[int, Field(strict=True, ge=2, le=100_000)] | None = Field(
+        default=None, description="values in a grid"
+    )
+    scale: Literal["linear", "log"] = Field(default="linear", description="equal steps or equal ratios")
+
+
+class _StudyFile(_Section):
+    name: str = Field(
+        default="study",
+        min_length=1,
+        max_length=80,
+        pattern=r"^[A-Za-z0-9][A-Za-z0-9._-]*$",
+        description="of the study",
+    )
+    description: str = Field(default="", description="what it asks, for people")
+    base: str = Field(description="a prototype, or a design file beside the study")
+    sampling: Sampling = Field(default="grid", description="every combination, or samples")
+    cases: Annotated[int, Field(strict=True, ge=1, le=LARGEST)] | None = Field(
+        default=None, description="number of samples"
+    )
+    seed: Annotated[int, Field(strict=True, ge=0, le=2**53)] = Field(default=0, description="of the samples")
+    constraints: tuple[str, ...] = Field(default=(), description="conditions that a case must meet")
+    fidelity: Fidelity = Field(default="navier-stokes", description="what the cells are computed with")
+    frequencies: str = Field(default="1:100:64", description="FIRST:LAST:COUNT, Hz")
+    metrics: tuple[str, ...] = Field(min_length=1, description="figures of merit")
+    transfer_functions: Annotated[bool, Field(strict=True)] = Field(default=False, description="whether they are kept")
+    parameters: dict[str, Any] = Field(default_factory=dict, description="what varies, each on its own")
+    together: tuple[dict[str, Any], ...] = Field(default=(), description="groups of parameters that vary together")
+
+
+def load_study(path: str | os.PathLike[str]) -> Study:
+    """Read a study file; ``base`` is looked for in its folder.
+
+    Raises:
+        StudyError: no such file, not TOML, or not a valid study.
+        DesignError: the base design is not valid.
+    """
+    path = Path(path)
+    try:
+        if path.is_file() and path.stat().st_size > _LARGEST_FILE:
+            raise StudyError(f"{path}: {path.stat().st_size} bytes must be at most {_LARGEST_FILE} for a study file")
+        text = path.read_bytes().decode("utf-8-sig")
+    except FileNotFoundError:
+        raise StudyError(f"{path}: no such file") from None
+    except IsADirectoryError:
+        raise StudyError(f"{path}: is a folder, not a study file") from None
+    except UnicodeDecodeError as error:
+        raise StudyError(f"{path}: byte {error.start} is not UTF-8; a study file is a text in UTF-8") from None
+    except OSError as error:
+        raise StudyError(f"{path}: cannot be read: {error.strerror}") from None
+    return read_study(text, str(path), path.parent)
+
+
+def read_study(
+    text: str, source: str = "study.toml", folder: Path | None = None, base: ArrayDesign | None = None
+) -> Study:
+    """Read a study from the text of a file.
+
+    Args:
+        text: TOML.
+        source: name of the file, for messages.
+        folder: where design files are looked for; by default the current one.
+        base: the base design, in place of the one the text names.
+
+    Raises:
+        StudyError: not TOML, or not a valid study.
+        DesignError: the base design is not valid.
+    """
+    try:
+        data = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise StudyError(f"{source}: is not TOML: {error}") from None
+    try:
+        file = _StudyFile.model_validate(data)
+    except ValidationError as error:
+        raise _refusal(error, _StudyFile, data, source) from None
+    try:
+        design = base or _base(file.base, folder or Path())
+        axes = _axes(file, design, source)
+        constraints = tuple(parse_constraint(each, design) for each in file.constraints)
+        return Study(
+            text=text,
+            name=file.name,
+            description=file.description,
+            base=design,
+            axes=axes,
+            sampling=file.sampling,
+            cases=_cases(file, axes),
+            seed=file.seed,
+            constraints=constraints,
+            fidelity=file.fidelity,
+            frequency=_frequencies(file.frequencies),
+            metrics=_metrics(file.metrics),
+            transfer_functions=file.transfer_functions,
+        )
+    except DesignError:
+        raise
+    except ValueError as error:
+        raise StudyError(_named(source, error)) from None
+
+
+def _named(source: str, error: ValueError) -> str:
+    message = str(error)
+    return message if message.startswith(f"{source}: ") else f"{source}: {message}"
+
+
+def _refusal(error: ValidationError, model: type[BaseModel], data: Mapping[str, Any], source: str) -> StudyError:
+    return StudyError(str(error_from_validation(error, model, data, source, "study")))
+
+
+def _base(name: str, folder: Path) -> ArrayDesign:
+    if name in prototype_names():
+        return prototype(name)
+    path = folder / name
+    if not path.is_file():
+        raise ValueError(
+            f"base = {name!r} is neither a file in {folder} nor a prototype; known: {', '.join(prototype_names())}"
+        )
+    return load_design(path)
+
+
+def _metrics(names: tuple[str, ...]) -> tuple[str, ...]:
+    from studies.metric_registry import metrics_named
+
+    metrics_named(names)
+    return tuple(dict.fromkeys(names))
+
+
+def _frequencies(text: str) -> NDArray[np.float64]:
+    from acoustic_fem.checks import frequency_grid
+
+    parts = text.split(":")
+    try:
+        first, last, count = float(parts[0]), float(parts[1]), int(parts[2])
+        if len(parts) != 3 or not 1 <= count <= 100_000:
+            raise ValueError
+    except (ValueError, IndexError):
+        raise ValueError(
+            f"frequencies = {text!r} must be FIRST:LAST:COUNT in Hz, such as '1:100:64', with COUNT from 1 to 100000"
+        ) from None
+    try:
+        return frequency_grid(np.linspace(first, last, count))
+    except ValueError as error:
+        raise ValueError(f"frequencies = {text!r}: {error}") from None
+
+
+# -- what varies ------------------------------------------------------------------------------------
+def _axes(file: _StudyFile, base: ArrayDesign, source: str) -> tuple[tuple[Parameter, ...], ...]:
+    groups = [{name: value} for name, value in _flat(file.parameters).items()] + [_flat(each) for each in file.together]
+    if not any(groups):
+        raise ValueError('parameters is missing: a study varies at least one field, such as "tube.length" = [10, 20]')
+    axes = []
+    for group in groups:
+        axis = tuple(_parameter(name, given, file.sampling == "grid", base, source) for name, given in group.items())
+        sizes = {parameter.name: parameter.size for parameter in axis}
+        if len(set(sizes.values())) > 1:
+            counts = ", ".join(f"{name} has {size}" for name, size in sizes.items())
+            raise ValueError(f"together: parameters that go together must have equally many values; {counts}")
+        axes.append(axis)
+    names = [parameter.name for axis in axes for parameter in axis]
+    for name in names:
+        if names.count(name) > 1:
+            raise ValueError(f"{name} must be given once, under [parameters] or in one group of [[together]]")
+    return tuple(axis for axis in axes if axis)
+
+
+def _flat(table: Mapping[str, Any], prefix: str = "") -> dict[str, Any]:
+    """Dotted names, whether they are in quotes or not: without quotes TOML makes tables of them."""
+    flat: dict[str, Any] = {}
+    for key, value in table.items():
+        if isinstance(value, dict) and not {"from", "to"} & set(value) and value:
+            flat |= _flat(value, f"{prefix}{key}.")
+        else:
+            flat[prefix + key] = value
+    return flat
+
+
+def _parameter(name: str, given: Any, in_grid: bool, base: ArrayDesign, source: str) -> Parameter:
+    try:
+        now = value_of(base, name)
+    except DesignError as error:
+        raise ValueError(f"parameters: {error}") from None
+    kind = next((field.kind for field in fields_of(ArrayDesign) if _same(field.name, name)), "a number")
+    if kind in ("a table", "a list") or isinstance(now, (BaseModel, tuple, dict)):
+        raise ValueError(f"parameters.{name} is {kind}; give the fields in it, such as {name}.length")
+    if isinstance(given, list) and given:
+        for value in given:
+            _check_design(base, name, value, source)
+        return Parameter(name, values=tuple(given), whole=kind == "a whole number")
+    if not isinstance(given, dict) or not {"from", "to"} <= set(given):
+        raise ValueError(
+            f"parameters.{name} = {given!r} must be a list of values, or a range {{from = ..., to = ..., count = ...}}"
+        )
+    try:
+        limits = _Range.model_validate(given)
+    except ValidationError as error:
+        raise _refusal(error, _Range, given, f"{source}: parameters.{name}") from None
+    whole = kind == "a whole number"
+    if kind == "a text":
+        raise ValueError(f"parameters.{name} is a text: give a list of values, not a range")
+    for end, value in (("from", limits.first), ("to", limits.last)):
+        if whole and value != round(value):
+            raise ValueError(f"parameters.{name}.{end} = {value:g} must be a whole number")
+        _check_design(base, name, round(value) if whole else value, source)
+    if limits.first >= limits.last:
+        raise ValueError(f"parameters.{name}.from = {limits.first:g} must be below to = {limits.last:g}")
+    if limits.scale == "log" and limits.first <= 0:
+        raise ValueError(f"parameters.{name}.from = {limits.first:g} must be above 0 for scale = 'log'")
+    if whole and limits.scale == "log":
+        raise ValueError(f"parameters.{name}.scale = 'log' must be 'linear' for whole numbers")
+    count = limits.count or (round(limits.last - limits.first) + 1 if whole else 0)
+    if in_grid and not count:
+        raise ValueError(f"parameters.{name}.count is missing: a grid needs the number of values")
+    if whole:
+        count = min(count, round(limits.last - limits.first) + 1)
+    return Parameter(name, (), limits.first, limits.last, count if in_grid else 0, limits.scale, whole)
+
+
+def _check_design(base: ArrayDesign, name: str, value: Any, source: str) -> None:
+    """Refuse a value that its field never allows, and a name that cannot be changed."""
+    try:
+        check_value(ArrayDesign, name, value, source)
+        base.with_values({name: value})
+    except DesignError as error:
+        if "is not a field" in str(error) or "is not given" in str(error) or str(error).startswith(f"{source}: "):
+            raise StudyError(_named(source, error)) from None
+        # a rule between fields: other parameters may mend it, else the case fails by name
+
+
+def _same(pattern: str, name: str) -> bool:
+    steps, given = pattern.split("."), name.split(".")
+    return len(steps) == len(given) and all(a in ("*", b) for a, b in zip(steps, given, strict=True))
+
+
+def _cases(file: _StudyFile, axes: tuple[tuple[Parameter, ...], ...]) -> int:
+    if file.sampling == "grid":
+        if file.cases is not None:
+            raise ValueError(
+                f"cases = {file.cases} must not be given for sampling = 'grid', which has every combination"
+            )
+        count = int(np.prod([float(len(axis[0].grid())) for axis in axes]))
+        if count > LARGEST:
+            raise ValueError(f"sampling = 'grid' has {count} cases; it must have at most {LARGEST}")
+        return 0
+    if file.cases is None:
+        raise ValueError(f"cases is missing: sampling = {file.sampling!r} needs the number of samples")
+    return file.cases

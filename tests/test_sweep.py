@@ -1,0 +1,387 @@
+"""Sweeps: right values, whole stores, the same ones after an interruption; failures that stop nothing."""
+
+from __future__ import annotations
+
+import filecmp
+import json
+import re
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+import xarray as xr
+from typer.testing import CliRunner
+
+import acoustic_fem
+from acoustic_fem import cell_cache, design_cells
+from acoustic_fem.axisymmetric_elasticity import DiscShape, ElasticDisc, solve_dimensionless
+from geometry.cells import Cell
+from studies import sweep, sweep_cases
+from studies.cases import cases_of
+from studies.cli import app
+from studies.metric_registry import METRICS
+from studies.study_file import Study, StudyError, read_study
+from studies.sweep import Progress, Summary, run_sweep
+from studies.sweep_store import BlockResult, SweepStore, block_size, open_sweep
+
+METRICS_OF_STUDY = ("distance_smallest", "ipd_mean", "sensitivity_force", "volume")
+TEXT = f"""
+name = "bores"
+base = "array-2x6"
+fidelity = "lumped"
+frequencies = "5:100:12"
+metrics = {json.dumps(METRICS_OF_STUDY)}
+sampling = "random"
+cases = 40
+transfer_functions = true
+
+[parameters]
+"tube.inner_diameter" = {{from = 0.3, to = 0.8}}
+"tube.length" = {{from = 8, to = 30, scale = "log"}}
+"lines.0.points" = [6, 12]
+"membrane.material" = ["silicone-shore-a-30", "silicone-shore-a-10"]
+"""
+
+
+@pytest.fixture(scope="module")
+def study() -> Study:
+    return read_study(TEXT)
+
+
+@pytest.fixture(scope="module")
+def finished(study: Study, tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Summary]:
+    out = tmp_path_factory.mktemp("sweep") / "results.zarr"
+    return out, run_sweep(study, out, workers=1)
+
+
+def assert_same_store(one: Path, other: Path) -> None:
+    """Every file of two stores is the same, byte for byte."""
+
+    def walk(compared: filecmp.dircmp[str]) -> Iterator[str]:
+        yield from (*compared.left_only, *compared.right_only, *compared.funny_files)
+        _, differ, broken = filecmp.cmpfiles(compared.left, compared.right, compared.common_files, shallow=False)
+        yield from (*differ, *broken)
+        for below in compared.subdirs.values():
+            yield from walk(below)
+
+    assert list(walk(filecmp.dircmp(one, other, ignore=[]))) == []
+
+
+# -- values -----------------------------------------------------------------------------------------
+def test_every_case_has_the_metrics_of_its_design_solved_alone(study: Study, finished: tuple[Path, Summary]) -> None:
+    result = open_sweep(finished[0])
+    assert result.metrics == METRICS_OF_STUDY
+    for number in np.flatnonzero(result.done)[:6]:
+        library = acoustic_fem.solve(result.design(number), study.frequency, "lumped")
+        for name in METRICS_OF_STUDY:
+            assert float(result.dataset[name][number]) == pytest.approx(
+                METRICS[name].of_library(library), rel=1e-6, abs=0
+            )
+        count = library.design.point_count
+        stored = (result.dataset["transfer_function_real"] + 1j * result.dataset["transfer_function_imag"])[number]
+        np.testing.assert_allclose(stored[:count], library.transfer_function, rtol=1e-7)
+        assert np.isnan(stored[count:]).all()
+
+
+def test_a_case_that_is_no_design_is_kept_as_failed_with_its_reason(finished: tuple[Path, Summary]) -> None:
+    out, summary = finished
+    result = open_sweep(out)
+    failed = np.flatnonzero(result.failed)
+    assert 0 < len(failed) < 40
+    assert result.done.sum() + len(failed) == 40
+    for number in failed:
+        case = result.case(int(number))
+        assert case["tube.inner_diameter"] > 0.74
+        assert re.search(r"tube\.\w+ = .* mm must be", str(result.dataset["reason"].values[number]))
+        for name in METRICS_OF_STUDY:
+            assert np.isnan(result.dataset[name].values[number])
+    assert sorted(number for numbers in summary.failures.values() for number in numbers) == list(failed)
+    for number in np.flatnonzero(result.done):
+        assert result.dataset["reason"].values[number] == ""
+
+
+def test_the_store_opens_in_xarray_with_units_and_carries_its_study(
+    finished: tuple[Path, Summary], study: Study
+) -> None:
+    dataset = xr.open_zarr(finished[0], consolidated=False)
+    assert dict(dataset.sizes) == {"case": 40, "point": 12, "microphone": 2, "frequency": 12}
+    assert dataset["tube.length"].attrs["units"] == "mm"
+    assert dataset["distance_smallest"].attrs == {
+        "kind": "metric",
+        "units": METRICS["distance_smallest"].unit,
+        "long_name": METRICS["distance_smallest"].long_name,
+    }
+    assert dataset.attrs["study"] == TEXT
+    assert dataset.attrs["seed"] == 0
+    assert open_sweep(finished[0]).base == study.base.completed()
+    np.testing.assert_array_equal(dataset["tube.length"].values, cases_of(study).columns[1])
+
+
+def test_air_that_differs_from_case_to_case_is_each_cases_own(tmp_path: Path) -> None:
+    text = TEXT.split("[parameters]")[0].replace("cases = 40", "cases = 5") + (
+        '[parameters]\n"air.temperature" = [0, 20, 40]\n"tube.length" = {from = 12, to = 20}\n'
+    )
+    study = read_study(text)
+    run_sweep(study, tmp_path / "r.zarr", workers=1)
+    result = open_sweep(tmp_path / "r.zarr")
+    for number in range(5):
+        library = acoustic_fem.solve(result.design(number), study.frequency, "lumped")
+        expected = METRICS["distance_smallest"].of_library(library)
+        assert float(result.dataset["distance_smallest"][number]) == pytest.approx(expected, rel=1e-6, abs=0)
+
+
+def test_a_stretched_membrane_with_loss_is_computed_alone(tmp_path: Path) -> None:
+    """The batch cannot hold it; the sweep does not mind."""
+    text = TEXT.split("[parameters]")[0].replace('"random"\ncases = 40', '"grid"') + (
+        '[parameters]\n"membrane.stretch" = [1.0, 1.2]\n'
+    )
+    study = read_study(text)
+    run_sweep(study, tmp_path / "r.zarr", workers=1)
+    result = open_sweep(tmp_path / "r.zarr")
+    assert result.done.all()
+    library = acoustic_fem.solve(result.design(1), study.frequency, "lumped")
+    expected = METRICS["distance_smallest"].of_library(library)
+    assert float(result.dataset["distance_smallest"][1]) == pytest.approx(expected, rel=1e-9, abs=0)
+
+
+# -- interruptions ----------------------------------------------------------------------------------
+class _Killed(BaseException):
+    pass
+
+
+@pytest.mark.parametrize("after", [0, 1, 5])
+def test_a_sweep_that_was_cut_off_goes_on_to_the_same_store(
+    after: int, study: Study, finished: tuple[Path, Summary], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    out = tmp_path / "results.zarr"
+    write = SweepStore.write
+    written = 0
+
+    def write_some(self: SweepStore, result: BlockResult) -> None:
+        nonlocal written
+        if written == after:  # the block's metrics are there, its state is not
+            self._variables["volume"][result.first : result.first + len(result.state)] = -1.0
+            raise _Killed
+        written += 1
+        write(self, result)
+
+    monkeypatch.setattr(SweepStore, "write", write_some)
+    with pytest.raises(_Killed):
+        run_sweep(study, out, workers=1)
+    (out / "volume" / "c" / "0.abc.partial").write_bytes(b"half")  # what zarr leaves of a file it was writing
+    monkeypatch.setattr(SweepStore, "write", write)
+    assert (open_sweep(out).dataset["state"].values == 0).sum() == 40 - after * block_size(study, cases_of(study))
+    summary = run_sweep(study, out, workers=1)
+    assert summary.computed == 40 - after * block_size(study, cases_of(study))
+    assert_same_store(out, finished[0])
+
+
+def test_a_finished_sweep_is_not_computed_again(study: Study, finished: tuple[Path, Summary]) -> None:
+    summary = run_sweep(study, finished[0], workers=1)
+    assert (summary.computed, summary.cases) == (0, 40)
+    assert summary.failures == finished[1].failures
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        ("from = 0.3", "from = 0.31", "its values of tube.inner_diameter are not the same"),
+        ('"tube.length"', '"microphone_tube.length"', "it does not vary microphone_tube.length"),
+        ("5:100:12", "5:100:13", "its frequencies are 5:100:12, not 5:100:13"),
+        ("cases = 40", "cases = 41", "its cases is 40, not 41"),
+        ("array-2x6", "line-2", "its base design is not the same"),
+        ('"random"', '"random"\nseed = 7', "its seed is 0, not 7"),
+        (', "volume"]', "]", "its metrics is"),
+    ],
+)
+def test_the_store_of_another_study_is_refused_by_name(
+    old: str, new: str, message: str, finished: tuple[Path, Summary]
+) -> None:
+    with pytest.raises(StudyError, match=re.escape(f"{finished[0]}: holds the results of another study: {message}")):
+        run_sweep(read_study(TEXT.replace(old, new, 1)), finished[0], workers=1)
+
+
+def test_nobody_elses_folder_is_touched(study: Study, tmp_path: Path) -> None:
+    (tmp_path / "mine.zarr").mkdir()
+    (tmp_path / "mine.zarr" / "letter.txt").write_text("dear")
+    with pytest.raises(StudyError, match="holds what no sweep made"):
+        run_sweep(study, tmp_path / "mine.zarr", workers=1)
+    (tmp_path / "file").write_text("")
+    with pytest.raises(ValueError, match="--out must be a folder"):
+        run_sweep(study, tmp_path / "file", workers=1)
+    assert [entry.name for entry in (tmp_path / "mine.zarr").iterdir()] == ["letter.txt"]
+
+
+def test_two_sweeps_do_not_write_to_one_store(study: Study, tmp_path: Path) -> None:
+    def start_another(_: Progress) -> None:
+        with pytest.raises(StudyError, match="another sweep is writing"):
+            run_sweep(study, tmp_path / "r.zarr", workers=1)
+
+    run_sweep(study, tmp_path / "r.zarr", workers=1, progress=start_another)
+    assert open_sweep(tmp_path / "r.zarr").done.any()
+
+
+# -- failures ---------------------------------------------------------------------------------------
+def test_a_metric_that_fails_for_one_design_fails_that_case_only(
+    study: Study, finished: tuple[Path, Summary], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    whole = open_sweep(finished[0])
+    victim = int(np.flatnonzero(whole.done)[7])
+    length = whole.case(victim)["tube.length"]
+    volume = METRICS["volume"]
+
+    def picky(responses: object) -> np.ndarray:
+        designs = responses.designs  # type: ignore[attr-defined]
+        if any(design.tube.length == length for design in designs):
+            raise ArithmeticError("too long")
+        return volume.compute(responses)  # type: ignore[arg-type]
+
+    monkeypatch.setitem(METRICS, "volume", replace(volume, compute=picky))
+    run_sweep(study, tmp_path / "r.zarr", workers=1)
+    result = open_sweep(tmp_path / "r.zarr")
+    assert result.done.sum() == whole.done.sum() - 1
+    assert str(result.dataset["reason"].values[victim]) == "metric volume: ArithmeticError: too long"
+    others = result.done
+    np.testing.assert_array_equal(result.dataset["volume"].values[others], whole.dataset["volume"].values[others])
+
+
+def test_metrics_that_the_frequencies_cannot_give_are_refused_before_any_work(tmp_path: Path) -> None:
+    text = TEXT.replace('"5:100:12"', '"150:200:5"')
+    with pytest.raises(StudyError, match="between 1 and 100 Hz"):
+        run_sweep(read_study(text), tmp_path / "r.zarr", workers=1)
+    assert not (tmp_path / "r.zarr").exists()
+
+
+# -- 3-D cells --------------------------------------------------------------------------------------
+CELLS = """
+base = "array-2x6"
+fidelity = "navier-stokes"
+frequencies = "10:100:4"
+metrics = ["distance_smallest"]
+[parameters]
+"resonator.cavity_height" = [2.5, 3.0]
+"tube.length" = [12.5, 14, 15, 16, 18, 20]
+"membrane.thickness" = [0.5, 0.6]
+"""
+
+
+def test_every_distinct_cell_is_solved_once_and_one_that_fails_takes_its_own_cases_only(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The 3-D solution is replaced: what is tested is who asks for it, and how often."""
+    monkeypatch.setenv("ACOUSTIC_FEM_CACHE", str(tmp_path / "cache"))
+    asked: list[Cell] = []
+
+    def solve_cells(
+        cells: list[Cell], frequency: np.ndarray, medium: object, fidelity: str, *, apart: bool
+    ) -> dict[Cell, object]:
+        from acoustic_fem.lumped_cell import lumped_admittance
+
+        assert apart  # a crash of the solver is that cell's alone
+        (cell,) = cells
+        asked.append(cell)
+        if cell.kind == "resonator" and cell.height == 3.0 and len({port.bore_diameter for port in cell.ports}) == 1:
+            raise design_cells.CellError(f"{cell.label}: no mesh")
+        admittance = lumped_admittance(cell, frequency, medium)  # type: ignore[arg-type]
+        return {cell: design_cells.CellSolution(admittance, fidelity, 1, (), 0.0, 0.0, 1.0, cached=False)}
+
+    monkeypatch.setattr(sweep_cases, "solve_cells", solve_cells)
+    study = read_study(CELLS)
+    summary = run_sweep(study, tmp_path / "r.zarr", workers=1)
+    assert len(asked) == len(set(asked)) == summary.cells
+    assert summary.cells_solved == sum(1 for cell in asked if cell.height != 3.0)
+    result = open_sweep(tmp_path / "r.zarr")
+    tall = result.dataset["resonator.cavity_height"].values == 3.0
+    np.testing.assert_array_equal(result.failed, tall)
+    assert all("no mesh" in str(reason) for reason in result.dataset["reason"].values[tall])
+    lumped = acoustic_fem.solve(result.design(0), study.frequency, "lumped")
+    expected = METRICS["distance_smallest"].of_library(lumped)
+    assert float(result.dataset["distance_smallest"][0]) == pytest.approx(expected, rel=1e-6, abs=0)
+
+
+# -- command line -----------------------------------------------------------------------------------
+def test_a_dry_run_says_what_it_will_cost_and_writes_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("ACOUSTIC_FEM_CACHE", str(tmp_path / "cache"))
+    (tmp_path / "study.toml").write_text(CELLS)
+    result = CliRunner().invoke(app, ["sweep", str(tmp_path / "study.toml"), "--dry-run", "--workers", "2"])
+    assert result.exit_code == 0, result.output
+    assert "cases: 24" in result.stdout
+    cells = {cell for number in range(24) for cell in sweep_cases.cells_of(cases_of(read_study(CELLS)).design(number))}
+    assert f"distinct cells (navier-stokes): {len(cells)}, of which 0 are in the cache" in result.stdout
+    assert re.search(r"expected time: \S+ (s|min|h) with 2 workers", result.stdout)
+    assert sorted(entry.name for entry in tmp_path.iterdir()) == ["study.toml"]
+
+
+def test_the_verb_says_what_it_did_and_goes_on(tmp_path: Path) -> None:
+    (tmp_path / "study.toml").write_text(TEXT)
+    out = tmp_path / "results.zarr"
+    first = CliRunner().invoke(app, ["sweep", str(tmp_path / "study.toml"), "--out", str(out)])
+    assert first.exit_code == 0, first.output
+    assert "40 cases, 40 computed now" in first.stdout
+    assert re.search(r"\d+ failed:\n +\d+ x array-2x6: ", first.stdout)
+    assert "40 of 40 cases" in first.stderr
+    again = CliRunner().invoke(app, ["sweep", str(tmp_path / "study.toml"), "--out", str(out)])
+    assert "40 cases, 0 computed now" in again.stdout
+    assert "40 by earlier runs" in again.stdout
+    events = [json.loads(line)["event"] for line in (tmp_path / "results.zarr.log").read_text().splitlines()]
+    assert events.count("start") == events.count("end") == 2
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ([], "--out is missing"),
+        (["--out", "r.zarr", "--workers", "0"], "--workers 0 must be between 1 and 1024"),
+        (["--out", "r.zarr", "--workers", "2", "--scheduler", "tcp://x:1"], "must not be given beside --scheduler"),
+    ],
+)
+def test_a_wrong_command_line_is_refused(arguments: list[str], message: str, tmp_path: Path) -> None:
+    (tmp_path / "study.toml").write_text(TEXT)
+    result = CliRunner().invoke(app, ["sweep", str(tmp_path / "study.toml"), *arguments])
+    assert result.exit_code == 2
+    assert message in " ".join(result.output.replace("│", " ").split())
+
+
+def test_blocks_depend_on_the_study_alone(study: Study) -> None:
+    cases = cases_of(study)
+    size = block_size(study, cases)
+    assert size == block_size(read_study("# the same\n" + TEXT), cases)
+    assert 1 <= size <= 1024
+    assert size <= sweep._FEW
+
+
+def test_a_cell_in_the_cache_is_known_without_reading_it(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("ACOUSTIC_FEM_CACHE", str(tmp_path))
+    (cell, air), *_ = sweep_cases.cells_of(read_study(TEXT).base)
+    assert not design_cells.is_cached(cell, [10.0, 20.0], air)
+    key = design_cells._Task(cell, air, design_cells.DESIGN_BAND, "navier-stokes").key
+    cell_cache.store(key, {}, {})
+    assert design_cells.is_cached(cell, [10.0, 20.0], air)
+    assert not design_cells.is_cached(cell, [10.0, 20.0], air, "helmholtz")
+
+
+def test_many_membranes_are_interpolated_between_few_that_are_solved(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    text = TEXT.split("[parameters]")[0].replace("cases = 40", "cases = 120") + (
+        '[parameters]\n"membrane.thickness" = {from = 0.4, to = 0.6}\n'
+    )
+    study = read_study(text)
+    solved: list[object] = []
+
+    def counted(shape: DiscShape) -> ElasticDisc:
+        solved.append(shape)
+        return solve_dimensionless(shape)
+
+    monkeypatch.setattr(sweep, "solve_dimensionless", counted)
+    run_sweep(study, tmp_path / "r.zarr", workers=1)
+    assert 0 < len(solved) < 12
+    result = open_sweep(tmp_path / "r.zarr")
+    assert result.done.all()
+    for number in (0, 119):
+        library = acoustic_fem.solve(result.design(number), study.frequency, "lumped")
+        for name, accuracy in (("distance_smallest", 2e-4), ("sensitivity_force", 4e-4)):
+            expected = METRICS[name].of_library(library)
+            assert float(result.dataset[name][number]) == pytest.approx(expected, rel=accuracy, abs=0)

@@ -1,0 +1,156 @@
+"""Sweeps over real processes: workers and whole runs killed, and the store is still the same to the last bit."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import psutil
+import pytest
+
+from studies.study_file import load_study
+from studies.sweep import run_sweep
+from studies.sweep_store import open_sweep
+from tests.test_sweep import assert_same_store
+
+STUDY = """
+base = "array-2x6"
+fidelity = "lumped"
+metrics = ["distance_smallest", "predicted_top1_loud"]
+sampling = "latin-hypercube"
+cases = 160
+seed = 5
+transfer_functions = true
+[parameters]
+"tube.inner_diameter" = {from = 0.3, to = 0.76}
+"tube.length" = {from = 8, to = 30}
+"resonator.cavity_height" = {from = 1.8, to = 5}
+"""
+BLOCKS = 16
+ROOT = Path(__file__).parents[1]
+ENVIRONMENT = {**os.environ, "PYTHONPATH": str(ROOT)}
+PATIENCE = 240  # s, on a machine that is busy with other tests
+
+
+@pytest.fixture(scope="module")
+def uninterrupted(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
+    """The study file, and its store made in one go by one process."""
+    folder = tmp_path_factory.mktemp("uninterrupted")
+    (folder / "study.toml").write_text(STUDY)
+    summary = run_sweep(load_study(folder / "study.toml"), folder / "results.zarr", workers=1)
+    assert 0 < sum(len(numbers) for numbers in summary.failures.values()) < 80
+    return folder / "study.toml", folder / "results.zarr"
+
+
+def start(*arguments: str) -> subprocess.Popen[bytes]:
+    return subprocess.Popen(
+        [sys.executable, "-m", *arguments],
+        env=ENVIRONMENT,
+        cwd=ROOT,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+        start_new_session=True,
+    )
+
+
+def blocks(out: Path) -> int:
+    """Blocks that the runs so far have written."""
+    log = out.with_name(out.name + ".log")
+    if not log.exists():
+        return 0
+    return sum('"block"' in line for line in log.read_text().splitlines())
+
+
+def wait_for(condition: Callable[[], object], process: subprocess.Popen[bytes] | None = None) -> None:
+    end = time.monotonic() + PATIENCE
+    while not condition():
+        assert time.monotonic() < end, "waited too long"
+        assert process is None or process.poll() is None, "the sweep ended by itself"
+        time.sleep(0.02)
+
+
+@pytest.fixture
+def cluster(tmp_path: Path) -> Iterator[tuple[str, list[subprocess.Popen[bytes]]]]:
+    """Address of a scheduler on loopback, and its two workers."""
+    file = tmp_path / "scheduler.json"
+    scheduler = start(
+        "distributed.cli.dask_scheduler", "--host", "127.0.0.1", "--port", "0", "--no-dashboard",
+        "--scheduler-file", str(file),
+    )  # fmt: skip
+    workers: list[subprocess.Popen[bytes]] = []
+    try:
+        wait_for(file.exists, scheduler)
+        address = json.loads(file.read_text())["address"]
+        workers += [
+            start("distributed.cli.dask_worker", address, "--nthreads", "1", "--no-nanny", "--no-dashboard",
+                  "--host", "127.0.0.1", "--local-directory", str(tmp_path / f"worker-{number}"))
+            for number in range(2)
+        ]  # fmt: skip
+        yield address, workers
+    finally:
+        for process in (*workers, scheduler):
+            process.kill()
+            process.wait()
+
+
+@pytest.mark.slow
+def test_a_worker_that_is_killed_in_mid_sweep_changes_nothing(
+    uninterrupted: tuple[Path, Path], cluster: tuple[str, list[subprocess.Popen[bytes]]], tmp_path: Path
+) -> None:
+    study, expected = uninterrupted
+    address, workers = cluster
+    out = tmp_path / "results.zarr"
+    run = start("studies.cli", "sweep", str(study), "--out", str(out), "--scheduler", address)
+    try:
+        wait_for(lambda: blocks(out) >= 2, run)
+        workers[0].send_signal(signal.SIGKILL)
+        workers[0].wait()
+        assert blocks(out) < BLOCKS, "the sweep was done before the worker was killed"
+        assert run.wait(PATIENCE) == 0
+    finally:
+        run.kill()
+        run.wait()
+    assert blocks(out) == BLOCKS
+    assert_same_store(out, expected)
+
+
+@pytest.mark.slow
+def test_a_run_that_is_killed_three_times_ends_in_the_same_store(
+    uninterrupted: tuple[Path, Path], tmp_path: Path
+) -> None:
+    study, expected = uninterrupted
+    out = tmp_path / "results.zarr"
+    arguments = ("studies.cli", "sweep", str(study), "--out", str(out), "--workers", "2")
+    for moment in (1, 6, 11):
+        run = start(*arguments)
+        wait_for(lambda moment=moment: blocks(out) >= moment, run)  # type: ignore[misc]
+        helpers = psutil.Process(run.pid).children(recursive=True)
+        run.send_signal(signal.SIGKILL)
+        run.wait()
+        assert len(helpers) >= 2
+        assert (open_sweep(out).dataset["state"].values == 0).any(), "the sweep was done before it was killed"
+        wait_for(lambda helpers=helpers: not any(alive(helper) for helper in helpers))  # type: ignore[misc]
+    run = start(*arguments)
+    assert run.wait(PATIENCE) == 0
+    assert blocks(out) < BLOCKS + 3 * 2, "blocks that were done were computed again"
+    assert_same_store(out, expected)
+
+
+def alive(process: psutil.Process) -> bool:
+    return process.is_running() and process.status() != psutil.STATUS_ZOMBIE
+
+
+def test_a_scheduler_that_does_not_answer_is_named(
+    uninterrupted: tuple[Path, Path], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("studies.sweep_workers._PATIENCE", 1)
+    with pytest.raises(RuntimeError, match=r"no scheduler answers at tcp://127\.0\.0\.1:9"):
+        run_sweep(load_study(uninterrupted[0]), tmp_path / "r.zarr", scheduler="tcp://127.0.0.1:9")
+    run_sweep(load_study(uninterrupted[0]), tmp_path / "r.zarr", workers=1)
+    assert_same_store(tmp_path / "r.zarr", uninterrupted[1])
