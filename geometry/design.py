@@ -26,6 +26,10 @@ STUB_LENGTH_IN_RADII = 4.0
 
 #: Width on which the board of a microphone is glued, or bears on either side of a gasket, mm.
 BOARD_SEAL = 0.6
+#: Gap around the board in its seat, mm.
+BOARD_CLEARANCE = 0.1
+#: Width of the slot for the wires per width of the seat.
+SEAT_SLOT = 0.6
 
 Millimetre = Annotated[Number, Field(gt=0, json_schema_extra={"unit": "mm"})]
 CubicMillimetre = Annotated[Number, Field(gt=0, json_schema_extra={"unit": "mm^3"})]

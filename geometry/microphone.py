@@ -6,15 +6,10 @@ from collections.abc import Sequence
 
 import cadquery as cq
 
-from geometry.design import BOARD_SEAL, Microphone, Printing
+from geometry.design import BOARD_CLEARANCE, BOARD_SEAL, SEAT_SLOT, Microphone, Printing
 from geometry.design_rules import SOCKET_COVER
 from geometry.shell import cut_ports, cylinder, one_solid
 from geometry.tube import Port
-
-#: Gap around the board in its seat, mm.
-BOARD_CLEARANCE = 0.1
-#: Width of the slot for the wires per width of the board.
-_SLOT = 0.6
 
 
 def build_housing(microphone: Microphone, printing: Printing, ports: Sequence[Port]) -> cq.Workplane:
@@ -41,7 +36,7 @@ def build_housing(microphone: Microphone, printing: Printing, ports: Sequence[Po
         if abs(underside - edge) < SOCKET_COVER:
             underside = max(edge - SOCKET_COVER, 0.0)
     head = _box(*outside, underside, top + height)
-    slot = _box(length, _SLOT * width, top, top + height).moved(cq.Location(cq.Vector(-length / 2, 0, 0)))
+    slot = _box(length, SEAT_SLOT * width, top, top + height).moved(cq.Location(cq.Vector(-length / 2, 0, 0)))
     solid = cylinder(radius + wall, -wall, top).fuse(head)
     solid = solid.cut(_box(length, width, top, top + height), slot, cylinder(radius, 0, top))
     if microphone.gasket_width is not None:

@@ -10,7 +10,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from geometry.design import ArrayDesign, Microphone, Tube
+from geometry.design import BOARD_CLEARANCE, BOARD_SEAL, SEAT_SLOT, ArrayDesign, Microphone, Tube
 from geometry.layout import place
 
 
@@ -38,17 +38,25 @@ MICROPHONE_MASS = (0.03, "g, a MEMS package of 3.5 x 2.65 x 1 mm on its board: a
 def size(design: ArrayDesign) -> tuple[float, float, float]:
     """Length (the longer side), width and height of the box around shells and housings, mm."""
     layout = place(design)
-    shells = [(point.position, design.resonator.outer_diameter / 2) for point in layout.points]
-    wall = design.microphone.chamber_diameter / 2 + design.microphone.wall_thickness
-    shells += [(microphone.position, wall) for microphone in layout.microphones]
+    reach = design.resonator.outer_diameter / 2
+    boxes = [(point.position, (reach, reach)) for point in layout.points]
+    along, across = (side / 2 + design.microphone.wall_thickness for side in _seat(design.microphone))
+    for microphone in layout.microphones:
+        # The housing is turned to its first port.
+        turn = math.radians(microphone.ports[0].angle)
+        cosine, sine = abs(math.cos(turn)), abs(math.sin(turn))
+        boxes.append((microphone.position, (along * cosine + across * sine, along * sine + across * cosine)))
     sides = [
-        max(position[axis] + radius for position, radius in shells)
-        - min(position[axis] - radius for position, radius in shells)
+        max(position[axis] + half[axis] for position, half in boxes)
+        - min(position[axis] - half[axis] for position, half in boxes)
         for axis in (0, 1)
     ]
     height = max(
         design.resonator.floor_thickness + design.resonator.cavity_height + design.membrane.mounted_thickness,
-        design.microphone.wall_thickness + design.microphone.chamber_height + design.microphone.sound_hole_length,
+        design.microphone.wall_thickness
+        + design.microphone.chamber_height
+        + design.microphone.sound_hole_length
+        + design.microphone.package_height,
     )
     return max(sides), min(sides), height
 
@@ -126,12 +134,34 @@ def _volumes(design: ArrayDesign) -> dict[str, tuple[float, float]]:
 
 
 def _housing(microphone: Microphone) -> float:
-    """A cup and its lid, mm^3."""
-    outside = microphone.chamber_diameter + 2 * microphone.wall_thickness
-    lid = _disc(outside, microphone.sound_hole_length) - _disc(
-        microphone.sound_hole_diameter, microphone.sound_hole_length
-    )
-    return _disc(outside, microphone.wall_thickness + microphone.chamber_height) - microphone.chamber_volume + lid
+    """The cup with the seat of its board, and the board as a printed lid, mm^3."""
+    radius, wall, top = microphone.chamber_diameter / 2, microphone.wall_thickness, microphone.chamber_height
+    length, width = _seat(microphone)
+    along, across = length / 2 + wall, width / 2 + wall
+    gasket = microphone.gasket_depth if microphone.gasket_width is not None else 0.0
+    height, underside = microphone.sound_hole_length + microphone.package_height, max(top - wall - gasket, 0.0)
+    footprint = 4 * along * across + 2 * _segment(radius + wall, along) + 2 * _segment(radius + wall, across)
+    cup = _disc(2 * (radius + wall), wall + underside) + footprint * (top - underside) - microphone.chamber_volume
+    rim = (4 * along * across - length * width - wall * SEAT_SLOT * width) * height
+    if microphone.gasket_width is not None:
+        inner = microphone.chamber_diameter + 2 * BOARD_SEAL
+        cup -= _disc(inner + 2 * microphone.gasket_width, gasket) - _disc(inner, gasket)
+    hole = _disc(microphone.sound_hole_diameter, microphone.sound_hole_length)
+    board = microphone.board_size[0] * microphone.board_size[1] * microphone.sound_hole_length
+    return cup + rim + board - hole
+
+
+def _seat(microphone: Microphone) -> tuple[float, float]:
+    """Length and width of the seat of the board, mm."""
+    length, width = microphone.board_size
+    return length + 2 * BOARD_CLEARANCE, width + 2 * BOARD_CLEARANCE
+
+
+def _segment(radius: float, distance: float) -> float:
+    """Area of a disc beyond a line at a distance from its middle, mm^2."""
+    if distance >= radius:
+        return 0.0
+    return radius**2 * math.acos(distance / radius) - distance * math.sqrt(radius**2 - distance**2)
 
 
 def _port(design: ArrayDesign, tube: Tube, radius: float, wall: float) -> float:
