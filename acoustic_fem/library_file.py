@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import contextlib
 import json
 import os
-import tempfile
 from dataclasses import asdict, fields
 from pathlib import Path
 from typing import Any
@@ -19,6 +17,7 @@ from acoustic_fem.library import FIDELITIES, OPTIONAL, VARIABLES, Library, label
 from acoustic_fem.medium import Medium
 from geometry.design_file import read_design, write_design
 from geometry.layout import place
+from geometry.whole_file import whole_file
 
 #: Global attributes of every library file.
 _TITLE = "acoustic-fem library"
@@ -65,16 +64,8 @@ def save(library: Library, path: str | os.PathLike[str]) -> None:
         },
     )
     try:
-        descriptor, beside = tempfile.mkstemp(prefix=f".{path.name}.", suffix=".nc", dir=path.parent)
-        os.close(descriptor)
-        try:
+        with whole_file(path) as beside:
             dataset.to_netcdf(beside, engine="netcdf4", format="NETCDF4")
-            os.chmod(beside, 0o644)
-            os.replace(beside, path)
-        except BaseException:
-            with contextlib.suppress(OSError):
-                os.unlink(beside)
-            raise
     except OSError as error:
         raise LibraryError(f"{path}: cannot be written: {error.strerror or error}") from None
 

@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Literal
 from geometry.assembly import PartSet, build_parts
 from geometry.design import ArrayDesign
 from geometry.tube import cutting_list
+from geometry.whole_file import write_text
 
 if TYPE_CHECKING:
     import cadquery as cq
@@ -193,11 +194,15 @@ def write_bill(bill: Bill, folder: str | os.PathLike[str]) -> tuple[Path, Path, 
     """
     folder = Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
-    return (
-        _write(folder / "bill.csv", bill.to_csv()),
-        _write(folder / "bill.json", json.dumps(bill.to_dict(), indent=2) + "\n"),
-        _write(folder / "bill.txt", f"{bill}\n"),
-    )
+    texts = {
+        "bill.csv": bill.to_csv(),
+        "bill.json": json.dumps(bill.to_dict(), indent=2) + "\n",
+        "bill.txt": f"{bill}\n",
+    }
+    for name, text in texts.items():
+        write_text(folder / name, text)
+    table, record, page = (folder / name for name in texts)
+    return table, record, page
 
 
 def _millilitres(parts: Mapping[str, cq.Workplane]) -> dict[str, float]:
@@ -244,13 +249,3 @@ def _tubes(design: ArrayDesign, prices: Prices) -> tuple[list[BillItem], list[Bi
             )
         )
     return springs, sheaths
-
-
-def _write(path: Path, text: str) -> Path:
-    beside = path.with_name(f".{path.name}.{os.getpid()}")
-    try:
-        beside.write_text(text, encoding="utf-8")
-        os.replace(beside, path)
-    finally:
-        beside.unlink(missing_ok=True)
-    return path

@@ -6,9 +6,7 @@ they need. Every refusal is a :class:`DesignError` of one line.
 
 from __future__ import annotations
 
-import contextlib
 import os
-import tempfile
 import tomllib
 from collections.abc import Iterator, Mapping
 from importlib import resources
@@ -21,6 +19,7 @@ from tomlkit.items import AbstractTable, Item
 
 from geometry.design import ArrayDesign
 from geometry.design_fields import DERIVED_FROM, DesignError, error_from_validation, fields_of, nearest
+from geometry.whole_file import write_text
 
 _LARGEST_FILE = 1_000_000  # bytes; a design of a hundred lines has ten thousand
 
@@ -80,20 +79,8 @@ def save_design(design: ArrayDesign, path: str | os.PathLike[str]) -> None:
     Raises:
         DesignError: the file cannot be written.
     """
-    path = Path(path)
     try:
-        descriptor, beside = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
-        try:
-            with os.fdopen(descriptor, "w", encoding="utf-8", newline="\n") as file:
-                file.write(write_design(design))
-                file.flush()
-                os.fsync(file.fileno())
-            os.chmod(beside, 0o644)
-            os.replace(beside, path)
-        except BaseException:
-            with contextlib.suppress(OSError):
-                os.unlink(beside)
-            raise
+        write_text(path, write_design(design))
     except OSError as error:
         raise DesignError(f"{path}: cannot be written: {error.strerror}") from None
 

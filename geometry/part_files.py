@@ -15,6 +15,7 @@ import numpy as np
 
 from geometry.assembly import PartSet
 from geometry.three_mf import Body, read_3mf, write_3mf
+from geometry.whole_file import whole_file
 
 if TYPE_CHECKING:
     import cadquery as cq
@@ -120,8 +121,7 @@ def export(
             progress(f"files of {name}", 0.4 + 0.6 * index / len(shapes))
         for format_ in formats:
             path = folder / f"{name}.{format_}"
-            beside = folder / f".{name}.{os.getpid()}.{format_}"
-            try:
+            with whole_file(path) as beside:
                 if format_ == "step":
                     _write_step(shape, name, beside)
                     record = _checked_step(shape, name, beside, path)
@@ -131,9 +131,6 @@ def export(
                 else:
                     write_3mf([Body(name, facets, parameters.get(name, {}))], name, beside)
                     record = _checked_mesh(_read_only_body(beside, name), facets, shape, name, path)
-                os.replace(beside, path)
-            finally:
-                beside.unlink(missing_ok=True)
             files.append(replace(record, count=shared.count, also=shared.names[1:]))
     return tuple(files)
 

@@ -14,6 +14,7 @@ from geometry.assembly import PartSet
 from geometry.part_files import SharedShape, is_cast, tessellate_distinct
 from geometry.print_processes import PrintProcess
 from geometry.three_mf import Body, write_3mf
+from geometry.whole_file import whole_file
 
 if TYPE_CHECKING:
     import cadquery as cq
@@ -87,12 +88,8 @@ def export_plates(
             for name, shape in distinct.items()
         ]
         path = Path(folder) / f"plate-{number}.3mf"
-        beside = path.with_name(f".{path.stem}.{os.getpid()}.3mf")
-        try:
+        with whole_file(path) as beside:
             write_3mf(bodies, path.stem, beside)
-            os.replace(beside, path)
-        finally:
-            beside.unlink(missing_ok=True)
         plates.append(Plate(path, {body.name: len(body.places) for body in bodies}))
     return Plates(tuple(plates), tuple(too_large))
 

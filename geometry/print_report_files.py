@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from geometry.print_processes import NUMBERS, RULES, Rule
+from geometry.whole_file import write_text
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -78,8 +79,8 @@ def write_report(
     content = report_content(report, files)
     folder = Path(folder)
     written = folder / "print-report.json", folder / "print-report.html"
-    _write(written[0], json.dumps(content, indent=1, allow_nan=False) + "\n")
-    _write(written[1], render(report, title, content))
+    write_text(written[0], json.dumps(content, indent=1, allow_nan=False) + "\n")
+    write_text(written[1], render(report, title, content))
     return written
 
 
@@ -134,12 +135,3 @@ def _finite(value: Any) -> Any:
     if isinstance(value, list | tuple):
         return [_finite(entry) for entry in value]
     return None if isinstance(value, float) and not math.isfinite(value) else value
-
-
-def _write(path: Path, text: str) -> None:
-    beside = path.with_name(f".{path.name}.{os.getpid()}")
-    try:
-        beside.write_text(text, encoding="utf-8")
-        os.replace(beside, path)
-    finally:
-        beside.unlink(missing_ok=True)

@@ -13,6 +13,7 @@ import numpy as np
 
 from geometry.array_model import LOOKS, ArrayModel, Kind, array_model
 from geometry.design import ArrayDesign
+from geometry.whole_file import whole_file
 
 if TYPE_CHECKING:
     import cadquery as cq
@@ -45,7 +46,7 @@ def write_gltf(
     """
     # glTF is in metres with y up; ours is in millimetres with z up.
     to_gltf = np.array([[1, 0, 0, 0], [0, 0, 1, 0], [0, -1, 0, 0], [0, 0, 0, 1000]]) / 1000
-    return _write(path, _scene(array_model(design, parts), to_gltf).export(file_type="glb"))
+    return _whole(path, _scene(array_model(design, parts), to_gltf).export(file_type="glb"))
 
 
 def write_viewer(
@@ -85,7 +86,7 @@ def write_viewer(
         if page.count(old) != 1:
             raise RuntimeError(f"trimesh's viewer page has changed: {old!r} appears {page.count(old)} times")
         page = page.replace(old, new)
-    return _write(path, page.encode())
+    return _whole(path, page.encode())
 
 
 _PANEL = """<div style="position:fixed;left:12px;top:12px;font:14px sans-serif;background:#fffc;padding:8px">
@@ -152,13 +153,9 @@ def _material(kind: Kind) -> trimesh.visual.material.PBRMaterial:
     )
 
 
-def _write(path: str | os.PathLike[str], content: bytes) -> Path:
+def _whole(path: str | os.PathLike[str], content: bytes) -> Path:
     path = Path(path)
     path.parent.mkdir(parents=True, exist_ok=True)
-    beside = path.with_name(f".{path.name}.{os.getpid()}")
-    try:
+    with whole_file(path) as beside:
         beside.write_bytes(content)
-        os.replace(beside, path)
-    finally:
-        beside.unlink(missing_ok=True)
     return path

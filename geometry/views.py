@@ -19,6 +19,7 @@ from geometry.assembly import build_parts
 from geometry.design import ArrayDesign
 from geometry.measure import tessellate
 from geometry.routing import unit
+from geometry.whole_file import whole_file
 from geometry.wrap import Cylinder
 
 if TYPE_CHECKING:
@@ -236,13 +237,11 @@ def _aim(
 def _save(plotter: pv.Plotter, path: str | os.PathLike[str]) -> Path:
     path = Path(path)
     path.parent.mkdir(parents=True, exist_ok=True)
-    beside = path.with_name(f".{path.stem}.{os.getpid()}.png")
     try:
-        plotter.screenshot(str(beside))
-        os.replace(beside, path)
+        with whole_file(path) as beside:
+            plotter.screenshot(str(beside))
     finally:
         plotter.close()
-        beside.unlink(missing_ok=True)
     return path
 
 

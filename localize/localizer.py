@@ -15,6 +15,7 @@ import torch
 from numpy.typing import ArrayLike, NDArray
 from torch import Tensor
 
+from geometry.whole_file import whole_file, write_text
 from localize.frames import checked_signals, combined_probability, cut_frames
 from localize.model import NetworkShape, TouchClassifier
 from localize.threads import one_thread
@@ -103,8 +104,9 @@ class Localizer:
             "training": dict(self.training),
             "provenance": dict(self.provenance),
         }
-        _write(folder / description["weights"], weights)
-        _write(folder / DESCRIPTION_FILE, json.dumps(description, indent=1).encode())
+        with whole_file(folder / description["weights"]) as beside:
+            beside.write_bytes(weights)
+        write_text(folder / DESCRIPTION_FILE, json.dumps(description, indent=1))
         for old in folder.glob("weights-*.safetensors"):
             if old.name != description["weights"]:
                 old.unlink()
@@ -158,12 +160,3 @@ def load_localizer(folder: str | os.PathLike[str]) -> Localizer:
         raise LocalizerError(f"{weights_path}: does not fit the network of {path.name}: {error}") from None
     classifier.eval()
     return Localizer(classifier=classifier, shape=shape, microphones=microphones, line=line, place=place, **rest)
-
-
-def _write(path: Path, content: bytes) -> None:
-    beside = path.with_name(f".{path.name}.{os.getpid()}")
-    try:
-        beside.write_bytes(content)
-        os.replace(beside, path)
-    finally:
-        beside.unlink(missing_ok=True)

@@ -10,10 +10,11 @@ from typing import Any
 
 import numpy as np
 
+from geometry.whole_file import write_text
 from studies.bending import Bending
 from studies.figures import _panels as panels
 from studies.figures import _save as save_figure
-from studies.folders import write_json, write_text
+from studies.folders import write_json
 
 FIGURE, NUMBERS, RESULT = "bending.png", "bending.csv", "bending.json"
 

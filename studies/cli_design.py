@@ -34,7 +34,8 @@ def prototypes(
     elif out is None:
         print(prototype_text(name), end="")
     else:
-        from studies.folders import check_new_file, write_text
+        from geometry.whole_file import write_text
+        from studies.folders import check_new_file
 
         check_new_file(out)
         if out.exists():

@@ -13,6 +13,7 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
+from geometry.whole_file import whole_file
 from studies.metrics import BAND, Separability, microphone_ratios
 
 if TYPE_CHECKING:
@@ -52,12 +53,8 @@ def crop_picture(path: Path, margin: int = 16) -> None:
         if not len(inked):
             return
         edges.append(slice(max(inked[0] - margin, 0), inked[-1] + margin + 1))
-    beside = path.with_name(f".{path.stem}.{os.getpid()}.png")
-    try:
+    with whole_file(path) as beside:
         imsave(beside, pixels[edges[0], edges[1], :3])
-        os.replace(beside, path)
-    finally:
-        beside.unlink(missing_ok=True)
 
 
 def draw_transfer_functions(transfer_function: xr.DataArray, path: str | os.PathLike[str]) -> Path:
@@ -289,10 +286,6 @@ def _in_band(transfer_function: xr.DataArray) -> tuple[NDArray[np.complex128], N
 def _save(figure: Figure, path: str | os.PathLike[str]) -> Path:
     path = Path(path)
     path.parent.mkdir(parents=True, exist_ok=True)
-    beside = path.with_name(f".{path.stem}.{os.getpid()}.png")
-    try:
+    with whole_file(path) as beside:
         figure.savefig(beside, dpi=DPI)
-        os.replace(beside, path)
-    finally:
-        beside.unlink(missing_ok=True)
     return path

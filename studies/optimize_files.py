@@ -11,7 +11,8 @@ from pathlib import Path
 
 from geometry import ArrayDesign, save_design
 from geometry.printing import PrintReport
-from studies.folders import write_json, write_text
+from geometry.whole_file import write_text
+from studies.folders import write_json
 from studies.optimize import Candidate, OptimizationResult, ranked
 from studies.optimize_file import Optimization
 from studies.printable import worst_accepted

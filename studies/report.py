@@ -12,9 +12,9 @@ import numpy as np
 
 from geometry.layout import place
 from geometry.tube import cutting_list
+from geometry.whole_file import write_text
 from studies.check import cell_uses
 from studies.display import number
-from studies.folders import write_text
 from studies.metrics import BAND
 from studies.results import (
     SENSITIVITY_AT,

@@ -16,8 +16,8 @@ from numpy.typing import NDArray
 
 from geometry import ArrayDesign
 from geometry.design_file import value_of, write_design
+from geometry.whole_file import write_text
 from studies.display import number
-from studies.folders import write_text
 from studies.result_table import Column, ResultTable, effect, pair_map
 
 #: Designs that are drawn one by one; of more, all that lie on a front and a sample of the others.
