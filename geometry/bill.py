@@ -177,7 +177,7 @@ def bill_of_materials(design: ArrayDesign, parts: PartSet | None = None, prices:
     items += springs + sheaths
     count = len(design.microphones)
     items.append(BillItem(design.microphone.model, "bought", count, count, "pieces", prices.microphone))
-    items.append(BillItem("microphone board", "bought", count, count, "pieces", prices.board))
+    items.append(BillItem("microphone-board", "bought", count, count, "pieces", prices.board))
     joints = 2 * sum(cut.count for cut in cutting_list(design)) + design.point_count
     note = "two per tube, one per membrane"
     items.append(BillItem("glue joint", "bought", joints, joints, "pieces", prices.glue, note))
