@@ -38,6 +38,7 @@ class DesignError(ValueError):
 #: Numbers as a file states them: no text that looks like one, no true or false.
 Number = Annotated[float, Field(strict=True)]
 Count = Annotated[int, Field(strict=True)]
+Millimetre = Annotated[Number, Field(gt=0, json_schema_extra={"unit": "mm"})]
 
 
 class Section(BaseModel):
