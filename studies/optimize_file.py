@@ -13,12 +13,12 @@ from tomlkit.exceptions import TOMLKitError
 
 from geometry import ArrayDesign
 from geometry.design_fields import error_from_validation
+from geometry.text_file import read_text
 from studies.metric_registry import Metric, metrics_named
 from studies.printable import Demand, PrintRules
 from studies.study_file import Parameter, Study, StudyError, read_study
 
 Method = Literal["nsga2", "tpe", "random"]
-_LARGEST_FILE = 1_000_000  # bytes
 
 
 @dataclass(frozen=True)
@@ -126,15 +126,7 @@ def load_optimization(path: str | os.PathLike[str]) -> Optimization:
         DesignError: the base design is not valid.
     """
     path = Path(path)
-    if not path.is_file():
-        raise StudyError(f"{path}: {'is a folder, not a study file' if path.is_dir() else 'no such file'}")
-    if path.stat().st_size > _LARGEST_FILE:
-        raise StudyError(f"{path}: {path.stat().st_size} bytes must be at most {_LARGEST_FILE} for a study file")
-    try:
-        text = path.read_text(encoding="utf-8-sig")
-    except UnicodeDecodeError as error:
-        raise StudyError(f"{path}: byte {error.start} is not UTF-8; a study file is a text in UTF-8") from None
-    return read_optimization(text, str(path), path.parent)
+    return read_optimization(read_text(path, "a study file", StudyError), str(path), path.parent)
 
 
 def read_optimization(

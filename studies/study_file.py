@@ -18,6 +18,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from geometry import ArrayDesign, DesignError, load_design
 from geometry.design_fields import check_value, error_from_validation, fields_of
 from geometry.design_file import prototype, prototype_names, value_of, write_design
+from geometry.text_file import read_text
 from studies.constraints import Constraint, parse_constraint
 
 Fidelity = Literal["lumped", "helmholtz", "navier-stokes"]
@@ -25,7 +26,6 @@ Sampling = Literal["grid", "latin-hypercube", "sobol", "random"]
 
 #: Most cases of one study; a store of more should be several.
 LARGEST = 10_000_000
-_LARGEST_FILE = 1_000_000  # bytes
 
 
 class StudyError(ValueError):
@@ -190,19 +190,7 @@ def load_study(path: str | os.PathLike[str]) -> Study:
         DesignError: the base design is not valid.
     """
     path = Path(path)
-    try:
-        if path.is_file() and path.stat().st_size > _LARGEST_FILE:
-            raise StudyError(f"{path}: {path.stat().st_size} bytes must be at most {_LARGEST_FILE} for a study file")
-        text = path.read_bytes().decode("utf-8-sig")
-    except FileNotFoundError:
-        raise StudyError(f"{path}: no such file") from None
-    except IsADirectoryError:
-        raise StudyError(f"{path}: is a folder, not a study file") from None
-    except UnicodeDecodeError as error:
-        raise StudyError(f"{path}: byte {error.start} is not UTF-8; a study file is a text in UTF-8") from None
-    except OSError as error:
-        raise StudyError(f"{path}: cannot be read: {error.strerror}") from None
-    return read_study(text, str(path), path.parent)
+    return read_study(read_text(path, "a study file", StudyError), str(path), path.parent)
 
 
 def read_study(
