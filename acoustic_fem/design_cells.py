@@ -14,7 +14,7 @@ from dataclasses import asdict, dataclass
 from functools import partial
 from importlib.metadata import version
 from pathlib import Path
-from typing import IO, Any, TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -305,26 +305,28 @@ def _solve_side_by_side(
     """
     waiting = list(tasks)
     handover = tempfile.TemporaryDirectory(prefix="acoustic-fem-cells-")
-    complaints: dict[int, IO[str]] = {}
     messages: queue.Queue[tuple[int, str | None]] = queue.Queue()
     running: dict[int, tuple[_Task, subprocess.Popen[str]]] = {}
+
+    def complaints(number: int) -> Path:
+        return Path(handover.name) / f"{number}.log"
 
     def start() -> None:
         number = len(tasks) - len(waiting)
         task = waiting.pop(0)
-        complaints[number] = open(Path(handover.name) / f"{number}.log", "w+", encoding="utf-8")  # noqa: SIM115
         environment = {**os.environ, "PYTHONPATH": os.pathsep.join(p for p in sys.path if p)}
         environment["ACOUSTIC_FEM_CACHE"] = handover.name
         for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"):
             environment[name] = "1"
-        child = subprocess.Popen(
-            [sys.executable, "-m", "acoustic_fem.design_cells"],
-            stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE,
-            stderr=complaints[number],
-            text=True,
-            env=environment,
-        )
+        with complaints(number).open("wb") as log:  # the child has its own copy of the handle
+            child = subprocess.Popen(
+                [sys.executable, "-m", "acoustic_fem.design_cells"],
+                stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE,
+                stderr=log,
+                text=True,
+                env=environment,
+            )
         running[number] = (task, child)
         threading.Thread(target=listen, args=(number, task, child), daemon=True).start()
 
@@ -351,8 +353,7 @@ def _solve_side_by_side(
                 report(task, float(line))
                 continue
             status = child.wait()
-            complaints[number].seek(0)
-            said = complaints[number].read().strip()
+            said = complaints(number).read_text(encoding="utf-8").strip()
             if status != 0:
                 raise CellError(said.splitlines()[-1] if said else f"{task.cell.label}: the solver ended with {status}")
             if said:
@@ -368,8 +369,6 @@ def _solve_side_by_side(
         for _, child in running.values():
             child.kill()
             child.wait()
-        for log in complaints.values():
-            log.close()
         handover.cleanup()
 
 
