@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import sys
 import tempfile
-import warnings
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -95,7 +94,6 @@ def put(lines: list[str], begin: str, end: str) -> None:
 
 
 def main() -> None:
-    warnings.simplefilter("ignore")
     put(forgiving(), FORGIVING, FORGIVING_END)
     if "forgiving" in sys.argv[1:]:
         return

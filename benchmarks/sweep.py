@@ -14,7 +14,6 @@ import platform
 import resource
 import tempfile
 import time
-import warnings
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -172,7 +171,6 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--quick", action="store_true", help="smaller studies")
     quick = parser.parse_args().quick
-    warnings.simplefilter("ignore", UserWarning)
     print(
         f"Python {platform.python_version()}, numpy {np.__version__}, {platform.machine()}; load {psutil.getloadavg()}"
     )
