@@ -334,10 +334,10 @@ def _find(model: type[BaseModel], loc: Sequence[int | str]) -> tuple[FieldInfo |
     return info, section
 
 
-def _lookup(data: object, loc: Sequence[int | str]) -> object:
+def _lookup(data: Any, loc: Sequence[int | str]) -> object:
     for step in loc:
         try:
-            data = data[step]  # type: ignore[index]
+            data = data[step]
         except (KeyError, IndexError, TypeError):
             return None
     return data

@@ -17,11 +17,13 @@ from typer.testing import CliRunner
 import acoustic_fem
 from acoustic_fem import cell_cache, design_cells
 from acoustic_fem.axisymmetric_elasticity import DiscShape, ElasticDisc, solve_dimensionless
+from acoustic_fem.medium import Medium
 from geometry.cells import Cell
 from studies import sweep, sweep_cases
 from studies.cases import cases_of
 from studies.cli import app
 from studies.metric_registry import METRICS
+from studies.responses import Responses
 from studies.study_file import Study, StudyError, read_study
 from studies.sweep import Progress, Summary, run_sweep
 from studies.sweep_store import BlockResult, SweepStore, block_size, open_sweep
@@ -232,11 +234,10 @@ def test_a_metric_that_fails_for_one_design_fails_that_case_only(
     length = whole.case(victim)["tube.length"]
     volume = METRICS["volume"]
 
-    def picky(responses: object) -> np.ndarray:
-        designs = responses.designs  # type: ignore[attr-defined]
-        if any(design.tube.length == length for design in designs):
+    def picky(responses: Responses) -> np.ndarray:
+        if any(design.tube.length == length for design in responses.designs or ()):
             raise ArithmeticError("too long")
-        return volume.compute(responses)  # type: ignore[arg-type]
+        return volume.compute(responses)
 
     monkeypatch.setitem(METRICS, "volume", replace(volume, compute=picky))
     run_sweep(study, tmp_path / "r.zarr", workers=1)
@@ -275,7 +276,7 @@ def test_every_distinct_cell_is_solved_once_and_one_that_fails_takes_its_own_cas
     asked: list[Cell] = []
 
     def solve_cells(
-        cells: list[Cell], frequency: np.ndarray, medium: object, fidelity: str, *, apart: bool
+        cells: list[Cell], frequency: np.ndarray, medium: Medium, fidelity: str, *, apart: bool
     ) -> dict[Cell, object]:
         from acoustic_fem.lumped_cell import lumped_admittance
 
@@ -284,7 +285,7 @@ def test_every_distinct_cell_is_solved_once_and_one_that_fails_takes_its_own_cas
         asked.append(cell)
         if cell.kind == "resonator" and cell.height == 3.0 and len({port.bore_diameter for port in cell.ports}) == 1:
             raise design_cells.CellError(f"{cell.label}: no mesh")
-        admittance = lumped_admittance(cell, frequency, medium)  # type: ignore[arg-type]
+        admittance = lumped_admittance(cell, frequency, medium)
         return {cell: design_cells.CellSolution(admittance, fidelity, 1, (), 0.0, 0.0, 1.0, cached=False)}
 
     monkeypatch.setattr(sweep_cases, "solve_cells", solve_cells)
