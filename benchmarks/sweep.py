@@ -26,7 +26,8 @@ import acoustic_fem
 from geometry import ArrayDesign
 from studies.cases import Cases, cases_of
 from studies.metric_registry import METRICS, metrics_named
-from studies.study_file import Study, read_study
+from studies.study import Study
+from studies.study_file import read_study
 from studies.sweep import run_sweep
 from studies.sweep_store import open_sweep
 from studies.sweep_workers import open_workers

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from geometry import ArrayDesign, DesignError
 from geometry.design_file import value_of
-from studies.study_file import Study
+from studies.study import Study
 
 
 @dataclass(frozen=True, eq=False)

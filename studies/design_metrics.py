@@ -14,7 +14,7 @@ from studies.cases import Cases
 if TYPE_CHECKING:
     from geometry import ArrayDesign
     from studies.metric_registry import Metric
-    from studies.study_file import Study
+    from studies.study import Study
     from studies.sweep_workers import Workers
 
 

@@ -16,7 +16,8 @@ from geometry.design_fields import error_from_validation
 from geometry.text_file import read_text
 from studies.metric_registry import Metric, metrics_named
 from studies.printable import Demand, PrintRules
-from studies.study_file import Parameter, Study, StudyError, read_study
+from studies.study import Parameter, Study, StudyError
+from studies.study_file import read_study
 
 Method = Literal["nsga2", "tpe", "random"]
 

@@ -23,7 +23,7 @@ from acoustic_fem.provenance import versions
 from geometry import DesignError
 from studies.cases import Cases, cases_of
 from studies.metric_registry import metrics_named
-from studies.study_file import Study, StudyError
+from studies.study import Study, StudyError
 from studies.sweep_cases import CellKey, Job, SolvedCell, cells_of, check_metrics, discs_of, solve_block, solve_cell
 from studies.sweep_store import DONE, FAILED, BlockResult, SweepStore
 from studies.sweep_workers import Workers, WorkersLost, open_workers

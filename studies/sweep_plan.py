@@ -10,7 +10,7 @@ from acoustic_fem.design_cells import is_cached
 from acoustic_fem.disc_table import disc_count
 from geometry import DesignError
 from studies.cases import Cases, cases_of
-from studies.study_file import Study, StudyError
+from studies.study import Study, StudyError
 from studies.sweep_cases import CellKey, Job, cells_of, check_metrics, discs_of, solve_block
 from studies.sweep_store import block_size, point_count
 from studies.sweep_workers import cores

@@ -24,7 +24,7 @@ from geometry.design_fields import fields_of
 from geometry.design_file import read_design, write_design
 from studies.cases import Cases
 from studies.folders import check_folder
-from studies.study_file import Study, StudyError
+from studies.study import Study, StudyError
 
 if TYPE_CHECKING:
     import xarray as xr

@@ -22,9 +22,10 @@ from studies.metric_registry import metrics_named
 from studies.optimize import JOURNAL, Candidate, OptimizationResult, optimize, pareto_front, ranked, refusal_of
 from studies.optimize_file import Optimization, read_optimization
 from studies.optimize_files import read_search, save_search
-from studies.optimize_gradient import SmoothModel, refine, with_refined
+from studies.optimize_gradient import refine, with_refined
 from studies.printable import Demand, PrintRules, measures
-from studies.study_file import StudyError
+from studies.smooth_model import SmoothModel
+from studies.study import StudyError
 
 STUDY = """
 name = "small"

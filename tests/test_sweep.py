@@ -24,7 +24,8 @@ from studies.cases import cases_of
 from studies.cli import app
 from studies.metric_registry import METRICS
 from studies.responses import Responses
-from studies.study_file import Study, StudyError, read_study
+from studies.study import Study, StudyError
+from studies.study_file import read_study
 from studies.sweep import Progress, Summary, run_sweep
 from studies.sweep_store import BlockResult, SweepStore, block_size, open_sweep
 
