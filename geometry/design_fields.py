@@ -87,6 +87,16 @@ def fields_of(model: type[BaseModel], prefix: str = "") -> Iterator[DesignField]
             yield from fields_of(section, f"{prefix}{name}.{step}")
 
 
+def field_named(model: type[BaseModel], name: str) -> DesignField | None:
+    """The field of a dotted name, which has indices and names of the user's own where fields have ``*``."""
+    steps = name.split(".")
+    for field in fields_of(model):
+        parts = field.name.split(".")
+        if len(parts) == len(steps) and all(a in ("*", b) for a, b in zip(parts, steps, strict=True)):
+            return field
+    return None
+
+
 def names_of(model: type[BaseModel]) -> list[str]:
     """Keys a table of a design file may have, with those that stand in for others."""
     names = list(model.model_fields)

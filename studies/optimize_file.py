@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Annotated, Any, Literal
 
 import tomlkit
-from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from pydantic import Field, ValidationError
 from tomlkit.exceptions import TOMLKitError
 
 from geometry import ArrayDesign
@@ -17,7 +17,7 @@ from geometry.text_file import read_text
 from studies.metric_registry import Metric, metrics_named
 from studies.printable import Demand, PrintRules
 from studies.study import Parameter, Study, StudyError
-from studies.study_file import read_study
+from studies.study_file import FileSection, read_study
 
 Method = Literal["nsga2", "tpe", "random"]
 
@@ -90,26 +90,22 @@ class Optimization:
         return metrics_named(dict.fromkeys(names))
 
 
-class _Section(BaseModel):
-    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
-
-
 _Whole = Annotated[int, Field(strict=True)]
 _Real = Annotated[float, Field(strict=True)]
 
 
-class _Objective(_Section):
+class _Objective(FileSection):
     metric: str = Field(description="name of a metric")
     better: Literal["larger", "smaller"] | None = Field(default=None, description="which values are wanted")
 
 
-class _Limit(_Section):
+class _Limit(FileSection):
     metric: str = Field(description="name of a metric")
     least: _Real | None = Field(default=None, description="smallest value allowed")
     most: _Real | None = Field(default=None, description="largest value allowed")
 
 
-class _Optimize(_Section):
+class _Optimize(FileSection):
     trials: Annotated[_Whole, Field(ge=1, le=1_000_000)] = Field(default=2000, description="designs to try")
     batch: Annotated[_Whole, Field(ge=1, le=10_000)] = Field(default=64, description="designs computed at once")
     method: Method | None = Field(default=None, description="how the designs are proposed")

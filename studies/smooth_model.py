@@ -44,7 +44,7 @@ DIFFERENTIABLE = (
 )
 
 
-class DiscTable:
+class SmoothDiscs:
     """Membranes of one material and mounting for any size in a range: Chebyshev polynomials through exact solutions.
 
     Args:
@@ -66,10 +66,9 @@ class DiscTable:
         from acoustic_fem.membrane import solve_disc
 
         material = design.material(design.membrane.material)
-        self._clamped = design.membrane.mounting == "clamped"
         self._axes = [(math.log(thickness[0]), math.log(thickness[1])), rim]
         counts = [nodes[0] if thickness[1] > thickness[0] else 1, nodes[1] if rim[1] > rim[0] else 1]
-        if self._clamped:
+        if design.membrane.mounting == "clamped":
             self._axes[1], counts[1] = (0.0, 0.0), 1
         at = [
             (low + high) / 2 + (high - low) / 2 * np.cos(np.pi * (np.arange(count) + 0.5) / count)
@@ -152,7 +151,7 @@ class SmoothModel:
         (small, wide), *others = spans
         thickness, rim = ((2 * low / wide, 2 * high / small) for low, high in others)
         within = (max(thickness[0], 0.01), min(thickness[1], 2.0))
-        self._discs = DiscTable(design, within, (max(rim[0], 0.05 * within[0]), rim[1]))
+        self._discs = SmoothDiscs(design, within, (max(rim[0], 0.05 * within[0]), rim[1]))
         self._now = dict(zip(_DISC, now, strict=True))
         self._loss = design.material(design.membrane.material).loss_factor
 

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from geometry import ArrayDesign, DesignError, load_design
-from geometry.design_fields import check_value, error_from_validation, fields_of
+from geometry.design_fields import check_value, error_from_validation, field_named
 from geometry.design_file import prototype, prototype_names, value_of
 from geometry.text_file import read_text
 from studies.constraints import parse_constraint
@@ -23,11 +23,13 @@ from studies.study import Fidelity, Parameter, Sampling, Study, StudyError
 LARGEST = 10_000_000
 
 
-class _Section(BaseModel):
+class FileSection(BaseModel):
+    """Base of every section of a study file: immutable; unknown keys and non-finite numbers are refused."""
+
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
 
 
-class _Range(_Section):
+class _Range(FileSection):
     first: Annotated[float, Field(strict=True, alias="from", description="where the range begins")]
     last: Annotated[float, Field(strict=True, alias="to", description="where the range ends")]
     count: Annotated[int, Field(strict=True, ge=2, le=100_000)] | None = Field(
@@ -36,7 +38,7 @@ class _Range(_Section):
     scale: Literal["linear", "log"] = Field(default="linear", description="equal steps or equal ratios")
 
 
-class _StudyFile(_Section):
+class _StudyFile(FileSection):
     name: str = Field(
         default="study",
         min_length=1,
@@ -147,19 +149,14 @@ def _metrics(names: tuple[str, ...]) -> tuple[str, ...]:
 
 
 def _frequencies(text: str) -> NDArray[np.float64]:
-    from acoustic_fem.checks import frequency_grid
+    from acoustic_fem.checks import frequency_grid, stated_grid
 
-    parts = text.split(":")
     try:
-        first, last, count = float(parts[0]), float(parts[1]), int(parts[2])
-        if len(parts) != 3 or not 1 <= count <= 100_000:
-            raise ValueError
-    except (ValueError, IndexError):
-        raise ValueError(
-            f"frequencies = {text!r} must be FIRST:LAST:COUNT in Hz, such as '1:100:64', with COUNT from 1 to 100000"
-        ) from None
+        grid = stated_grid(text)
+    except ValueError as error:
+        raise ValueError(f"frequencies = {error}") from None
     try:
-        return frequency_grid(np.linspace(first, last, count))
+        return frequency_grid(grid)
     except ValueError as error:
         raise ValueError(f"frequencies = {text!r}: {error}") from None
 
@@ -200,7 +197,8 @@ def _parameter(name: str, given: Any, in_grid: bool, base: ArrayDesign, source: 
         now = value_of(base, name)
     except DesignError as error:
         raise ValueError(f"parameters: {error}") from None
-    kind = next((field.kind for field in fields_of(ArrayDesign) if _same(field.name, name)), "a number")
+    field = field_named(ArrayDesign, name)
+    kind = "a number" if field is None else field.kind
     if kind in ("a table", "a list") or isinstance(now, (BaseModel, tuple, dict)):
         raise ValueError(f"parameters.{name} is {kind}; give the fields in it, such as {name}.length")
     if isinstance(given, list) and given:
@@ -245,11 +243,6 @@ def _check_design(base: ArrayDesign, name: str, value: Any, source: str) -> None
         if "is not a field" in str(error) or "is not given" in str(error) or str(error).startswith(f"{source}: "):
             raise StudyError(_named(source, error)) from None
         # a rule between fields: other parameters may mend it, else the case fails by name
-
-
-def _same(pattern: str, name: str) -> bool:
-    steps, given = pattern.split("."), name.split(".")
-    return len(steps) == len(given) and all(a in ("*", b) for a, b in zip(steps, given, strict=True))
 
 
 def _cases(file: _StudyFile, axes: tuple[tuple[Parameter, ...], ...]) -> int:
