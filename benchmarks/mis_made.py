@@ -10,6 +10,7 @@ from __future__ import annotations
 import sys
 import tempfile
 from dataclasses import replace
+from itertools import combinations
 from pathlib import Path
 from typing import Any
 
@@ -64,6 +65,10 @@ def bores(diameter: float) -> dict[str, float]:
     }
 
 
+def between(*pairs: tuple[str, str], points: int) -> list[dict[str, Any]]:
+    return [{"between": list(pair), "points": points} for pair in pairs]
+
+
 VARIANTS: list[tuple[str, str, dict[str, Any]]] = [
     ("array-2x6", "array-2x6", {}),
     ("bores of 0.6 mm", "array-2x6", bores(0.6)),
@@ -74,6 +79,13 @@ VARIANTS: list[tuple[str, str, dict[str, Any]]] = [
     ("24 points on the line", "array-2x6", {"lines.0.points": 24}),
     ("glove", "glove", {}),
     ("fingertip-3x4", "fingertip-3x4", {}),
+    ("36 points: one line (line-2)", "line-2", {}),
+    ("36 points: a microphone in mid-line", "line-3", {"lines": between(("A", "B"), ("B", "C"), points=18)}),
+    ("36 points: three lines of 12", "line-3", {"lines": between(("A", "B"), ("A", "C"), ("B", "C"), points=12)}),
+    ("36 points: six lines of 6", "line-4", {"lines": between(*combinations("ABCD", 2), points=6)}),
+    ("36 points: bores of 0.9 mm", "line-2", bores(0.9)),
+    ("36 points: membranes 2 mm thick", "line-2", {"membrane.thickness": 2.0}),
+    ("36 points: bores of 0.9 mm, membranes 2 mm thick", "line-2", {"membrane.thickness": 2.0, **bores(0.9)}),
 ]
 
 

@@ -17,7 +17,7 @@ from geometry.tube_solid import TubePiece, build_tube, piece_of
 if TYPE_CHECKING:
     import cadquery as cq
 
-Kind = Literal["shell", "membrane", "spring", "sheath", "housing", "lid", "package"]
+Kind = Literal["shell", "membrane", "spring", "sheath", "housing", "board", "package"]
 #: Colour and opacity of each kind of part in pictures and models; solids in CAD files are opaque.
 LOOKS: dict[Kind, tuple[str, float]] = {
     "shell": ("#9fb8cc", 0.45),
@@ -25,7 +25,7 @@ LOOKS: dict[Kind, tuple[str, float]] = {
     "spring": ("#c9a227", 1.0),
     "sheath": ("#4a4a4a", 1.0),
     "housing": ("#4f7f6b", 1.0),
-    "lid": ("#2f2f2f", 1.0),
+    "board": ("#2f2f2f", 1.0),
     "package": ("#b8b8b8", 1.0),
 }
 _KINDS: dict[str, Kind] = {
@@ -34,7 +34,7 @@ _KINDS: dict[str, Kind] = {
     "spring": "spring",
     "sheath": "sheath",
     "microphone-housing": "housing",
-    "microphone-lid": "lid",
+    "microphone-board": "board",
     "microphone-package": "package",
 }
 
@@ -166,7 +166,7 @@ def _tubes(design: ArrayDesign, layout: ArrayLayout) -> tuple[list[PlacedPart], 
 
 
 def _packages(design: ArrayDesign, placed: tuple[PlacedPart, ...]) -> tuple[list[PlacedPart], cq.Shape]:
-    """The bought microphones: on each lid, their sound hole over that of the lid."""
+    """The bought microphones: on each board, their sound hole over that of the board."""
     import cadquery as cq
 
     microphone = design.microphone
@@ -177,11 +177,11 @@ def _packages(design: ArrayDesign, placed: tuple[PlacedPart, ...]) -> tuple[list
         cq.Vector(-microphone.package_length / 2, -microphone.package_width / 2, 0),
     )
     packages = []
-    for lid in placed:
-        if kind_of(lid.part) == "lid":
-            x, y, z = (np.array(lid.position) + microphone.sound_hole_length * np.array(lid.axes[2])).tolist()
-            label = lid.group.replace("microphone", "package")
-            packages.append(replace(lid, part="microphone-package", label=label, position=(x, y, z)))
+    for board in placed:
+        if kind_of(board.part) == "board":
+            x, y, z = (np.array(board.position) + microphone.sound_hole_length * np.array(board.axes[2])).tolist()
+            label = board.group.replace("microphone", "package")
+            packages.append(replace(board, part="microphone-package", label=label, position=(x, y, z)))
     return packages, package
 
 

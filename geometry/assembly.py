@@ -67,7 +67,7 @@ def build_parts(design: ArrayDesign) -> PartSet:
     Returns:
         ``shell-straight``, ``shell-corner-90``, ... one per distinct set of port angles; ``membrane``;
         ``mold-base``, ``mold-lid``, ... in which membranes are cast, see :func:`geometry.mold.build_mold`;
-        ``microphone-housing``, with the angles of further ports where lines meet; ``microphone-lid``. Where
+        ``microphone-housing``, with the angles of further ports where lines meet; ``microphone-board``. Where
         tubes of different diameters are used, the names of shells and housings end in bore x outside
         of their ports' tubes. With ``printing.carrier`` also ``carrier``, the shells of all points in one piece,
         in place of those printed one by one.
@@ -77,7 +77,7 @@ def build_parts(design: ArrayDesign) -> PartSet:
     """
     from geometry.carrier import array_carrier
     from geometry.membrane import build_membrane, membrane_radius
-    from geometry.microphone import build_housing, build_lid
+    from geometry.microphone import build_board, build_housing
     from geometry.mold import build_mold
     from geometry.shell import build_shell
 
@@ -119,8 +119,8 @@ def build_parts(design: ArrayDesign) -> PartSet:
     for name, ports in plan.housings.items():
         parts[name] = build_housing(microphone, printing, ports)
         parts.parameters[name] = {**chamber, **joints, "ports": _describe(ports)}
-    parts["microphone-lid"] = build_lid(microphone)
-    parts.parameters["microphone-lid"] = {
+    parts["microphone-board"] = build_board(microphone)
+    parts.parameters["microphone-board"] = {
         "length": microphone.board_size[0],
         "width": microphone.board_size[1],
         "sound_hole_diameter": microphone.sound_hole_diameter,
@@ -167,8 +167,8 @@ def place_parts(design: ArrayDesign, layout: ArrayLayout) -> tuple[PlacedPart, .
         group = f"microphone {microphone.name}"
         put(name, group, microphone, floor, turn, group)
         put(
-            "microphone-lid",
-            f"lid {microphone.name}",
+            "microphone-board",
+            f"board {microphone.name}",
             microphone,
             floor + design.microphone.chamber_height,
             turn,
@@ -244,7 +244,7 @@ def _counts(design: ArrayDesign, plan: _Plan) -> dict[str, int]:
         "membrane": len(plan.point_shells),
         **mold_counts(design),
         **{name: used[name] for name in plan.housings},
-        "microphone-lid": len(plan.microphone_housings),
+        "microphone-board": len(plan.microphone_housings),
         **({} if design.printing.carrier == "none" else {"carrier": 1}),
     }
 

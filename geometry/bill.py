@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Literal
 
 from geometry.assembly import PartSet, build_parts
 from geometry.design import ArrayDesign
+from geometry.part_files import origin
 from geometry.tube import cutting_list
 from geometry.whole_file import write_text
 
@@ -168,13 +169,15 @@ def bill_of_materials(design: ArrayDesign, parts: PartSet | None = None, prices:
     prices = prices or Prices()
     volumes = _millilitres(parts)
     # Where a carrier holds all shells in one piece, they are not printed one by one as well.
-    made = [name for name in parts if not ("carrier" in parts and name.startswith("shell"))]
+    made = [
+        name for name in parts if origin(name) != "bought" and not ("carrier" in parts and name.startswith("shell"))
+    ]
     items = [_made(name, volumes[name], parts.counts[name], design, prices) for name in made]
     springs, sheaths = _tubes(design, prices)
     items += springs + sheaths
     count = len(design.microphones)
     items.append(BillItem(design.microphone.model, "bought", count, count, "pieces", prices.microphone))
-    items.append(BillItem("microphone board", "bought", count, count, "pieces", prices.board))
+    items.append(BillItem("microphone-board", "bought", count, count, "pieces", prices.board))
     joints = 2 * sum(cut.count for cut in cutting_list(design)) + design.point_count
     note = "two per tube, one per membrane"
     items.append(BillItem("glue joint", "bought", joints, joints, "pieces", prices.glue, note))
@@ -211,7 +214,7 @@ def _millilitres(parts: Mapping[str, cq.Workplane]) -> dict[str, float]:
 
 def _made(name: str, volume: float, count: int, design: ArrayDesign, prices: Prices) -> BillItem:
     """A printed or cast part."""
-    if name.startswith("membrane"):
+    if origin(name) == "cast":
         quantity = volume * count * prices.silicone_factor
         return BillItem(name, "cast", count, quantity, "ml", prices.silicone, design.membrane.material)
     use: Use = "tooling" if name.startswith("mold") else "printed"

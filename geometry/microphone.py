@@ -47,14 +47,14 @@ def build_housing(microphone: Microphone, printing: Printing, ports: Sequence[Po
     return one_solid(cut_ports(solid, ports, printing, radius, reach, top / 2), "microphone housing")
 
 
-def build_lid(microphone: Microphone) -> cq.Workplane:
-    """Draw the board with the sound hole, its lower face at z = 0: it closes the chamber and carries the package.
+def build_board(microphone: Microphone) -> cq.Workplane:
+    """Draw the circuit board with the sound hole, its lower face at z = 0.
 
-    A circuit board of this outline and thickness, or a printed plate on which the package is sealed.
+    It closes the chamber and carries the package.
     """
-    lid = _box(*microphone.board_size, 0, microphone.sound_hole_length)
+    board = _box(*microphone.board_size, 0, microphone.sound_hole_length)
     hole = cylinder(microphone.sound_hole_diameter / 2, 0, microphone.sound_hole_length)
-    return one_solid(lid.cut(hole), "microphone lid")
+    return one_solid(board.cut(hole), "microphone board")
 
 
 def _box(length: float, width: float, bottom: float, top: float) -> cq.Solid:

@@ -10,14 +10,16 @@ import cadquery as cq
 
 from geometry.design import ArrayDesign
 from geometry.mold_plan import MoldPlan
+from geometry.stroke_letters import letters_within, text_bars, text_size
 from geometry.turned import turned
 
-#: Depth of the mark, mm, and the share of the block's width and depth it takes.
-_MARK_DEPTH, _MARK_SHARE = 0.3, 0.7
-#: Largest height of its letters, mm, and their width per height.
-_LETTER_HEIGHT, _LETTER_WIDTH = 3.0, 0.75
-#: Letters of a material's name that are engraved, and how many on a line.
-_MOST_LETTERS, _LINE = 24, 8
+#: Depth of the mark, mm.
+_MARK_DEPTH = 0.3
+#: Heights of its letters that are tried, mm, and the width of their strokes per height: 0.5 mm, which all processes of
+#: this package print, or 0.4 mm.
+_LETTER_HEIGHTS, _STROKE = (3.0, 2.4), 1 / 6
+#: Share of the block's width and depth that the mark may take.
+_MARK_SHARE = 0.85
 
 
 def base_block(plan: MoldPlan) -> cq.Shape:
@@ -42,18 +44,23 @@ def box(plan: MoldPlan, bottom: float, top: float) -> cq.Solid:
     return cq.Solid.makeBox(2 * x, 2 * y, top - bottom, cq.Vector(-x, -y, bottom))
 
 
-def mark_text(design: ArrayDesign) -> tuple[str, ...]:
-    """Thickness and material of the membrane as they are engraved, line by line."""
-    material = design.membrane.material.removeprefix("silicone-").replace("shore-a-", "A")
-    code = re.sub(r"[^A-Za-z0-9.+-]", "", material)[:_MOST_LETTERS]
-    return f"{design.membrane.thickness:g} mm", *textwrap.wrap(code, _LINE)
+def mark_text(design: ArrayDesign) -> tuple[str, str]:
+    """Thickness (mm) and material of the membrane as they are engraved."""
+    material = design.membrane.material.removeprefix("silicone-").replace("shore-a-", "A").removeprefix("blend-")
+    return f"{design.membrane.thickness:.3g}MM", re.sub(r"[^A-Z0-9.+-]", "", material.upper())
 
 
-def mark(solid: cq.Shape, plan: MoldPlan, lines: Sequence[str]) -> cq.Shape:
-    """Engrave lines of text into the lower face, to be read from below."""
+def mark(solid: cq.Shape, plan: MoldPlan, texts: Sequence[str]) -> cq.Shape:
+    """Engrave texts into the lower face, to be read from below: the first one whole, of the others what has room."""
     width, depth = (2 * _MARK_SHARE * half for half in plan.half)
-    height = min(_LETTER_HEIGHT, width / (_LETTER_WIDTH * max(map(len, lines))), depth / (1.5 * len(lines)))
-    text = cq.Compound.makeText("\n".join(lines), height, _MARK_DEPTH, halign="center", valign="center")
+    for height in _LETTER_HEIGHTS:
+        longest, most = letters_within(width, depth, height)
+        lines = [line for text in texts for line in textwrap.wrap(text, max(longest, len(texts[0])))]
+        if len(lines) <= most and longest >= len(texts[0]):
+            break
+    lines = lines[: max(most, 1)]
+    height *= min(1.0, width / text_size(lines, height)[0])
+    bars = text_bars(lines, height, _STROKE * height, _MARK_DEPTH)
     # Turned over about the x axis: its front looks downwards.
-    turned_over = text.rotate(cq.Vector(0, 0, 0), cq.Vector(1, 0, 0), 180)
-    return solid.cut(turned_over.moved(cq.Location(cq.Vector(0, 0, plan.bottom + _MARK_DEPTH))))
+    place = cq.Location(cq.Vector(0, 0, plan.bottom + _MARK_DEPTH), cq.Vector(1, 0, 0), 180)
+    return solid.cut(*(bar.moved(place) for bar in bars))

@@ -9,7 +9,7 @@ import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
@@ -196,9 +196,11 @@ def _fine_enough(shape: cq.Shape, tolerance: float) -> Tessellation:
     return facets
 
 
-def is_cast(name: str) -> bool:
-    """Whether a part of that name is cast in silicone; every other one is printed."""
-    return name.startswith("membrane")
+def origin(name: str) -> Literal["cast", "bought", "printed"]:
+    """Where a part of that name comes from: membranes are cast in silicone, boards of microphones are bought."""
+    if name.startswith("membrane"):
+        return "cast"
+    return "bought" if name == "microphone-board" else "printed"
 
 
 def _shape(part: cq.Workplane) -> cq.Shape:

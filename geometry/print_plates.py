@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from geometry.assembly import PartSet
-from geometry.part_files import SharedShape, is_cast, tessellate_distinct
+from geometry.part_files import SharedShape, origin, tessellate_distinct
 from geometry.print_processes import PrintProcess
 from geometry.three_mf import Body, write_3mf
 from geometry.whole_file import whole_file
@@ -52,7 +52,7 @@ def export_plates(
     Each shape is stored once however often it lies there, in its own coordinates but for a move; z = 0 is the plate.
 
     Args:
-        parts: name to workplane with one solid, mm; cast ones are left out.
+        parts: name to workplane with one solid, mm; cast and bought ones are left out.
         folder: exists.
         process: its build volume is the size of a plate.
         shapes: of :func:`geometry.part_files.tessellate_distinct`, where they exist already.
@@ -65,7 +65,7 @@ def export_plates(
     copies: list[SharedShape] = []
     too_large: list[str] = []
     for shape in tessellate_distinct(parts) if shapes is None else shapes:
-        if is_cast(shape.names[0]):
+        if origin(shape.names[0]) != "printed":
             continue
         size = np.ptp(shape.facets.vertices, axis=0)
         if (size > process.build_volume).any():

@@ -60,11 +60,7 @@ def judge_printed(
     if holes:
         findings.append(_by_rule(name, "narrowest hole", holes[0].diameter, "mm", process.hole, holes[0].place))
     if math.isfinite(gap.value):
-        finding = _by_rule(name, "narrowest gap", gap.value, "mm", process.slot, gap.place)
-        if name.startswith("mold-") and finding.verdict == "fail":
-            # In a mold only the strokes of the engraved mark are that narrow: the casting does not depend on them.
-            finding = replace(finding, verdict="warn", reason=f"an engraved mark may fill; {finding.reason}")
-        findings.append(finding)
+        findings.append(_by_rule(name, "narrowest gap", gap.value, "mm", process.slot, gap.place))
     pins = [one for one in round_ones if not one.hollow and one.length > _PLATE * one.diameter]
     if pins:
         pin = max(pins, key=_aspect)

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from geometry.assembly import PartSet
-from geometry.part_files import SharedShape, is_cast, tessellation_tolerance
+from geometry.part_files import SharedShape, origin, tessellation_tolerance
 from geometry.print_processes import PrintProcess, Verdict, find_process, process_of
 from geometry.print_rules import Finding, judge_cast, judge_printed
 from geometry.print_tolerance import AcousticEffect, acoustic_effects
@@ -84,9 +84,10 @@ def print_report(
         if progress is not None:
             progress(name, index / len(parts))
         solid = part.val()
-        if is_cast(name):
+        source = origin(name)
+        if source == "cast":
             findings.append(judge_cast(name, solid.BoundingBox().zlen, rules))
-        else:
+        elif source == "printed":
             facets = facets_of[name] if name in facets_of else tessellate(solid, tolerance)
             known = dict(parameters.get(name, {}))
             if design is not None and name.startswith("mold-lid"):

@@ -29,7 +29,7 @@ _NAMES: dict[Kind, str] = {
     "sheath": "tube sheaths",
     "spring": "tube springs",
     "housing": "microphone housings",
-    "lid": "lids",
+    "board": "boards",
     "package": "microphones",
 }
 

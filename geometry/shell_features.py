@@ -9,27 +9,14 @@ import cadquery as cq
 
 from geometry.design import Shell
 from geometry.shell_rules import FOOT_EDGE
+from geometry.stroke_letters import SPACE, WIDTH, strokes
 
-#: Sizes of a digit in its heights: width, stroke, and the space to the next.
-_WIDTH, _STROKE, _SPACE = 0.55, 0.16, 0.2
+#: Width of a digit's strokes in its heights.
+_STROKE = 0.16
 #: Largest height of digits that is chosen, and the smallest that is drawn.
 _USUAL_DIGITS, _SMALLEST_DIGITS = 3.0, 0.5
 #: Widest label in diameters of the shell: further round the wall digits would be seen from the side.
 _WIDEST_LABEL = 0.6
-#: The seven strokes of a digit, as corners in units of its width and height: (left, bottom, right, top), 0 to 1.
-_STROKES = {
-    "a": (0, 1, 1, 1),
-    "b": (1, 0.5, 1, 1),
-    "c": (1, 0, 1, 0.5),
-    "d": (0, 0, 1, 0),
-    "e": (0, 0, 0, 0.5),
-    "f": (0, 0.5, 0, 1),
-    "g": (0, 0.5, 1, 0.5),
-}
-_DIGITS = {
-    "0": "abcdef", "1": "bc", "2": "abged", "3": "abgcd", "4": "fgbc",
-    "5": "afgcd", "6": "afgcde", "7": "abc", "8": "abcdefg", "9": "abcdfg",
-}  # fmt: skip
 
 
 def largest_gap(angles: Sequence[float]) -> tuple[float, float]:
@@ -87,8 +74,6 @@ def add_label(
 ) -> cq.Shape:
     """Raise or engrave digits on the round wall, in the middle of the widest gap between ports.
 
-    They are made of seven straight strokes, so that they need no font and are the same on every machine.
-
     Args:
         solid: the shell.
         text: one to four digits.
@@ -107,7 +92,7 @@ def add_label(
     socket = max(radius for _, radius in ports)
     free = math.radians(gap / 2) - math.asin(min(socket / outer_radius, 1.0))
     widest = min(_WIDEST_LABEL * 2 * outer_radius, 2 * outer_radius * math.sin(min(max(free, 0.0), math.pi / 2)))
-    width = len(text) * _WIDTH + (len(text) - 1) * _SPACE
+    width = len(text) * WIDTH + (len(text) - 1) * SPACE
     room = min(0.8 * (span[1] - span[0]), widest / width)
     height = min(_USUAL_DIGITS, room) if features.label_height is None else features.label_height
     if height > room + 1e-9 or height < _SMALLEST_DIGITS:
@@ -126,22 +111,23 @@ def add_label(
     low, tall = cq.Vector(0, 0, span[0]), span[1] - span[0]
     skin = cq.Solid.makeCylinder(rim, tall, low).cut(cq.Solid.makeCylinder(root, tall, low))
     bottom, left = (span[0] + span[1] - height) / 2, -width * height / 2
-    strokes = [
-        stroke
+    bars = [
+        bar
         for place, digit in enumerate(text)
-        for stroke in _strokes(digit, left + place * (_WIDTH + _SPACE) * height, bottom, height, rim)
+        for bar in _strokes(digit, left + place * (WIDTH + SPACE) * height, bottom, height, rim)
     ]
-    digits = strokes[0].fuse(*strokes[1:]).intersect(skin).rotate(cq.Vector(0, 0, 0), cq.Vector(0, 0, 1), angle)
-    return (solid.fuse(digits) if raised else solid.cut(digits)).clean()
+    digits = [bar.intersect(skin).rotate(cq.Vector(0, 0, 0), cq.Vector(0, 0, 1), angle) for bar in bars]
+    return (solid.fuse(*digits) if raised else solid.cut(*digits)).clean()
 
 
 def _strokes(digit: str, left: float, bottom: float, height: float, depth: float) -> list[cq.Solid]:
     """The strokes of a digit as bars along x from the axis outwards, read from outside: y to the right, z up."""
     thick = _STROKE * height
-    wide, tall = _WIDTH * height - thick, height - thick
+    wide, tall = WIDTH * height - thick, height - thick
     bars = []
-    for stroke in _DIGITS[digit]:
-        x0, z0, x1, z1 = _STROKES[stroke]
-        corner = cq.Vector(0, left + x0 * wide, bottom + z0 * tall)
-        bars.append(cq.Solid.makeBox(2 * depth, (x1 - x0) * wide + thick, (z1 - z0) * tall + thick, corner))
+    for ends in strokes(digit):
+        (x0, z0), (x1, z1) = sorted(ends)
+        low, high = sorted((z0, z1))
+        corner = cq.Vector(0, left + x0 * wide, bottom + low * tall)
+        bars.append(cq.Solid.makeBox(2 * depth, (x1 - x0) * wide + thick, (high - low) * tall + thick, corner))
     return bars

@@ -33,7 +33,7 @@ _LEVELS: dict[Kind, int] = {
     "spring": 1,
     "sheath": 2,
     "membrane": 3,
-    "lid": 3,
+    "board": 3,
     "package": 4,
 }
 _PLURALS: dict[Kind, str] = {
@@ -42,7 +42,7 @@ _PLURALS: dict[Kind, str] = {
     "spring": "springs",
     "sheath": "sheaths",
     "membrane": "membranes",
-    "lid": "lids",
+    "board": "boards",
     "package": "microphones",
 }
 #: Arrays of more points are shown exploded in an excerpt of so many.
@@ -110,7 +110,7 @@ def exploded_view(
 ) -> Path:
     """Render the array pulled apart, away from what it stands on, one layer per kind, each named with its count.
 
-    From below: shells and housings, springs, sheaths, membranes, lids, microphones. Of an array of many points
+    From below: shells and housings, springs, sheaths, membranes, boards, microphones. Of an array of many points
     the first microphone and the points next to it are shown. Tubes that are drawn schematically are left out.
     Arguments as for :func:`draw_array`.
     """
@@ -157,9 +157,10 @@ def draw_point(
     parts = build_parts(design) if parts is None else parts
     shell = next(name for name in parts if name.startswith("shell"))
     mold = parts["mold-base"].val().BoundingBox()
+    cover = "mold-scraper" if design.mold.kind == "open-face" else "mold-lid"
     top, thickness = design.resonator.cavity_height, design.membrane.thickness
-    # The lid hangs clear of the pins, the mold clear of the shell although the view is oblique.
-    lift, aside = 1.3 * (mold.zmax - thickness), design.resonator.outer_diameter / 2 + 0.8 * mold.xlen
+    # The cover hangs clear of the pins, the mold clear of the shell although the view is oblique.
+    lift, aside = 1.3 * max(mold.zmax - thickness, mold.zlen / 2), design.resonator.outer_diameter / 2 + 0.8 * mold.xlen
     plotter = _plotter(size)
     labels, anchors = [], []
     for name, offset, cut in (
@@ -167,7 +168,7 @@ def draw_point(
         ("membrane", (0.0, 0.0, top + lift), False),
         ("mold-base", (aside, 0.0, 0.0), True),
         ("membrane", (aside, 0.0, 1.2 * lift), False),
-        ("mold-lid", (aside, 0.0, 3.2 * lift), True),
+        (cover, (aside, 0.0, 3.2 * lift), True),
     ):
         solid = parts[name].val()
         box = solid.BoundingBox()

@@ -1,39 +1,27 @@
 """Size, volume, mass, cost and thinnest wall of a design from its fields alone, microseconds each. Lengths in mm.
 
-Parts are counted as closed forms: cylinders less their cavities, bores and sockets. Prices and densities that a
-design file does not state are data here, each with its source.
+Parts are counted as closed forms: cylinders less their cavities, bores and sockets. Prices are those of the bill of
+materials; densities that a design file does not state are data here, each with its source.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
 
+from geometry.bill import Prices
 from geometry.design import ArrayDesign
 from geometry.design_parts import BOARD_CLEARANCE, BOARD_SEAL, SEAT_SLOT, Microphone, Tube
 from geometry.layout import place
+from geometry.tube import cutting_list
 
-
-@dataclass(frozen=True)
-class Price:
-    """What something costs, in USD per unit."""
-
-    value: float
-    unit: str
-    source: str
-
-
-_ASSUMED = "assumed, small quantities; the paper says a few to 15 USD for a whole prototype"
-PRICES = {
-    "resin": Price(0.06, "USD/cm^3", _ASSUMED),
-    "silicone": Price(0.05, "USD/cm^3", _ASSUMED),
-    "tube": Price(2.0, "USD/m", _ASSUMED),
-    "microphone": Price(2.0, "USD each", _ASSUMED),
-}
 #: kg/m^3
-DENSITIES = {"wire": (7900.0, "stainless steel"), "sheath": (950.0, "polyethylene, polyurethane 1100: assumed")}
-MICROPHONE_MASS = (0.03, "g, a MEMS package of 3.5 x 2.65 x 1 mm on its board: assumed")
+DENSITIES = {
+    "wire": (7900.0, "stainless steel"),
+    "sheath": (950.0, "polyethylene, polyurethane 1100: assumed"),
+    "boards": (1850.0, "glass-fibre epoxy laminate"),
+}
+MICROPHONE_MASS = (0.025, "g, a MEMS package of 3.5 x 2.65 x 1 mm: assumed")
 
 
 def size(design: ArrayDesign) -> tuple[float, float, float]:
@@ -63,7 +51,7 @@ def size(design: ArrayDesign) -> tuple[float, float, float]:
 
 
 def volume(design: ArrayDesign) -> float:
-    """Volume of shells, housings, lids, membranes and tubes, without the air in them, mm^3."""
+    """Volume of shells, housings, boards, membranes and tubes, without the air in them, mm^3."""
     return sum(part for part, _ in _volumes(design).values())
 
 
@@ -74,27 +62,28 @@ def mass(design: ArrayDesign) -> float:
 
 
 def cost(design: ArrayDesign) -> float:
-    """Materials and microphones by :data:`PRICES`, USD; no work, no electronics behind the microphones."""
-    volumes = _volumes(design)
+    """What :func:`geometry.bill.bill_of_materials` says of one array, molds left out, at its assumed prices, USD."""
+    volumes, prices, cuts = _volumes(design), Prices(), cutting_list(design)
     resin = sum(volumes[name][0] for name in ("shells", "housings"))
-    length = sum(tube.length * count for tube, count in _tubes(design))
+    length = sum(cut.count * (cut.cut_length + prices.cutting_loss) for cut in cuts)
+    joints = 2 * sum(cut.count for cut in cuts) + design.point_count
     return (
-        PRICES["resin"].value * resin / 1e3
-        + PRICES["silicone"].value * volumes["membranes"][0] / 1e3
-        + PRICES["tube"].value * length / 1e3
-        + PRICES["microphone"].value * len(design.microphones)
+        prices.resin * prices.resin_factor * resin / 1e3
+        + prices.silicone * prices.silicone_factor * volumes["membranes"][0] / 1e3
+        + (prices.spring + prices.sheath) * length / 1e3
+        + (prices.microphone + prices.board) * len(design.microphones)
+        + prices.glue * joints
     )
 
 
 def smallest_wall(design: ArrayDesign) -> float:
-    """Thinnest printed wall, mm: of shells and housings, floors, lids, lips, and what covers a tube's socket."""
+    """Thinnest printed wall, mm: of shells and housings, floors, lips, and what covers a tube's socket."""
     return min(_walls(design))
 
 
 def _walls(design: ArrayDesign) -> Iterator[float]:
     resonator, microphone, printing = design.resonator, design.microphone, design.printing
     yield from (resonator.wall_thickness, resonator.floor_thickness, microphone.wall_thickness, printing.port_lip)
-    yield microphone.sound_hole_length
     for tube, _ in _tubes(design):
         hole = tube.outer_diameter / 2 + printing.glue_gap
         yield resonator.port_axis_height + resonator.floor_thickness - hole
@@ -128,6 +117,7 @@ def _volumes(design: ArrayDesign) -> dict[str, tuple[float, float]]:
     return {
         "shells": (design.point_count * shell - sockets_of_shells, resin),
         "housings": (len(design.microphones) * _housing(microphone) - sockets_of_housings, resin),
+        "boards": (len(design.microphones) * _board(microphone), DENSITIES["boards"][0]),
         "membranes": (design.point_count * disc, silicone),
         "wire": (wire, DENSITIES["wire"][0]),
         "sheath": (sheath, DENSITIES["sheath"][0]),
@@ -135,7 +125,7 @@ def _volumes(design: ArrayDesign) -> dict[str, tuple[float, float]]:
 
 
 def _housing(microphone: Microphone) -> float:
-    """The cup with the seat of its board, and the board as a printed lid, mm^3."""
+    """The cup with the seat of its board, mm^3."""
     radius, wall, top = microphone.chamber_diameter / 2, microphone.wall_thickness, microphone.chamber_height
     length, width = _seat(microphone)
     along, across = length / 2 + wall, width / 2 + wall
@@ -147,9 +137,14 @@ def _housing(microphone: Microphone) -> float:
     if microphone.gasket_width is not None:
         inner = microphone.chamber_diameter + 2 * BOARD_SEAL
         cup -= _disc(inner + 2 * microphone.gasket_width, gasket) - _disc(inner, gasket)
-    hole = _disc(microphone.sound_hole_diameter, microphone.sound_hole_length)
-    board = microphone.board_size[0] * microphone.board_size[1] * microphone.sound_hole_length
-    return cup + rim + board - hole
+    return cup + rim
+
+
+def _board(microphone: Microphone) -> float:
+    length, width = microphone.board_size
+    return length * width * microphone.sound_hole_length - _disc(
+        microphone.sound_hole_diameter, microphone.sound_hole_length
+    )
 
 
 def _seat(microphone: Microphone) -> tuple[float, float]:

@@ -14,7 +14,16 @@ from typing import Annotated, NoReturn, TextIO
 
 import typer
 
-from studies import cli_bending, cli_design, cli_localizer, cli_optimize, cli_report, cli_sweep, cli_tolerance
+from studies import (
+    cli_bending,
+    cli_design,
+    cli_localizer,
+    cli_optimize,
+    cli_report,
+    cli_sweep,
+    cli_tolerance,
+    cli_wiring,
+)
 from studies.cli_options import Fidelity
 
 __all__ = ["Fidelity", "app", "fail", "main"]
@@ -33,6 +42,7 @@ app = typer.Typer(
 VERBS = (
     cli_design.prototypes,
     cli_design.check,
+    cli_wiring.wiring,
     cli_design.solve,
     cli_design.parts,
     cli_localizer.train,

@@ -162,7 +162,7 @@ def draw_confusion(confusion: NDArray[np.int64], points: tuple[int, ...], path: 
 @contextmanager
 def _panels(rows: int) -> Iterator[tuple[Figure, list[list[Axes]]]]:
     """Rows of two panels over a logarithmic frequency axis."""
-    with _figure((WIDTH, 0.5 + 2.7 * rows)) as figure:
+    with figure_in_style((WIDTH, 0.5 + 2.7 * rows)) as figure:
         grid = figure.subplots(rows, 2, squeeze=False, sharex=True)
         for axis in grid.flat:
             axis.set_xscale("log")
@@ -175,7 +175,7 @@ def _panels(rows: int) -> Iterator[tuple[Figure, list[list[Axes]]]]:
 
 
 @contextmanager
-def _figure(size: tuple[float, float], **style: Any) -> Iterator[Figure]:
+def figure_in_style(size: tuple[float, float], **style: Any) -> Iterator[Figure]:
     """An empty figure in the report's style; drawn without a display and forgotten afterwards."""
     import matplotlib as mpl
     from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -228,7 +228,7 @@ def _name_points(figure: Figure, points: NDArray[np.int64]) -> None:
 @contextmanager
 def _matrix_panel() -> Iterator[tuple[Figure, Axes]]:
     """One square panel."""
-    with _figure((6.6, 5.6), **{"axes.grid": False}) as figure:
+    with figure_in_style((6.6, 5.6), **{"axes.grid": False}) as figure:
         yield figure, figure.subplots()
 
 

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from studies import build_metrics, touch_metrics
+from studies.metrics import BAND
 from studies.responses import Responses
 from studies.separation import PairDistances, pair_distances
 
@@ -81,17 +82,19 @@ def metrics_named(names: Iterable[str]) -> tuple[Metric, ...]:
     return tuple(found)
 
 
-@lru_cache(maxsize=1)
-def _distances(responses: Responses) -> PairDistances:
+@lru_cache(maxsize=2)
+def _distances(responses: Responses, band: tuple[float, float]) -> PairDistances:
     """Of the batch that was asked for last: several metrics share them."""
-    return pair_distances(responses)
+    return pair_distances(responses, band)
 
 
-def _of_distances(field: str, reduce: Callable[..., Values], responses: Responses) -> Values:
-    return reduce(getattr(_distances(responses), field), axis=1)
+def _of_distances(field: str, reduce: Callable[..., Values], band: tuple[float, float], responses: Responses) -> Values:
+    return reduce(getattr(_distances(responses, band), field), axis=1)
 
 
 _RATIO = "r_i = H_ia / H_ib; root mean square over 1 to 100 Hz and all pairs a, b of microphones"
+#: Where slow presses and pulse waves have their energy, Hz.
+LOW_BAND = (1.0, 20.0)
 
 
 def _separation() -> Iterable[Metric]:
@@ -106,8 +109,16 @@ def _separation() -> Iterable[Metric]:
                 unit=unit,
                 long_name=f"{extent} {title} of two points",
                 definition=f"The {extent} over all pairs of points i, j of the {what} of {_RATIO}.",
-                compute=partial(_of_distances, field, reduce),
+                compute=partial(_of_distances, field, reduce, BAND),
             )
+    for extent, reduce in (("smallest", np.min), ("mean", np.mean)):
+        yield Metric(
+            name=f"distance_{extent}_low",
+            unit="1",
+            long_name=f"{extent} distance of two points below {LOW_BAND[1]:g} Hz",
+            definition=f"As distance_{extent}, over {LOW_BAND[0]:g} to {LOW_BAND[1]:g} Hz only.",
+            compute=partial(_of_distances, "combined", reduce, LOW_BAND),
+        )
 
 
 @lru_cache(maxsize=2)
@@ -221,14 +232,14 @@ def _build() -> Iterable[Metric]:
         ("length", "mm", "length", "Longer side of the box around shells and housings.",
          lambda design: build_metrics.size(design)[0], "smaller"),
         ("width", "mm", "width", "Shorter side of that box.", lambda design: build_metrics.size(design)[1], "smaller"),
-        ("height", "mm", "height", "From the floor to the top of membrane or lid.",
+        ("height", "mm", "height", "From the floor to the top of membrane or board.",
          lambda design: build_metrics.size(design)[2], "smaller"),
-        ("volume", "mm^3", "volume of all parts", "Shells, housings, lids, membranes and tubes, without their air.",
+        ("volume", "mm^3", "volume of all parts", "Shells, housings, boards, membranes and tubes, without their air.",
          build_metrics.volume, "smaller"),
         ("mass", "g", "mass", "Of those parts and the microphones.", build_metrics.mass, "smaller"),
-        ("cost", "USD", "cost of materials", "Resin, silicone, tube and microphones at studies.build_metrics.PRICES.",
+        ("cost", "USD", "cost of materials", "That of the bill of materials for one array; molds are left out.",
          build_metrics.cost, "smaller"),
-        ("smallest_wall", "mm", "thinnest printed wall", "Of walls, floors, lids, lips and the cover of sockets.",
+        ("smallest_wall", "mm", "thinnest printed wall", "Of walls, floors, lips and the cover of sockets.",
          build_metrics.smallest_wall, "larger"),
     ):  # fmt: skip
         yield Metric(

@@ -170,7 +170,7 @@ def test_the_step_file_names_every_component_and_holds_every_shape_once(models, 
     assert set(groups) == {part.group for part in model.placed}
     assert groups["point 7"] == ["shell 7", "membrane 7"]
     assert groups["tube 2 of line 1"] == ["spring of tube 2 of line 1", "sheath of tube 2 of line 1"]
-    assert groups["microphone B"] == ["microphone B housing", "lid B", "package B"]
+    assert groups["microphone B"] == ["microphone B housing", "board B", "package B"]
     volume = sum(model.shapes[part.part].Volume() for part in model.placed)
     assert read.toCompound().Volume() == pytest.approx(volume, rel=1e-3)
 

@@ -26,7 +26,7 @@ def test_millilitres_are_those_of_the_solids_times_their_counts(bill):
     assert bill.silicone_ml == pytest.approx(12 * math.pi * radius**2 * design.membrane.thickness / 1000, rel=3e-3)
     parts = geometry.build_parts(design)
     assert bill.silicone_ml == pytest.approx(12 * parts["membrane"].val().Volume() / 1000)
-    printed = [name for name in parts if name.startswith(("shell", "microphone"))]
+    printed = [name for name in parts if name.startswith(("shell", "microphone-housing"))]
     volume = sum(parts[name].val().Volume() * parts.counts[name] for name in printed)
     assert bill.resin_ml == pytest.approx(volume / 1000)
     molds = sum(parts[name].val().Volume() * parts.counts[name] for name in parts if name.startswith("mold"))

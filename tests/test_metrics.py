@@ -15,6 +15,7 @@ from hypothesis import strategies as st
 import acoustic_fem
 import geometry
 from acoustic_fem.noise import detection_limits, touch_response
+from geometry.bill import Prices, bill_of_materials
 from geometry.layout import place
 from studies import build_metrics
 from studies.build_metrics import _volumes
@@ -272,9 +273,26 @@ def test_mass_and_cost_add_up_and_the_wall_is_the_thinnest() -> None:
     heavier = design.with_values({"resonator.wall_thickness": 3.0})
     resin = build_metrics.volume(heavier) - build_metrics.volume(design)
     assert build_metrics.mass(heavier) - build_metrics.mass(design) == pytest.approx(resin * 1180e-6, rel=1e-9)
-    price = build_metrics.PRICES["resin"].value
+    price = 1.3 * Prices().resin
     assert build_metrics.cost(heavier) - build_metrics.cost(design) == pytest.approx(resin * 1e-3 * price, rel=1e-9)
     assert build_metrics.smallest_wall(design.with_values({"resonator.floor_thickness": 0.35})) == pytest.approx(0.35)
+
+
+@pytest.mark.parametrize("name", ["array-2x6", "glove"])
+def test_the_cost_is_that_of_the_bill_of_materials(name: str) -> None:
+    design = geometry.prototype(name)
+    assert build_metrics.cost(design) == pytest.approx(bill_of_materials(design).cost, rel=5e-3)
+
+
+def test_distances_below_20_hz_are_those_of_that_part_of_the_grid() -> None:
+    design = geometry.prototype("array-2x6")
+    grid = np.linspace(1, 20, 20)
+    low = acoustic_fem.solve(design, grid, "lumped")
+    whole = acoustic_fem.solve(design, np.append(grid, np.arange(25.0, 101.0, 5.0)), "lumped")
+    for extent in ("smallest", "mean"):
+        below = METRICS[f"distance_{extent}_low"].of_library(whole)
+        assert below == pytest.approx(METRICS[f"distance_{extent}"].of_library(low), rel=1e-6)
+        assert below != pytest.approx(METRICS[f"distance_{extent}"].of_library(whole), rel=1e-2)
 
 
 def test_unknown_metrics_and_missing_responses_are_refused_by_name() -> None:

@@ -12,7 +12,7 @@ from geometry.array_model import array_model
 from geometry.cells import Cell, CellPort
 from geometry.design import Microphone, Printing
 from geometry.fit import interferences
-from geometry.microphone import BOARD_CLEARANCE, build_housing, build_lid
+from geometry.microphone import BOARD_CLEARANCE, build_board, build_housing
 from geometry.shell import cylinder
 from geometry.tube import Port
 
@@ -30,7 +30,7 @@ def ports(count, bore=0.44, outside=0.9):
 def closed(mic, sides):
     """Housing with its board on the seat, and a rod in every port from the wall of the chamber outwards."""
     housing = build_housing(mic, PRINTING, sides).val()
-    board = build_lid(mic).val().moved(cq.Location(cq.Vector(0, 0, mic.chamber_height)))
+    board = build_board(mic).val().moved(cq.Location(cq.Vector(0, 0, mic.chamber_height)))
     chamber = cylinder(mic.chamber_diameter / 2, 0, mic.chamber_height)
     rods = []
     for port in sides:
@@ -110,8 +110,8 @@ def test_wires_leave_the_seat_through_its_slot():
 def test_the_board_has_the_sound_hole_and_covers_package_chamber_and_gasket():
     mic = microphone()
     assert mic.board_size == pytest.approx((4.5, 4.2))  # 0.5 around the package, 0.6 around the chamber
-    lid = build_lid(mic).val()
-    assert lid.Volume() == pytest.approx((4.5 * 4.2 - math.pi * 0.25**2) * 0.4, rel=1e-9)
+    board = build_board(mic).val()
+    assert board.Volume() == pytest.approx((4.5 * 4.2 - math.pi * 0.25**2) * 0.4, rel=1e-9)
     assert microphone(gasket_width=0.8).board_size == pytest.approx((7.0, 7.0))
     assert microphone(board_length=8.0).board_size == pytest.approx((8.0, 4.2))
 

@@ -12,7 +12,8 @@ import geometry
 from geometry.measure import hole_diameters
 from geometry.membrane import build_membrane
 from geometry.mold import build_mold, mold_counts
-from geometry.mold_base import mark_text
+from geometry.mold_base import base_block, mark, mark_text
+from geometry.mold_plan import plan_mold
 from geometry.shell import cylinder
 
 PHYSICAL = ["array-2x6", "fingertip-3x4", "fingertip-4x6", "glove", "large-area-64"]
@@ -231,19 +232,44 @@ def test_the_scraper_rides_on_the_lands_of_an_open_mold(changes, molds):
         assert overlap(cast.scale(1.001).moved(cq.Location(cq.Vector(0, 0, -1e-3))), base) > 0
 
 
+def engraved(base, plan):
+    """What is cut out of the lowest 0.3 mm."""
+    x, y = plan.half
+    return cq.Solid.makeBox(2 * x, 2 * y, 0.3, cq.Vector(-x, -y, plan.bottom)).cut(base)
+
+
 def test_the_mark_tells_thickness_and_material_and_is_engraved_below():
-    assert mark_text(geometry.prototype("array-2x6")) == ("0.5 mm", "A30")
-    assert mark_text(geometry.prototype("fingertip-3x4")) == ("0.2 mm", "blend-5-", "1-A0-5")
-    mold = build_mold(geometry.prototype("array-2x6"))
-    base, bottom = mold.parts["mold-base"].val(), mold.plan.bottom
-    x, y = mold.plan.half
-    skin = cq.Solid.makeBox(2 * x, 2 * y, 0.3, cq.Vector(-x, -y, bottom))
-    letters = skin.cut(base)
-    # "0.5 mm" and "A30": five signs and three
-    assert len(letters.Solids()) == 8
+    design = geometry.prototype("array-2x6")
+    assert mark_text(design) == ("0.5MM", "A30")
+    mold = build_mold(design)
+    base, plan = mold.parts["mold-base"].val(), mold.plan
+    letters = engraved(base, plan)
+    assert len(letters.Solids()) == len("0.5MMA30")
     assert letters.BoundingBox().zlen == pytest.approx(0.3)
-    above = cq.Solid.makeBox(2 * x, 2 * y, 1.0, cq.Vector(-x, -y, bottom + 0.3))
+    x, y = plan.half
+    above = cq.Solid.makeBox(2 * x, 2 * y, 1.0, cq.Vector(-x, -y, plan.bottom + 0.3))
     assert overlap(above, base) == pytest.approx(4 * x * y)
+
+
+@pytest.mark.parametrize(
+    ("texts", "letters", "stroke"),
+    [
+        (("0.2MM", "A5"), 7, 0.5),
+        (("0.2MM", "5-1-A0-5"), 13, 0.5),
+        (("0.2MM", "5-1-A0-5-AND-MORE"), 14, 0.4),
+        (("0.1555MM", "A5"), 10, None),
+    ],
+)
+def test_a_long_mark_is_drawn_smaller_then_cut_and_stays_on_the_block(texts, letters, stroke):
+    plan = plan_mold(geometry.prototype("fingertip-3x4"))
+    found = engraved(mark(base_block(plan), plan, texts), plan)
+    assert len(found.Solids()) == letters
+    box = found.BoundingBox()
+    assert box.xlen <= 2 * 0.85 * plan.half[0] + 1e-6
+    assert box.ylen <= 2 * 0.85 * plan.half[1] + 1e-6
+    if stroke is not None:
+        # A hyphen or the point is one stroke high.
+        assert min(solid.BoundingBox().ylen for solid in found.Solids()) == pytest.approx(stroke)
 
 
 @pytest.mark.parametrize(

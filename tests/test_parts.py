@@ -129,7 +129,7 @@ def test_every_part_of_every_prototype_is_one_valid_solid_and_is_counted(name):
     shells = {part: count for part, count in counts.items() if part.startswith("shell")}
     housings = {part: count for part, count in counts.items() if part.startswith("microphone-housing")}
     assert sum(shells.values()) == counts["membrane"] == design.point_count
-    assert sum(housings.values()) == counts["microphone-lid"] == len(design.microphones)
+    assert sum(housings.values()) == counts["microphone-board"] == len(design.microphones)
     assert counts["mold-base"] == counts["mold-lid"] == 1
 
 
@@ -143,7 +143,7 @@ def test_the_2x6_array_has_two_kinds_of_shell(parts):
         "mold-shim-1": 3,
         "mold-shim-2": 3,
         "microphone-housing": 2,
-        "microphone-lid": 2,
+        "microphone-board": 2,
     }
     assert parts.parameters["shell-corner-90"]["cavity_diameter"] == 6.0
     assert parts.parameters["shell-corner-90"]["count"] == 2

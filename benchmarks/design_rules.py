@@ -1,0 +1,205 @@
+"""The paper's design rules put to the test: ``python -m benchmarks.design_rules`` writes docs/studies/design_rules.
+
+Each study file there is swept from the 2 x 6 array, and again from the simulated line of 36 points, whose membranes
+are stiff and bores wide. Tables, figures and verdicts come from the results; the ends of every range are solved at
+navier-stokes as well. About two minutes of one core where no cell is in the cache.
+"""
+
+from __future__ import annotations
+
+import tempfile
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+from scipy.stats import spearmanr
+
+import acoustic_fem
+import geometry
+from geometry import ArrayDesign
+from geometry.whole_file import whole_file, write_text
+from studies.metric_registry import METRICS
+from studies.study_file import read_study
+from studies.sweep import run_sweep
+from studies.sweep_store import open_sweep
+
+FOLDER = Path(__file__).parents[1] / "docs" / "studies" / "design_rules"
+BEGIN, END = "<!-- {name}: made by benchmarks/design_rules.py -->", "<!-- end {name} -->"
+BASES = {"2 x 6": "array-2x6", "line of 36": "line-2"}
+COLOURS = {"2 x 6": "#1f5f8b", "line of 36": "#b5651d"}
+#: What is tabled: metric, heading, digits behind the point of its number.
+COLUMNS = (
+    ("distance_smallest_low", "smallest distance, 1 to 20 Hz", ".3f"),
+    ("distance_smallest", "smallest distance, 1 to 100 Hz", ".3f"),
+    ("predicted_top1", "top-1, quiet (%)", ".1f"),
+    ("predicted_top1_loud", "top-1, 0.05 Pa (%)", ".1f"),
+    ("sensitivity_force", "sensitivity (Pa/N)", ".3g"),
+)
+#: A rank correlation beyond this is called a rise or a fall.
+TREND = 0.9
+
+
+@dataclass(frozen=True)
+class Rule:
+    """One claim: which parameter, what it is called on axes, and where distances should grow to."""
+
+    name: str
+    parameter: str
+    axis: str
+    claim: str
+    grows: int
+    """1: distances should grow with the parameter; -1: as it falls."""
+
+
+RULES = (
+    Rule("cavity_volume", "resonator.cavity_height", "height of the cavities (mm)",
+         "larger cavities are told apart better at low frequency", 1),
+    Rule("tube_length", "tube.length", "length of the tubes (mm)",
+         "points joined by longer tubes are told apart better at low frequency", 1),
+    Rule("tube_diameter", "tube.inner_diameter", "bore of the tubes (mm)",
+         "points joined by thinner tubes are told apart better", -1),
+    Rule("membrane_stiffness", "membrane.thickness", "thickness of the membranes (mm)",
+         "points under softer membranes are told apart better", -1),
+    Rule("points", "lines.0.points", "points on the line", "more points are harder to tell apart", -1),
+)  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Curve:
+    """A rule seen from one base: the values of the parameter, ascending, and each metric on them."""
+
+    values: NDArray[np.float64]
+    metrics: dict[str, NDArray[np.float64]]
+
+    def trend(self, metric: str) -> float:
+        """Rank correlation of a metric with the parameter."""
+        return float(spearmanr(self.values, self.metrics[metric]).statistic)
+
+
+def main() -> None:
+    page = (FOLDER / "README.md").read_text(encoding="utf-8")
+    for rule in RULES:
+        curves = {title: sweep(rule, geometry.prototype(base)) for title, base in BASES.items()}
+        draw(rule, curves, FOLDER / f"{rule.name}.png")
+        lines = [*table(rule, curves), "", verdict(rule, curves), "", at_navier_stokes(rule)]
+        print("\n".join(lines), end="\n\n")
+        page = put(page, rule.name, lines)
+    write_text(FOLDER / "README.md", page)
+
+
+def sweep(rule: Rule, base: ArrayDesign) -> Curve:
+    """The study of a rule from one base."""
+    text = (FOLDER / f"{rule.name}.toml").read_text(encoding="utf-8")
+    with tempfile.TemporaryDirectory() as folder:
+        out = Path(folder) / "results.zarr"
+        summary = run_sweep(read_study(text, f"{rule.name}.toml", base=base), out, workers=1)
+        if summary.failures:
+            raise RuntimeError(f"{rule.name}: {summary.failures}")
+        found = open_sweep(out)
+        values = np.asarray(found.dataset[rule.parameter].values, np.float64)
+        order = np.argsort(values)
+        return Curve(values[order], {name: found.dataset[name].values[order] for name in found.metrics})
+
+
+def table(rule: Rule, curves: dict[str, Curve]) -> list[str]:
+    """Lowest, middle and highest value of each base."""
+    lines = [
+        f"| from | {rule.axis} | " + " | ".join(heading for _, heading, _ in COLUMNS) + " |",
+        "|---" * (2 + len(COLUMNS)) + "|",
+    ]
+    for title, curve in curves.items():
+        for k in (0, len(curve.values) // 2, len(curve.values) - 1):
+            numbers = [
+                format((100 if "%" in heading else 1) * curve.metrics[name][k], digits)
+                for name, heading, digits in COLUMNS
+            ]
+            lines.append(f"| {title} | {curve.values[k]:.3g} | " + " | ".join(numbers) + " |")
+    return lines
+
+
+def verdict(rule: Rule, curves: dict[str, Curve]) -> str:
+    """Whether distances and accuracies follow the claim, from the rank correlations alone."""
+    parts = []
+    for metric, called in (
+        ("distance_smallest_low", "smallest distance below 20 Hz"),
+        ("distance_smallest", "smallest distance up to 100 Hz"),
+        ("predicted_top1", "accuracy in quiet"),
+        ("predicted_top1_loud", "accuracy in noise"),
+    ):
+        told = {title: rule.grows * curve.trend(metric) for title, curve in curves.items()}
+        if all(value > TREND for value in told.values()):
+            parts.append(f"{called}: confirmed")
+        elif all(value < -TREND for value in told.values()):
+            parts.append(f"{called}: **the opposite**")
+        else:
+            each = ", ".join(f"{title} {rule.grows * value:+.2f}" for title, value in told.items())
+            parts.append(f"{called}: no common trend (rank correlation {each})")
+    return f"Claim: {rule.claim}. " + "; ".join(parts) + "."
+
+
+def at_navier_stokes(rule: Rule) -> str:
+    """Both ends of the range from the 2 x 6 array, solved in three dimensions."""
+    text = (FOLDER / f"{rule.name}.toml").read_text(encoding="utf-8")
+    study = read_study(text, f"{rule.name}.toml")
+    values = sweep(rule, study.base).values
+    names = ("distance_smallest_low", "distance_smallest")
+    worst, ends = 0.0, []
+    for value in (values[0], values[-1]):
+        design = study.base.with_values({rule.parameter: int(value) if rule.name == "points" else float(value)})
+        lumped, solved = (
+            [METRICS[name].of_library(acoustic_fem.solve(design, study.frequency, fidelity)) for name in names]
+            for fidelity in ("lumped", "navier-stokes")
+        )
+        worst = max(worst, *(abs(a / b - 1) for a, b in zip(lumped, solved, strict=True)))
+        ends.append(solved[0])
+    return (
+        f"At navier-stokes the smallest distance below 20 Hz of the 2 x 6 array goes from {ends[0]:.3f} to "
+        f"{ends[1]:.3f}; lumped distances at both ends are within {100 * worst:.1f} % of it."
+    )
+
+
+def draw(rule: Rule, curves: dict[str, Curve], path: Path) -> None:
+    """Distances, accuracies and sensitivity over the parameter."""
+    figure = Figure(figsize=(9.6, 3.0), layout="constrained")
+    distance, accuracy, sensitivity = figure.subplots(1, 3)
+    for title, curve in curves.items():
+        colour = COLOURS[title]
+        for axes, metric, style, scale in (
+            (distance, "distance_smallest_low", "-", 1),
+            (distance, "distance_smallest", "--", 1),
+            (accuracy, "predicted_top1", "-", 100),
+            (accuracy, "predicted_top1_loud", "--", 100),
+            (sensitivity, "sensitivity_force", "-", 1),
+        ):
+            axes.plot(curve.values, scale * curve.metrics[metric], style, color=colour, marker="o", markersize=3)
+        sensitivity.plot([], [], color=colour, label=title)
+    for axes, full, dashed in ((distance, "1 to 20 Hz", "1 to 100 Hz"), (accuracy, "quiet", "0.05 Pa")):
+        axes.plot([], [], "-", color="black", label=full)
+        axes.plot([], [], "--", color="black", label=dashed)
+    for axes, title in (
+        (distance, "smallest distance of two points"),
+        (accuracy, "predicted top-1 (%)"),
+        (sensitivity, "sensitivity (Pa/N)"),
+    ):
+        axes.set_title(title, fontsize=10)
+        axes.set_xlabel(rule.axis)
+        axes.grid(color="#dddddd", linewidth=0.6)
+        axes.legend(frameon=False, fontsize=8)
+    distance.set_yscale("log")
+    sensitivity.set_yscale("log")
+    accuracy.set_ylim(0, 102)
+    with whole_file(path) as beside:
+        figure.savefig(beside, dpi=110)
+
+
+def put(page: str, name: str, lines: list[str]) -> str:
+    """Replace what stands between the marks of a name."""
+    begin, end = BEGIN.format(name=name), END.format(name=name)
+    before, rest = page.split(begin)
+    return "\n".join([before + begin, *lines, end + rest.split(end, 1)[1]])
+
+
+if __name__ == "__main__":
+    main()
