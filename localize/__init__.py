@@ -14,33 +14,57 @@ if TYPE_CHECKING:
     from localize.dataset import ArrayResponse, TouchGenerator
     from localize.evaluation import Evaluation, evaluate
     from localize.localizer import Localizer, LocalizerError, load_localizer
+    from localize.onnx import OnnxLocalizer, export_onnx
+    from localize.recording import Recording, RecordingError, read_recording
+    from localize.stream import Decision, Fault, TouchStream
+    from localize.touches import Touch, touches_of
     from localize.training import TrainingPlan, TrainingProgress, train
 
 _HOMES = {
     "ArrayResponse": "dataset",
     "BayesDecoder": "bayes",
+    "Decision": "stream",
     "Evaluation": "evaluation",
+    "Fault": "stream",
     "Localizer": "localizer",
     "LocalizerError": "localizer",
+    "OnnxLocalizer": "onnx",
+    "Recording": "recording",
+    "RecordingError": "recording",
+    "Touch": "touches",
     "TouchGenerator": "dataset",
+    "TouchStream": "stream",
     "TrainingPlan": "training",
     "TrainingProgress": "training",
     "evaluate": "evaluation",
+    "export_onnx": "onnx",
     "load_localizer": "localizer",
+    "read_recording": "recording",
+    "touches_of": "touches",
     "train": "training",
 }
 
 __all__ = [
     "ArrayResponse",
     "BayesDecoder",
+    "Decision",
     "Evaluation",
+    "Fault",
     "Localizer",
     "LocalizerError",
+    "OnnxLocalizer",
+    "Recording",
+    "RecordingError",
+    "Touch",
     "TouchGenerator",
+    "TouchStream",
     "TrainingPlan",
     "TrainingProgress",
     "evaluate",
+    "export_onnx",
     "load_localizer",
+    "read_recording",
+    "touches_of",
     "train",
 ]
 

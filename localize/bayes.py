@@ -72,7 +72,10 @@ class BayesDecoder:
         self.line = response.line
         self.place = response.place
         self.microphone_noise = microphone_noise
-        noise = scipy.linalg.toeplitz(_noise_covariance(response.noise(microphone_noise)))
+        self.provenance = response.provenance
+        assumed = response.noise(microphone_noise)
+        self.noise_rms = assumed.rms if isinstance(assumed, NoiseSpectrum) else assumed
+        noise = scipy.linalg.toeplitz(_noise_covariance(assumed))
         whiten = np.linalg.inv(np.linalg.cholesky(noise))
         # From the 250 samples of a microphone to SAMPLES ones with white noise of variance 1.
         self._reduce = (whiten @ _low_pass()).T.copy()

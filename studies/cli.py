@@ -14,7 +14,16 @@ from typing import Annotated, NoReturn, TextIO
 
 import typer
 
-from studies import cli_bending, cli_design, cli_localizer, cli_optimize, cli_report, cli_sweep, cli_tolerance
+from studies import (
+    cli_bending,
+    cli_design,
+    cli_localizer,
+    cli_locate,
+    cli_optimize,
+    cli_report,
+    cli_sweep,
+    cli_tolerance,
+)
 from studies.cli_options import Fidelity
 
 __all__ = ["Fidelity", "app", "fail", "main"]
@@ -37,6 +46,8 @@ VERBS = (
     cli_design.parts,
     cli_localizer.train,
     cli_localizer.evaluate,
+    cli_locate.onnx,
+    cli_locate.locate,
     cli_design.run,
     cli_bending.bend,
     cli_sweep.sweep,

@@ -1,0 +1,227 @@
+"""Touches while they happen: samples in, in chunks of any size; a decision every 16 ms out.
+
+Every 16 samples the last 250 are judged. Where no microphone hears more than its noise there is no touch, and
+nothing is guessed. What goes wrong with a stream is reported and survived: lost or repeated samples, values that are
+not finite, clipping, a channel that is dead. Decisions depend on the samples alone, not on how they were cut up.
+"""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass, field
+from typing import Literal, Protocol
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from localize.frames import FRAME
+from localize.stimulus import SAMPLE_RATE
+
+HOP = 16
+"""Samples from one decision to the next."""
+SILENCE = 2.0
+"""A microphone hears something where its level exceeds this many times its noise."""
+LEAST_SILENCE = 1e-6
+"""Pa rms: the threshold where no noise is assumed."""
+LARGEST_PRESSURE = 1e6
+"""Pa: a larger value is no pressure; ten atmospheres."""
+_CAPACITY = FRAME + 64 * HOP
+
+FaultKind = Literal["samples lost", "samples repeated", "not finite", "clipped", "dead channel"]
+
+
+class StreamLocator(Protocol):
+    """What can listen to a stream: network, model-based decoder, and either as an ONNX file."""
+
+    @property
+    def microphones(self) -> tuple[str, ...]:
+        """Names of the microphones."""
+
+    @property
+    def noise_rms(self) -> float:
+        """Noise of a microphone, Pa rms."""
+
+    def locate(self, signals: ArrayLike) -> NDArray[np.float64]:
+        """(n_microphone, 250) to (n_point,)."""
+
+
+@dataclass(frozen=True)
+class Decision:
+    """What one frame says."""
+
+    time: float
+    """s, of the end of the frame; the stream's sample 0 is at 0."""
+    state: Literal["touch", "no touch", "unreadable"]
+    """Unreadable: a channel is clipped or dead."""
+    level: float
+    """Pa rms about the mean, of the loudest microphone."""
+    point: int | None = None
+    """The most probable one, from 1; None unless there is a touch."""
+    probability: float | None = None
+    """Of that point."""
+    distribution: NDArray[np.float64] | None = field(default=None, repr=False, compare=False)
+    """(n_point,) probabilities of all points; None unless there is a touch."""
+
+    def json_line(self) -> str:
+        """One line of JSON, without the distribution."""
+        line: dict[str, object] = {"time": round(self.time, 6), "state": self.state, "level": self.level}
+        if self.state == "touch":
+            line |= {"point": self.point, "probability": self.probability}
+        return json.dumps(line)
+
+
+@dataclass(frozen=True)
+class Fault:
+    """What is wrong with the stream, told once when it begins."""
+
+    time: float
+    """s: of the sample where it begins; of clipping and dead channels, the end of the frame that showed it."""
+    kind: FaultKind
+    channel: str | None = None
+    """Name of the microphone; None where it is all of them."""
+    samples: int | None = None
+    """How many were lost or repeated."""
+
+    def json_line(self) -> str:
+        """One line of JSON."""
+        line: dict[str, object] = {"time": round(self.time, 6), "fault": self.kind}
+        line |= {} if self.channel is None else {"channel": self.channel}
+        line |= {} if self.samples is None else {"samples": self.samples}
+        return json.dumps(line)
+
+
+class TouchStream:
+    """Listens to microphones, 250 samples at a time.
+
+    Args:
+        locator: names the point of a frame.
+        silence: Pa rms about the mean over a frame; where no microphone is louder there is no touch. By default twice
+            the noise of a microphone that the locator was made for, at least 1e-6 Pa.
+        limit: Pa; a sample that reaches it is clipped. By default nothing is.
+
+    Raises:
+        ValueError: a threshold that is not finite and positive.
+    """
+
+    def __init__(self, locator: StreamLocator, silence: float | None = None, limit: float | None = None) -> None:
+        self.locator = locator
+        self.silence = max(SILENCE * locator.noise_rms, LEAST_SILENCE) if silence is None else silence
+        self.limit = limit
+        for name, value in (("silence", self.silence), ("limit", limit)):
+            if value is not None and not 0 < value < np.inf:
+                raise ValueError(f"{name} = {value} Pa must be finite and above 0")
+        self._microphones = locator.microphones
+        self._buffer = np.empty((len(self._microphones), _CAPACITY))
+        self._next: int | None = None  # number of the sample that is due
+        self._bad: set[tuple[FaultKind, int]] = set()  # what has been reported and still lasts
+        self._restart()
+
+    def push(self, chunk: ArrayLike, first: int | None = None) -> list[Decision | Fault]:
+        """Take the next samples.
+
+        Args:
+            chunk: (n_microphone, n) Pa at 1 kHz, any n.
+            first: number of the chunk's first sample in the stream. By default it follows the chunk before; a larger
+                number means that samples are lost, a smaller one that they are repeated, and those are left out.
+
+        Returns:
+            Decisions and faults in the order in which they came about.
+
+        Raises:
+            ValueError: a chunk of another shape; nothing has been taken then.
+        """
+        samples = np.asarray(chunk, np.float64)
+        if samples.ndim != 2 or len(samples) != len(self._microphones):
+            raise ValueError(
+                f"chunk has shape {samples.shape}, must be (n_microphone, n) = ({len(self._microphones)}, n): "
+                f"{', '.join(self._microphones)}"
+            )
+        events: list[Decision | Fault] = []
+        due = self._next if self._next is not None else first or 0
+        lost = 0 if first is None else first - due
+        if lost > 0:
+            events.append(Fault(due / SAMPLE_RATE, "samples lost", samples=lost))
+            due += lost
+            self._restart()
+        elif lost < 0:
+            repeated = min(-lost, samples.shape[1])
+            events.append(Fault((due + lost) / SAMPLE_RATE, "samples repeated", samples=repeated))
+            samples = samples[:, repeated:]
+        self._next = due
+        for good, run in _runs(np.abs(samples) < LARGEST_PRESSURE, samples):
+            if good.all():
+                self._listen(run, events)
+            else:
+                self._skip(run, good, events)
+        return events
+
+    def _restart(self) -> None:
+        """Forget the samples so far: a frame never spans a gap."""
+        self._end = 0
+        self._due = FRAME
+
+    def _skip(self, run: NDArray[np.float64], good: NDArray[np.bool_], events: list[Decision | Fault]) -> None:
+        """A run of samples in which the same channels hold no pressure."""
+        for channel in range(len(good)):
+            self._tell("not finite", channel, not good[channel], self._time, events)
+        self._restart()
+        self._next = self._number + run.shape[1]
+
+    def _listen(self, run: NDArray[np.float64], events: list[Decision | Fault]) -> None:
+        for channel in range(len(run)):
+            self._tell("not finite", channel, False, self._time, events)
+        taken = 0
+        while taken < run.shape[1]:
+            count = min(self._due, run.shape[1] - taken)
+            if self._end + count > _CAPACITY:
+                kept = min(self._end, FRAME)
+                self._buffer[:, :kept] = self._buffer[:, self._end - kept : self._end]
+                self._end = kept
+            self._buffer[:, self._end : self._end + count] = run[:, taken : taken + count]
+            taken += count
+            self._end += count
+            self._due -= count
+            self._next = self._number + count
+            if self._due == 0:
+                self._due = HOP
+                self._judge(self._buffer[:, self._end - FRAME : self._end], events)
+
+    def _judge(self, frame: NDArray[np.float64], events: list[Decision | Fault]) -> None:
+        dead = frame.max(1) == frame.min(1)
+        clipped = np.abs(frame).max(1) >= (np.inf if self.limit is None else self.limit)
+        for channel in range(len(frame)):
+            self._tell("dead channel", channel, bool(dead[channel]), self._time, events)
+            self._tell("clipped", channel, bool(clipped[channel]), self._time, events)
+        level = float(frame.std(1).max())
+        if (dead | clipped).any():
+            events.append(Decision(self._time, "unreadable", level))
+        elif level <= self.silence:
+            events.append(Decision(self._time, "no touch", level))
+        else:
+            found = self.locator.locate(frame)
+            best = int(found.argmax())
+            events.append(Decision(self._time, "touch", level, best + 1, float(found[best]), found))
+
+    def _tell(self, kind: FaultKind, channel: int, is_bad: bool, time: float, events: list[Decision | Fault]) -> None:
+        """Report a fault when it begins, not while it lasts."""
+        if is_bad and (kind, channel) not in self._bad:
+            self._bad.add((kind, channel))
+            events.append(Fault(time, kind, self._microphones[channel]))
+        elif not is_bad:
+            self._bad.discard((kind, channel))
+
+    @property
+    def _number(self) -> int:
+        return self._next or 0
+
+    @property
+    def _time(self) -> float:
+        return self._number / SAMPLE_RATE
+
+
+def _runs(good: NDArray[np.bool_], samples: NDArray[np.float64]) -> list[tuple[NDArray[np.bool_], NDArray[np.float64]]]:
+    """Runs of samples over which the same channels are good: (n_microphone,) and (n_microphone, n) of each."""
+    if not samples.shape[1]:
+        return []
+    cuts = np.flatnonzero((good[:, 1:] != good[:, :-1]).any(0)) + 1
+    return [(part[:, 0], run) for part, run in zip(np.split(good, cuts, 1), np.split(samples, cuts, 1), strict=True)]
