@@ -24,7 +24,7 @@ LOWEST_RATE, HIGHEST_RATE = 250.0, 1e6
 FLAT = 8
 """Consecutive equal samples at the extreme of a channel that show clipping."""
 FINE = 2000
-"""Where the extreme is this many of the channel's smallest steps or more: smaller signals have flat tops anyway."""
+"""Flat tops count where the extreme is this many of the channel's smallest steps or more: smaller ones are coarse."""
 FORMATS = (".wav", ".csv", ".npz")
 TIME_COLUMN = "time"
 
@@ -123,8 +123,7 @@ def _first_clipped(channel: NDArray[np.float64], limit: float | None) -> int | N
     if limit is not None:
         reached = np.flatnonzero(np.abs(channel) >= limit)
         return int(reached[0]) if len(reached) else None
-    steps = np.abs(np.diff(channel))
-    if np.abs(channel).max() < FINE * steps[steps > 0].min():
+    if np.abs(channel).max() < FINE * np.diff(np.unique(channel)).min():
         return None
     for extreme in (channel.max(), channel.min()):
         at = np.convolve(channel == extreme, np.ones(FLAT, np.int64), "valid")
