@@ -168,8 +168,7 @@ class TouchStream:
         self._next = self._number + run.shape[1]
 
     def _listen(self, run: NDArray[np.float64], events: list[Decision | Fault]) -> None:
-        for channel in range(len(run)):
-            self._tell("not finite", channel, False, self._time, events)
+        self._bad = {(kind, channel) for kind, channel in self._bad if kind != "not finite"}
         taken = 0
         while taken < run.shape[1]:
             count = min(self._due, run.shape[1] - taken)
@@ -187,13 +186,16 @@ class TouchStream:
                 self._judge(self._buffer[:, self._end - FRAME : self._end], events)
 
     def _judge(self, frame: NDArray[np.float64], events: list[Decision | Fault]) -> None:
-        dead = frame.max(1) == frame.min(1)
-        clipped = np.abs(frame).max(1) >= (np.inf if self.limit is None else self.limit)
-        for channel in range(len(frame)):
-            self._tell("dead channel", channel, bool(dead[channel]), self._time, events)
-            self._tell("clipped", channel, bool(clipped[channel]), self._time, events)
+        highest, lowest = frame.max(1), frame.min(1)
+        dead = highest == lowest
+        clipped = np.maximum(highest, -lowest) >= (np.inf if self.limit is None else self.limit)
+        unreadable = bool((dead | clipped).any())
+        if unreadable or self._bad:
+            for channel in range(len(frame)):
+                self._tell("dead channel", channel, bool(dead[channel]), self._time, events)
+                self._tell("clipped", channel, bool(clipped[channel]), self._time, events)
         level = float(frame.std(1).max())
-        if (dead | clipped).any():
+        if unreadable:
             events.append(Decision(self._time, "unreadable", level))
         elif level <= self.silence:
             events.append(Decision(self._time, "no touch", level))
@@ -223,5 +225,7 @@ def _runs(good: NDArray[np.bool_], samples: NDArray[np.float64]) -> list[tuple[N
     """Runs of samples over which the same channels are good: (n_microphone,) and (n_microphone, n) of each."""
     if not samples.shape[1]:
         return []
+    if good.all():
+        return [(good[:, 0], samples)]
     cuts = np.flatnonzero((good[:, 1:] != good[:, :-1]).any(0)) + 1
     return [(part[:, 0], run) for part, run in zip(np.split(good, cuts, 1), np.split(samples, cuts, 1), strict=True)]
