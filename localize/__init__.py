@@ -10,8 +10,9 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from localize.array_response import ArrayResponse
     from localize.bayes import BayesDecoder
-    from localize.dataset import ArrayResponse, TouchGenerator
+    from localize.dataset import TouchGenerator
     from localize.evaluation import Evaluation, evaluate
     from localize.localizer import Localizer, LocalizerError, load_localizer
     from localize.onnx import OnnxLocalizer, export_onnx
@@ -21,7 +22,7 @@ if TYPE_CHECKING:
     from localize.training import TrainingPlan, TrainingProgress, train
 
 _HOMES = {
-    "ArrayResponse": "dataset",
+    "ArrayResponse": "array_response",
     "BayesDecoder": "bayes",
     "Decision": "stream",
     "Evaluation": "evaluation",
