@@ -1,9 +1,9 @@
-"""Time of one frame in the stream engine: one core, a batch of one. ``python benchmarks/realtime.py``.
+"""Time of one frame in the stream engine: one core, a batch of one. ``python benchmarks/realtime.py [DESIGN ...]``.
 
 Each frame is pushed as a chunk of 16 samples into :class:`localize.TouchStream`, which cuts, checks and decodes it.
 Median and 99th percentile are given of wall-clock time, to which other work on the machine adds waiting, and of the
-processor time of the process, to which it adds only colder caches. The network is one of the default shape after a moment of training: its speed does not depend on its
-weights. The paper gives 3.5 to 4.5 ms per frame.
+processor time of the process, to which it adds only colder caches. The network is one of the default shape after a
+moment of training: its speed does not depend on its weights. The paper gives 3.5 to 4.5 ms per frame.
 """
 
 from __future__ import annotations
@@ -61,7 +61,17 @@ def continuous(response: localize.ArrayResponse, frames: int) -> np.ndarray:
 
 def main(names: list[str]) -> None:
     table = Table(title="One frame in the stream engine, one core, batch of one (ms)")
-    for column in ("design", "points", "microphones", "decoder", "runs in", "p50", "p99", "processor p50", "processor p99"):
+    for column in (
+        "design",
+        "points",
+        "microphones",
+        "decoder",
+        "runs in",
+        "p50",
+        "p99",
+        "processor p50",
+        "processor p99",
+    ):
         table.add_column(column, justify="left" if column in ("design", "decoder", "runs in") else "right")
     for name in names:
         with warnings.catch_warnings():
@@ -79,8 +89,9 @@ def main(names: list[str]) -> None:
                 own = "NumPy" if title == "model-based" else "torch"
                 for runtime, each in ((own, locator), ("ONNX Runtime", localize.OnnxLocalizer(path))):
                     times = (f"{value:.3f}" for value in measured(each, signals))
-                    row = (name, str(response.point_count), str(len(response.microphones)), title, runtime, *times)
-                    table.add_row(*row)
+                    table.add_row(
+                        name, title, runtime, str(response.point_count), str(len(response.microphones)), *times
+                    )
     Console(width=120).print(table)
 
 

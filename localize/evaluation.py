@@ -60,7 +60,8 @@ class Reliability:
     @property
     def expected_error(self) -> float:
         """Expected calibration error: mean over all touches of |right - stated| of their bin (Guo et al. 2017, "On
-        calibration of modern neural networks", equation 3)."""
+        calibration of modern neural networks", equation 3).
+        """
         touches = sum(each.touches for each in self.bins)
         return sum(
             each.touches / touches * abs(each.right - each.stated)

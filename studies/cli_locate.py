@@ -70,9 +70,10 @@ def locate(
             show_default=False,
         ),
     ],
-    json_lines: Annotated[
-        bool, typer.Option("--json", help="A line of JSON for every frame, 16 ms apart, in place of the table.")
-    ] = False,
+    out: Annotated[
+        Path | None,
+        typer.Option(help="Write a line of JSON for every frame here, 16 ms apart.", show_default=False),
+    ] = None,
     full_scale: Annotated[
         float | None,
         typer.Option(
@@ -84,8 +85,12 @@ def locate(
 ) -> None:
     """Where and when an array was touched, from a recording of its microphones.
 
-    Example: [bold]acoustic-fem locate localizer recording.wav[/bold]
+    Example: [bold]acoustic-fem locate localizer recording.wav --out touches.jsonl[/bold]
     """
+    from geometry.whole_file import write_text
+    from studies.folders import check_new_file
+
+    check_new_file(out)
     from localize import TouchStream, read_recording, touches_of
 
     localizer: Localizer | BayesDecoder | OnnxLocalizer
@@ -100,10 +105,8 @@ def locate(
     with named(full_scale="--full-scale"):
         heard = read_recording(recording, localizer.microphones, full_scale)
     events = TouchStream(localizer).push(heard.signals)
-    if json_lines:
-        for event in events:
-            print(event.json_line())
-        return
+    if out is not None:
+        write_text(out, "".join(event.json_line() + "\n" for event in events))
     touches = touches_of(events)
     table = table_of("from (s)", "to (s)", "point", "line", "place", "probability (%)", "level (Pa)",
                      numbers=tuple(range(7)))  # fmt: skip

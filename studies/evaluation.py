@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from localize.evaluation import Evaluation, Locator
     from localize.noise import NoiseChoice
 
+Progress = Callable[[str, float], None]
 #: Shares of the workshop's tolerances that sensors are made with.
 SCATTER = (0.25, 0.5, 1.0)
 #: Sensors that are made with each.
@@ -71,7 +72,7 @@ def evaluate_fully(
     touches: int,
     noise: NoiseChoice,
     seed: int,
-    progress: Callable[[str, float], None],
+    progress: Progress,
 ) -> FullEvaluation:
     """Evaluate localizers on a library, then under each condition that it allows, then on mis-made sensors.
 
@@ -92,14 +93,11 @@ def evaluate_fully(
     made = mis_made(library, response, seed)
     found = []
     for number, (name, locator) in enumerate(locators.items()):
-        begin, step = number / len(locators), 1 / len(locators)
-        progress(name, begin)
+        stage = _stage(progress, name, number / len(locators), 1 / len(locators))
+        stage("all touches", 0.0)
         overall = evaluate(locator, response, touches, noise, seed=seed)
-        outcomes = evaluate_conditions(
-            locator, response, few, noise, seed,
-            lambda what, share, begin=begin, name=name: progress(f"{name}: {what}", begin + step * (0.2 + 0.6 * share)),
-        )  # fmt: skip
-        progress(f"{name}: mis-made sensors", begin + 0.8 * step)
+        outcomes = evaluate_conditions(locator, response, few, noise, seed, stage)
+        stage("mis-made sensors", 1.0)
         outcomes += evaluate_sensors(locator, response, made, max(1, few // 5), noise, seed)
         found.append(Judged(name, overall, tuple(outcomes)))
     return FullEvaluation(
@@ -114,6 +112,13 @@ def evaluate_fully(
             "library": dict(library.provenance),
         },
     )
+
+
+def _stage(
+    progress: Callable[[str, float], None], name: str, begin: float, size: float
+) -> Callable[[str, float], None]:
+    """Progress of one localizer as part of the whole."""
+    return lambda what, share: progress(f"{name}: {what}", begin + size * share)
 
 
 def mis_made(

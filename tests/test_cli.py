@@ -23,7 +23,7 @@ from geometry.design_file import prototype_text
 from studies import cli
 
 ROOT = Path(__file__).parents[1]
-VERBS = ("prototypes", "check", "solve", "parts", "train", "evaluate", "run")
+VERBS = ("prototypes", "check", "solve", "parts", "train", "evaluate", "onnx", "locate", "run")
 
 
 @dataclass(frozen=True)
@@ -178,7 +178,7 @@ def test_parts_for_an_unknown_process_are_refused(command: Command, row: Path, t
 def test_solve_train_and_evaluate_lead_from_a_design_to_a_judged_localizer(
     command: Command, row: Path, tmp_path: Path
 ) -> None:
-    library, model, verdict = tmp_path / "library.nc", tmp_path / "localizer", tmp_path / "verdict.json"
+    library, model, verdict = tmp_path / "library.nc", tmp_path / "localizer", tmp_path / "verdict"
     told = command("solve", row, "--out", library, "--fidelity", "lumped", "--frequencies", "1:100:100")
     assert (told.code, "3 points, 2 microphones, 100 frequencies" in told.out) == (0, True)
     loaded = acoustic_fem.load(library)
@@ -191,7 +191,7 @@ def test_solve_train_and_evaluate_lead_from_a_design_to_a_judged_localizer(
 
     told = command("evaluate", model, library, "--touches", 50, "--out", verdict)
     assert told.code == 0, told.err
-    found = json.loads(verdict.read_text(encoding="utf-8"))
+    found = json.loads((verdict / "evaluation.json").read_text(encoding="utf-8"))
     assert found["Bayes decoder"]["top1"] > 0.99
     assert found["network"]["top1"] > 0.5  # three short epochs; chance is 0.33
     assert np.sum(found["network"]["confusion"]) == 150
@@ -228,15 +228,16 @@ def test_train_has_the_defaults_of_the_plan_and_the_noise_of_the_design(
 
 
 def test_evaluate_takes_the_noise_of_the_design_unless_told(command: Command, tmp_path: Path) -> None:
-    folder, verdict = small_run().folder, tmp_path / "verdict.json"
+    folder, verdict = small_run().folder, tmp_path / "verdict"
     used = []
     for words in ((), ("--noise", "1e-3"), ("--noise", "0")):
         told = command(
             "evaluate", folder / "localizer", folder / "library.nc", "--touches", 5, "--out", verdict, *words
         )
         assert told.code == 0, told.err
-        found = json.loads(verdict.read_text(encoding="utf-8"))
-        used.append([(found[name]["microphone_noise"], found[name]["noise_source"]) for name in found])
+        found = json.loads((verdict / "evaluation.json").read_text(encoding="utf-8"))
+        names = ("network", "Bayes decoder")
+        used.append([(found[name]["microphone_noise"], found[name]["noise_source"]) for name in names])
     rms, source = small_run().network.microphone_noise, small_run().network.noise_source
     assert source.startswith("microphone SPH1878LR5H-C: ")
     assert used == [[(rms, source)] * 2, [(1e-3, "white")] * 2, [(0.0, "white")] * 2]
