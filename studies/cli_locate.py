@@ -107,7 +107,7 @@ def locate(
     events = TouchStream(localizer).push(heard.signals)
     if out is not None:
         write_text(out, "".join(event.json_line() + "\n" for event in events))
-    touches = touches_of(events)
+    touches = touches_of(events, localizer)
     table = table_of("from (s)", "to (s)", "point", "line", "place", "probability (%)", "level (Pa)",
                      numbers=tuple(range(7)))  # fmt: skip
     for touch in touches:

@@ -98,18 +98,29 @@ def test_silence_is_no_touch_and_noise_names_no_point(array, decoder):
     assert len(events) > 6000
     assert {event.state for event in events} == {"no touch"}
     assert all(event.point is None and event.probability is None for event in events)
-    assert localize.touches_of(events) == []
+    assert localize.touches_of(events, decoder) == []
 
 
 def test_touches_are_found_where_they_were_made(decoder, signals):
     samples, points = signals
-    touches = localize.touches_of(TouchStream(decoder).push(samples))
+    touches = localize.touches_of(TouchStream(decoder).push(samples), decoder)
     assert [touch.point for touch in touches] == points
     for turn, touch in enumerate(touches):
         begin = 1.5 + 2.5 * turn
         assert begin < touch.start < begin + 0.3
         assert begin + 0.9 < touch.end < begin + 1.3
         assert touch.probability > 0.99
+
+
+def test_a_sliding_finger_touches_one_point_after_the_other(array, decoder):
+    made = localize.TouchGenerator(array, 0, "evaluation", 0.0).samples(0, 60)
+    loud = np.argsort(-made.signals.std(-1).amin(1).numpy())
+    along = [next(made.signals[k].numpy() for k in loud if made.point[k] == point) for point in (1, 2, 3)]
+    samples = np.concatenate([np.zeros((2, 500)), *along, np.zeros((2, 500))], axis=1)
+    samples += NOISE * np.random.default_rng(0).standard_normal(samples.shape)
+    touches = localize.touches_of(TouchStream(decoder).push(samples), decoder)
+    assert [touch.point for touch in touches] == [2, 3, 4]
+    assert [touch.start for touch in touches] == pytest.approx([0.55, 1.6, 2.6], abs=0.15)
 
 
 def test_lost_samples_are_counted_and_no_frame_spans_them(decoder, signals):
