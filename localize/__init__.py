@@ -15,7 +15,8 @@ if TYPE_CHECKING:
     from localize.dataset import TouchGenerator
     from localize.evaluation import Evaluation, evaluate
     from localize.localizer import Localizer, LocalizerError, load_localizer
-    from localize.training import TrainingPlan, TrainingProgress, train
+    from localize.training import TrainingProgress, train
+    from localize.training_plan import TrainingPlan
 
 _HOMES = {
     "ArrayResponse": "array_response",
@@ -24,7 +25,7 @@ _HOMES = {
     "Localizer": "localizer",
     "LocalizerError": "localizer",
     "TouchGenerator": "dataset",
-    "TrainingPlan": "training",
+    "TrainingPlan": "training_plan",
     "TrainingProgress": "training",
     "evaluate": "evaluation",
     "load_localizer": "localizer",
