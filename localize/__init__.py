@@ -19,7 +19,8 @@ if TYPE_CHECKING:
     from localize.recording import Recording, RecordingError, read_recording
     from localize.stream import Decision, Fault, TouchStream
     from localize.touches import Touch, touches_of
-    from localize.training import TrainingPlan, TrainingProgress, train
+    from localize.training import TrainingProgress, train
+    from localize.training_plan import TrainingPlan
 
 _HOMES = {
     "ArrayResponse": "array_response",
@@ -35,7 +36,7 @@ _HOMES = {
     "Touch": "touches",
     "TouchGenerator": "dataset",
     "TouchStream": "stream",
-    "TrainingPlan": "training",
+    "TrainingPlan": "training_plan",
     "TrainingProgress": "training",
     "evaluate": "evaluation",
     "export_onnx": "onnx",

@@ -148,8 +148,12 @@ class TouchClassifier(nn.Module):
         self.mean.copy_(maps.mean((0, 3), keepdim=True))
         self.scale.copy_(maps.std((0, 3), keepdim=True).clamp_min(1e-3))
 
-    def forward(self, frames: Tensor) -> Tensor:
-        """Logits of a batch of frames; nothing is differentiated through the features."""
+    def maps(self, frames: Tensor) -> Tensor:
+        """Normalised maps of a batch of frames, (n, maps, 64, 32); nothing is differentiated through them."""
         with torch.no_grad():
             maps = (self.features(frames) - self.mean) / self.scale
-        return self.network(maps.contiguous(memory_format=torch.channels_last))
+        return maps.contiguous(memory_format=torch.channels_last)
+
+    def forward(self, frames: Tensor) -> Tensor:
+        """Logits of a batch of frames."""
+        return self.network(self.maps(frames))

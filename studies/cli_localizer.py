@@ -31,8 +31,12 @@ def train(
     epochs: Annotated[int, typer.Option(help="How many epochs, of 200 touches of every point.")] = 20,
     noise: Noise = None,
     seed: Annotated[int, typer.Option(help="Of the touches and the network.")] = 0,
+    network: Annotated[str, typer.Option(help="patches, stride-2, or paper: ever larger and slower.")] = "patches",
 ) -> None:
     """Train a localizer on touches made from a library.
+
+    Killed and started again it goes on where it was, to the same weights: its state is kept in checkpoint.safetensors
+    until it is done. Beside the localizer come training.csv and confusion.csv, and a picture of each.
 
     Example: [bold]acoustic-fem train library.nc --out localizer --epochs 10[/bold]
     """
@@ -41,18 +45,32 @@ def train(
 
     check_folder(out)
     from localize import TrainingPlan
+    from localize import evaluate as evaluate_localizer
     from localize import train as train_localizer
     from localize.dataset import response_of
+    from studies.training_files import TOUCHES, write_training_files
 
-    with named(time_limit="--seconds", epochs="--epochs", microphone_noise="--noise", seed="--seed"):
-        plan = TrainingPlan(time_limit=seconds, epochs=epochs, microphone_noise=noise_choice(noise), seed=seed)
+    with named(
+        time_limit="--seconds", epochs="--epochs", microphone_noise="--noise", seed="--seed", network="--network"
+    ):
+        plan = TrainingPlan(
+            time_limit=seconds, epochs=epochs, microphone_noise=noise_choice(noise), seed=seed, network=network
+        )
     loaded = response_of(acoustic_fem.load(library))
+    out.mkdir(parents=True, exist_ok=True)
+    checkpoint = out / "checkpoint.safetensors"
     with display_on_stderr() as display, display.stage("Localizer") as report:
         report("training", 0.0)
         localizer = train_localizer(
-            loaded, plan, lambda p: report(f"epoch {p.epoch} of {p.epochs}: {p.accuracy:.1%}", p.epoch / p.epochs)
+            loaded,
+            plan,
+            lambda p: report(f"epoch {p.epoch} of {p.epochs}: {p.accuracy:.1%}", p.epoch / p.epochs),
+            checkpoint=checkpoint,
         )
         localizer.save(out)
+        judged = evaluate_localizer(localizer, loaded, TOUCHES, plan.microphone_noise, seed=seed)
+        write_training_files(out, localizer, judged)
+        checkpoint.unlink()
     accuracy = localizer.training["held_out_accuracy"][-1]
     short = f", cut short by --seconds {seconds:g}" if localizer.training["cut_short"] else ""
     print(f"{out}: {localizer.training['epochs']} epochs{short}, {accuracy:.1%} of held-out touches named right")

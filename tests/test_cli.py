@@ -10,6 +10,7 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -188,6 +189,14 @@ def test_solve_train_and_evaluate_lead_from_a_design_to_a_judged_localizer(
     told = command("train", library, "--out", model, "--seconds", 30, "--epochs", 3, "--seed", 5)
     assert told.code == 0, told.err
     assert json.loads((model / "localizer.json").read_text(encoding="utf-8"))["plan"]["seed"] == 5
+    curves = (model / "training.csv").read_text(encoding="utf-8").splitlines()
+    assert (curves[0], len(curves)) == ("epoch,loss,held_out_accuracy", 4)
+    confusion = np.genfromtxt(model / "confusion.csv", delimiter=",", skip_header=1, dtype=int)
+    assert confusion[:, 1:].sum(1).tolist() == [50, 50, 50]
+    weights = next(model.glob("weights-*.safetensors")).name
+    assert {path.name for path in model.iterdir()} == {
+        "localizer.json", weights, "training.csv", "training.png", "confusion.csv", "confusion.png"
+    }  # fmt: skip
 
     told = command("evaluate", model, library, "--touches", 50, "--out", verdict)
     assert told.code == 0, told.err
@@ -196,6 +205,31 @@ def test_solve_train_and_evaluate_lead_from_a_design_to_a_judged_localizer(
     assert found["network"]["top1"] > 0.5  # three short epochs; chance is 0.33
     assert np.sum(found["network"]["confusion"]) == 150
     assert f"{100 * found['network']['top1']:.1f}" in told.out
+
+
+def test_train_goes_on_where_it_was_stopped(command: Command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    library = small_run().folder / "library.nc"
+    whole, stopped = tmp_path / "whole", tmp_path / "stopped"
+    words = ("--epochs", 3, "--seed", 5)
+    assert command("train", library, "--out", whole, *words).code == 0
+    train = localize.train
+
+    def interrupted(*arguments: Any, **named: Any) -> None:
+        def at_the_second(progress: localize.TrainingProgress) -> None:
+            if progress.epoch == 2:
+                raise KeyboardInterrupt
+
+        train(arguments[0], arguments[1], at_the_second, **named)
+
+    with monkeypatch.context() as patch:
+        patch.setattr(localize, "train", interrupted, raising=False)
+        assert command("train", library, "--out", stopped, *words).code != 0
+    assert [path.name for path in stopped.iterdir()] == ["checkpoint.safetensors"]
+    told = command("train", library, "--out", stopped, "--epochs", 4, "--seed", 5)
+    assert (told.code, "plan.epochs was 3, is 4; remove it to train anew" in told.err) == (1, True)
+    assert command("train", library, "--out", stopped, *words).code == 0
+    # The name of the weights is their checksum.
+    assert [path.name for path in whole.glob("weights-*")] == [path.name for path in stopped.glob("weights-*")]
 
 
 def test_run_takes_a_design_and_a_folder_and_nothing_else(command: Command, tmp_path: Path) -> None:
@@ -218,7 +252,7 @@ def test_train_has_the_defaults_of_the_plan_and_the_noise_of_the_design(
 ) -> None:
     plans, library = [], small_run().folder / "library.nc"
 
-    def seen(library: object, plan: localize.TrainingPlan, progress: object) -> None:
+    def seen(library: object, plan: localize.TrainingPlan, progress: object, checkpoint: Path) -> None:
         plans.append(plan)
         raise KeyboardInterrupt
 
@@ -300,6 +334,7 @@ def places(tmp_path: Path) -> dict[str, Path]:
         ("train <library.nc> --out <out.nc> --epochs 0", "acoustic-fem: --epochs = 0 must be a whole number from 1"),
         ("train <library.nc> --out <out.nc> --noise -1", "acoustic-fem: --noise = -1.0 must be between"),
         ("train <library.nc> --out <out.nc> --seed -1", "acoustic-fem: --seed = -1 must be a whole number"),
+        ("train <library.nc> --out <out.nc> --network big", "acoustic-fem: --network = 'big' must be one of: patches"),
         ("evaluate <missing> <library.nc>", "localizer.json: cannot be read: No such file or directory"),
         ("evaluate <localizer> <glove.nc>", "the localizer is for 3 points and microphones A, B; the library has 15"),
         ("evaluate <localizer> <library.nc> --touches 0", "acoustic-fem: --touches = 0 must be at least 1"),
