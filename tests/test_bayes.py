@@ -26,7 +26,10 @@ def decoder(array):
 def dense_covariances(array, noise):
     """C_i and N on the decimated samples, by way of the covariance of all 250 samples of each microphone."""
     frequency = np.arange(1, 500.01, frame_covariance.INTEGRATION_STEP)
-    density = np.where(frequency <= 100, frame_covariance.SOURCE_RMS**2 / 99, stimulus.NOISE**2 / 500) * frame_covariance.INTEGRATION_STEP
+    density = (
+        np.where(frequency <= 100, frame_covariance.SOURCE_RMS**2 / 99, stimulus.NOISE**2 / 500)
+        * frame_covariance.INTEGRATION_STEP
+    )
     lag = (np.arange(250)[:, None] - np.arange(250)[None, :]) / 1000
     low_pass = frame_covariance.low_pass()
     low_pass = np.kron(np.eye(2), low_pass)
@@ -142,7 +145,9 @@ def test_coloured_noise_has_the_covariance_that_is_assumed():
     expected = scipy.linalg.toeplitz(frame_covariance.noise_covariance(NoiseSpectrum(power, "a test")))
     assert np.abs(found - expected).max() < 0.06 * expected[0, 0]
     white = NoiseSpectrum(np.full(500, 1e-6 / 500), "a test")
-    assert frame_covariance.noise_covariance(white) == pytest.approx(frame_covariance.noise_covariance(1e-3), abs=0.01 * 1e-6)
+    assert frame_covariance.noise_covariance(white) == pytest.approx(
+        frame_covariance.noise_covariance(1e-3), abs=0.01 * 1e-6
+    )
 
 
 def test_decoding_and_evaluation_run_on_one_thread_and_leave_the_setting_alone(array, decoder, monkeypatch):
