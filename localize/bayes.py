@@ -17,11 +17,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+from scipy.special import log_softmax
 from torch import Tensor
 
 from localize.dataset import ArrayResponse, response_of
 from localize.frame_covariance import low_pass, touch_covariances, whitening
-from localize.frames import checked_signals, combined_probability, cut_frames
+from localize.frames import checked_signals, cut_frames
 from localize.noise import NoiseChoice, NoiseSpectrum
 from localize.threads import one_thread
 
@@ -66,7 +67,7 @@ class BayesDecoder:
         self.provenance = response.provenance
         noise = response.noise(microphone_noise)
         self.noise_rms = noise.rms if isinstance(noise, NoiseSpectrum) else noise
-        whiten = whitening(_share_of(noise))
+        whiten = whitening(share_of(noise))
         # From the 250 samples of a microphone to SAMPLES ones with white noise of variance 1.
         self._reduce = (whiten @ low_pass()).T.copy()
         variance, vectors = _eigenvectors(touch_covariances(response, whiten))
@@ -96,15 +97,28 @@ class BayesDecoder:
         Raises:
             ValueError: wrong number of channels, too few samples, a value that is not finite, a silent channel.
         """
-        import torch
-
         batch, batched = checked_signals(signals, self.microphones)
+        probability = np.exp(self.log_probability(batch))
+        return probability if batched else probability[0]
+
+    @one_thread()
+    def log_probability(self, signals: ArrayLike | Tensor) -> NDArray[np.float64]:
+        """The logarithm of what :meth:`locate` gives, which does not end at the smallest number there is.
+
+        Args:
+            signals: (n, n_microphone, n_sample), Pa, at 1 kHz, at least 250 samples.
+
+        Returns:
+            (n, n_point) float64, nats.
+
+        Raises:
+            ValueError: as :meth:`locate`.
+        """
+        batch, _ = checked_signals(signals, self.microphones)
         frames = cut_frames(batch)
         flat = frames.flatten(0, 1).numpy()
         score = np.concatenate([self.log_likelihood(flat[k : k + CHUNK]) for k in range(0, len(flat), CHUNK)])
-        per_frame = torch.from_numpy(score).unflatten(0, frames.shape[:2])
-        probability = combined_probability(per_frame).numpy()
-        return probability if batched else probability[0]
+        return np.asarray(log_softmax(score.reshape(*frames.shape[:2], -1).sum(1), axis=1))
 
     def log_likelihood(self, frames: NDArray[np.float64]) -> NDArray[np.float64]:
         """Log-likelihood of every point, maximised over the power of the touch and divided by the temperature.
@@ -119,10 +133,10 @@ class BayesDecoder:
         # (point, frame, ...): one matrix product per point.
         energy = (x @ self._vectors) ** 2
         score = -0.5 * (energy @ self._weight + self._log_determinant[:, None, :])
-        return _vertex(score).T
+        return vertex(score).T
 
 
-def _vertex(values: NDArray[np.float64]) -> NDArray[np.float64]:
+def vertex(values: NDArray[np.float64]) -> NDArray[np.float64]:
     """Maximum over the last axis of samples of a smooth curve: that of the parabola around the largest one."""
     best = values.argmax(-1)
     inner = np.clip(best, 1, values.shape[-1] - 2)[..., None]
@@ -135,7 +149,7 @@ def _vertex(values: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.where(is_top, middle + np.where(is_top, rise, 0.0), values.max(-1))
 
 
-def _share_of(noise: float | NoiseSpectrum) -> float | NoiseSpectrum:
+def share_of(noise: float | NoiseSpectrum) -> float | NoiseSpectrum:
     """The noise that likelihoods are computed with."""
     if isinstance(noise, NoiseSpectrum):
         return NoiseSpectrum(noise.power * NOISE_SHARE**2, noise.source)

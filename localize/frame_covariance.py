@@ -8,6 +8,7 @@ first, which changes the covariances in a known way and loses nothing of the ban
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
 import numpy as np
 import scipy.linalg
@@ -66,12 +67,17 @@ def source_density(frequency: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.where(frequency <= BAND[1], SOURCE_RMS**2 / (BAND[1] - BAND[0]), NOISE**2 / (SAMPLE_RATE / 2))
 
 
-def touch_covariances(response: ArrayResponse, whiten: NDArray[np.float64]) -> NDArray[np.float64]:
+def touch_covariances(
+    response: ArrayResponse,
+    whiten: NDArray[np.float64],
+    density: Callable[[NDArray[np.float64]], NDArray[np.float64]] = source_density,
+) -> NDArray[np.float64]:
     """C_i of every point at power 1, where the noise is white of variance 1.
 
     Args:
         response: the array.
         whiten: of :func:`whitening`.
+        density: power density of the touch at frequencies in Hz, Pa^2/Hz.
 
     Returns:
         (n_point, n, n) float64, n = n_microphone SAMPLES, microphone by microphone.
@@ -80,7 +86,7 @@ def touch_covariances(response: ArrayResponse, whiten: NDArray[np.float64]) -> N
     frequency = np.arange(BAND[0], top + 1e-9, INTEGRATION_STEP)
     taps = scipy.signal.firwin(TAPS, CUTOFF, fs=SAMPLE_RATE)
     _, gain = scipy.signal.freqz(taps, worN=frequency, fs=SAMPLE_RATE)
-    amplitude = np.sqrt(source_density(frequency) * INTEGRATION_STEP) * np.abs(gain)
+    amplitude = np.sqrt(density(frequency) * INTEGRATION_STEP) * np.abs(gain)
     turn = np.exp(2j * math.pi * frequency[:, None] * (np.arange(SAMPLES) * DECIMATION / SAMPLE_RATE)) @ whiten.T
     size = len(response.microphones) * SAMPLES
     covariances = np.empty((response.point_count, size, size))

@@ -9,13 +9,16 @@ from __future__ import annotations
 
 import json
 from dataclasses import dataclass, field
-from typing import Literal, Protocol
+from typing import TYPE_CHECKING, Literal, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from localize.frames import FRAME
 from localize.stimulus import SAMPLE_RATE
+
+if TYPE_CHECKING:
+    from localize.reconstruct import Reconstructor
 
 HOP = 16
 """Samples from one decision to the next."""
@@ -25,7 +28,8 @@ LEAST_SILENCE = 1e-6
 """Pa rms: the threshold where no noise is assumed."""
 LARGEST_PRESSURE = 1e6
 """Pa: a larger value is no pressure; ten atmospheres."""
-_CAPACITY = FRAME + 64 * HOP
+_SPARE = 64 * HOP
+"""Samples of the ring buffer beyond those that are needed, so that it is moved seldom."""
 
 FaultKind = Literal["samples lost", "samples repeated", "not finite", "clipped", "dead channel"]
 
@@ -61,12 +65,17 @@ class Decision:
     """Of that point."""
     distribution: NDArray[np.float64] | None = field(default=None, repr=False, compare=False)
     """(n_point,) probabilities of all points; None unless there is a touch."""
+    waveform: tuple[float, ...] | None = None
+    """Pa: the pressure in the cavity of the point over the newest 16 samples less the latency of the reconstructor;
+    None without one, without a touch, and before its window is full."""
 
     def json_line(self) -> str:
         """One line of JSON, without the distribution."""
         line: dict[str, object] = {"time": round(self.time, 6), "state": self.state, "level": self.level}
         if self.state == "touch":
             line |= {"point": self.point, "probability": self.probability}
+        if self.waveform is not None:
+            line["waveform"] = [float(f"{value:.6g}") for value in self.waveform]
         return json.dumps(line)
 
 
@@ -98,20 +107,36 @@ class TouchStream:
         silence: Pa rms about the mean over a frame; where no microphone is louder there is no touch. By default twice
             the noise of a microphone that the locator was made for, at least 1e-6 Pa.
         limit: Pa; a sample that reaches it is clipped. By default nothing is.
+        reconstructor: gives the waveform of the named point; the filters of a point are made when it is first named,
+            which takes some tens of milliseconds.
 
     Raises:
-        ValueError: a threshold that is not finite and positive.
+        ValueError: a threshold that is not finite and positive, or a reconstructor for other microphones.
     """
 
-    def __init__(self, locator: StreamLocator, silence: float | None = None, limit: float | None = None) -> None:
+    def __init__(
+        self,
+        locator: StreamLocator,
+        silence: float | None = None,
+        limit: float | None = None,
+        reconstructor: Reconstructor | None = None,
+    ) -> None:
+        if reconstructor is not None and reconstructor.microphones != tuple(locator.microphones):
+            raise ValueError(
+                f"reconstructor is for microphones {', '.join(reconstructor.microphones)}, the locator for "
+                f"{', '.join(locator.microphones)}"
+            )
         self.locator = locator
+        self.reconstructor = reconstructor
         self.silence = max(SILENCE * locator.noise_rms, LEAST_SILENCE) if silence is None else silence
         self.limit = limit
         for name, value in (("silence", self.silence), ("limit", limit)):
             if value is not None and not 0 < value < np.inf:
                 raise ValueError(f"{name} = {value} Pa must be finite and above 0")
         self._microphones = locator.microphones
-        self._buffer = np.empty((len(self._microphones), _CAPACITY))
+        # An estimate needs a window, the 16 of a hop some samples more.
+        self._history = max(FRAME, 0 if reconstructor is None else reconstructor.window + HOP - 1)
+        self._buffer = np.empty((len(self._microphones), self._history + _SPARE))
         self._next: int | None = None  # number of the sample that is due
         self._bad: set[tuple[FaultKind, int]] = set()  # what has been reported and still lasts
         self._restart()
@@ -172,8 +197,8 @@ class TouchStream:
         taken = 0
         while taken < run.shape[1]:
             count = min(self._due, run.shape[1] - taken)
-            if self._end + count > _CAPACITY:
-                kept = min(self._end, FRAME)
+            if self._end + count > self._buffer.shape[1]:
+                kept = min(self._end, self._history)
                 self._buffer[:, :kept] = self._buffer[:, self._end - kept : self._end]
                 self._end = kept
             self._buffer[:, self._end : self._end + count] = run[:, taken : taken + count]
@@ -202,7 +227,18 @@ class TouchStream:
         else:
             found = self.locator.locate(frame)
             best = int(found.argmax())
-            events.append(Decision(self._time, "touch", level, best + 1, float(found[best]), found))
+            shape = self._waveform(best)
+            events.append(Decision(self._time, "touch", level, best + 1, float(found[best]), found, shape))
+
+    def _waveform(self, point: int) -> tuple[float, ...] | None:
+        """The newest 16 estimates that the samples so far allow."""
+        if self.reconstructor is None or self._end < self.reconstructor.window + HOP - 1:
+            return None
+        taps = self.reconstructor.filters(point)
+        newest = self._buffer[:, self._end - self.reconstructor.window - HOP + 1 : self._end]
+        # Tap k takes the sample k before the newest: a window times the taps backwards.
+        windows = np.lib.stride_tricks.sliding_window_view(newest, self.reconstructor.window, axis=1)
+        return tuple(np.einsum("mhk,mk->h", windows, taps[:, ::-1]).tolist())
 
     def _tell(self, kind: FaultKind, channel: int, is_bad: bool, time: float, events: list[Decision | Fault]) -> None:
         """Report a fault when it begins, not while it lasts."""

@@ -13,6 +13,9 @@ from studies.tables import show, table_of
 if TYPE_CHECKING:
     from localize import BayesDecoder, Localizer, OnnxLocalizer
 
+#: White noise that waveforms are reconstructed with where a localizer knows none, Pa rms.
+LEAST_NOISE = 1e-6
+
 DecoderNoise = Annotated[
     float | None,
     typer.Option(
@@ -82,6 +85,14 @@ def locate(
         ),
     ] = None,
     noise: DecoderNoise = None,
+    waveform: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="LIBRARY",
+            help="Reconstruct the pressure in the touched cavity with this library, into the lines of --out.",
+            show_default=False,
+        ),
+    ] = None,
 ) -> None:
     """Where and when an array was touched, from a recording of its microphones.
 
@@ -91,7 +102,9 @@ def locate(
     from studies.folders import check_new_file
 
     check_new_file(out)
-    from localize import TouchStream, read_recording, touches_of
+    if waveform is not None and out is None:
+        raise typer.BadParameter("--waveform goes into the lines of --out; give that too")
+    from localize import Reconstructor, TouchStream, read_recording, touches_of
 
     localizer: Localizer | BayesDecoder | OnnxLocalizer
     if model.suffix == ".onnx":
@@ -104,7 +117,12 @@ def locate(
         localizer = _opened(model, noise)
     with named(full_scale="--full-scale"):
         heard = read_recording(recording, localizer.microphones, full_scale)
-    events = TouchStream(localizer).push(heard.signals)
+    reconstructor = None
+    if waveform is not None:
+        import acoustic_fem
+
+        reconstructor = Reconstructor(acoustic_fem.load(waveform), max(localizer.noise_rms, LEAST_NOISE))
+    events = TouchStream(localizer, reconstructor=reconstructor).push(heard.signals)
     if out is not None:
         write_text(out, "".join(event.json_line() + "\n" for event in events))
     touches = touches_of(events, localizer)

@@ -152,13 +152,13 @@ def test_coloured_noise_has_the_covariance_that_is_assumed():
 
 def test_decoding_and_evaluation_run_on_one_thread_and_leave_the_setting_alone(array, decoder, monkeypatch):
     seen = []
-    original = bayes._vertex
+    original = bayes.vertex
 
     def spied(values):
         seen.append({torch.get_num_threads(), *(lib["num_threads"] for lib in blas_of_this_process())})
         return original(values)
 
-    monkeypatch.setattr(bayes, "_vertex", spied)
+    monkeypatch.setattr(bayes, "vertex", spied)
     before = torch.get_num_threads()
     torch.set_num_threads(2)
     try:
