@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from localize.evaluation import Evaluation, evaluate
     from localize.localizer import Localizer, LocalizerError, load_localizer
     from localize.onnx import OnnxLocalizer, export_onnx
+    from localize.reconstruct import Reconstructor
     from localize.recording import Recording, RecordingError, read_recording
     from localize.stream import Decision, Fault, TouchStream
     from localize.touches import Touch, touches_of
@@ -31,6 +32,7 @@ _HOMES = {
     "Localizer": "localizer",
     "LocalizerError": "localizer",
     "OnnxLocalizer": "onnx",
+    "Reconstructor": "reconstruct",
     "Recording": "recording",
     "RecordingError": "recording",
     "Touch": "touches",
@@ -55,6 +57,7 @@ __all__ = [
     "Localizer",
     "LocalizerError",
     "OnnxLocalizer",
+    "Reconstructor",
     "Recording",
     "RecordingError",
     "Touch",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import subprocess
 import sys
 import time
@@ -14,6 +15,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+import scipy.io.wavfile
 import trimesh
 from small_run import small_design, small_run
 
@@ -21,6 +23,7 @@ import acoustic_fem
 import geometry
 import localize
 from geometry.design_file import prototype_text
+from localize.dataset import response_of
 from studies import cli
 
 ROOT = Path(__file__).parents[1]
@@ -232,6 +235,42 @@ def test_train_goes_on_where_it_was_stopped(command: Command, tmp_path: Path, mo
     assert [path.name for path in whole.glob("weights-*")] == [path.name for path in stopped.glob("weights-*")]
 
 
+def test_a_recording_is_located_by_the_network_an_onnx_file_and_the_library_alike(
+    command: Command, tmp_path: Path
+) -> None:
+    folder = small_run().folder
+    library = acoustic_fem.load(folder / "library.nc")
+    touches = localize.TouchGenerator(response_of(library), 0, "evaluation").samples(0, 60)
+    loud = [
+        max((k for k in range(60) if touches.point[k] == point), key=lambda k: float(touches.signals[k].std()))
+        for point in (2, 0)
+    ]
+    samples = 2e-4 * np.random.default_rng(0).standard_normal((2, 5000))
+    for turn, sample in enumerate(loud):
+        samples[:, 500 + 2000 * turn : 1500 + 2000 * turn] += touches.signals[sample].numpy()
+    recording = tmp_path / "recording.wav"
+    scipy.io.wavfile.write(recording, 1000, samples.T.astype(np.float32))
+
+    graphs = [(folder / "localizer", tmp_path / "network.onnx"), (folder / "library.nc", tmp_path / "decoder.onnx")]
+    for model, graph in graphs:
+        told = command("onnx", model, "--out", graph)
+        assert (told.code, "3 points, 2 microphones" in told.out) == (0, True), told.err
+        assert [line for line in told.err.splitlines() if not line.startswith("note: entrance loss")] == []
+    for model in (folder / "localizer", folder / "library.nc", tmp_path / "network.onnx", tmp_path / "decoder.onnx"):
+        told = command("locate", model, recording)
+        assert told.code == 0, told.err
+        assert "2 touches in 5.0 s" in told.out
+        rows = [line.split() for line in told.out.splitlines() if re.match(r" *\d", line)]
+        assert [row[2] for row in rows] == ["3", "1"]
+
+    lines = tmp_path / "touches.jsonl"
+    words = ("--out", lines, "--waveform", folder / "library.nc")
+    assert command("locate", tmp_path / "decoder.onnx", recording, *words).code == 0
+    events = [json.loads(line) for line in lines.read_text(encoding="utf-8").splitlines()]
+    assert {event["state"] for event in events} == {"touch", "no touch"}
+    assert {len(event["waveform"]) for event in events if event["state"] == "touch" and event["time"] > 0.3} == {16}
+
+
 def test_run_takes_a_design_and_a_folder_and_nothing_else(command: Command, tmp_path: Path) -> None:
     assert command("run", "array-2x6", "--out", tmp_path, "--fidelity", "lumped").code == 2
     told = command("run", "--help")
@@ -293,7 +332,9 @@ def places(tmp_path: Path) -> dict[str, Path]:
     files |= {"out.nc": tmp_path / "out.nc", "none/out.nc": tmp_path / "none" / "out.nc", "folder": tmp_path}
     files["library.nc"] = result.folder / "library.nc"
     files["localizer"] = result.folder / "localizer"
-    files["text.nc"].write_text("not netCDF")
+    for name in ("text.nc", "text.wav", "text.onnx"):
+        files[name] = tmp_path / name
+        files[name].write_text("neither sound nor numbers")
     files["short.nc"].write_bytes(files["library.nc"].read_bytes()[:3000])
     files["bad.toml"].write_text("name = [unclosed")
     text = prototype_text("array-2x6").replace("cavity_diameter = 6.0", "cavity_diameter = 99.0")
@@ -340,6 +381,16 @@ def places(tmp_path: Path) -> dict[str, Path]:
         ("evaluate <localizer> <library.nc> --touches 0", "acoustic-fem: --touches = 0 must be at least 1"),
         ("evaluate <localizer> <library.nc> --noise -1", "acoustic-fem: --noise = -1.0 must be"),
         ("evaluate <localizer> <library.nc> --noise 11", "acoustic-fem: --noise = 11.0 Pa must be between 1e-9 and 10"),
+        ("onnx <missing> --out <out.nc>", "localizer.json: cannot be read: No such file or directory"),
+        ("onnx <localizer> --out <none/out.nc>", "must lie in a folder that exists"),
+        ("onnx <localizer> --out <out.nc> --noise 1e-3", "--noise = 0.001 is for a library"),
+        ("onnx <library.nc> --out <out.nc> --noise 11", "--noise = 11.0 Pa must be between 1e-9 and 10 Pa"),
+        ("locate <missing> <text.wav>", "localizer.json: cannot be read"),
+        ("locate <localizer> <text.wav>", "text.wav: cut short or not a WAV file"),
+        ("locate <localizer> <text.nc>", "its name must end with .wav, .csv or .npz"),
+        ("locate <localizer> <text.wav> --full-scale 0", "--full-scale = 0.0 Pa must be finite and above 0"),
+        ("locate <localizer> <text.wav> --noise 1e-3", "--noise = 0.001 is for a library"),
+        ("locate <text.onnx> <text.wav>", "text.onnx: cut short or not an ONNX file"),
         (
             "run <one.toml> --out <out.nc>",
             "one.toml: lines.0.points = 1 must be at least 2: run needs at least 2 points",

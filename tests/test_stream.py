@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -203,6 +204,29 @@ def test_a_network_and_an_onnx_file_listen_to_a_stream_as_well(array, tmp_path, 
             assert np.abs(a.distribution - b.distribution).max() < 1e-5
 
 
+@pytest.mark.parametrize(("window", "latency"), [(250, 16), (40, 0), (300, 60)])
+def test_waveforms_of_a_stream_join_to_that_of_the_whole_recording(array, decoder, signals, window, latency):
+    samples = signals[0][:, :3000]
+    maker = localize.Reconstructor(array, NOISE, window, latency)
+    events = streamed(TouchStream(decoder, reconstructor=maker), samples, [7, 400, 1234, 1235, 2000])
+    touched = [event for event in events if event.state == "touch"]
+    assert len(touched) > 50
+    for event in touched:
+        end = round(event.time * SAMPLE_RATE) - latency
+        whole = maker.waveform(samples, event.point - 1).pressure[0, end - HOP : end]
+        assert event.waveform == pytest.approx(whole, abs=1e-9)
+    assert len(json.loads(touched[0].json_line())["waveform"]) == HOP
+    assert all(event.waveform is None for event in events if event.state != "touch")
+
+
+def test_a_window_longer_than_the_stream_so_far_gives_no_waveform_yet(array, decoder, signals):
+    maker = localize.Reconstructor(array, NOISE, 600)
+    events = TouchStream(decoder, reconstructor=maker).push(signals[0][:, 1600:2600])
+    without = [event.time for event in events if event.state == "touch" and event.waveform is None]
+    assert without
+    assert max(without) < 0.615 <= min(event.time for event in events if event.waveform is not None)
+
+
 def test_chunks_of_another_shape_and_bad_thresholds_are_refused(decoder):
     stream = TouchStream(decoder)
     for shape in ((3, 100), (100,), (1, 2, 100)):
@@ -211,5 +235,8 @@ def test_chunks_of_another_shape_and_bad_thresholds_are_refused(decoder):
     assert stream.push(np.zeros((2, 0))) == []
     with pytest.raises(ValueError, match=r"silence = 0.0 Pa must be finite and above 0"):
         TouchStream(decoder, silence=0.0)
+    other = localize.Reconstructor(replace(rc_line(6), microphones=("other", "right")))
+    with pytest.raises(ValueError, match="reconstructor is for microphones other, right, the locator for left, right"):
+        TouchStream(decoder, reconstructor=other)
     with pytest.raises(ValueError, match=r"limit = nan Pa must be finite and above 0"):
         TouchStream(decoder, limit=float("nan"))
