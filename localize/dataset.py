@@ -7,6 +7,7 @@ point (:mod:`localize.signals`); the sound outside and the microphones' own nois
 
 from __future__ import annotations
 
+import hashlib
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Literal
@@ -197,6 +198,14 @@ class TouchGenerator:
         sound = disturbances.ambient_sound(*sample, levels, self._band[1], self.device)
         spectrum = sound[:, None, : response.shape[-1]] * response
         return torch.fft.irfft(spectrum, n=stimulus.SAMPLE_LENGTH, norm="forward")
+
+    def transfer_function_sha256(self) -> str:
+        """Checksum of the transfer functions; of a source, of its first sensor and their number."""
+        digest = hashlib.sha256(self.response.transfer_function.tobytes() + self.response.frequency.tobytes())
+        if self._source is not None:
+            digest.update(self._source.sensors(self._sensors.start, 1).tobytes())
+            digest.update(repr((self._source.sensor_count, self._sensors)).encode())
+        return digest.hexdigest()
 
     def stream(self, start: int, count: int, shard: int = SHARD) -> Iterator[TouchSignals]:
         """The same samples in shards."""
