@@ -48,7 +48,7 @@ class ArrayResponse:
     """(n_point, n_microphone) float64, the transfer functions at 0 Hz: one where the array is sealed; None where they
     are not known and the spline is left to itself."""
     vent_ratio: NDArray[np.complex128] | None = None
-    """(n_freq,) complex128, admittance of the microphone's vent over that of its compliances, see
+    """(n_freq,) complex128, admittance of the microphone's compliances over that of its vent, see
     :func:`acoustic_fem.microphone.vent_ratio`; None where there is no design."""
 
     def __post_init__(self) -> None:
