@@ -21,10 +21,10 @@ from localize import disturbances, stimulus
 from localize.array_response import (
     ArrayResponse,
     TransferFunctionSource,
+    from_zero,
     interpolation,
+    interpolation_from_zero,
     response_of,
-    with_static,
-    with_zero,
 )
 from localize.disturbances import MicrophoneMismatch
 from localize.noise import NoiseChoice, NoiseSpectrum
@@ -120,7 +120,7 @@ class TouchGenerator:
         self._band = (float(grid[0]), min(float(grid[-1]), stimulus.SAMPLE_RATE / 2))
         self._stop = stimulus.lines_within(self._band).stop
         lines = np.minimum(stimulus.line_frequencies()[: self._stop], self._band[1])
-        self._splines = interpolation(with_zero(grid, response.static), lines)
+        self._splines = interpolation_from_zero(grid, lines, response.sealed)
         self._source = source
         self._sensors = range(1)
         if source is None:
@@ -137,7 +137,7 @@ class TouchGenerator:
 
     def _touched(self, values: NDArray[np.complex128]) -> Tensor:
         """Transfer functions of touches on the stimulus's lines from 0 Hz on, complex64."""
-        return self._on_all_lines(with_static(values, self.response.static), self._splines)
+        return self._on_all_lines(from_zero(values, self.response.sealed), self._splines)
 
     def _on_all_lines(
         self, values: NDArray[np.complex128], splines: tuple[NDArray[np.float64], NDArray[np.float64]]
