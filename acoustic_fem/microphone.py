@@ -47,15 +47,15 @@ def response(microphone: Microphone, frequency: ArrayLike, medium: Medium) -> ND
 
 
 def vent_ratio(microphone: Microphone, frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
-    """Admittance of the vent over that of the compliances that it discharges, u = 1 / (j w R (Cb + Cd)).
+    """Admittance of the compliances over that of the vent R that discharges them, v = j w R (Cb + Cd).
 
-    The response is Cb / (Cb + Cd) / (1 + u); a vent that conducts s times as well makes s u of it.
+    The response is Cb / (Cb + Cd) v / (1 + v); a vent that conducts s times as well makes v / s of it.
 
     Arguments and errors as :func:`response`.
     """
     omega = 2 * np.pi * positive("frequency", frequency, "Hz")
     diaphragm, back, leak = _elements(microphone, frequency, medium)
-    return leak / (1j * omega * (back + diaphragm))
+    return 1j * omega * (back + diaphragm) / leak
 
 
 def sensitivity(microphone: Microphone) -> float:

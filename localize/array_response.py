@@ -44,11 +44,11 @@ class ArrayResponse:
     ambient_response: NDArray[np.complex128] | None = None
     """(n_microphone, n_freq) complex128, pressure at a microphone per pressure outside, the same on all membranes,
     Pa/Pa; None where there is no design."""
-    static: NDArray[np.float64] | None = None
-    """(n_point, n_microphone) float64, the transfer functions at 0 Hz: one where the array is sealed; None where they
-    are not known and the spline is left to itself."""
+    sealed: bool = False
+    """Whether all pressures of the array are equal at 0 Hz, as those of a design are; if not, the spline is left to
+    itself there."""
     vent_ratio: NDArray[np.complex128] | None = None
-    """(n_freq,) complex128, admittance of the microphone's vent over that of its compliances, see
+    """(n_freq,) complex128, admittance of the microphone's compliances over that of its vent, see
     :func:`acoustic_fem.microphone.vent_ratio`; None where there is no design."""
 
     def __post_init__(self) -> None:
@@ -73,7 +73,6 @@ class ArrayResponse:
             )
         for name, expected in (
             ("ambient_response", h.shape[1:]),
-            ("static", h.shape[:2]),
             ("vent_ratio", f.shape),
         ):
             value = getattr(self, name)
@@ -112,8 +111,8 @@ class ArrayResponse:
         Returns:
             (n_point, n_microphone, n) complex128.
         """
-        even, odd = interpolation(with_zero(self.frequency, self.static), frequency)
-        h = with_static(self.transfer_function, self.static)
+        even, odd = interpolation_from_zero(self.frequency, frequency, self.sealed)
+        h = from_zero(self.transfer_function, self.sealed)
         return h.real @ even.T + 1j * (h.imag @ odd.T)
 
 
@@ -144,19 +143,27 @@ def interpolation(
     return even, odd
 
 
-def with_zero(grid: NDArray[np.float64], static: NDArray[np.float64] | None) -> NDArray[np.float64]:
-    """The frequencies, 0 Hz before them where the response there is known."""
-    return grid if static is None else np.concatenate([[0.0], grid])
+def interpolation_from_zero(
+    grid: NDArray[np.float64], frequency: NDArray[np.float64], sealed: bool
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """The same, for values that :func:`from_zero` has put that at 0 Hz before; it counts below the grid alone."""
+    even, odd = interpolation(grid, frequency)
+    if not sealed:
+        return even, odd
+    below = interpolation(np.concatenate([[0.0], grid]), frequency)
+    widened = (np.pad(matrix, ((0, 0), (1, 0))) for matrix in (even, odd))
+    is_below = frequency[:, None] < grid[0]
+    even, odd = (np.where(is_below, low, high) for low, high in zip(below, widened, strict=True))
+    return even, odd
 
 
-def with_static(
-    transfer_function: NDArray[np.complex128], static: NDArray[np.float64] | None
-) -> NDArray[np.complex128]:
-    """The values (..., n_point, n_microphone, n_freq) on those frequencies."""
-    if static is None:
-        return transfer_function
-    first = np.broadcast_to(static[..., None], (*transfer_function.shape[:-1], 1))
-    return np.concatenate([first, transfer_function], -1)
+def from_zero(transfer_function: NDArray[np.complex128], sealed: bool) -> NDArray[np.complex128]:
+    """Transfer functions (..., n_freq), with the one at 0 Hz before them where it is known."""
+    return (
+        np.concatenate([np.ones_like(transfer_function[..., :1]), transfer_function], -1)
+        if sealed
+        else (transfer_function)
+    )
 
 
 def response_of(library: Library | ArrayResponse) -> ArrayResponse:
@@ -188,6 +195,6 @@ def response_of(library: Library | ArrayResponse) -> ArrayResponse:
         },
         own_noise=microphone_noise(library.design.microphone, library.medium),
         ambient_response=np.asarray(touch_response(library, "pressure").sum("point").values, np.complex128),
-        static=np.ones(h.shape[:2]),
+        sealed=True,
         vent_ratio=vent_ratio(library.design.microphone, library.frequency, library.medium),
     )

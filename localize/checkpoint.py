@@ -7,7 +7,6 @@ is refused.
 
 from __future__ import annotations
 
-import hashlib
 import json
 import os
 from collections.abc import Mapping
@@ -19,6 +18,7 @@ import torch
 from torch import Tensor, nn
 
 from geometry.whole_file import whole_file
+from localize.dataset import TouchGenerator
 
 FORMAT = "acoustic-fem checkpoint 1"
 _MOMENTS = ("step", "exp_avg", "exp_avg_sq")
@@ -44,17 +44,19 @@ class Progress:
     """Fields of :class:`localize.training.TrainingProgress`, per epoch."""
 
 
-def training_identity(plan: Mapping[str, Any], arrays: Mapping[str, Any]) -> dict[str, str]:
+def training_identity(plan: Mapping[str, Any], touches: TouchGenerator) -> dict[str, str]:
     """What must agree for one training to be the continuation of another.
 
     Args:
         plan: fields of the plan, as JSON can hold them.
-        arrays: NumPy arrays by name: what the touches are made from.
+        touches: what it is trained on.
     """
-    identity = {f"plan.{name}": json.dumps(value) for name, value in plan.items()}
-    for name, array in arrays.items():
-        identity[name] = hashlib.sha256(str(array.shape).encode() + array.tobytes()).hexdigest()
-    return {**identity, "torch": torch.__version__}
+    return {
+        **{f"plan.{name}": json.dumps(value) for name, value in plan.items()},
+        "transfer_function": touches.transfer_function_sha256(),
+        "device": torch.device(touches.device).type,
+        "torch": torch.__version__,
+    }
 
 
 class Checkpoint:
@@ -130,7 +132,7 @@ class Checkpoint:
         for name in sorted({*self.identity, *found}):
             mine, other = (source.get(name, "absent") for source in (self.identity, found))
             if mine != other:
-                readable = name.startswith("plan.") or name == "torch"
+                readable = name != "transfer_function"
                 what = f"{name} was {other}, is {mine}" if readable else f"{name} has changed"
                 raise CheckpointError(f"{self.path}: is of another training: {what}; remove it to train anew")
 

@@ -7,6 +7,7 @@ point (:mod:`localize.signals`); the sound outside and the microphones' own nois
 
 from __future__ import annotations
 
+import hashlib
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Literal
@@ -20,10 +21,10 @@ from localize import disturbances, stimulus
 from localize.array_response import (
     ArrayResponse,
     TransferFunctionSource,
+    from_zero,
     interpolation,
+    interpolation_from_zero,
     response_of,
-    with_static,
-    with_zero,
 )
 from localize.disturbances import MicrophoneMismatch
 from localize.noise import NoiseChoice, NoiseSpectrum
@@ -119,7 +120,7 @@ class TouchGenerator:
         self._band = (float(grid[0]), min(float(grid[-1]), stimulus.SAMPLE_RATE / 2))
         self._stop = stimulus.lines_within(self._band).stop
         lines = np.minimum(stimulus.line_frequencies()[: self._stop], self._band[1])
-        self._splines = interpolation(with_zero(grid, response.static), lines)
+        self._splines = interpolation_from_zero(grid, lines, response.sealed)
         self._source = source
         self._sensors = range(1)
         if source is None:
@@ -136,7 +137,7 @@ class TouchGenerator:
 
     def _touched(self, values: NDArray[np.complex128]) -> Tensor:
         """Transfer functions of touches on the stimulus's lines from 0 Hz on, complex64."""
-        return self._on_all_lines(with_static(values, self.response.static), self._splines)
+        return self._on_all_lines(from_zero(values, self.response.sealed), self._splines)
 
     def _on_all_lines(
         self, values: NDArray[np.complex128], splines: tuple[NDArray[np.float64], NDArray[np.float64]]
@@ -197,6 +198,14 @@ class TouchGenerator:
         sound = disturbances.ambient_sound(*sample, levels, self._band[1], self.device)
         spectrum = sound[:, None, : response.shape[-1]] * response
         return torch.fft.irfft(spectrum, n=stimulus.SAMPLE_LENGTH, norm="forward")
+
+    def transfer_function_sha256(self) -> str:
+        """Checksum of the transfer functions; of a source, of its first sensor and their number."""
+        digest = hashlib.sha256(self.response.transfer_function.tobytes() + self.response.frequency.tobytes())
+        if self._source is not None:
+            digest.update(self._source.sensors(self._sensors.start, 1).tobytes())
+            digest.update(repr((self._source.sensor_count, self._sensors)).encode())
+        return digest.hexdigest()
 
     def stream(self, start: int, count: int, shard: int = SHARD) -> Iterator[TouchSignals]:
         """The same samples in shards."""

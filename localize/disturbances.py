@@ -5,9 +5,9 @@ The network tells what reaches each microphone (:func:`acoustic_fem.noise.touch_
 is pink, as rooms and traffic are by and large, from 20 Hz to the top of the library's range or 500 Hz; its level is
 the rms pressure of this band in dB re 20 uPa.
 
-Microphones: sensitivity and vent scatter from one to the next. With the vent ratio u of the design's microphone
+Microphones: sensitivity and vent scatter from one to the next. With the vent ratio v of the design's microphone
 (:func:`acoustic_fem.microphone.vent_ratio`), one whose vent conducts s times as well and whose sensitivity is g times
-the nominal one records g (1 + u) / (1 + s u) times what the nominal one would.
+the nominal one records g (1 + v) / (s + v) times what the nominal one would.
 """
 
 from __future__ import annotations
@@ -58,7 +58,7 @@ class MicrophoneMismatch:
             start: index of the first sample.
             count: how many.
             microphones: of the array.
-            vent_ratio: (n_line,) complex, u; on the device on which the result shall be.
+            vent_ratio: (n_line,) complex, v; on the device on which the result shall be.
 
         Returns:
             (count, microphones, n_line) complex64.
@@ -68,7 +68,7 @@ class MicrophoneMismatch:
         )[..., None]  # fmt: skip
         gain = 10 ** (self.gain / 20 * drawn.real)
         vent = torch.exp(math.sqrt(math.log1p(self.vent**2)) * drawn.imag)
-        return gain * (1 + vent_ratio) / (1 + vent * vent_ratio)
+        return gain * (1 + vent_ratio) / (vent + vent_ratio)
 
 
 def check_ambient(ambient: tuple[float, float]) -> None:

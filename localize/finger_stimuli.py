@@ -138,7 +138,7 @@ def pulse_wave(
     return _unnamed(spectrum * top_faded(band, device))
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class RecordedStimulus:
     """Cuts of one second from a WAV file, each at a random place, faded in and out: a source of stimuli.
 

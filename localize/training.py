@@ -6,9 +6,8 @@ import math
 import os
 from collections.abc import Callable
 from dataclasses import asdict, astuple, dataclass
-from pathlib import Path
 from time import perf_counter
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 import torch
@@ -106,7 +105,7 @@ def train(
         held_out = _held_out(plan, _touches(response, plan, "held-out", source, unseen, device))
         classifier = TouchClassifier(microphones, shape).to(device)
         classifier.fit_normalisation(_frames(touches.samples(0, NORMALISATION_TOUCHES * response.point_count)))
-        kept = None if checkpoint is None else Checkpoint(Path(checkpoint), _identity(response, plan, source))
+        kept = None if checkpoint is None else Checkpoint(checkpoint, training_identity(asdict(plan), touches))
         curve, touch_count = _run_epochs(classifier, touches, held_out, plan, kept, progress)
     classifier.cpu().eval()
     return Localizer(
@@ -232,14 +231,6 @@ def _touches(
         mismatch=plan.mismatch,
         device=device,
     )
-
-
-def _identity(response: ArrayResponse, plan: TrainingPlan, source: TransferFunctionSource | None) -> dict[str, str]:
-    """Of a source the first sensor stands for all: reading thousands would take longer than a checkpoint saves."""
-    arrays: dict[str, Any] = {"transfer_function": response.transfer_function, "frequency": response.frequency}
-    if source is not None:
-        arrays |= {"source": source.sensors(0, 1), "source.count": np.array(source.sensor_count)}
-    return training_identity(asdict(plan), arrays)
 
 
 def _steps_per_epoch(plan: TrainingPlan, response: ArrayResponse) -> int:

@@ -7,6 +7,7 @@ from rc_line import rc_line
 import acoustic_fem
 import geometry
 from acoustic_fem.microphone import response as microphone_response
+from acoustic_fem.microphone import vent_ratio
 from localize import TouchGenerator
 from localize.dataset import response_of
 from localize.disturbances import MicrophoneMismatch, ambient_sound
@@ -74,6 +75,13 @@ def test_a_vent_that_scatters_changes_the_response_as_that_of_another_corner(arr
     expected = microphone_response(other, f, medium) / microphone_response(microphone, f, medium)
     closest = np.abs(factors[..., at] - expected).max(-1).min()
     assert closest < 0.01
+    # Between the frequencies of the library and below the lowest of them as well.
+    between = np.array([0.25, 1.5, 2.75])
+    nominal, one = (generator._vent_on_lines.numpy()[[1, 6, 11]], factors[0, 0, [1, 6, 11]])
+    exact = vent_ratio(microphone, between, medium)
+    assert np.abs(nominal / exact - 1).max() < 1e-3
+    conductance = 1 / np.abs(factors[0, 0, 0])
+    assert np.abs(one - (1 + exact) / (conductance + exact)).max() < 1e-3
     spread = np.log(np.abs(factors[..., 4])).std()  # far below the corner the response goes as 1 / conductance
     assert spread == pytest.approx(np.sqrt(np.log1p(0.2**2)), rel=0.1)
     assert np.abs(factors[..., -1] - 1).max() < 0.1
