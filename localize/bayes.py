@@ -35,8 +35,8 @@ WEAKEST = 1e-4
 """Eigenvectors that hold less than this share of the noise at g = 1 are left out."""
 NOISE_SHARE = 0.25
 """Of the noise that is told, in amplitude: best over all of 36, 108 and 216 points, see docs/decoder.md."""
-TEMPERATURE = 12.0
-"""Calibrates the probabilities, see docs/decoder.md."""
+TEMPERATURE = NOISE_SHARE**-2
+"""Counts misfits by the noise that is told again: probabilities are then calibrated, see docs/decoder.md."""
 CHUNK = 64
 """Frames that are decoded at once."""
 

@@ -61,7 +61,7 @@ class ResidualTest:
         loudest: Pa rms in the touched cavity, 1e-3 to 1e3: up to here a true touch passes.
 
     Raises:
-        ValueError: an argument out of range; touches that leave no direction to the noise; or as
+        ValueError: an argument out of range; touches too far above the noise for double precision; or as
             :func:`localize.dataset.response_of`.
     """
 
@@ -81,15 +81,14 @@ class ResidualTest:
         values, vectors = np.linalg.eigh(
             touch_covariances(response, whiten, lambda f: np.where(f <= BAND[1], inside, above))
         )
+        if values.max() * np.finfo(np.float64).eps > LEAK:
+            raise ValueError(
+                f"loudest = {loudest} Pa stands too far above microphone_noise = {microphone_noise}: in double "
+                "precision nothing can be told from rounding; take a lower one, or expect more noise"
+            )
         held = values > LEAK
         self.freedom = (~held).sum(1)
         """(n_point,) degrees of freedom of one frame's residual."""
-        if not self.freedom.all():
-            point = int(self.freedom.argmin())
-            raise ValueError(
-                f"touches of point {point + 1} of up to loudest = {loudest} Pa leave no residual to test; "
-                "take a lower one, or expect more noise"
-            )
         rank = int(held.sum(1).max())
         self._vectors = np.ascontiguousarray(vectors[:, :, values.shape[1] - rank :])
         self._held = held[:, values.shape[1] - rank :].astype(np.float64)

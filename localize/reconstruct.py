@@ -163,7 +163,8 @@ def short_window_waveform(
     paper's 32 samples, 31 Hz between bins, the error is that of the window, whatever the noise.
 
     Args:
-        library: transfer functions that cover 1 to 100 Hz; where they end, so does the waveform.
+        library: transfer functions that cover 1 to 100 Hz; there the waveform ends, for beyond them the array lets
+            nothing but noise through.
         signals: (n, n_microphone, n_sample) or (n_microphone, n_sample), Pa, at 1 kHz, at least 250 samples.
         point: from 0.
         window: samples, Hann window, 4 to 1000.
@@ -183,7 +184,7 @@ def short_window_waveform(
     batch, _ = checked_signals(signals, response.microphones)
     transform = scipy.signal.ShortTimeFFT(np.hanning(window + 1)[:window], hop, SAMPLE_RATE)
     spectrum = transform.stft(batch.numpy())
-    known = (transform.f >= 0) & (transform.f <= response.frequency[-1] + 1e-9)
+    known = transform.f <= BAND[1]
     # Below the lowest frequency of the library its value there stands for the static one.
     h = response.at(np.maximum(transform.f[known], response.frequency[0]))[point]
     source = np.zeros((len(batch), *spectrum.shape[2:]), complex)

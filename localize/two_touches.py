@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from torch import Tensor
 
-from localize.bayes import CHUNK, POWERS, TEMPERATURE, WEAKEST, share_of, vertex
+from localize.bayes import CHUNK, POWERS, WEAKEST, vertex
 from localize.dataset import ArrayResponse, response_of
 from localize.frame_covariance import low_pass, touch_covariances, whitening
 from localize.frames import checked_signals, cut_frames
@@ -30,8 +30,8 @@ if TYPE_CHECKING:
 
 LEVELS = (-20.0, -10.0, 0.0, 10.0, 20.0)
 """dB: power of the second touch over that of the first, as tried."""
-THRESHOLD = 3.0
-"""Nats, after the temperature: gain of the best pair over the best point from which there are two touches."""
+THRESHOLD = 5.0
+"""Nats: gain of the best pair over the best point from which there are two touches."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,7 +45,7 @@ class TwoTouches:
     point: NDArray[np.int64]
     """(n,) the best single point."""
     gain: NDArray[np.float64]
-    """(n,) log-likelihood of the best pair over that of the best point, nats, divided by the temperature."""
+    """(n,) log-likelihood of the best pair over that of the best point, nats."""
     is_two: NDArray[np.bool_]
     """(n,) the gain is above the threshold."""
 
@@ -84,7 +84,7 @@ class TwoTouchDecoder:
         self.threshold = threshold
         self.pairs = np.array(list(combinations(range(response.point_count), 2)))
         """(n_pair, 2) points of each pair, from 0."""
-        whiten = whitening(share_of(response.noise(microphone_noise)))
+        whiten = whitening(response.noise(microphone_noise))
         self._reduce = (whiten @ low_pass()).T.copy()
         single = touch_covariances(response, whiten)
         self._single = _Tables(single)
@@ -96,7 +96,7 @@ class TwoTouchDecoder:
 
     @one_thread()
     def log_likelihood(self, frames: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Log-likelihoods of every point and of every pair, maximised over the powers, divided by the temperature.
+        """Log-likelihoods of every point and of every pair, maximised over the powers.
 
         Args:
             frames: (n, n_microphone, 250), Pa.
@@ -155,5 +155,5 @@ class _Tables:
             gain = self.values[part, :, None] * POWERS
             energy = (x @ self.vectors[part]) ** 2
             score = -0.5 * (energy @ (-gain / (1 + gain)) + self.log_determinant[part, None, :])
-            result[:, part] = vertex(score).T / TEMPERATURE
+            result[:, part] = vertex(score).T
         return result
