@@ -13,6 +13,7 @@ told, and divides its log-likelihoods by a temperature, so that its probabilitie
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -39,6 +40,20 @@ TEMPERATURE = NOISE_SHARE**-2
 """Counts misfits by the noise that is told again: probabilities are then calibrated, see docs/decoder.md."""
 CHUNK = 64
 """Frames that are decoded at once."""
+
+
+@dataclass(frozen=True, eq=False)
+class DecoderTables:
+    """What the likelihood of a frame is computed from."""
+
+    reduce: NDArray[np.float64]
+    """(250, SAMPLES): from the samples of a microphone to fewer ones with white noise of variance 1."""
+    vectors: NDArray[np.float64]
+    """(n_point, n_microphone SAMPLES, rank) eigenvectors of each C_i."""
+    weight: NDArray[np.float64]
+    """(n_point, rank, n_power) of the energy along each of them, per value of g."""
+    log_determinant: NDArray[np.float64]
+    """(n_point, n_power) of the covariance."""
 
 
 class BayesDecoder:
@@ -68,13 +83,14 @@ class BayesDecoder:
         noise = response.noise(microphone_noise)
         self.noise_rms = noise.rms if isinstance(noise, NoiseSpectrum) else noise
         whiten = whitening(share_of(noise))
-        # From the 250 samples of a microphone to SAMPLES ones with white noise of variance 1.
-        self._reduce = (whiten @ low_pass()).T.copy()
         variance, vectors = _eigenvectors(touch_covariances(response, whiten))
-        self._vectors = vectors
         gain = variance[:, :, None] * POWERS
-        self._weight = -gain / (1 + gain) / TEMPERATURE
-        self._log_determinant = np.log1p(gain).sum(1) / TEMPERATURE
+        self.tables = DecoderTables(
+            reduce=(whiten @ low_pass()).T.copy(),
+            vectors=vectors,
+            weight=-gain / (1 + gain) / TEMPERATURE,
+            log_determinant=np.log1p(gain).sum(1) / TEMPERATURE,
+        )
 
     @property
     def point_count(self) -> int:
@@ -129,10 +145,11 @@ class BayesDecoder:
         Returns:
             (n, n_point) float64, nats, up to a constant per frame.
         """
-        x = (frames @ self._reduce).reshape(len(frames), -1)
+        tables = self.tables
+        x = (frames @ tables.reduce).reshape(len(frames), -1)
         # (point, frame, ...): one matrix product per point.
-        energy = (x @ self._vectors) ** 2
-        score = -0.5 * (energy @ self._weight + self._log_determinant[:, None, :])
+        energy = (x @ tables.vectors) ** 2
+        score = -0.5 * (energy @ tables.weight + tables.log_determinant[:, None, :])
         return vertex(score).T
 
 

@@ -19,6 +19,7 @@ import logging
 import os
 import warnings
 from collections.abc import Mapping
+from dataclasses import fields
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -153,11 +154,12 @@ class DecoderGraph(nn.Module):
 
     def __init__(self, decoder: BayesDecoder) -> None:
         super().__init__()
-        vectors, weight = torch.from_numpy(decoder._vectors), torch.from_numpy(decoder._weight)
-        determinant = torch.from_numpy(decoder._log_determinant)
+        reduce, vectors, weight, determinant = (
+            torch.from_numpy(getattr(decoder.tables, each.name)) for each in fields(decoder.tables)
+        )
         self.points, size, self.rank = vectors.shape
         for name, table in (
-            ("reduce", torch.from_numpy(decoder._reduce)),
+            ("reduce", reduce),
             # One matrix for all points: (n_microphone SAMPLES, n_point rank).
             ("screen", vectors.float().movedim(0, 1).reshape(size, -1).contiguous()),
             ("screen_weight", weight.float()),
