@@ -83,9 +83,7 @@ def short_window_signals(spectrum: Tensor, transfer_function: Tensor) -> Tensor:
     window = torch.hann_window(WINDOW, dtype=pressure.dtype, device=pressure.device)
     short = torch.stft(pressure, WINDOW, HOP, window=window, return_complex=True)
     bins = transfer_function[..., :: PERIOD // WINDOW]
-    product = torch.zeros(
-        (*bins.shape[:2], *short.shape[1:]), dtype=short.dtype, device=short.device
-    )  # fmt: skip
+    product = short.new_zeros((*bins.shape[:2], *short.shape[1:]))
     product[:, :, : bins.shape[-1]] = short[:, None, : bins.shape[-1]] * bins[..., None]
     signals = torch.istft(product.flatten(0, 1), WINDOW, HOP, window=window, length=SAMPLE_LENGTH)
     return signals.unflatten(0, bins.shape[:2])
