@@ -71,10 +71,7 @@ class ArrayResponse:
                 f"frequency runs from {f[0]:g} to {f[-1]:g} Hz; it must cover {BAND[0]:g} to {BAND[1]:g} Hz, "
                 "the band of the stimuli"
             )
-        for name, expected in (
-            ("ambient_response", h.shape[1:]),
-            ("vent_ratio", f.shape),
-        ):
+        for name, expected in (("ambient_response", h.shape[1:]), ("vent_ratio", f.shape)):
             value = getattr(self, name)
             if value is not None and (value.shape != expected or not np.isfinite(value).all()):
                 raise ValueError(f"{name} must hold finite values of shape {expected}, has shape {value.shape}")
@@ -159,11 +156,9 @@ def interpolation_from_zero(
 
 def from_zero(transfer_function: NDArray[np.complex128], sealed: bool) -> NDArray[np.complex128]:
     """Transfer functions (..., n_freq), with the one at 0 Hz before them where it is known."""
-    return (
-        np.concatenate([np.ones_like(transfer_function[..., :1]), transfer_function], -1)
-        if sealed
-        else (transfer_function)
-    )
+    if not sealed:
+        return transfer_function
+    return np.concatenate([np.ones_like(transfer_function[..., :1]), transfer_function], -1)
 
 
 def response_of(library: Library | ArrayResponse) -> ArrayResponse:

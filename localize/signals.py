@@ -67,9 +67,9 @@ def late_energy(transfer_function: Tensor) -> float:
 def short_window_signals(spectrum: Tensor, transfer_function: Tensor) -> Tensor:
     """The paper's way: short-window transform (32 samples, hop 16), times the transfer function, and back.
 
-    Its error is that of the window, whatever the noise: on the 36 points of ``line-2`` the result differs from the
-    exact steady state by as much as the signal itself: signal over error is -0.9 to 5.2 dB, 0.0 in the median
-    point.
+    Its error is that of the window, whatever the noise. Against the exact steady state, both microphones together,
+    signal over error is -0.1 to 10.4 dB over the points of ``line-2`` (4.9 in the median, 0 in mid-line, where a
+    touch is farthest from both), and 9.7 to 11.7 dB over those of ``array-2x6``.
 
     Args:
         spectrum: (n, n_line) complex amplitudes of the cavity pressure on the lowest spectral lines.
@@ -83,9 +83,7 @@ def short_window_signals(spectrum: Tensor, transfer_function: Tensor) -> Tensor:
     window = torch.hann_window(WINDOW, dtype=pressure.dtype, device=pressure.device)
     short = torch.stft(pressure, WINDOW, HOP, window=window, return_complex=True)
     bins = transfer_function[..., :: PERIOD // WINDOW]
-    product = torch.zeros(
-        (*bins.shape[:2], *short.shape[1:]), dtype=short.dtype, device=short.device
-    )  # fmt: skip
+    product = short.new_zeros((*bins.shape[:2], *short.shape[1:]))
     product[:, :, : bins.shape[-1]] = short[:, None, : bins.shape[-1]] * bins[..., None]
     signals = torch.istft(product.flatten(0, 1), WINDOW, HOP, window=window, length=SAMPLE_LENGTH)
     return signals.unflatten(0, bins.shape[:2])

@@ -170,11 +170,12 @@ def _run_epochs(
     if report:
         for entry in curve:
             report(entry)
-    started = saved = perf_counter() - at.seconds
+    saved = perf_counter()
+    started = saved - at.seconds
     steps_per_epoch = _steps_per_epoch(plan, response)
     planned = steps = plan.epochs * steps_per_epoch
-    if plan.time_limit is not None and at.step:
-        steps = _affordable(at.step, at.seconds, plan.time_limit, planned)
+    if at.turned == 1.0:  # it had ended, by its limit of time perhaps
+        steps = at.step
     while at.step < steps:
         classifier.train()
         rate = plan.learning_rate * min(1.0, (at.step + 1) / WARM_UP) * 0.5 * (1 + math.cos(math.pi * at.turned))

@@ -51,8 +51,8 @@ class TrainingPlan:
     features: FeatureChoice = "phasors"
     """Maps of the network, see :mod:`localize.features`."""
     bfloat16: bool = False
-    """Whether the network computes in bfloat16 while it is trained: faster where the processor has instructions for
-    it, slower elsewhere. Weights and the finished localizer are in single precision."""
+    """Whether the network computes in bfloat16 while it is trained: the paper's is half as fast again where the
+    processor has instructions for it, and slower elsewhere. Weights and finished localizer are in single precision."""
 
     def __post_init__(self) -> None:
         for name, least, most in (

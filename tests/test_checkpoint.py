@@ -149,6 +149,15 @@ def test_a_file_that_is_no_checkpoint_is_refused_and_kept(array, tmp_path, damag
     assert path.exists()
 
 
+def test_a_training_that_ended_by_its_limit_of_time_is_not_gone_on_with(array, tmp_path):
+    path, plan = tmp_path / "checkpoint.safetensors", replace(PLAN, epochs=5000, time_limit=1.0)
+    ended = localize.train(array, plan, checkpoint=path)
+    again = localize.train(array, plan, checkpoint=path)
+    assert ended.training["cut_short"]
+    assert again.training["touches"] == ended.training["touches"]
+    assert same(weights(ended), weights(again))
+
+
 def test_progress_in_the_file_is_json_that_gives_the_numbers_back(array, whole, tmp_path):
     from safetensors import safe_open
 
