@@ -21,7 +21,7 @@ from scipy.special import log_softmax
 from torch import Tensor
 
 from localize.dataset import ArrayResponse, response_of
-from localize.frame_covariance import low_pass, touch_covariances, whitening
+from localize.frame_covariance import check_noise, low_pass, touch_covariances, whitening
 from localize.frames import checked_signals, cut_frames
 from localize.noise import NoiseChoice, NoiseSpectrum
 from localize.threads import one_thread
@@ -56,8 +56,7 @@ class BayesDecoder:
 
     @one_thread()
     def __init__(self, library: Library | ArrayResponse, microphone_noise: NoiseChoice = 1e-3) -> None:
-        if microphone_noise != "design" and not 1e-9 <= microphone_noise <= 10.0:
-            raise ValueError(f"microphone_noise = {microphone_noise} Pa must be between 1e-9 and 10 Pa")
+        check_noise(microphone_noise)
         response = response_of(library)
         self.design = response.name
         self.microphones = response.microphones

@@ -20,7 +20,7 @@ from torch import Tensor
 
 from localize.bayes import CHUNK, POWERS, WEAKEST, vertex
 from localize.dataset import ArrayResponse, response_of
-from localize.frame_covariance import low_pass, touch_covariances, whitening
+from localize.frame_covariance import check_noise, low_pass, touch_covariances, whitening
 from localize.frames import checked_signals, cut_frames
 from localize.noise import NoiseChoice
 from localize.threads import one_thread
@@ -71,8 +71,7 @@ class TwoTouchDecoder:
         microphone_noise: NoiseChoice = 1e-3,
         threshold: float = THRESHOLD,
     ) -> None:
-        if microphone_noise != "design" and not 1e-9 <= microphone_noise <= 10.0:
-            raise ValueError(f"microphone_noise = {microphone_noise} Pa must be between 1e-9 and 10 Pa")
+        check_noise(microphone_noise)
         if not threshold >= 0:
             raise ValueError(f"threshold = {threshold} must be 0 or above")
         response = response_of(library)
