@@ -35,7 +35,7 @@ WEAKEST = 1e-2
 """Eigenvectors that hold less than this share of the assumed noise at g = 1 are left out: 1e-4 names the same points,
 40 dB louder ones as well."""
 NOISE_SHARE = 0.25
-"""Of the noise that is told, in amplitude: chosen on 216 points among 1, 1/2, 0.3, 1/5 and 1/10, see docs/decoder.md."""
+"""Of the noise that is told, in amplitude; tried on 216 points were 1, 1/2, 0.3, 1/5 and 1/10. See docs/decoder.md."""
 TEMPERATURE = NOISE_SHARE**-2
 """Counts misfits by the noise that is told again: probabilities are then calibrated, see docs/decoder.md."""
 CHUNK = 64
