@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from localize.dataset import ArrayResponse
 from localize.frames import FRAME
-from localize.noise import NoiseSpectrum
+from localize.noise import NoiseChoice, NoiseSpectrum
 from localize.stimulus import BAND, NOISE, SAMPLE_RATE
 
 DECIMATION = 4
@@ -31,6 +31,16 @@ SOURCE_RMS = 0.25
 """Pa: the touch at power 1, typical of the multi-sine stimuli."""
 INTEGRATION_STEP = 0.5
 """Hz: covariances repeat after 2 s, eight frames."""
+
+
+def check_noise(choice: NoiseChoice) -> None:
+    """Refuse a noise that nothing can be divided by.
+
+    Raises:
+        ValueError: neither "design" nor 1e-9 to 10 Pa.
+    """
+    if choice != "design" and not 1e-9 <= choice <= 10.0:
+        raise ValueError(f"microphone_noise = {choice} Pa must be between 1e-9 and 10 Pa")
 
 
 def low_pass() -> NDArray[np.float64]:

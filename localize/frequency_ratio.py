@@ -21,6 +21,7 @@ from numpy.typing import ArrayLike, NDArray
 from torch import Tensor
 
 from localize.dataset import ArrayResponse, response_of
+from localize.frame_covariance import check_noise
 from localize.frames import FRAME, checked_signals, combined_probability, cut_frames
 from localize.stimulus import BAND, SAMPLE_RATE
 from localize.threads import one_thread
@@ -41,8 +42,7 @@ class FrequencyRatioDecoder:
     """
 
     def __init__(self, library: Library | ArrayResponse, microphone_noise: float = 1e-3) -> None:
-        if not 1e-9 <= microphone_noise <= 10.0:
-            raise ValueError(f"microphone_noise = {microphone_noise} Pa must be between 1e-9 and 10 Pa")
+        check_noise(microphone_noise)
         response = response_of(library)
         self.microphones = response.microphones
         self.line = response.line

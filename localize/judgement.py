@@ -20,7 +20,7 @@ from torch import Tensor
 
 from localize.bayes import BayesDecoder
 from localize.dataset import ArrayResponse, response_of
-from localize.frame_covariance import low_pass, touch_covariances, whitening
+from localize.frame_covariance import check_noise, low_pass, touch_covariances, whitening
 from localize.frames import checked_signals, cut_frames
 from localize.noise import NoiseChoice
 from localize.stimulus import BAND, NOISE, SAMPLE_RATE
@@ -71,8 +71,7 @@ class ResidualTest:
     ) -> None:  # fmt: skip
         if not 1e-3 <= loudest <= 1e3:
             raise ValueError(f"loudest = {loudest} Pa must be between 1e-3 and 1e3 Pa")
-        if microphone_noise != "design" and not 1e-9 <= microphone_noise <= 10.0:
-            raise ValueError(f"microphone_noise = {microphone_noise} Pa must be between 1e-9 and 10 Pa")
+        check_noise(microphone_noise)
         response = response_of(library)
         self.microphones = response.microphones
         whiten = whitening(response.noise(microphone_noise))

@@ -25,7 +25,7 @@ from numpy.typing import ArrayLike, NDArray
 from torch import Tensor
 
 from localize.dataset import ArrayResponse, response_of
-from localize.frame_covariance import SOURCE_RMS, source_density
+from localize.frame_covariance import SOURCE_RMS, check_noise, source_density
 from localize.frames import checked_signals
 from localize.noise import NoiseChoice, NoiseSpectrum
 from localize.stimulus import BAND, SAMPLE_RATE
@@ -75,8 +75,7 @@ class Reconstructor:
         latency: int = 16,
         source_rms: float = SOURCE_RMS,
     ) -> None:
-        if microphone_noise != "design" and not 1e-9 <= microphone_noise <= 10.0:
-            raise ValueError(f"microphone_noise = {microphone_noise} Pa must be between 1e-9 and 10 Pa")
+        check_noise(microphone_noise)
         if not 2 <= window <= LONGEST:
             raise ValueError(f"window = {window} must be between 2 and {LONGEST} samples")
         if not 0 <= latency < window:

@@ -18,9 +18,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from torch import Tensor
 
-from localize.bayes import CHUNK, POWERS, WEAKEST, vertex
+from localize.bayes import CHUNK, POWERS, vertex
 from localize.dataset import ArrayResponse, response_of
-from localize.frame_covariance import low_pass, touch_covariances, whitening
+from localize.frame_covariance import check_noise, low_pass, touch_covariances, whitening
 from localize.frames import checked_signals, cut_frames
 from localize.noise import NoiseChoice
 from localize.threads import one_thread
@@ -30,6 +30,8 @@ if TYPE_CHECKING:
 
 LEVELS = (-20.0, -10.0, 0.0, 10.0, 20.0)
 """dB: power of the second touch over that of the first, as tried."""
+WEAKEST = 1e-4
+"""Eigenvectors that hold less than this share of the noise at g = 1 are left out."""
 THRESHOLD = 5.0
 """Nats: gain of the best pair over the best point from which there are two touches."""
 
@@ -71,8 +73,7 @@ class TwoTouchDecoder:
         microphone_noise: NoiseChoice = 1e-3,
         threshold: float = THRESHOLD,
     ) -> None:
-        if microphone_noise != "design" and not 1e-9 <= microphone_noise <= 10.0:
-            raise ValueError(f"microphone_noise = {microphone_noise} Pa must be between 1e-9 and 10 Pa")
+        check_noise(microphone_noise)
         if not threshold >= 0:
             raise ValueError(f"threshold = {threshold} must be 0 or above")
         response = response_of(library)

@@ -7,9 +7,12 @@ import torch
 from rc_line import rc_line
 from threadpoolctl import threadpool_info, threadpool_limits
 
+import acoustic_fem
+import geometry
 import localize
 from localize import bayes, stimulus
-from localize.dataset import microphone_signals
+from localize.dataset import microphone_signals, response_of
+from localize.finger_stimuli import taps
 from localize.frame_covariance import INTEGRATION_STEP, SOURCE_RMS, low_pass, noise_covariance
 from localize.noise import NoiseSpectrum
 
@@ -170,3 +173,15 @@ def test_decoding_and_evaluation_run_on_one_thread_and_leave_the_setting_alone(a
 
 def blas_of_this_process():
     return [lib for lib in threadpool_info() if lib["user_api"] == "blas"]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["line-2", "line-3", "line-4"])
+def test_the_published_lines_of_36_points_are_decoded_with_and_without_noise_and_on_taps(name):
+    library = acoustic_fem.solve(geometry.prototype(name), np.arange(1.0, 501.0), "lumped")
+    array, decoder = response_of(library), localize.BayesDecoder(library, 1e-3)
+    touches = 60 if name == "line-2" else 15
+    assert localize.evaluate(decoder, array, touches, 0.0).top1 >= 0.995
+    assert localize.evaluate(decoder, array, touches, 1e-3).top1 >= 0.98
+    made = localize.TouchGenerator(array, 0, "evaluation", 1e-3, stimuli=taps).samples(0, 8 * array.point_count)
+    assert (decoder.locate(made.signals).argmax(1) == made.point.numpy()).mean() >= 0.95

@@ -65,7 +65,8 @@ def test_what_no_point_explains_is_refused(array, decoder, residuals):
     assert not localize.judge(decoder, residuals, independent).explained.any()
 
 
-def test_points_probabilities_and_margins_belong_together(array, decoder, residuals):
+def test_points_probabilities_and_margins_belong_together(array, residuals):
+    decoder = localize.BayesDecoder(array, 0.1)
     signals, _ = frames_of(array, 0.1, 24)
     judged = localize.judge(decoder, residuals, signals[..., :250], top=12)
     probability = decoder.locate(signals[..., :250])
