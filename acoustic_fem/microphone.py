@@ -46,6 +46,18 @@ def response(microphone: Microphone, frequency: ArrayLike, medium: Medium) -> ND
     return 1j * omega * back / (1j * omega * (back + diaphragm) + leak)
 
 
+def vent_ratio(microphone: Microphone, frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
+    """Admittance of the compliances over that of the vent R that discharges them, v = j w R (Cb + Cd).
+
+    The response is Cb / (Cb + Cd) v / (1 + v); a vent that conducts s times as well makes v / s of it.
+
+    Arguments and errors as :func:`response`.
+    """
+    omega = 2 * np.pi * positive("frequency", frequency, "Hz")
+    diaphragm, back, leak = _elements(microphone, frequency, medium)
+    return 1j * omega * (back + diaphragm) / leak
+
+
 def sensitivity(microphone: Microphone) -> float:
     """Output per pressure across the diaphragm, V/Pa."""
     return float(10 ** (microphone.sensitivity / 20))

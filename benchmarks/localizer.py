@@ -1,37 +1,49 @@
 """Speed of the localizer: signals, features, training, one frame. ``python benchmarks/localizer.py [DESIGN]``.
 
-Figures are for the threads torch takes here, printed with them; set OMP_NUM_THREADS=1 for one core.
+Everything runs on one thread. Rates are per second of processor time, so that a busy machine changes them little; only
+single frames are timed by the clock. About five minutes for ``line-2``.
 """
 
 from __future__ import annotations
 
 import sys
+import warnings
 from collections.abc import Callable
-from time import perf_counter
+from dataclasses import replace
+from time import perf_counter, process_time
 
 import numpy as np
 import torch
 from rich.console import Console
 from rich.table import Table
+from torch import nn
 
 import acoustic_fem
 import geometry
 import localize
-from localize.dataset import SHARD, response_of
-from localize.features import PairFeatures
+from localize.array_response import ArrayResponse, response_of
+from localize.dataset import SHARD
+from localize.disturbances import MicrophoneMismatch
+from localize.features import PairFeatures, map_count
+from localize.finger_stimuli import STIMULI
 from localize.frames import FRAME
+from localize.model import NETWORKS, NetworkShape, TouchClassifier
 
 FREQUENCY = np.arange(1.0, 501.0)
 LATENCY_FRAMES = 300
 
 
-def rate(job: Callable[[], int], seconds: float = 2.0) -> float:
-    """Units per second of a job that returns how many it did; the first call is not counted."""
+ENOUGH = 0.94
+"""Share of held-out touches named right at which the time is taken."""
+
+
+def rate(job: Callable[[], int], seconds: float = 3.0) -> float:
+    """Units per second of processor time of a job that returns how many it did; the first call is not counted."""
     job()
-    done, start = 0, perf_counter()
-    while perf_counter() - start < seconds:
+    done, start = 0, process_time()
+    while process_time() - start < seconds:
         done += job()
-    return done / (perf_counter() - start)
+    return done / (process_time() - start)
 
 
 def latency(locate: Callable[[np.ndarray], np.ndarray], frames: np.ndarray) -> tuple[float, float]:
@@ -45,50 +57,88 @@ def latency(locate: Callable[[np.ndarray], np.ndarray], frames: np.ndarray) -> t
     return float(np.median(times)), float(np.percentile(times, 99))
 
 
+def signal_rates(response: ArrayResponse) -> dict[str, float]:
+    """One-second touches per second, by what is in them."""
+    kinds: dict[str, dict[str, object]] = {name: {"stimuli": source} for name, source in STIMULI.items()}
+    kinds["multi-sines, short-window route of the paper"] = {"method": "stft"}
+    kinds["multi-sines, noise, sound of 30 to 90 dB, unlike microphones"] = {
+        "microphone_noise": "design",
+        "ambient": (30.0, 90.0),
+        "mismatch": MicrophoneMismatch(gain=0.5, vent=0.1),
+    }
+    rates = {}
+    for name, choice in kinds.items():
+        touches = localize.TouchGenerator(response, 0, "evaluation", **choice)
+        rates[name] = rate(lambda touches=touches: len(touches.samples(0, SHARD).point))
+    return rates
+
+
+def step_rate(response: ArrayResponse, network: str, bfloat16: bool, batch: int = 128) -> float:
+    """Training touches per second, signals and features included."""
+    channels = len(response.microphones)
+    shape = NetworkShape(maps=map_count(channels), points=response.point_count, **NETWORKS[network])
+    classifier = TouchClassifier(channels, shape).train()
+    optimizer = torch.optim.AdamW(classifier.parameters(), lr=1e-3)
+    touches = localize.TouchGenerator(response, 0, "training", 1e-3)
+
+    def step() -> int:
+        part = touches.samples(0, batch)
+        maps = classifier.maps(part.signals[..., -FRAME:])
+        with torch.autocast("cpu", torch.bfloat16, enabled=bfloat16):
+            logits = classifier.network(maps)
+        nn.functional.cross_entropy(logits.float(), part.point).backward()
+        optimizer.step()
+        optimizer.zero_grad()
+        return batch
+
+    return rate(step)
+
+
 def main(name: str) -> None:
-    library = acoustic_fem.solve(geometry.prototype(name), FREQUENCY, fidelity="lumped")
+    torch.set_num_threads(1)
+    # The closed forms warn of frequencies at which only the stimulus noise is left.
+    with warnings.catch_warnings(record=True):
+        library = acoustic_fem.solve(geometry.prototype(name), FREQUENCY, fidelity="lumped")
     response = response_of(library)
-    touches = localize.TouchGenerator(response, 0, "evaluation", 1e-3)
-    frames = touches.samples(0, LATENCY_FRAMES).signals[..., :FRAME]
+    frames = localize.TouchGenerator(response, 0, "evaluation", 1e-3).samples(0, LATENCY_FRAMES).signals[..., :FRAME]
+    title = f"{name}: {response.point_count} points, {len(response.microphones)} microphones, one thread"
+    table = Table("what", "value", "unit", title=title)
+    table.columns[1].justify = "right"
 
-    table = Table(
-        title=f"{name}: {response.point_count} points, {len(response.microphones)} microphones, "
-        f"{torch.get_num_threads()} threads"
-    )
-    table.add_column("what")
-    table.add_column("value", justify="right")
-    table.add_column("unit")
+    for kind, speed in signal_rates(response).items():
+        table.add_row(f"signals of one second: {kind}", f"{speed:,.0f}", "samples/s")
+    for choice in ("phasors", "paper"):
+        maps = PairFeatures(len(response.microphones), choice)
+        speed = rate(lambda maps=maps: len(maps(frames[:SHARD])))
+        table.add_row(f"features in batches: {choice}", f"{speed:,.0f}", "frames/s")
+    for network in NETWORKS:
+        speeds = " / ".join(f"{step_rate(response, network, bfloat16):,.0f}" for bfloat16 in (False, True))
+        table.add_row(f"training {network}, signals and features included, float32 / bfloat16", speeds, "samples/s")
 
-    def row(what: str, value: str, unit: str) -> None:
-        table.add_row(what, value, unit)
+    plan, reached = localize.TrainingPlan(microphone_noise=0.0), []
+    started = process_time()
 
-    speed = rate(lambda: len(touches.samples(0, SHARD).point))
-    row("signals of one second, noise included", f"{speed:,.0f}", "samples/s")
-    maps = PairFeatures(len(response.microphones))
-    speed = rate(lambda: len(maps(frames[:SHARD])))
-    row("features in batches", f"{speed:,.0f}", "frames/s")
+    def note(progress: localize.TrainingProgress) -> None:
+        if progress.accuracy >= ENOUGH and not reached:
+            reached.append(process_time() - started)
 
-    start = perf_counter()
-    localizer = localize.train(library)
-    seconds = perf_counter() - start
-    row("training, default plan", f"{seconds:.1f}", "s")
-    row("training, signals and features included", f"{localizer.training['touches'] / seconds:,.0f}", "samples/s")
+    quiet = localize.train(library, plan, note)
+    table.add_row(f"{100 * ENOUGH:g} % of held-out touches right, no noise", f"{reached[0]:.0f}", "s")
+    table.add_row("training, default plan, no noise", f"{process_time() - started:.0f}", "s")
+    noisy = localize.train(library, replace(plan, microphone_noise=1e-3))
     start = perf_counter()
     decoder = localize.BayesDecoder(library)
-    row("tables of the model-based decoder", f"{perf_counter() - start:.2f}", "s")
+    table.add_row("tables of the model-based decoder", f"{perf_counter() - start:.2f}", "s")
 
-    for title, locator in (("network", localizer), ("model-based", decoder)):
-        middle, worst = latency(locator.locate, frames.numpy())
-        row(f"{title}: one frame, median / 99 %", f"{middle:.2f} / {worst:.2f}", "ms")
-        for noise in (0.0, 1e-3):
+    for title, locators in (("network", (quiet, noisy)), ("model-based", (decoder, decoder))):
+        middle, worst = latency(locators[0].locate, frames.numpy())
+        table.add_row(f"{title}: one frame, median / 99 %", f"{middle:.2f} / {worst:.2f}", "ms")
+        for locator, noise in zip(locators, (0.0, 1e-3), strict=True):
             result = localize.evaluate(locator, library, microphone_noise=noise)
-            row(
-                f"{title}: top-1 / top-2 / within one, noise {noise:g} Pa",
-                f"{100 * result.top1:.2f} / {100 * result.top2:.2f} / {100 * result.within_one:.2f}",
-                "%",
-            )
-    Console(width=110).print(table)
+            shares = " / ".join(f"{100 * share:.2f}" for share in (result.top1, result.top2, result.within_one))
+            table.add_row(f"{title}: top-1 / top-2 / within one, noise {noise:g} Pa", shares, "%")
+    Console(width=130).print(table)
 
 
 if __name__ == "__main__":
-    main(sys.argv[1] if len(sys.argv) > 1 else "array-2x6")
+    main(sys.argv[1] if len(sys.argv) > 1 else "line-2")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
@@ -12,11 +12,15 @@ from numpy.typing import ArrayLike, NDArray
 from localize.dataset import ArrayResponse, TouchGenerator, response_of
 from localize.frames import FRAME
 from localize.noise import NoiseChoice, NoiseSpectrum
-from localize.stimulus import COMPONENT_INTERVALS, SAMPLE_LENGTH
+from localize.stimulus import COMPONENT_INTERVALS, SAMPLE_LENGTH, StimulusSource, multi_sines
 from localize.threads import one_thread
 
 if TYPE_CHECKING:
     from acoustic_fem import Library
+
+
+RELIABILITY_BINS = 10
+"""Equal ranges of the stated probability."""
 
 
 class Locator(Protocol):
@@ -34,6 +38,38 @@ class Locator(Protocol):
         """(n, n_microphone, n_sample) to (n, n_point)."""
 
 
+@dataclass(frozen=True)
+class ReliabilityBin:
+    """Touches whose named point was given a probability within a range."""
+
+    low: float
+    high: float
+    touches: int
+    stated: float | None
+    """Mean stated probability; None where there is no touch."""
+    right: float | None
+    """Share of them that were named right."""
+
+
+@dataclass(frozen=True)
+class Reliability:
+    """Whether stated probabilities are kept: of touches named with 80 %, four in five should be right."""
+
+    bins: tuple[ReliabilityBin, ...]
+
+    @property
+    def expected_error(self) -> float:
+        """Expected calibration error: mean over all touches of |right - stated| of their bin (Guo et al. 2017, "On
+        calibration of modern neural networks", equation 3).
+        """
+        touches = sum(each.touches for each in self.bins)
+        return sum(
+            each.touches / touches * abs(each.right - each.stated)
+            for each in self.bins
+            if each.right is not None and each.stated is not None
+        )
+
+
 @dataclass(frozen=True, eq=False)
 class Evaluation:
     """Results over a set of touches; shares run from 0 to 1."""
@@ -48,6 +84,7 @@ class Evaluation:
     """(n_point, n_point): touches of the point of the row for which the point of the column was named."""
     by_components: dict[str, tuple[float, int]]
     """Per interval of the number of sinusoids: top-1 and number of touches."""
+    reliability: Reliability
     touches: int
     seed: int
     microphone_noise: float
@@ -79,6 +116,8 @@ class Evaluation:
             "hardest_pair": self.hardest_pair,
             "confusion": self.confusion.tolist(),
             "by_components": {name: list(value) for name, value in self.by_components.items()},
+            "reliability": [asdict(each) for each in self.reliability.bins],
+            "expected_calibration_error": self.reliability.expected_error,
             "touches": self.touches,
             "seed": self.seed,
             "microphone_noise": self.microphone_noise,
@@ -95,6 +134,9 @@ def evaluate(
     microphone_noise: NoiseChoice = 0.0,
     samples: int = FRAME,
     seed: int = 0,
+    *,
+    stimuli: StimulusSource = multi_sines,
+    ambient: float | None = None,
 ) -> Evaluation:
     """Let a localizer name the points of held-out touches.
 
@@ -109,13 +151,18 @@ def evaluate(
             microphone of the library's design, see :mod:`localize.noise`.
         samples: length of each signal, 250 (one frame) to 1000.
         seed: any non-negative integer.
+        stimuli: what the touches are, see :mod:`localize.finger_stimuli`; by default the paper's sums of sinusoids.
+        ambient: level of the sound outside, dB SPL, which the library must be of a design for.
 
     Raises:
         ValueError: points or microphones do not agree, or an argument is outside its range.
     """
     response = response_of(library)
     check_evaluation(localizer, response, touches_per_point, microphone_noise, samples)
-    touches = TouchGenerator(response, seed, "evaluation", microphone_noise)
+    levels = None if ambient is None else (ambient, ambient)
+    touches = TouchGenerator(
+        response, seed, "evaluation", microphone_noise, stimuli=stimuli, ambient=levels
+    )  # fmt: skip
     probability, point, interval = [], [], []
     for part in touches.stream(0, touches_per_point * response.point_count):
         probability.append(localizer.locate(part.signals[..., -samples:].numpy()))
@@ -175,9 +222,29 @@ def _judged(
             for k, (low, high) in enumerate(COMPONENT_INTERVALS)
             if (interval == k).any()
         },
+        reliability=_reliability(np.take_along_axis(probability, order[:, :1], 1)[:, 0], right),
         touches=len(point),
         seed=touches.seed,
         microphone_noise=noise.rms if isinstance(noise, NoiseSpectrum) else noise,
         noise_source=noise.source if isinstance(noise, NoiseSpectrum) else "white",
         samples=samples,
     )
+
+
+def _reliability(stated: NDArray[np.float64], right: NDArray[np.bool_]) -> Reliability:
+    edges = np.linspace(0.0, 1.0, RELIABILITY_BINS + 1)
+    which = np.clip(np.digitize(stated, edges) - 1, 0, RELIABILITY_BINS - 1)
+    bins = []
+    for k in range(RELIABILITY_BINS):
+        own = which == k
+        filled = bool(own.any())
+        bins.append(
+            ReliabilityBin(
+                low=float(edges[k]),
+                high=float(edges[k + 1]),
+                touches=int(own.sum()),
+                stated=float(stated[own].mean()) if filled else None,
+                right=float(right[own].mean()) if filled else None,
+            )
+        )
+    return Reliability(tuple(bins))

@@ -8,6 +8,9 @@ the phase difference and whose length falls below 1 where the phase is not stead
 One more map tells where there is a signal at all, for ratios elsewhere mean nothing: the power of all microphones
 together, in dB below its maximum over the frame. It halves the errors and is ours, not the paper's.
 
+The paper's own choice is there for comparison: level and phase difference alone, two maps per pair. Its phases are
+averaged as phasors too, so that the mean of two angles beside the jump at pi lies there and not at zero.
+
 Continuation and wavelet are one fixed linear map from 250 samples to 64 x 47 complex values. Its numerical rank is
 low, so that it is applied as two small real factors.
 """
@@ -16,6 +19,7 @@ from __future__ import annotations
 
 import functools
 from itertools import combinations
+from typing import Literal
 
 import numpy as np
 import torch
@@ -33,7 +37,9 @@ TAIL = 47
 AVERAGE = 16
 """Samples over which they are averaged."""
 COLUMNS = TAIL - AVERAGE + 1
-MAPS_PER_PAIR = 3
+FeatureChoice = Literal["phasors", "paper"]
+"""Level, phasor and power: the default; or the paper's level and phase difference alone."""
+MAPS_PER_PAIR: dict[FeatureChoice, int] = {"phasors": 3, "paper": 2}
 GRID = 2048
 """Samples of the circular wavelet grid: on 512 the wavelets below 20 Hz would wrap around onto the frame."""
 BANDWIDTH = 1.0
@@ -49,9 +55,15 @@ def wavelet_frequencies() -> NDArray[np.float64]:
     return np.linspace(*BAND, FREQUENCIES)
 
 
-def map_count(microphones: int) -> int:
-    """Number of maps of an array: three for every pair of microphones, and one of the power."""
-    return MAPS_PER_PAIR * microphones * (microphones - 1) // 2 + 1
+def map_count(microphones: int, choice: FeatureChoice = "phasors") -> int:
+    """Number of maps of an array: three for every pair of microphones and one of the power, or the paper's two.
+
+    Raises:
+        ValueError: an unknown choice.
+    """
+    if choice not in MAPS_PER_PAIR:
+        raise ValueError(f"features = {choice!r} must be one of: {', '.join(MAPS_PER_PAIR)}")
+    return MAPS_PER_PAIR[choice] * microphones * (microphones - 1) // 2 + (choice == "phasors")
 
 
 def wavelet_transform(frames: NDArray[np.float64]) -> NDArray[np.complex128]:
@@ -73,21 +85,28 @@ def wavelet_transform(frames: NDArray[np.float64]) -> NDArray[np.complex128]:
 
 
 class PairFeatures(nn.Module):
-    """Maps of a batch of frames, (n, n_microphone, 250) to (n, 3 n_pair + 1, 64, 32) float32.
+    """Maps of a batch of frames, (n, n_microphone, 250) to (n, n_map, 64, 32) float32.
 
     Pairs run (1, 2), (1, 3), ..., (2, 3), ...; maps of a pair are level in dB, real and imaginary part of the
-    phasor. The power comes last.
+    phasor, and the power comes last; with ``choice="paper"`` they are level in dB and phase in rad, and that is all.
+
+    Nothing but real matrix products and functions of one value: it runs on any device and can be exported.
+
+    Raises:
+        ValueError: an unknown choice.
     """
 
     analysis: Tensor
     synthesis: Tensor
 
-    def __init__(self, microphones: int) -> None:
+    def __init__(self, microphones: int, choice: FeatureChoice = "phasors") -> None:
         super().__init__()
         analysis, synthesis = _factors()
         self.register_buffer("analysis", torch.from_numpy(analysis.astype(np.float32)), persistent=False)
         self.register_buffer("synthesis", torch.from_numpy(synthesis.astype(np.float32)), persistent=False)
         self.pairs = tuple(combinations(range(microphones), 2))
+        self.map_count = map_count(microphones, choice)
+        self.choice = choice
 
     def transform(self, frames: Tensor) -> tuple[Tensor, Tensor]:
         """Real and imaginary part of the wavelet transform, (..., 250) to two of (..., 64, 47)."""
@@ -107,10 +126,19 @@ class PairFeatures(nn.Module):
             maps.append(level[:, a] - level[:, b])
             maps.append(cosine[:, a] * cosine[:, b] + sine[:, a] * sine[:, b])
             maps.append(sine[:, a] * cosine[:, b] - cosine[:, a] * sine[:, b])
-        averaged = nn.functional.avg_pool2d(torch.stack([*maps, power.mean(1)], 1), (1, AVERAGE), stride=1)
+        if self.choice == "paper":
+            averaged = _averaged(torch.stack(maps, 1)).unflatten(1, (len(self.pairs), 3))
+            phase = torch.atan2(averaged[:, :, 2], averaged[:, :, 1])
+            return torch.stack([averaged[:, :, 0], phase], 2).flatten(1, 2)
+        averaged = _averaged(torch.stack([*maps, power.mean(1)], 1))
         total = 10 * averaged[:, -1].log10()
         total = (total - total.amax((-2, -1), keepdim=True)).clamp_min(-POWER_RANGE)
         return torch.cat([averaged[:, :-1], total[:, None]], 1)
+
+
+def _averaged(maps: Tensor) -> Tensor:
+    """Means over 16 consecutive samples, (n, n_map, 64, 47) to (n, n_map, 64, 32)."""
+    return nn.functional.avg_pool2d(maps, (1, AVERAGE), stride=1)
 
 
 def _wavelet_spectra() -> NDArray[np.float64]:

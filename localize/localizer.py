@@ -54,6 +54,11 @@ class Localizer:
         """Number of sensing points."""
         return self.shape.points
 
+    @property
+    def noise_rms(self) -> float:
+        """Noise of every microphone in training, Pa rms."""
+        return float(self.training["microphone_noise"])
+
     @one_thread()
     def locate(self, signals: ArrayLike | Tensor) -> NDArray[np.float64]:
         """Where the array was touched.

@@ -1,18 +1,23 @@
 """A small convolutional classifier in the manner of FasterNet (Chen et al. 2023, "Run, Don't Walk").
 
-An embedding cuts the maps into patches; stages of partial-convolution blocks follow, each but the last followed by
-a merging layer that halves both sides and doubles the channels; the mean over what is left feeds a linear layer.
-Partial convolution means that the 3 x 3 filter sees a quarter of the channels, the 1 x 1 filters the rest.
+An embedding cuts the maps into patches; stages of partial-convolution blocks follow, with a merging layer between them
+that halves both sides and doubles the channels; the mean over what is left feeds a linear layer. Partial convolution
+means that the 3 x 3 filter sees a quarter of the channels, the 1 x 1 filters all of them.
+
+:data:`NETWORKS` names the shapes that are offered. That of the paper merges after the last stage as well: five
+mergings leave 2 x 1 of 64 x 32, which only an embedding that cuts nothing survives.
 """
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import torch
 from torch import Tensor, nn
 
-from localize.features import COLUMNS, FREQUENCIES, PairFeatures, map_count
+from localize.features import COLUMNS, FREQUENCIES, FeatureChoice, PairFeatures
 
 EXPANSION = 2
 """Channels inside a block, in multiples of its width."""
@@ -34,6 +39,10 @@ class NetworkShape:
     """Blocks per stage."""
     patch: tuple[int, int] = (4, 8)
     """Rows (frequency) and columns (time) of the embedding's patches."""
+    merge_last: bool = False
+    """Whether a merging layer follows the last stage too."""
+    features: FeatureChoice = "phasors"
+    """Which maps they are, see :mod:`localize.features`."""
 
     def __post_init__(self) -> None:
         for name, value, least in (
@@ -47,13 +56,26 @@ class NetworkShape:
                 raise ValueError(f"network: {name} = {value} must be at least {least}")
         if self.width % PARTIAL:
             raise ValueError(f"network: width = {self.width} must be a multiple of {PARTIAL}")
-        halvings = 2 ** (len(self.depths) - 1)
+        merged = self.mergings
         for name, size, patch in (("rows", FREQUENCIES, self.patch[0]), ("columns", COLUMNS, self.patch[1])):
-            if patch < 1 or size % (patch * halvings):
+            if patch < 1 or size % (patch * 2**merged):
                 raise ValueError(
                     f"network: {size} {name} of a map cannot be cut into patches of {patch} and halved "
-                    f"{len(self.depths) - 1} times; patch x {halvings} must divide {size}"
+                    f"{merged} times; patch x {2**merged} must divide {size}"
                 )
+
+    @property
+    def mergings(self) -> int:
+        """How often both sides are halved behind the embedding."""
+        return len(self.depths) - (0 if self.merge_last else 1)
+
+
+#: What a training plan may ask for by name.
+NETWORKS: Mapping[str, Mapping[str, Any]] = {
+    "patches": {"width": 32, "depths": (1, 2, 2), "patch": (4, 8)},
+    "stride-2": {"width": 12, "depths": (1, 1, 2, 2, 2), "patch": (2, 2)},
+    "paper": {"width": 12, "depths": (1, 1, 2, 2, 2), "patch": (1, 1), "merge_last": True},
+}
 
 
 class PartialBlock(nn.Module):
@@ -87,10 +109,10 @@ class TouchNetwork(nn.Module):
             nn.BatchNorm2d(width),
         ]
         for stage, depth in enumerate(shape.depths):
-            if stage:
+            layers += [PartialBlock(width) for _ in range(depth)]
+            if stage < shape.mergings:
                 layers += [nn.Conv2d(width, 2 * width, 2, stride=2, bias=False), nn.BatchNorm2d(2 * width)]
                 width *= 2
-            layers += [PartialBlock(width) for _ in range(depth)]
         self.stages = nn.Sequential(*layers)
         self.head = nn.Linear(width, shape.points)
 
@@ -107,11 +129,11 @@ class TouchClassifier(nn.Module):
 
     def __init__(self, microphones: int, shape: NetworkShape) -> None:
         super().__init__()
-        if shape.maps != map_count(microphones):
+        self.features = PairFeatures(microphones, shape.features)
+        if shape.maps != self.features.map_count:
             raise ValueError(
-                f"network: maps = {shape.maps} must be {map_count(microphones)} for {microphones} microphones"
+                f"network: maps = {shape.maps} must be {self.features.map_count} for {microphones} microphones"
             )
-        self.features = PairFeatures(microphones)
         # One mean and one scale per map and frequency, found from the training signals.
         self.register_buffer("mean", torch.zeros(1, shape.maps, FREQUENCIES, 1))
         self.register_buffer("scale", torch.ones(1, shape.maps, FREQUENCIES, 1))
@@ -126,8 +148,12 @@ class TouchClassifier(nn.Module):
         self.mean.copy_(maps.mean((0, 3), keepdim=True))
         self.scale.copy_(maps.std((0, 3), keepdim=True).clamp_min(1e-3))
 
-    def forward(self, frames: Tensor) -> Tensor:
-        """Logits of a batch of frames; nothing is differentiated through the features."""
+    def maps(self, frames: Tensor) -> Tensor:
+        """Normalised maps of a batch of frames, (n, maps, 64, 32); nothing is differentiated through them."""
         with torch.no_grad():
             maps = (self.features(frames) - self.mean) / self.scale
-        return self.network(maps.contiguous(memory_format=torch.channels_last))
+        return maps.contiguous(memory_format=torch.channels_last)
+
+    def forward(self, frames: Tensor) -> Tensor:
+        """Logits of a batch of frames."""
+        return self.network(self.maps(frames))

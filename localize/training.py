@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
+import os
 from collections.abc import Callable
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, astuple, dataclass
 from time import perf_counter
 from typing import TYPE_CHECKING
 
@@ -14,16 +15,23 @@ from numpy.typing import NDArray
 from torch import Tensor, nn
 
 from acoustic_fem.provenance import versions
-from localize.dataset import ArrayResponse, TouchGenerator, TouchSignals, TransferFunctionSource, response_of
+from localize.array_response import ArrayResponse, TransferFunctionSource, response_of
+from localize.checkpoint import Checkpoint, Progress, training_identity
+from localize.dataset import TouchGenerator, TouchSignals
 from localize.features import map_count
 from localize.frames import FRAME
 from localize.localizer import Localizer
-from localize.model import NetworkShape, TouchClassifier
-from localize.noise import NoiseChoice, NoiseSpectrum
+from localize.model import NETWORKS, NetworkShape, TouchClassifier
+from localize.noise import NoiseSpectrum
+from localize.random_streams import Purpose
+from localize.stimulus import Device
 from localize.threads import one_thread
+from localize.training_plan import TrainingPlan
 
 if TYPE_CHECKING:
     from acoustic_fem import Library
+
+__all__ = ["TrainingPlan", "TrainingProgress", "soft_labels", "train"]
 
 WARM_UP = 20
 """Steps over which the learning rate rises: a fresh batch normalisation does not bear the full one."""
@@ -31,64 +39,8 @@ SETTLING = 0.25
 """Share of a time limit after which the speed of training is judged."""
 NORMALISATION_TOUCHES = 20
 """Touches per point from which the normalisation of the maps is taken."""
-
-
-@dataclass(frozen=True)
-class TrainingPlan:
-    """How to train. The same plan on the same library and machine gives the same localizer.
-
-    Raises:
-        ValueError: a field outside its range, with field, value and range.
-    """
-
-    seconds_per_point: int = 200
-    """One-second touches of every point in an epoch; each epoch draws new ones and each touch gives one frame."""
-    epochs: int = 20
-    held_out_fraction: float = 0.25
-    """Held-out touches, drawn once from seeds of their own, as a fraction of an epoch's."""
-    batch: int = 128
-    learning_rate: float = 3e-3
-    """The highest; a cosine takes it to zero."""
-    weight_decay: float = 0.01
-    label_sigma: float = 0.35
-    """Places along a line over which labels are smoothed; 0 for hard labels. Lines never mix. The paper's 1 made half
-    a percent more errors on array-2x6 with microphone noise, and its probabilities say too little of the point."""
-    microphone_noise: NoiseChoice = 1e-3
-    """Added to the training signals; held-out ones have the same. Pa rms over 0 to 500 Hz, white; or "design" for the
-    noise of the microphone of the library's design, see :mod:`localize.noise`."""
-    seed: int = 0
-    time_limit: float | None = None
-    """Seconds; None trains as planned, with the same result on a busy machine. Where the plan would take longer,
-    training is cut short, the cosine still ending at zero: the result then depends on the speed of the machine, and
-    ``training["cut_short"]`` of the localizer says so."""
-    width: int = 32
-    """Channels of the network's embedding."""
-    depths: tuple[int, ...] = (1, 2, 2)
-    """Blocks per stage of the network."""
-
-    def __post_init__(self) -> None:
-        for name, least, most in (
-            ("seconds_per_point", 1, 1_000_000),
-            ("epochs", 1, 10_000),
-            ("batch", 2, 65_536),
-            ("seed", 0, 2**63 - 1),
-        ):
-            value = getattr(self, name)
-            if isinstance(value, bool) or not isinstance(value, int) or not least <= value <= most:
-                raise ValueError(f"{name} = {value!r} must be a whole number from {least} to {most}")
-        for name, low, high in (
-            ("held_out_fraction", 1e-6, 10.0),
-            ("learning_rate", 1e-8, 1.0),
-            ("weight_decay", 0.0, 1.0),
-            ("label_sigma", 0.0, 100.0),
-            ("microphone_noise", 0.0, 100.0),
-            ("time_limit", 1e-3, 1e9),
-        ):
-            value = getattr(self, name)
-            if (name, value) in (("time_limit", None), ("microphone_noise", "design")):
-                continue
-            if isinstance(value, str) or not low <= value <= high:
-                raise ValueError(f"{name} = {value!r} must be between {low:g} and {high:g}")
+SAVE_EVERY = 60.0
+"""Seconds between checkpoints within an epoch; there is one at the end of every epoch too."""
 
 
 @dataclass(frozen=True)
@@ -112,8 +64,9 @@ def train(
     plan: TrainingPlan | None = None,
     progress: Callable[[TrainingProgress], None] | None = None,
     source: TransferFunctionSource | None = None,
+    checkpoint: str | os.PathLike[str] | None = None,
 ) -> Localizer:
-    """Train a localizer for the array of a library.
+    """Train a localizer for the array of a library, on the graphics processor where torch finds one.
 
     Where the plan has a time limit and it is reached, training is cut short and the result depends on the machine's
     load; without one it does not.
@@ -121,31 +74,40 @@ def train(
     Args:
         library: transfer functions that cover 1 to 100 Hz, of at least two points and two microphones.
         plan: by default one that takes about 25 s for 12 points on one core.
-        progress: called after every epoch.
+        progress: called after every epoch, those of a training that is gone on with included.
         source: transfer functions of many sensors of this design, to train on in place of the library's own; read as
             they are needed. The last fifth of the sensors is held out (of a single one, its stimuli only).
+        checkpoint: a file that keeps the state of the training, after every epoch and every minute. If it is there,
+            training goes on from it, and the weights become those that it would have led to, bit for bit. It stays
+            when training is done; remove it once the localizer is saved.
 
     Raises:
         ValueError: the library or the source does not cover 1 to 100 Hz, they hold different points or microphones,
-            or the plan's network does not fit the maps.
+            the plan's network does not fit the maps, or it asks for sound where there is no design.
+        CheckpointError: the checkpoint is damaged, or that of another plan, library or version of torch.
     """
     plan = plan or TrainingPlan()
     response = response_of(library)
+    microphones = len(response.microphones)
     shape = NetworkShape(
-        maps=map_count(len(response.microphones)), points=response.point_count, width=plan.width, depths=plan.depths
+        maps=map_count(microphones, plan.features),
+        points=response.point_count,
+        features=plan.features,
+        **NETWORKS[plan.network],
     )
-    started = perf_counter()
     seen, unseen = _split(source)
-    touches = TouchGenerator(response, plan.seed, "training", plan.microphone_noise, source, seen)
+    device = "cuda" if torch.cuda.is_available() else "cpu"
+    touches = _touches(response, plan, "training", source, seen, device)
     noise = touches.microphone_noise
     # The global state of torch's generator is left as it was found.
     with torch.random.fork_rng(devices=[]), one_thread():
         torch.manual_seed(plan.seed)
-        held_out = _held_out(response, plan, source, unseen)
-        classifier = TouchClassifier(len(response.microphones), shape)
+        held_out = _held_out(plan, _touches(response, plan, "held-out", source, unseen, device))
+        classifier = TouchClassifier(microphones, shape).to(device)
         classifier.fit_normalisation(_frames(touches.samples(0, NORMALISATION_TOUCHES * response.point_count)))
-        curve, touch_count = _run_epochs(classifier, touches, held_out, plan, started, progress)
-    classifier.eval()
+        kept = None if checkpoint is None else Checkpoint(checkpoint, training_identity(asdict(plan), touches))
+        curve, touch_count = _run_epochs(classifier, touches, held_out, plan, kept, progress)
+    classifier.cpu().eval()
     return Localizer(
         classifier=classifier,
         shape=shape,
@@ -164,6 +126,7 @@ def train(
             "cut_short": touch_count < plan.epochs * _steps_per_epoch(plan, response) * plan.batch,
             "microphone_noise": noise.rms if isinstance(noise, NoiseSpectrum) else noise,
             "sensors": 1 if seen is None else len(seen),
+            "device": device,
         },
         provenance={
             **response.provenance,
@@ -195,42 +158,80 @@ def _run_epochs(
     touches: TouchGenerator,
     held_out: TouchSignals,
     plan: TrainingPlan,
-    started: float,
-    progress: Callable[[TrainingProgress], None] | None,
+    checkpoint: Checkpoint | None,
+    report: Callable[[TrainingProgress], None] | None,
 ) -> tuple[list[TrainingProgress], int]:
     """Train in place; one entry per epoch, and the number of touches used."""
     response = touches.response
-    target = torch.from_numpy(soft_labels(response.line, response.place, plan.label_sigma)).float()
+    target = torch.from_numpy(soft_labels(response.line, response.place, plan.label_sigma)).float().to(touches.device)
     optimizer = torch.optim.AdamW(classifier.parameters(), lr=plan.learning_rate, weight_decay=plan.weight_decay)
+    at = (checkpoint.load(classifier, optimizer) if checkpoint else None) or Progress()
+    curve = [TrainingProgress(int(entry[0]), int(entry[1]), *entry[2:]) for entry in at.curve]
+    if report:
+        for entry in curve:
+            report(entry)
+    saved = perf_counter()
+    started = saved - at.seconds
     steps_per_epoch = _steps_per_epoch(plan, response)
-    planned, step, turned = plan.epochs * steps_per_epoch, 0, 0.0
-    steps = planned
-    losses: list[float] = []
-    curve: list[TrainingProgress] = []
-    while step < steps:
+    planned = steps = plan.epochs * steps_per_epoch
+    if at.turned == 1.0:  # it had ended, by its limit of time perhaps
+        steps = at.step
+    while at.step < steps:
         classifier.train()
-        rate = plan.learning_rate * min(1.0, (step + 1) / WARM_UP) * 0.5 * (1 + math.cos(math.pi * turned))
+        rate = plan.learning_rate * min(1.0, (at.step + 1) / WARM_UP) * 0.5 * (1 + math.cos(math.pi * at.turned))
         for group in optimizer.param_groups:
             group["lr"] = rate
-        part = touches.samples(step * plan.batch, plan.batch)
-        loss = nn.functional.cross_entropy(classifier(_frames(part)), target[part.point])
+        part = touches.samples(at.step * plan.batch, plan.batch)
+        maps = classifier.maps(_frames(part))
+        with torch.autocast(maps.device.type, torch.bfloat16, enabled=plan.bfloat16):
+            logits = classifier.network(maps)
+        loss = nn.functional.cross_entropy(logits.float(), target[part.point])
         optimizer.zero_grad()
         loss.backward()
         optimizer.step()
-        losses.append(loss.item())
-        step += 1
+        at.losses.append(loss.item())
+        at.step += 1
         if plan.time_limit is not None:
-            steps = _affordable(step, perf_counter() - started, plan.time_limit, planned)
+            steps = _affordable(at.step, perf_counter() - started, plan.time_limit, planned)
         # What is left of the cosine is spread evenly over the steps that are left.
-        turned += (1 - turned) / (max(steps - step, 0) + 1)
-        if step % steps_per_epoch == 0 or step >= steps:
-            epoch, epochs = (math.ceil(k / steps_per_epoch) for k in (step, max(step, steps)))
+        at.turned += (1 - at.turned) / (max(steps - at.step, 0) + 1)
+        ended = at.step % steps_per_epoch == 0 or at.step >= steps
+        if ended:
+            epoch, epochs = (math.ceil(k / steps_per_epoch) for k in (at.step, max(at.step, steps)))
             accuracy = _accuracy(classifier, held_out)
-            curve.append(TrainingProgress(epoch, epochs, float(np.mean(losses)), accuracy, perf_counter() - started))
-            losses = []
-            if progress:
-                progress(curve[-1])
-    return curve, step * plan.batch
+            seconds = perf_counter() - started
+            curve.append(TrainingProgress(epoch, epochs, float(np.mean(at.losses)), accuracy, seconds))
+            at.curve.append(list(astuple(curve[-1])))
+            at.losses = []
+        if checkpoint and (ended or perf_counter() - saved > SAVE_EVERY):
+            at.seconds = perf_counter() - started
+            checkpoint.save(classifier, optimizer, at)
+            saved = perf_counter()
+        if ended and report:
+            report(curve[-1])
+    return curve, at.step * plan.batch
+
+
+def _touches(
+    response: ArrayResponse,
+    plan: TrainingPlan,
+    purpose: Purpose,
+    source: TransferFunctionSource | None,
+    sensors: range | None,
+    device: Device,
+) -> TouchGenerator:
+    return TouchGenerator(
+        response,
+        plan.seed,
+        purpose,
+        plan.microphone_noise,
+        source,
+        sensors,
+        stimuli=plan.source,
+        ambient=plan.ambient,
+        mismatch=plan.mismatch,
+        device=device,
+    )
 
 
 def _steps_per_epoch(plan: TrainingPlan, response: ArrayResponse) -> int:
@@ -259,12 +260,9 @@ def _split(source: TransferFunctionSource | None) -> tuple[range | None, range |
     return range(seen), range(min(seen, count - 1), count)
 
 
-def _held_out(
-    response: ArrayResponse, plan: TrainingPlan, source: TransferFunctionSource | None, sensors: range | None
-) -> TouchSignals:
+def _held_out(plan: TrainingPlan, touches: TouchGenerator) -> TouchSignals:
     """Held-out touches, cut to their last frame at once to keep them small."""
-    count = max(1, round(plan.held_out_fraction * plan.seconds_per_point)) * response.point_count
-    touches = TouchGenerator(response, plan.seed, "held-out", plan.microphone_noise, source, sensors)
+    count = max(1, round(plan.held_out_fraction * plan.seconds_per_point)) * touches.response.point_count
     parts = list(touches.stream(0, count))
     return TouchSignals(
         signals=torch.cat([_frames(part).clone() for part in parts]),

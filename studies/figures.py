@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from itertools import combinations
 from pathlib import Path
@@ -155,6 +155,19 @@ def draw_confusion(confusion: NDArray[np.int64], points: tuple[int, ...], path: 
             bar="touches of the row's point (%)",
         )
         axes.set(title="touched and named points", xlabel="named point", ylabel="touched point")
+        return _save(figure, path)
+
+
+def draw_training(loss: Sequence[float], accuracy: Sequence[float], path: str | os.PathLike[str]) -> Path:
+    """Mean loss and share of errors on held-out touches, by epoch, both on logarithmic scales."""
+    epoch = np.arange(1, len(loss) + 1)
+    errors = 100 * (1 - np.asarray(accuracy))
+    with _figure((WIDTH, 3.2)) as figure:
+        left, right = figure.subplots(1, 2)
+        left.semilogy(epoch, loss)
+        left.set(title="training touches", xlabel="epoch", ylabel="cross-entropy  (nats)")
+        right.semilogy(epoch, np.where(errors > 0, errors, np.nan))
+        right.set(title="held-out touches; no value: no error", xlabel="epoch", ylabel="named wrong  (%)")
         return _save(figure, path)
 
 

@@ -69,6 +69,7 @@ def test_no_module_is_called_utils() -> None:
 USED_THROUGH_OTHERS = {
     "lxml",  # trimesh reads 3MF with it
     "meshio",  # skfem.io and pyvista read and write meshes with it
+    "onnxscript",  # torch writes ONNX files with it
     "netCDF4",  # the engine with which xarray writes netCDF-4
 }
 #: Modules that come with a requirement under another name.

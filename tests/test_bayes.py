@@ -7,9 +7,13 @@ import torch
 from rc_line import rc_line
 from threadpoolctl import threadpool_info, threadpool_limits
 
+import acoustic_fem
+import geometry
 import localize
 from localize import bayes, stimulus
-from localize.dataset import microphone_signals
+from localize.dataset import microphone_signals, response_of
+from localize.finger_stimuli import taps
+from localize.frame_covariance import INTEGRATION_STEP, SOURCE_RMS, low_pass, noise_covariance
 from localize.noise import NoiseSpectrum
 
 
@@ -25,12 +29,11 @@ def decoder(array):
 
 def dense_covariances(array, noise):
     """C_i and N on the decimated samples, by way of the covariance of all 250 samples of each microphone."""
-    frequency = np.arange(1, 500.01, bayes.INTEGRATION_STEP)
-    density = np.where(frequency <= 100, bayes.SOURCE_RMS**2 / 99, stimulus.NOISE**2 / 500) * bayes.INTEGRATION_STEP
+    frequency = np.arange(1, 500.01, INTEGRATION_STEP)
+    density = np.where(frequency <= 100, SOURCE_RMS**2 / 99, stimulus.NOISE**2 / 500) * INTEGRATION_STEP
     lag = (np.arange(250)[:, None] - np.arange(250)[None, :]) / 1000
-    low_pass = bayes._low_pass()
-    low_pass = np.kron(np.eye(2), low_pass)
-    noise_part = noise**2 * low_pass @ low_pass.T
+    filtered = np.kron(np.eye(2), low_pass())
+    noise_part = noise**2 * filtered @ filtered.T
     touched = []
     for h in array.at(frequency):
         full = np.zeros((2, 250, 2, 250))
@@ -39,14 +42,15 @@ def dense_covariances(array, noise):
                 cross = density * h[a] * h[b].conj()
                 by_lag = (cross @ np.exp(2j * np.pi * frequency[:, None] * np.arange(-249, 250) / 1000)).real
                 full[a, :, b, :] = by_lag[np.rint(lag * 1000).astype(int) + 249]
-        touched.append(low_pass @ full.reshape(500, 500) @ low_pass.T)
-    return touched, noise_part, low_pass
+        touched.append(filtered @ full.reshape(500, 500) @ filtered.T)
+    return touched, noise_part, filtered
 
 
-def test_the_log_likelihood_is_that_of_the_dense_gaussian_at_its_best_power(array, decoder):
-    covariances, noise, low_pass = dense_covariances(array, 1e-2)
+def test_the_log_likelihood_is_that_of_the_dense_gaussian_at_its_best_power(array):
+    decoder = localize.BayesDecoder(array, 1e-2 / bayes.NOISE_SHARE)
+    covariances, noise, filtered = dense_covariances(array, 1e-2)
     frames = localize.TouchGenerator(array, 0, "evaluation", 1e-2).samples(0, 3).signals[..., :250].double().numpy()
-    x = low_pass @ frames.reshape(3, 500).T
+    x = filtered @ frames.reshape(3, 500).T
     powers = 10 ** np.arange(-2, 2, 0.04)
     dense = np.empty((3, 3, len(powers)))
     for point in range(3):
@@ -54,7 +58,7 @@ def test_the_log_likelihood_is_that_of_the_dense_gaussian_at_its_best_power(arra
             covariance = power * covariances[point] + noise
             energy = (x * np.linalg.solve(covariance, x)).sum(0)
             dense[:, point, k] = -0.5 * (energy + np.linalg.slogdet(covariance)[1])
-    fast = decoder.log_likelihood(frames)[:, :3]
+    fast = bayes.TEMPERATURE * decoder.log_likelihood(frames)[:, :3]
     best = dense.argmax(-1)
     # A far point may fit best at a power beyond these: points and their neighbours are compared.
     compared = (best > 0) & (best < len(powers) - 1) & (abs(np.subtract.outer(range(3), range(3))) <= 1)
@@ -66,9 +70,9 @@ def test_the_log_likelihood_is_that_of_the_dense_gaussian_at_its_best_power(arra
 
 
 def test_filtered_noise_has_the_covariance_that_is_assumed():
-    low_pass = bayes._low_pass()
-    expected = 0.3**2 * low_pass @ low_pass.T
-    assert scipy.linalg.toeplitz(bayes._noise_covariance(0.3)) == pytest.approx(expected, abs=1e-15)
+    filtered = low_pass()
+    expected = 0.3**2 * filtered @ filtered.T
+    assert scipy.linalg.toeplitz(noise_covariance(0.3)) == pytest.approx(expected, abs=1e-15)
 
 
 @pytest.mark.parametrize("noise", [0.0, 1e-3])
@@ -136,23 +140,23 @@ def test_coloured_noise_has_the_covariance_that_is_assumed():
     power = np.zeros(500)
     power[1:] = 1e-6 / np.arange(1.0, 500.0) ** 2
     noise = stimulus.coloured_noise(0, "evaluation", 0, 4000, 1, power)[:, 0, -250:].double().numpy()
-    filtered = noise @ bayes._low_pass().T
+    filtered = noise @ low_pass().T
     found = filtered.T @ filtered / len(filtered)
-    expected = scipy.linalg.toeplitz(bayes._noise_covariance(NoiseSpectrum(power, "a test")))
+    expected = scipy.linalg.toeplitz(noise_covariance(NoiseSpectrum(power, "a test")))
     assert np.abs(found - expected).max() < 0.06 * expected[0, 0]
     white = NoiseSpectrum(np.full(500, 1e-6 / 500), "a test")
-    assert bayes._noise_covariance(white) == pytest.approx(bayes._noise_covariance(1e-3), abs=0.01 * 1e-6)
+    assert noise_covariance(white) == pytest.approx(noise_covariance(1e-3), abs=0.01 * 1e-6)
 
 
 def test_decoding_and_evaluation_run_on_one_thread_and_leave_the_setting_alone(array, decoder, monkeypatch):
     seen = []
-    original = bayes._vertex
+    original = bayes.vertex
 
     def spied(values):
         seen.append({torch.get_num_threads(), *(lib["num_threads"] for lib in blas_of_this_process())})
         return original(values)
 
-    monkeypatch.setattr(bayes, "_vertex", spied)
+    monkeypatch.setattr(bayes, "vertex", spied)
     before = torch.get_num_threads()
     torch.set_num_threads(2)
     try:
@@ -169,3 +173,15 @@ def test_decoding_and_evaluation_run_on_one_thread_and_leave_the_setting_alone(a
 
 def blas_of_this_process():
     return [lib for lib in threadpool_info() if lib["user_api"] == "blas"]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["line-2", "line-3", "line-4"])
+def test_the_published_lines_of_36_points_are_decoded_with_and_without_noise_and_on_taps(name):
+    library = acoustic_fem.solve(geometry.prototype(name), np.arange(1.0, 501.0), "lumped")
+    array, decoder = response_of(library), localize.BayesDecoder(library, 1e-3)
+    touches = 60 if name == "line-2" else 15
+    assert localize.evaluate(decoder, array, touches, 0.0).top1 >= 0.995
+    assert localize.evaluate(decoder, array, touches, 1e-3).top1 >= 0.98
+    made = localize.TouchGenerator(array, 0, "evaluation", 1e-3, stimuli=taps).samples(0, 8 * array.point_count)
+    assert (decoder.locate(made.signals).argmax(1) == made.point.numpy()).mean() >= 0.95

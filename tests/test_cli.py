@@ -4,15 +4,18 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import subprocess
 import sys
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
+import scipy.io.wavfile
 import trimesh
 from small_run import small_design, small_run
 
@@ -20,10 +23,11 @@ import acoustic_fem
 import geometry
 import localize
 from geometry.design_file import prototype_text
+from localize.dataset import response_of
 from studies import cli
 
 ROOT = Path(__file__).parents[1]
-VERBS = ("prototypes", "check", "solve", "parts", "train", "evaluate", "run")
+VERBS = ("prototypes", "check", "solve", "parts", "train", "evaluate", "onnx", "locate", "run")
 
 
 @dataclass(frozen=True)
@@ -182,7 +186,7 @@ def test_parts_for_an_unknown_process_are_refused(command: Command, row: Path, t
 def test_solve_train_and_evaluate_lead_from_a_design_to_a_judged_localizer(
     command: Command, row: Path, tmp_path: Path
 ) -> None:
-    library, model, verdict = tmp_path / "library.nc", tmp_path / "localizer", tmp_path / "verdict.json"
+    library, model, verdict = tmp_path / "library.nc", tmp_path / "localizer", tmp_path / "verdict"
     told = command("solve", row, "--out", library, "--fidelity", "lumped", "--frequencies", "1:100:100")
     assert (told.code, "3 points, 2 microphones, 100 frequencies" in told.out) == (0, True)
     loaded = acoustic_fem.load(library)
@@ -192,14 +196,83 @@ def test_solve_train_and_evaluate_lead_from_a_design_to_a_judged_localizer(
     told = command("train", library, "--out", model, "--seconds", 30, "--epochs", 3, "--seed", 5)
     assert told.code == 0, told.err
     assert json.loads((model / "localizer.json").read_text(encoding="utf-8"))["plan"]["seed"] == 5
+    curves = (model / "training.csv").read_text(encoding="utf-8").splitlines()
+    assert (curves[0], len(curves)) == ("epoch,loss,held_out_accuracy", 4)
+    confusion = np.genfromtxt(model / "confusion.csv", delimiter=",", skip_header=1, dtype=int)
+    assert confusion[:, 1:].sum(1).tolist() == [50, 50, 50]
+    weights = next(model.glob("weights-*.safetensors")).name
+    assert {path.name for path in model.iterdir()} == {
+        "localizer.json", weights, "training.csv", "training.png", "confusion.csv", "confusion.png"
+    }  # fmt: skip
 
     told = command("evaluate", model, library, "--touches", 50, "--out", verdict)
     assert told.code == 0, told.err
-    found = json.loads(verdict.read_text(encoding="utf-8"))
+    found = json.loads((verdict / "evaluation.json").read_text(encoding="utf-8"))
     assert found["Bayes decoder"]["top1"] > 0.99
     assert found["network"]["top1"] > 0.5  # three short epochs; chance is 0.33
     assert np.sum(found["network"]["confusion"]) == 150
     assert f"{100 * found['network']['top1']:.1f}" in told.out
+
+
+def test_train_goes_on_where_it_was_stopped(command: Command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    library = small_run().folder / "library.nc"
+    whole, stopped = tmp_path / "whole", tmp_path / "stopped"
+    words = ("--epochs", 3, "--seed", 5)
+    assert command("train", library, "--out", whole, *words).code == 0
+    train = localize.train
+
+    def interrupted(*arguments: Any, **named: Any) -> None:
+        def at_the_second(progress: localize.TrainingProgress) -> None:
+            if progress.epoch == 2:
+                raise KeyboardInterrupt
+
+        train(arguments[0], arguments[1], at_the_second, **named)
+
+    with monkeypatch.context() as patch:
+        patch.setattr(localize, "train", interrupted, raising=False)
+        assert command("train", library, "--out", stopped, *words).code != 0
+    assert [path.name for path in stopped.iterdir()] == ["checkpoint.safetensors"]
+    told = command("train", library, "--out", stopped, "--epochs", 4, "--seed", 5)
+    assert (told.code, "plan.epochs was 3, is 4; remove it to train anew" in told.err) == (1, True)
+    assert command("train", library, "--out", stopped, *words).code == 0
+    # The name of the weights is their checksum.
+    assert [path.name for path in whole.glob("weights-*")] == [path.name for path in stopped.glob("weights-*")]
+
+
+def test_a_recording_is_located_by_the_network_an_onnx_file_and_the_library_alike(
+    command: Command, tmp_path: Path
+) -> None:
+    folder = small_run().folder
+    library = acoustic_fem.load(folder / "library.nc")
+    touches = localize.TouchGenerator(response_of(library), 0, "evaluation").samples(0, 60)
+    loud = [
+        max((k for k in range(60) if touches.point[k] == point), key=lambda k: float(touches.signals[k].std()))
+        for point in (2, 0)
+    ]
+    samples = 2e-4 * np.random.default_rng(0).standard_normal((2, 5000))
+    for turn, sample in enumerate(loud):
+        samples[:, 500 + 2000 * turn : 1500 + 2000 * turn] += touches.signals[sample].numpy()
+    recording = tmp_path / "recording.wav"
+    scipy.io.wavfile.write(recording, 1000, samples.T.astype(np.float32))
+
+    graphs = [(folder / "localizer", tmp_path / "network.onnx"), (folder / "library.nc", tmp_path / "decoder.onnx")]
+    for model, graph in graphs:
+        told = command("onnx", model, "--out", graph)
+        assert (told.code, "3 points, 2 microphones" in told.out) == (0, True), told.err
+        assert [line for line in told.err.splitlines() if not line.startswith("note: entrance loss")] == []
+    for model in (folder / "localizer", folder / "library.nc", tmp_path / "network.onnx", tmp_path / "decoder.onnx"):
+        told = command("locate", model, recording)
+        assert told.code == 0, told.err
+        assert "2 touches in 5.0 s" in told.out
+        rows = [line.split() for line in told.out.splitlines() if re.match(r" *\d", line)]
+        assert [row[2] for row in rows] == ["3", "1"]
+
+    lines = tmp_path / "touches.jsonl"
+    words = ("--out", lines, "--waveform", folder / "library.nc")
+    assert command("locate", tmp_path / "decoder.onnx", recording, *words).code == 0
+    events = [json.loads(line) for line in lines.read_text(encoding="utf-8").splitlines()]
+    assert {event["state"] for event in events} == {"touch", "no touch"}
+    assert {len(event["waveform"]) for event in events if event["state"] == "touch" and event["time"] > 0.3} == {16}
 
 
 def test_run_takes_a_design_and_a_folder_and_nothing_else(command: Command, tmp_path: Path) -> None:
@@ -222,7 +295,7 @@ def test_train_has_the_defaults_of_the_plan_and_the_noise_of_the_design(
 ) -> None:
     plans, library = [], small_run().folder / "library.nc"
 
-    def seen(library: object, plan: localize.TrainingPlan, progress: object) -> None:
+    def seen(library: object, plan: localize.TrainingPlan, progress: object, checkpoint: Path) -> None:
         plans.append(plan)
         raise KeyboardInterrupt
 
@@ -232,15 +305,16 @@ def test_train_has_the_defaults_of_the_plan_and_the_noise_of_the_design(
 
 
 def test_evaluate_takes_the_noise_of_the_design_unless_told(command: Command, tmp_path: Path) -> None:
-    folder, verdict = small_run().folder, tmp_path / "verdict.json"
+    folder, verdict = small_run().folder, tmp_path / "verdict"
     used = []
     for words in ((), ("--noise", "1e-3"), ("--noise", "0")):
         told = command(
             "evaluate", folder / "localizer", folder / "library.nc", "--touches", 5, "--out", verdict, *words
         )
         assert told.code == 0, told.err
-        found = json.loads(verdict.read_text(encoding="utf-8"))
-        used.append([(found[name]["microphone_noise"], found[name]["noise_source"]) for name in found])
+        found = json.loads((verdict / "evaluation.json").read_text(encoding="utf-8"))
+        names = ("network", "Bayes decoder")
+        used.append([(found[name]["microphone_noise"], found[name]["noise_source"]) for name in names])
     rms, source = small_run().network.microphone_noise, small_run().network.noise_source
     assert source.startswith("microphone SPH1878LR5H-C: ")
     assert used == [[(rms, source)] * 2, [(1e-3, "white")] * 2, [(0.0, "white")] * 2]
@@ -262,7 +336,9 @@ def places(tmp_path: Path) -> dict[str, Path]:
     files |= {"out.nc": tmp_path / "out.nc", "none/out.nc": tmp_path / "none" / "out.nc", "folder": tmp_path}
     files["library.nc"] = result.folder / "library.nc"
     files["localizer"] = result.folder / "localizer"
-    files["text.nc"].write_text("not netCDF")
+    for name in ("text.nc", "text.wav", "text.onnx"):
+        files[name] = tmp_path / name
+        files[name].write_text("neither sound nor numbers")
     files["short.nc"].write_bytes(files["library.nc"].read_bytes()[:3000])
     files["bad.toml"].write_text("name = [unclosed")
     text = prototype_text("array-2x6").replace("cavity_diameter = 6.0", "cavity_diameter = 99.0")
@@ -303,11 +379,22 @@ def places(tmp_path: Path) -> dict[str, Path]:
         ("train <library.nc> --out <out.nc> --epochs 0", "acoustic-fem: --epochs = 0 must be a whole number from 1"),
         ("train <library.nc> --out <out.nc> --noise -1", "acoustic-fem: --noise = -1.0 must be between"),
         ("train <library.nc> --out <out.nc> --seed -1", "acoustic-fem: --seed = -1 must be a whole number"),
+        ("train <library.nc> --out <out.nc> --network big", "acoustic-fem: --network = 'big' must be one of: patches"),
         ("evaluate <missing> <library.nc>", "localizer.json: cannot be read: No such file or directory"),
         ("evaluate <localizer> <glove.nc>", "the localizer is for 3 points and microphones A, B; the library has 15"),
         ("evaluate <localizer> <library.nc> --touches 0", "acoustic-fem: --touches = 0 must be at least 1"),
         ("evaluate <localizer> <library.nc> --noise -1", "acoustic-fem: --noise = -1.0 must be"),
         ("evaluate <localizer> <library.nc> --noise 11", "acoustic-fem: --noise = 11.0 Pa must be between 1e-9 and 10"),
+        ("onnx <missing> --out <out.nc>", "localizer.json: cannot be read: No such file or directory"),
+        ("onnx <localizer> --out <none/out.nc>", "must lie in a folder that exists"),
+        ("onnx <localizer> --out <out.nc> --noise 1e-3", "--noise = 0.001 is for a library"),
+        ("onnx <library.nc> --out <out.nc> --noise 11", "--noise = 11.0 Pa must be between 1e-9 and 10 Pa"),
+        ("locate <missing> <text.wav>", "localizer.json: cannot be read"),
+        ("locate <localizer> <text.wav>", "text.wav: cut short or not a WAV file"),
+        ("locate <localizer> <text.nc>", "its name must end with .wav, .csv or .npz"),
+        ("locate <localizer> <text.wav> --full-scale 0", "--full-scale = 0.0 Pa must be finite and above 0"),
+        ("locate <localizer> <text.wav> --noise 1e-3", "--noise = 0.001 is for a library"),
+        ("locate <text.onnx> <text.wav>", "text.onnx: cut short or not an ONNX file"),
         (
             "run <one.toml> --out <out.nc>",
             "one.toml: lines.0.points = 1 must be at least 2: run needs at least 2 points",

@@ -131,3 +131,71 @@ def broken(kind: str) -> np.ndarray:
 def test_recordings_from_which_no_touch_can_be_read_are_refused(kind, message):
     with pytest.raises(ValueError, match=message):
         frames.checked_signals(broken(kind), ("left", "right"))
+
+
+# -- the paper's maps -----------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(("microphones", "maps"), [(2, 2), (3, 6), (4, 12)])
+def test_the_papers_maps_are_level_and_phase_of_every_pair(microphones, maps):
+    x = torch.from_numpy(noise_frames(3, microphones)).float()
+    made, default = PairFeatures(microphones, "paper")(x), PairFeatures(microphones)(x)
+    assert made.shape == (3, maps, 64, 32)
+    assert features.map_count(microphones, "paper") == maps
+    pairs = default[:, :-1].unflatten(1, (-1, 3))
+    assert torch.allclose(made[:, 0::2], pairs[:, :, 0])
+    assert torch.allclose(made[:, 1::2], torch.atan2(pairs[:, :, 2], pairs[:, :, 1]))
+
+
+@pytest.mark.parametrize("phase", [np.pi - 0.02, -np.pi + 0.02, 0.0])
+def test_the_mean_of_phases_beside_the_jump_lies_there_and_not_at_zero(phase):
+    maps = PairFeatures(2, "paper")(tone(50.0, 0.0, phase))[0, 1, :, :12]
+    row = np.abs(features.wavelet_frequencies() - 50).argmin()
+    assert np.abs(np.angle(np.exp(1j * (maps[row].numpy() - phase)))).max() < 0.06
+
+
+def test_unknown_maps_are_refused():
+    with pytest.raises(ValueError, match="features = 'levels' must be one of: phasors, paper"):
+        PairFeatures(2, "levels")
+
+
+# -- anywhere -------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("choice", ["phasors", "paper"])
+def test_features_move_to_a_device_and_are_exported_as_one_graph_of_real_numbers(choice):
+    maps = PairFeatures(2, choice)
+    # The device without data refuses tensors of any other: no accelerator is needed to see that all of them move.
+    assert PairFeatures(2, choice).to("meta")(torch.empty(3, 2, 250, device="meta")).shape[2:] == (64, 32)
+
+    x = torch.from_numpy(noise_frames(4)).float()
+    batch = {"frames": {0: torch.export.Dim("n", min=1, max=512)}}
+    graph = torch.export.export(maps, (x,), dynamic_shapes=batch)
+    assert torch.equal(graph.module()(x[:3]), maps(x[:3]))
+    made = [node.meta["val"] for node in graph.graph.nodes if isinstance(node.meta.get("val"), torch.Tensor)]
+    assert not any(value.is_complex() for value in made)
+
+
+def test_the_rank_of_continuation_and_wavelet_leaves_1e_6_of_the_smallest_singular_values():
+    analysis, _ = features._factors()
+    strength = np.linalg.norm(analysis, axis=0)
+    assert analysis.shape == (250, features.RANK)
+    assert strength[-1] < 1e-6 * strength[0]
+
+
+def test_the_fcwt_package_finds_the_same_above_its_lowest_frequencies(monkeypatch):
+    fcwt = pytest.importorskip("fcwt", exc_type=ImportError)
+    x = noise_frames(1, 1)[0, 0]
+    continued = np.concatenate([x, np.full(features.CONTINUATION, x[-1])]).astype(np.float32)
+    wavelet = fcwt.Morlet(features.BANDWIDTH)
+    scales = fcwt.Scales(wavelet, fcwt.FCWT_LINFREQS, 1000, 1.0, 100.0, 64)
+    frequency, found = np.zeros(64, np.float32), np.zeros((64, 500), np.complex64)
+    scales.getFrequencies(frequency)
+    fcwt.FCWT(wavelet, 1, False, True).cwt(continued, scales, found)
+    # Its grid runs downwards and leaves out 100 Hz; its circular one of 512 samples wraps around below some 30 Hz.
+    assert (frequency[0] < 99, frequency[-1]) == (True, 1.0)
+    monkeypatch.setattr(features, "wavelet_frequencies", lambda: frequency.astype(float))
+    ours = np.sqrt(2) * np.pi**0.25 * features.wavelet_transform(x)
+    error = np.abs(found[:, 203:250] - ours).max(1) / np.abs(ours).max(1)
+    assert error[frequency > 30].max() < 0.03
+    assert error[frequency < 5].min() > 0.3

@@ -26,6 +26,17 @@ def test_below_the_corner_the_response_falls_20_db_per_decade():
     assert low[1] / low[0] == pytest.approx(10, rel=1e-3, abs=0)
 
 
+def test_the_vent_ratio_is_what_the_response_falls_by_and_follows_the_conductance():
+    f = np.array([1.0, 20.0, 400.0])
+    parts = prototype("array-2x6").microphone
+    v = microphone.vent_ratio(parts, f, AIR)
+    plateau = microphone.response(parts, f, AIR) * (1 + v) / v
+    assert np.abs(plateau / plateau[2] - 1).max() < 0.02  # the back volume passes from isothermal to adiabatic
+    assert np.abs(v[1]) == pytest.approx(1, abs=0.02)  # at the corner
+    leaky = parts.model_copy(update={"vent_corner": 2 * parts.vent_corner})
+    assert np.abs(microphone.vent_ratio(leaky, f, AIR) * 2 / v - 1).max() < 0.06  # Cb is that at its corner
+
+
 def test_at_low_frequency_the_load_is_the_isothermal_back_volume():
     load = microphone.load_admittance(MEMS, 0.01, AIR)
     assert load == pytest.approx(2j * np.pi * 0.01 * MEMS.back_volume * 1e-9 / AIR.pressure, rel=1e-3, abs=0)

@@ -148,7 +148,7 @@ def test_training_streams_and_holds_out_sensors_of_its_own(
     library: acoustic_fem.Library, store: PerturbedLibrary
 ) -> None:
     source = Recorded(response_of(library).transfer_function, 20)
-    plan = localize.TrainingPlan(seconds_per_point=6, epochs=1, batch=12, held_out_fraction=1.0, width=8, depths=(1,))
+    plan = localize.TrainingPlan(seconds_per_point=6, epochs=1, batch=12, held_out_fraction=1.0)
     localizer = localize.train(library, plan, source=source)
     assert localizer.training["sensors"] == 16
     read = {first + k for first, count in source.read for k in range(count)}

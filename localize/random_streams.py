@@ -1,0 +1,86 @@
+"""Random numbers of which every sample owns a fixed block, so that any sample can be made again alone.
+
+Sample ``i`` of a stream owns a fixed block of one counter-based Philox sequence (Salmon et al. 2011, "Parallel random
+numbers: as easy as 1, 2, 3"), whose key is a ``numpy.random.SeedSequence`` child of (seed, purpose, kind). Samples are
+therefore independent, a block of consecutive ones is drawn in one call, and none depends on what was drawn before.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Literal
+
+import numpy as np
+import torch
+from numpy.typing import NDArray
+from torch import Tensor
+
+Purpose = Literal["training", "held-out", "evaluation"]
+PURPOSES: tuple[Purpose, ...] = ("training", "held-out", "evaluation")
+Kind = Literal[
+    "stimulus", "microphone", "ambient", "mismatch", "taps", "friction", "pulse wave", "recording", "mixture"
+]
+# Their numbers are part of the keys: new ones come last.
+_KINDS: tuple[Kind, ...] = (
+    "stimulus",
+    "microphone",
+    "ambient",
+    "mismatch",
+    "taps",
+    "friction",
+    "pulse wave",
+    "recording",
+    "mixture",
+)
+
+
+def random_words(seed: int, purpose: Purpose, kind: Kind, start: int, count: int, words: int) -> NDArray[np.uint64]:
+    """Random words of consecutive samples; sample i always gets the same ones.
+
+    Args:
+        seed: any non-negative integer.
+        purpose: streams of different purposes never share a number, whatever the seed.
+        kind: what the numbers are for; the same holds for kinds.
+        start: index of the first sample.
+        count: how many samples.
+        words: per sample.
+
+    Returns:
+        (count, words) uint64.
+    """
+    child = np.random.SeedSequence(seed, spawn_key=(PURPOSES.index(purpose), _KINDS.index(kind)))
+    philox = np.random.Philox(child)
+    # Philox makes four words per count of its counter, so every sample starts at a multiple of four.
+    padded = -(-words // 4) * 4
+    philox.advance(start * (padded // 4))
+    return philox.random_raw(count * padded).reshape(count, padded)[:, :words]
+
+
+def uniform(words: NDArray[np.uint64], device: torch.device | str = "cpu") -> Tensor:
+    """Two float32 numbers in (0, 1) from each word: (..., 2)."""
+    halves = torch.from_numpy(np.ascontiguousarray(words).view(np.int32).reshape(*words.shape, 2)).to(device)
+    # The ends are kept out: zero has no logarithm, and one would be a choice beyond the last.
+    return (halves.to(torch.float32) * 2.0**-32 + 0.5).clamp_(2.0**-26, 1 - 2.0**-24)
+
+
+def complex_normal(words: NDArray[np.uint64], device: torch.device | str = "cpu") -> Tensor:
+    """A complex number from each word, real and imaginary part normal with variance 1 (Box and Muller 1958)."""
+    parts = uniform(words, device)
+    radius = parts[..., 0].log().mul_(-2).sqrt_()
+    angle = (2 * math.pi) * parts[..., 1]
+    return torch.complex(radius * angle.cos(), radius * angle.sin())
+
+
+def choice(number: Tensor, count: Tensor | int) -> Tensor:
+    """An integer in [0, count) from a number in (0, 1)."""
+    return (number * count).long()
+
+
+def between(low: float, high: float, number: Tensor) -> Tensor:
+    """A number from low to high, evenly spread."""
+    return low + (high - low) * number
+
+
+def log_between(low: float, high: float, number: Tensor) -> Tensor:
+    """A number from low to high, its logarithm evenly spread."""
+    return torch.exp(between(math.log(low), math.log(high), number))

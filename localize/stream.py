@@ -1,0 +1,267 @@
+"""Touches while they happen: samples in, in chunks of any size; a decision every 16 ms out.
+
+Every 16 samples the last 250 are judged. Where no microphone hears more than its noise there is no touch, and
+nothing is guessed. What goes wrong with a stream is reported and survived: lost or repeated samples, values that are
+not finite, clipping, a channel that is dead. Decisions depend on the samples alone, not on how they were cut up.
+"""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Literal, Protocol
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from localize.frames import FRAME
+from localize.stimulus import SAMPLE_RATE
+
+if TYPE_CHECKING:
+    from localize.reconstruct import Reconstructor
+
+HOP = 16
+"""Samples from one decision to the next."""
+SILENCE = 2.0
+"""A microphone hears something where its level exceeds this many times its noise."""
+LEAST_SILENCE = 1e-6
+"""Pa rms: the threshold where no noise is assumed."""
+LARGEST_PRESSURE = 1e6
+"""Pa: a larger value is no pressure; ten atmospheres."""
+_SPARE = 64 * HOP
+"""Samples of the ring buffer beyond those that are needed, so that it is moved seldom."""
+
+FaultKind = Literal["samples lost", "samples repeated", "not finite", "clipped", "dead channel"]
+
+
+class StreamLocator(Protocol):
+    """What can listen to a stream: network, model-based decoder, and either as an ONNX file."""
+
+    @property
+    def microphones(self) -> tuple[str, ...]:
+        """Names of the microphones."""
+
+    @property
+    def noise_rms(self) -> float:
+        """Noise of a microphone, Pa rms."""
+
+    def locate(self, signals: ArrayLike) -> NDArray[np.float64]:
+        """(n_microphone, 250) to (n_point,)."""
+
+
+@dataclass(frozen=True)
+class Decision:
+    """What one frame says."""
+
+    time: float
+    """s, of the end of the frame; the stream's sample 0 is at 0."""
+    state: Literal["touch", "no touch", "unreadable"]
+    """Unreadable: a channel is clipped or dead."""
+    level: float
+    """Pa rms about the mean, of the loudest microphone."""
+    point: int | None = None
+    """The most probable one, from 1; None unless there is a touch."""
+    probability: float | None = None
+    """Of that point."""
+    distribution: NDArray[np.float64] | None = field(default=None, repr=False, compare=False)
+    """(n_point,) probabilities of all points; None unless there is a touch."""
+    waveform: tuple[float, ...] | None = None
+    """Pa: the pressure in the cavity of the point over the newest 16 samples less the latency of the reconstructor;
+    None without one, without a touch, and before its window is full."""
+
+    def json_line(self) -> str:
+        """One line of JSON, without the distribution."""
+        line: dict[str, object] = {"time": round(self.time, 6), "state": self.state, "level": self.level}
+        if self.state == "touch":
+            line |= {"point": self.point, "probability": self.probability}
+        if self.waveform is not None:
+            line["waveform"] = [float(f"{value:.6g}") for value in self.waveform]
+        return json.dumps(line)
+
+
+@dataclass(frozen=True)
+class Fault:
+    """What is wrong with the stream, told once when it begins."""
+
+    time: float
+    """s: of the sample where it begins; of clipping and dead channels, the end of the frame that showed it."""
+    kind: FaultKind
+    channel: str | None = None
+    """Name of the microphone; None where it is all of them."""
+    samples: int | None = None
+    """How many were lost or repeated."""
+
+    def json_line(self) -> str:
+        """One line of JSON."""
+        line: dict[str, object] = {"time": round(self.time, 6), "fault": self.kind}
+        line |= {} if self.channel is None else {"channel": self.channel}
+        line |= {} if self.samples is None else {"samples": self.samples}
+        return json.dumps(line)
+
+
+class TouchStream:
+    """Listens to microphones, 250 samples at a time.
+
+    Args:
+        locator: names the point of a frame.
+        silence: Pa rms about the mean over a frame; where no microphone is louder there is no touch. By default twice
+            the noise of a microphone that the locator was made for, at least 1e-6 Pa.
+        limit: Pa; a sample that reaches it is clipped. By default nothing is.
+        reconstructor: gives the waveform of the named point; the filters of a point are made when it is first named,
+            which takes some tens of milliseconds.
+
+    Raises:
+        ValueError: a threshold that is not finite and positive, or a reconstructor for other microphones.
+    """
+
+    def __init__(
+        self,
+        locator: StreamLocator,
+        silence: float | None = None,
+        limit: float | None = None,
+        reconstructor: Reconstructor | None = None,
+    ) -> None:
+        if reconstructor is not None and reconstructor.microphones != tuple(locator.microphones):
+            raise ValueError(
+                f"reconstructor is for microphones {', '.join(reconstructor.microphones)}, the locator for "
+                f"{', '.join(locator.microphones)}"
+            )
+        self.locator = locator
+        self.reconstructor = reconstructor
+        self.silence = max(SILENCE * locator.noise_rms, LEAST_SILENCE) if silence is None else silence
+        self.limit = limit
+        for name, value in (("silence", self.silence), ("limit", limit)):
+            if value is not None and not 0 < value < np.inf:
+                raise ValueError(f"{name} = {value} Pa must be finite and above 0")
+        self._microphones = locator.microphones
+        # An estimate needs a window, the 16 of a hop some samples more.
+        self._history = max(FRAME, 0 if reconstructor is None else reconstructor.window + HOP - 1)
+        self._buffer = np.empty((len(self._microphones), self._history + _SPARE))
+        self._next: int | None = None  # number of the sample that is due
+        self._bad: set[tuple[FaultKind, int]] = set()  # what has been reported and still lasts
+        self._restart()
+
+    def push(self, chunk: ArrayLike, first: int | None = None) -> list[Decision | Fault]:
+        """Take the next samples.
+
+        Args:
+            chunk: (n_microphone, n) Pa at 1 kHz, any n.
+            first: number of the chunk's first sample in the stream. By default it follows the chunk before; a larger
+                number means that samples are lost, a smaller one that they are repeated, and those are left out.
+
+        Returns:
+            Decisions and faults in the order in which they came about.
+
+        Raises:
+            ValueError: a chunk of another shape; nothing has been taken then.
+        """
+        samples = np.asarray(chunk, np.float64)
+        if samples.ndim != 2 or len(samples) != len(self._microphones):
+            raise ValueError(
+                f"chunk has shape {samples.shape}, must be (n_microphone, n) = ({len(self._microphones)}, n): "
+                f"{', '.join(self._microphones)}"
+            )
+        events: list[Decision | Fault] = []
+        due = self._next if self._next is not None else first or 0
+        lost = 0 if first is None else first - due
+        if lost > 0:
+            events.append(Fault(due / SAMPLE_RATE, "samples lost", samples=lost))
+            due += lost
+            self._restart()
+        elif lost < 0:
+            repeated = min(-lost, samples.shape[1])
+            events.append(Fault((due + lost) / SAMPLE_RATE, "samples repeated", samples=repeated))
+            samples = samples[:, repeated:]
+        self._next = due
+        for good, run in _runs(np.abs(samples) < LARGEST_PRESSURE, samples):
+            if good.all():
+                self._listen(run, events)
+            else:
+                self._skip(run, good, events)
+        return events
+
+    def _restart(self) -> None:
+        """Forget the samples so far: a frame never spans a gap."""
+        self._end = 0
+        self._due = FRAME
+
+    def _skip(self, run: NDArray[np.float64], good: NDArray[np.bool_], events: list[Decision | Fault]) -> None:
+        """A run of samples in which the same channels hold no pressure."""
+        for channel in range(len(good)):
+            self._tell("not finite", channel, not good[channel], self._time, events)
+        self._restart()
+        self._next = self._number + run.shape[1]
+
+    def _listen(self, run: NDArray[np.float64], events: list[Decision | Fault]) -> None:
+        self._bad = {(kind, channel) for kind, channel in self._bad if kind != "not finite"}
+        taken = 0
+        while taken < run.shape[1]:
+            count = min(self._due, run.shape[1] - taken)
+            if self._end + count > self._buffer.shape[1]:
+                kept = min(self._end, self._history)
+                self._buffer[:, :kept] = self._buffer[:, self._end - kept : self._end]
+                self._end = kept
+            self._buffer[:, self._end : self._end + count] = run[:, taken : taken + count]
+            taken += count
+            self._end += count
+            self._due -= count
+            self._next = self._number + count
+            if self._due == 0:
+                self._due = HOP
+                self._judge(self._buffer[:, self._end - FRAME : self._end], events)
+
+    def _judge(self, frame: NDArray[np.float64], events: list[Decision | Fault]) -> None:
+        highest, lowest = frame.max(1), frame.min(1)
+        dead = highest == lowest
+        clipped = np.maximum(highest, -lowest) >= (np.inf if self.limit is None else self.limit)
+        unreadable = bool((dead | clipped).any())
+        if unreadable or self._bad:
+            for channel in range(len(frame)):
+                self._tell("dead channel", channel, bool(dead[channel]), self._time, events)
+                self._tell("clipped", channel, bool(clipped[channel]), self._time, events)
+        level = float(frame.std(1).max())
+        if unreadable:
+            events.append(Decision(self._time, "unreadable", level))
+        elif level <= self.silence:
+            events.append(Decision(self._time, "no touch", level))
+        else:
+            found = self.locator.locate(frame)
+            best = int(found.argmax())
+            shape = self._waveform(best)
+            events.append(Decision(self._time, "touch", level, best + 1, float(found[best]), found, shape))
+
+    def _waveform(self, point: int) -> tuple[float, ...] | None:
+        """The newest 16 estimates that the samples so far allow."""
+        if self.reconstructor is None or self._end < self.reconstructor.window + HOP - 1:
+            return None
+        taps = self.reconstructor.filters(point)
+        newest = self._buffer[:, self._end - self.reconstructor.window - HOP + 1 : self._end]
+        # Tap k takes the sample k before the newest: a window times the taps backwards.
+        windows = np.lib.stride_tricks.sliding_window_view(newest, self.reconstructor.window, axis=1)
+        return tuple(np.einsum("mhk,mk->h", windows, taps[:, ::-1]).tolist())
+
+    def _tell(self, kind: FaultKind, channel: int, is_bad: bool, time: float, events: list[Decision | Fault]) -> None:
+        """Report a fault when it begins, not while it lasts."""
+        if is_bad and (kind, channel) not in self._bad:
+            self._bad.add((kind, channel))
+            events.append(Fault(time, kind, self._microphones[channel]))
+        elif not is_bad:
+            self._bad.discard((kind, channel))
+
+    @property
+    def _number(self) -> int:
+        return self._next or 0
+
+    @property
+    def _time(self) -> float:
+        return self._number / SAMPLE_RATE
+
+
+def _runs(good: NDArray[np.bool_], samples: NDArray[np.float64]) -> list[tuple[NDArray[np.bool_], NDArray[np.float64]]]:
+    """Runs of samples over which the same channels are good: (n_microphone,) and (n_microphone, n) of each."""
+    if not samples.shape[1]:
+        return []
+    if good.all():
+        return [(good[:, 0], samples)]
+    cuts = np.flatnonzero((good[:, 1:] != good[:, :-1]).any(0)) + 1
+    return [(part[:, 0], run) for part, run in zip(np.split(good, cuts, 1), np.split(samples, cuts, 1), strict=True)]

@@ -1,0 +1,86 @@
+"""Figures of an evaluation, as PNG files."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from studies.figures import WIDTH
+from studies.figures import _figure as figure_in_style
+from studies.figures import _save as save_figure
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from localize.conditions import Outcome
+    from studies.evaluation import Judged
+
+_COLOURS = ("#2a6f97", "#d1731f", "#5b8c3e")
+_MARKS = ("o", "s", "^")
+
+
+def draw_reliability(judged: Sequence[Judged], path: str | os.PathLike[str]) -> Path:
+    """Share of touches named right against the probability that was stated; below, how often it was."""
+    with figure_in_style((WIDTH / 1.6, 5.0)) as figure:
+        upper, lower = figure.subplots(2, 1, sharex=True, height_ratios=[3, 1])
+        upper.plot([0, 1], [0, 1], color="#999999", linestyle="--", linewidth=1)
+        for each, colour, mark in zip(judged, _COLOURS, _MARKS, strict=False):
+            bins = [each_bin for each_bin in each.overall.reliability.bins if each_bin.touches]
+            stated, right = ([getattr(each_bin, name) for each_bin in bins] for name in ("stated", "right"))
+            error = each.overall.reliability.expected_error
+            label = f"{each.name}: expected calibration error {100 * error:.1f} %"
+            upper.plot(stated, right, marker=mark, color=colour, label=label)
+            lower.plot(stated, [each_bin.touches for each_bin in bins], marker=mark, color=colour)
+        upper.set(ylabel="named right", ylim=(0, 1.03), title="stated probability and truth")
+        upper.legend(loc="upper left")
+        lower.set(xlabel="stated probability", ylabel="touches", yscale="log", xlim=(0, 1.03))
+        return save_figure(figure, path)
+
+
+def draw_conditions(judged: Sequence[Judged], path: str | os.PathLike[str]) -> Path:
+    """Top-1 in every condition, a panel per group; where several sensors were judged, the worst one dashed."""
+    groups = list(dict.fromkeys(outcome.group for each in judged for outcome in each.outcomes))
+    rows = -(-(len(groups) + 1) // 2)
+    with figure_in_style((WIDTH, 0.4 + 2.9 * rows)) as figure:
+        panels = figure.subplots(rows, 2, squeeze=False).flat
+        _draw_components(judged, panels[0])
+        for panel, group in zip(panels[1:], groups, strict=False):
+            for number, each in enumerate(judged):
+                _draw_group(panel, [outcome for outcome in each.outcomes if outcome.group == group], number, each.name)
+            panel.set(title=group)
+        for panel in panels[len(groups) + 1 :]:
+            panel.set_axis_off()
+        for panel in panels[: len(groups) + 1]:
+            panel.set(ylim=(0, 103), ylabel="top-1  (%)")
+        panels[0].legend(loc="lower right")
+        return save_figure(figure, path)
+
+
+def _draw_components(judged: Sequence[Judged], panel: Axes) -> None:
+    for number, each in enumerate(judged):
+        shares = [100 * share for share, _ in each.overall.by_components.values()]
+        _draw_bars(panel, list(each.overall.by_components), shares, number, len(judged), each.name)
+    panel.set(title="components of the touch")
+
+
+def _draw_group(panel: Axes, outcomes: list[Outcome], number: int, name: str) -> None:
+    names = [outcome.name for outcome in outcomes]
+    place = np.arange(len(names))
+    colour, mark = _COLOURS[number], _MARKS[number]
+    panel.plot(place, [100 * outcome.top1 for outcome in outcomes], marker=mark, color=colour, label=name,
+               linestyle="-" if outcomes[0].value is not None else "none")  # fmt: skip
+    worst = [outcome.worst for outcome in outcomes if outcome.worst is not None]
+    if len(worst) == len(outcomes):
+        panel.plot(place, [100 * share for share in worst], color=colour, linestyle="--", linewidth=1)
+    panel.set_xticks(place, names, rotation=25 if len(names) > 4 else 0, fontsize=8)
+
+
+def _draw_bars(panel: Axes, names: list[str], values: list[float], number: int, count: int, label: str) -> None:
+    width = 0.8 / count
+    place = np.arange(len(names)) + (number - (count - 1) / 2) * width
+    panel.bar(place, values, width, color=_COLOURS[number], label=label)
+    panel.set_xticks(np.arange(len(names)), names, fontsize=8)

@@ -1,0 +1,62 @@
+"""Families of libraries and the simple baseline, beside the decoder of one library."""
+
+import pytest
+from rc_line import rc_line
+
+import localize
+
+
+@pytest.fixture(scope="module")
+def arrays():
+    return [rc_line(8, spread=spread) for spread in (0.7, 1.0, 1.4)]
+
+
+def accuracy(locator, array, noise=1e-3):
+    return localize.evaluate(locator, array, 20, noise).top1
+
+
+def test_a_family_of_one_is_the_decoder_of_its_library(arrays):
+    signals = localize.TouchGenerator(arrays[1], 0, "evaluation", 0.1).samples(0, 40).signals[..., :500]
+    one, family = localize.BayesDecoder(arrays[1]), localize.FamilyDecoder(arrays[1:2])
+    assert family.locate(signals) == pytest.approx(one.locate(signals), abs=1e-9)
+    assert family.locate(signals[3]) == pytest.approx(one.locate(signals[3]), abs=1e-9)
+
+
+def test_a_family_that_holds_the_truth_decodes_a_sensor_that_the_nominal_library_does_not(arrays):
+    made = rc_line(8, spread=1.4)
+    nominal, family = localize.BayesDecoder(arrays[1]), localize.FamilyDecoder(arrays)
+    assert accuracy(nominal, made) < 0.9
+    assert accuracy(family, made) > 0.97
+    signals = localize.TouchGenerator(made, 0, "evaluation", 1e-3).samples(0, 40).signals
+    assert (family.hypotheses(signals).argmax(1) == 2).mean() > 0.9
+
+
+def test_the_prior_of_a_hypothesis_multiplies_its_likelihood(arrays):
+    signals = localize.TouchGenerator(arrays[0], 0, "evaluation", 0.3).samples(0, 20).signals[..., :250]
+    even = localize.FamilyDecoder(arrays, 0.3).hypotheses(signals)
+    weighted = localize.FamilyDecoder(arrays, 0.3, prior=[1, 2, 5]).hypotheses(signals)
+    expected = even * [1, 2, 5]
+    assert weighted == pytest.approx(expected / expected.sum(1, keepdims=True), rel=1e-9)
+
+
+def test_families_that_do_not_fit_are_refused(arrays):
+    with pytest.raises(ValueError, match="libraries is empty"):
+        localize.FamilyDecoder([])
+    with pytest.raises(ValueError, match="library 1 has other points"):
+        localize.FamilyDecoder([arrays[0], rc_line(7)])
+    with pytest.raises(ValueError, match="prior must hold 3 finite values above 0"):
+        localize.FamilyDecoder(arrays, prior=[1, 0, 1])
+
+
+def test_the_ratio_baseline_names_points_of_steady_signals_only_a_little_worse(arrays):
+    baseline, decoder = localize.FrequencyRatioDecoder(arrays[1]), localize.BayesDecoder(arrays[1])
+    shares = [accuracy(locator, arrays[1]) for locator in (baseline, decoder)]
+    assert 0.93 < shares[0] <= shares[1]
+
+
+def test_the_ratio_baseline_does_not_care_how_loud_the_touch_is(arrays):
+    baseline = localize.FrequencyRatioDecoder(arrays[1], 1e-9)
+    signals = localize.TouchGenerator(arrays[1], 0, "evaluation").samples(0, 20).signals[..., :250].double()
+    assert baseline.locate(100 * signals) == pytest.approx(baseline.locate(signals), abs=1e-6)
+    with pytest.raises(ValueError, match="microphone_noise = 0"):
+        localize.FrequencyRatioDecoder(arrays[1], 0.0)

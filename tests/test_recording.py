@@ -1,0 +1,165 @@
+"""Recordings come in at 1 kHz in pascals; bad ones are refused with the name of what is wrong."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import scipy.io.wavfile
+
+from localize import RecordingError, read_recording
+
+NAMES = ("left", "right")
+
+
+def tones(rate, seconds=1.0):
+    """(2, n): 20 Hz and 90 Hz, at most half of full scale."""
+    time = np.arange(round(rate * seconds)) / rate
+    return 0.5 * np.stack([np.sin(2 * np.pi * 20 * time), np.cos(2 * np.pi * 90 * time)])
+
+
+def wav(path, samples, rate=1000):
+    scipy.io.wavfile.write(path, rate, samples.T)
+    return path
+
+
+@pytest.mark.parametrize(("dtype", "scale", "step"), [
+    ("float32", 1, 1e-6), ("float64", 1, 1e-9), ("int16", 2**15, 1e-4), ("int32", 2**31, 1e-8), ("uint8", 2**7, 1e-2)
+])  # fmt: skip
+def test_every_sample_format_of_a_wav_file_gives_the_same_pascals(tmp_path, dtype, scale, step):
+    samples = tones(1000) * scale + (128 if dtype == "uint8" else 0)
+    path = wav(tmp_path / "a.wav", (samples.round() if scale > 1 else samples).astype(dtype))
+    heard = read_recording(path, NAMES)
+    assert heard.signals == pytest.approx(tones(1000), abs=step)
+    assert (heard.rate, heard.seconds) == (1000, 1.0)
+    assert read_recording(path, NAMES, full_scale=20.0).signals == pytest.approx(20 * heard.signals)
+
+
+@pytest.mark.parametrize("rate", [250, 800, 2000, 8000, 44100, 48000])
+def test_other_rates_become_1_khz(tmp_path, rate):
+    path = tmp_path / "a.npz"
+    inside = slice(100, -100)
+    samples = tones(rate)
+    np.savez(path, signals=samples, sample_rate=rate)
+    found = read_recording(path, NAMES).signals
+    assert found.shape == (2, 1000)
+    channels = slice(None) if rate > 250 else slice(1)  # 90 Hz is close to half of 250 Hz
+    assert found[channels, inside] == pytest.approx(tones(1000)[channels, inside], abs=0.01)
+
+
+def test_columns_are_found_by_name_and_the_time_column_gives_the_rate(tmp_path):
+    time, (left, right) = np.arange(2000) / 2000, tones(2000)
+    text = "right,time,left\n" + "".join(f"{b!r},{t!r},{a!r}\n" for t, a, b in zip(
+        time.tolist(), left.tolist(), right.tolist(), strict=True))  # fmt: skip
+    (tmp_path / "a.csv").write_text(text)
+    heard = read_recording(tmp_path / "a.csv", NAMES)
+    assert heard.rate == pytest.approx(2000)
+    assert heard.signals[:, 100:-100] == pytest.approx(tones(1000)[:, 100:-100], abs=1e-2)
+    (tmp_path / "b.csv").write_text("left,right\n" + "".join(f"{k % 7},{k % 5}\n" for k in range(300)))
+    assert read_recording(tmp_path / "b.csv", NAMES).signals[1, :6].tolist() == [0, 1, 2, 3, 4, 0]
+
+
+def test_a_slow_quiet_signal_in_coarse_steps_is_not_taken_for_clipped(tmp_path):
+    coarse = np.round(40 * tones(1000)) / 2**15
+    np.savez(tmp_path / "a.npz", signals=coarse)
+    assert read_recording(tmp_path / "a.npz", NAMES).signals == pytest.approx(coarse)
+
+
+def saved(change, rate=1000):
+    def write(folder):
+        path = folder / "a.npz"
+        samples = tones(1000)
+        np.savez(path, signals=change(samples), sample_rate=rate)
+        return path
+
+    return write
+
+
+def with_value(channel, index, value):
+    def change(samples):
+        samples[channel, index] = value
+        return samples
+
+    return change
+
+
+def clipped_wav(folder):
+    return wav(folder / "a.wav", np.clip(3 * tones(1000) * 2**15, -(2**15), 2**15 - 1).astype(np.int16))
+
+
+def short_wav(folder):
+    path = wav(folder / "a.wav", tones(1000).astype(np.float32))
+    path.write_bytes(path.read_bytes()[:3000])
+    return path
+
+
+def text(name, content):
+    def write(folder):
+        (folder / name).write_text(content)
+        return folder / name
+
+    return write
+
+
+def short_npz(folder):
+    path = saved(lambda samples: samples)(folder)
+    path.write_bytes(path.read_bytes()[:3000])
+    return path
+
+
+ROWS = "".join(f"{k % 7},{k % 5}\n" for k in range(300))
+
+
+@pytest.mark.parametrize(
+    ("write", "message"),
+    [
+        (lambda folder: folder / "none.wav", r"none\.wav: cannot be read: No such file"),
+        (lambda folder: folder / "none.npz", r"none\.npz: cannot be read: No such file"),
+        (lambda folder: folder / "a.mp3", r"a\.mp3: its name must end with \.wav, \.csv or \.npz"),
+        (saved(lambda s: s[:1]), r"a\.npz: has 1 channels, must have 2: left, right"),
+        (saved(lambda s: s[0]), r"has no \(1 dimensions\) channels, must have 2"),
+        (saved(lambda s: s[:, :249]), "has 249 samples, must have at least 250 "),
+        (saved(lambda s: s, 100), "sample rate = 100 Hz must be between 250 and 1e"),
+        (saved(lambda s: s, np.nan), "sample rate = nan Hz must be"),
+        (saved(with_value(1, 400, np.nan)), r"channel right is not finite at 0\.400 s"),
+        (saved(with_value(0, slice(None), 0.3)), "channel left is silent: its value never changes"),
+        (saved(lambda s: np.clip(s, -0.3, 0.3)), r"channel left is clipped at 0\.3 Pa, first at 0\.0"),
+        (clipped_wav, "channel left is clipped at 1 Pa, first at"),
+        (short_wav, r"a\.wav: cut short: it has 3000 of 8058 bytes"),
+        (text("a.wav", "no sound"), r"a\.wav: cut short or not a WAV file"),
+        (text("a.wav", ""), r"a\.wav: cut short or not a WAV file"),
+        (short_npz, r"a\.npz: cut short or not an NPZ file"),
+        (text("a.npz", "no numbers"), r"a\.npz: cut short or not an NPZ file"),
+        (text("a.csv", ""), r"a\.csv: is empty or not a CSV file"),
+        (text("a.csv", "left,middle\n" + ROWS), "its columns are left, middle; they must be left, right"),
+        (text("a.csv", "left,right,left\n" + ROWS), "its columns are left, right, left"),
+        (text("a.csv", "left,right\n" + ROWS + "1"), r"line 302 has 1 values, must have 2; cut short\?"),
+        (text("a.csv", "left,right\n" + ROWS + "1,x"), "could not convert string to float: 'x'"),
+        (text("a.csv", "time,left,right\n0,1,2\n0.001,2,3\n0.5,1,1\n"), "time must rise in even steps; .* line 3"),
+        (text("a.csv", "time,left,right\n3,1,2\n2,2,3\n1,1,1\n"), "time must rise in even steps"),
+    ],
+)  # fmt: skip
+def test_bad_recordings_are_refused_by_name_and_reason(tmp_path, write, message):
+    with pytest.raises(RecordingError, match=message):
+        read_recording(write(tmp_path), NAMES)
+
+
+def test_a_file_without_the_array_signals_is_refused_and_objects_are_never_loaded(tmp_path):
+    np.savez(tmp_path / "a.npz", other=np.zeros(3))
+    with pytest.raises(RecordingError, match="has no array 'signals', but other"):
+        read_recording(tmp_path / "a.npz", NAMES)
+    np.savez(tmp_path / "b.npz", signals=np.array([{}, {}]))
+    with pytest.raises(RecordingError, match="not an NPZ file of numbers"):
+        read_recording(tmp_path / "b.npz", NAMES)
+
+
+@pytest.mark.parametrize("full_scale", [0.0, -1.0, float("nan"), float("inf")])
+def test_a_full_scale_out_of_range_is_refused(tmp_path, full_scale):
+    with pytest.raises(ValueError, match=r"full_scale = .* Pa must be finite and above 0"):
+        read_recording(tmp_path / "a.wav", NAMES, full_scale)
+
+
+def test_a_given_full_scale_is_where_other_formats_clip(tmp_path):
+    np.savez(tmp_path / "a.npz", signals=tones(1000))
+    with pytest.raises(RecordingError, match="channel right is clipped"):
+        read_recording(tmp_path / "a.npz", NAMES, full_scale=0.5)
+    assert read_recording(tmp_path / "a.npz", NAMES, full_scale=0.6).signals.shape == (2, 1000)
