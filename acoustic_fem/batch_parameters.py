@@ -19,7 +19,8 @@ from acoustic_fem.medium import Medium
 from acoustic_fem.membrane import design_disc
 from acoustic_fem.microphone import _elements as elements
 from acoustic_fem.units import cubic_metres, metres
-from geometry.design import ArrayDesign, Tube
+from geometry.design import ArrayDesign
+from geometry.design_parts import Tube
 
 
 @dataclass(frozen=True)

@@ -36,7 +36,7 @@ PHYSICS = ("navier-stokes", "helmholtz")
 
 _ACCURACY_RANGE = (2e-4, 3e-3)
 #: Scales (see :func:`mesh_sizes`) that give an accuracy of 1e-3 in most bodies: of the flow and of heat.
-_USUAL_SCALES = {"flow": 1.0, "heat": 0.7}
+_USUAL_SCALES = (1.0, 0.7)
 
 
 @dataclass(frozen=True, eq=False)
@@ -186,7 +186,7 @@ def converge(
     started = time.perf_counter()
     low, high = checked_band or band
     checked = np.geomspace(low, high, 5) if high > low else np.array([low])
-    flow_scale, heat_scale = (usual * (accuracy / 1e-3) ** (1 / BEST_ORDER) for field, usual in _USUAL_SCALES.items())
+    flow_scale, heat_scale = (usual * (accuracy / 1e-3) ** (1 / BEST_ORDER) for usual in _USUAL_SCALES)
     open_faces = [*tubes] if mirror is None else [*tubes, mirror]
 
     def heat_on(scale: float, advance: Callable[[float], None]) -> tuple[DiffusionField, int]:

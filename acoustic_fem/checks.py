@@ -74,6 +74,26 @@ def positive(name: str, values: ArrayLike, unit: str) -> NDArray[np.float64]:
     return array
 
 
+def stated_grid(text: str) -> NDArray[np.float64]:
+    """Frequencies stated as FIRST:LAST:COUNT, evenly spaced; see :func:`frequency_grid` for their range.
+
+    Returns:
+        (n_freq,) float64, Hz.
+
+    Raises:
+        ValueError: not two numbers and a count.
+    """
+    try:
+        first, last, count = text.split(":")
+        if not 1 <= int(count) <= 100_000:
+            raise ValueError
+        return np.linspace(float(first), float(last), int(count))
+    except ValueError:
+        raise ValueError(
+            f"{text!r} must be FIRST:LAST:COUNT in Hz, such as 1:100:64, with COUNT from 1 to 100000"
+        ) from None
+
+
 def frequency_grid(frequency: ArrayLike, low: float = 1e-3, high: float = 2e3) -> NDArray[np.float64]:
     """A 1-D grid of ascending frequencies within [low, high] Hz.
 

@@ -14,7 +14,7 @@ from dataclasses import asdict, dataclass
 from functools import partial
 from importlib.metadata import version
 from pathlib import Path
-from typing import IO, Any, TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -43,12 +43,19 @@ CELL_MODEL_VERSION = 8
 
 _MODELS = ("heat", "viscous", "flow")
 
+#: Exit status of a process whose cell could not be solved, and of one that ended with a traceback.
+_NOT_SOLVED, _TRACEBACK = 3, 1
+
 #: Arrays and plain values of a solved cell, as the cache keeps them.
 _Record: TypeAlias = tuple[dict[str, NDArray[Any]], dict[str, Any]]
 
 
 class CellError(RuntimeError):
     """A cell could not be solved; the message says which and why."""
+
+
+class CellFault(RuntimeError):
+    """A mistake of the program in the process that solved a cell; the message is the last line of its traceback."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -146,6 +153,7 @@ def solve_cells(
     Raises:
         ValueError: bad frequencies or fidelity.
         CellError: a cell could not be meshed or solved.
+        CellFault: the program failed in a process of its own; the traceback is on stderr.
     """
     grid = frequency_grid(frequency)
     checked_physics(fidelity)
@@ -225,8 +233,8 @@ def _solve(task: _Task, report: Callable[[float], None]) -> _Record:
             checked_band=(task.band[0], task.band[1] if task.band[1] > DESIGN_BAND[1] else CHECKED_UP_TO),
             scale=_FIRST_SCALE,
         )
-    except (ValueError, RuntimeError) as error:
-        raise CellError(f"{cell.label}: {error}") from error
+    except (ValueError, RuntimeError, ArithmeticError, MemoryError) as error:
+        raise CellError(f"{cell.label}: {error or type(error).__name__}") from error
     body = solved.body
     arrays = {"energies": body.energies}
     models = {}
@@ -234,12 +242,7 @@ def _solve(task: _Task, report: Callable[[float], None]) -> _Record:
         model = getattr(body, name)
         if model is not None:
             arrays[f"{name}_matrices"], arrays[f"{name}_excitations"] = model.matrices, model.excitations
-            models[name] = {
-                "sampled": model.sampled,
-                "error": model.error,
-                "lowest": model.lowest,
-                "highest": model.highest,
-            }
+            models[name] = {key: getattr(model, key) for key in ("sampled", "error", "lowest", "highest")}
     about = {
         "physics": body.physics,
         "n_port": body.n_port,
@@ -305,26 +308,28 @@ def _solve_side_by_side(
     """
     waiting = list(tasks)
     handover = tempfile.TemporaryDirectory(prefix="acoustic-fem-cells-")
-    complaints: dict[int, IO[str]] = {}
     messages: queue.Queue[tuple[int, str | None]] = queue.Queue()
     running: dict[int, tuple[_Task, subprocess.Popen[str]]] = {}
+
+    def complaints(number: int) -> Path:
+        return Path(handover.name) / f"{number}.log"
 
     def start() -> None:
         number = len(tasks) - len(waiting)
         task = waiting.pop(0)
-        complaints[number] = open(Path(handover.name) / f"{number}.log", "w+", encoding="utf-8")  # noqa: SIM115
         environment = {**os.environ, "PYTHONPATH": os.pathsep.join(p for p in sys.path if p)}
         environment["ACOUSTIC_FEM_CACHE"] = handover.name
         for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"):
             environment[name] = "1"
-        child = subprocess.Popen(
-            [sys.executable, "-m", "acoustic_fem.design_cells"],
-            stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE,
-            stderr=complaints[number],
-            text=True,
-            env=environment,
-        )
+        with complaints(number).open("wb") as log:  # the child has its own copy of the handle
+            child = subprocess.Popen(
+                [sys.executable, "-m", "acoustic_fem.design_cells"],
+                stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE,
+                stderr=log,
+                text=True,
+                env=environment,
+            )
         running[number] = (task, child)
         threading.Thread(target=listen, args=(number, task, child), daemon=True).start()
 
@@ -351,8 +356,10 @@ def _solve_side_by_side(
                 report(task, float(line))
                 continue
             status = child.wait()
-            complaints[number].seek(0)
-            said = complaints[number].read().strip()
+            said = complaints(number).read_text(encoding="utf-8").strip()
+            if status == _TRACEBACK and said:
+                print(said, file=sys.stderr)
+                raise CellFault(f"{task.cell.label}: {said.splitlines()[-1]}")
             if status != 0:
                 raise CellError(said.splitlines()[-1] if said else f"{task.cell.label}: the solver ended with {status}")
             if said:
@@ -368,8 +375,6 @@ def _solve_side_by_side(
         for _, child in running.values():
             child.kill()
             child.wait()
-        for log in complaints.values():
-            log.close()
         handover.cleanup()
 
 
@@ -386,7 +391,7 @@ def _child() -> int:
         cell_cache.store(task.key, *_solve(task, lambda fraction: print(fraction, flush=True)))
     except CellError as error:
         print(error, file=sys.stderr)
-        return 1
+        return _NOT_SOLVED
     return 0
 
 

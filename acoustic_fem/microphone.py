@@ -13,7 +13,7 @@ from acoustic_fem.cavity import closed_sphere_compliance
 from acoustic_fem.checks import positive
 from acoustic_fem.medium import Medium
 from acoustic_fem.units import cubic_metres
-from geometry.design import Microphone
+from geometry.design_parts import Microphone
 
 
 def load_admittance(microphone: Microphone, frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:

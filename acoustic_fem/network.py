@@ -20,7 +20,8 @@ from acoustic_fem.membrane import design_compliance
 from acoustic_fem.microphone import load_admittance
 from acoustic_fem.units import metres
 from geometry.cells import Cell, CellUse, cell_catalogue
-from geometry.design import ArrayDesign, Tube
+from geometry.design import ArrayDesign
+from geometry.design_parts import Tube
 from geometry.layout import ArrayLayout
 
 Array = NDArray[np.complex128]

@@ -25,10 +25,11 @@ from acoustic_fem.diffusion_field import diffusion_field, field_coefficients
 from acoustic_fem.linear_solver import SymmetricSolver, backend
 from acoustic_fem.navier_stokes import cell_system, compliance_mass
 from acoustic_fem.units import metres
-from benchmarks.one_mesh import AIR, CELL, in_one_mesh, in_pieces
+from benchmarks.one_mesh import CELL, in_one_mesh, in_pieces
 from geometry.air import MIRROR, OPENING, air_volume
 from geometry.cells import Cell, CellPort
 from geometry.mesh import SolidMesh, mesh_solid
+from tests.reference_data import AIR
 
 FREQUENCY = np.geomspace(1, 100, 64)
 BAND = (1.0, 100.0)

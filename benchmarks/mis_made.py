@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import sys
 import tempfile
-import warnings
 from dataclasses import replace
 from itertools import combinations
 from pathlib import Path
@@ -107,7 +106,6 @@ def put(lines: list[str], begin: str, end: str) -> None:
 
 
 def main() -> None:
-    warnings.simplefilter("ignore")
     put(forgiving(), FORGIVING, FORGIVING_END)
     if "forgiving" in sys.argv[1:]:
         return

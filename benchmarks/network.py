@@ -11,7 +11,6 @@ from __future__ import annotations
 import argparse
 import platform
 import time
-import warnings
 from collections.abc import Callable
 from dataclasses import fields
 
@@ -151,7 +150,6 @@ def main() -> None:
     quick = parser.parse_args().quick
     torch.set_num_threads(1)
     threadpool_limits(1)
-    warnings.simplefilter("ignore", UserWarning)
     print(
         f"Python {platform.python_version()}, numpy {np.__version__}, torch {torch.__version__}, {platform.machine()}"
     )

@@ -10,14 +10,11 @@ from acoustic_fem import duct
 from acoustic_fem.cell import mesh_sizes
 from acoustic_fem.condensed import CondensedBody, condense
 from acoustic_fem.design_cells import CellSolution, solve_cells
-from acoustic_fem.medium import Medium
 from acoustic_fem.navier_stokes import WallMotion
 from geometry.cells import Cell, CellPort
 from geometry.mesh import SolidMesh, mesh_solid
+from tests.reference_data import AIR
 
-AIR = Medium(
-    density=1.204, viscosity=1.825e-5, conductivity=0.02587, heat_capacity=1006.0, gamma=1.4, pressure=101325.0
-)
 BORE, RADIUS, HEIGHT, LENGTH = 0.5, 3.0, 2.5, 12.5  # mm
 PITCH = 2 * RADIUS + LENGTH
 CELL = Cell("resonator", 2 * RADIUS, HEIGHT, HEIGHT / 2, (CellPort(0.0, BORE), CellPort(180.0, BORE)), 2 * RADIUS, 0.0)

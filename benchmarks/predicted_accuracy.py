@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import json
 import sys
-import warnings
 from pathlib import Path
 from typing import Any
 
@@ -121,7 +120,6 @@ def definitions() -> str:
 
 
 def main() -> None:
-    warnings.simplefilter("ignore")
     rows: list[dict[str, Any]] = json.loads(RESULTS.read_text()) if RESULTS.exists() else []
     keys = ("title", "prototype", "values", "noise")
     for case in CASES:

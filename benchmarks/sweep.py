@@ -14,7 +14,6 @@ import platform
 import resource
 import tempfile
 import time
-import warnings
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -27,7 +26,8 @@ import acoustic_fem
 from geometry import ArrayDesign
 from studies.cases import Cases, cases_of
 from studies.metric_registry import METRICS, metrics_named
-from studies.study_file import Study, read_study
+from studies.study import Study
+from studies.study_file import read_study
 from studies.sweep import run_sweep
 from studies.sweep_store import open_sweep
 from studies.sweep_workers import open_workers
@@ -172,7 +172,6 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--quick", action="store_true", help="smaller studies")
     quick = parser.parse_args().quick
-    warnings.simplefilter("ignore", UserWarning)
     print(
         f"Python {platform.python_version()}, numpy {np.__version__}, {platform.machine()}; load {psutil.getloadavg()}"
     )

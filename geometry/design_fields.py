@@ -38,6 +38,7 @@ class DesignError(ValueError):
 #: Numbers as a file states them: no text that looks like one, no true or false.
 Number = Annotated[float, Field(strict=True)]
 Count = Annotated[int, Field(strict=True)]
+Millimetre = Annotated[Number, Field(gt=0, json_schema_extra={"unit": "mm"})]
 
 
 class Section(BaseModel):
@@ -84,6 +85,16 @@ def fields_of(model: type[BaseModel], prefix: str = "") -> Iterator[DesignField]
         section, step = _section_of(info.annotation)
         if section is not None:
             yield from fields_of(section, f"{prefix}{name}.{step}")
+
+
+def field_named(model: type[BaseModel], name: str) -> DesignField | None:
+    """The field of a dotted name, which has indices and names of the user's own where fields have ``*``."""
+    steps = name.split(".")
+    for field in fields_of(model):
+        parts = field.name.split(".")
+        if len(parts) == len(steps) and all(a in ("*", b) for a, b in zip(parts, steps, strict=True)):
+            return field
+    return None
 
 
 def names_of(model: type[BaseModel]) -> list[str]:
@@ -333,10 +344,10 @@ def _find(model: type[BaseModel], loc: Sequence[int | str]) -> tuple[FieldInfo |
     return info, section
 
 
-def _lookup(data: object, loc: Sequence[int | str]) -> object:
+def _lookup(data: Any, loc: Sequence[int | str]) -> object:
     for step in loc:
         try:
-            data = data[step]  # type: ignore[index]
+            data = data[step]
         except (KeyError, IndexError, TypeError):
             return None
     return data

@@ -19,9 +19,8 @@ from tomlkit.items import AbstractTable, Item
 
 from geometry.design import ArrayDesign
 from geometry.design_fields import DERIVED_FROM, DesignError, error_from_validation, fields_of, nearest
+from geometry.text_file import read_text
 from geometry.whole_file import write_text
-
-_LARGEST_FILE = 1_000_000  # bytes; a design of a hundred lines has ten thousand
 
 
 def load_design(path: str | os.PathLike[str]) -> ArrayDesign:
@@ -30,20 +29,7 @@ def load_design(path: str | os.PathLike[str]) -> ArrayDesign:
     Raises:
         DesignError: no such file, not a text in UTF-8, not TOML, or not a valid design.
     """
-    path = Path(path)
-    try:
-        if path.is_file() and path.stat().st_size > _LARGEST_FILE:
-            raise DesignError(f"{path}: {path.stat().st_size} bytes must be at most {_LARGEST_FILE} for a design file")
-        text = path.read_bytes().decode("utf-8-sig")
-    except FileNotFoundError:
-        raise DesignError(f"{path}: no such file") from None
-    except IsADirectoryError:
-        raise DesignError(f"{path}: is a folder, not a design file") from None
-    except UnicodeDecodeError as error:
-        raise DesignError(f"{path}: byte {error.start} is not UTF-8; a design file is a text in UTF-8") from None
-    except OSError as error:
-        raise DesignError(f"{path}: cannot be read: {error.strerror}") from None
-    return read_design(text, str(path))
+    return read_design(read_text(path, "a design file", DesignError), str(Path(path)))
 
 
 def read_design(text: str, source: str = "design.toml") -> ArrayDesign:

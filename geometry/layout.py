@@ -86,7 +86,7 @@ class ArrayLayout:
     microphones: tuple[MicrophonePlacement, ...]
     tubes: tuple[TubePlacement, ...]
     notes: tuple[str, ...]
-    surface: Plane | Cylinder = Plane()  # noqa: RUF009 - immutable
+    surface: Plane | Cylinder
 
     def frame(self, placement: PointPlacement | MicrophonePlacement) -> Frame:
         """Where a point or a microphone stands in space; the floors of resonators' cavities lie at its z = 0."""

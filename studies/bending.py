@@ -24,8 +24,8 @@ from acoustic_fem.microphone import load_admittance
 from acoustic_fem.network import TwoPort, join
 from acoustic_fem.provenance import versions
 from acoustic_fem.units import metres
-from geometry.design import Microphone
 from geometry.design_file import prototype
+from geometry.design_parts import Microphone
 from geometry.wound_tube import Winding, closest_pitch
 
 Array: TypeAlias = NDArray[np.complex128]

@@ -10,7 +10,8 @@ import math
 from collections.abc import Iterator
 
 from geometry.bill import Prices
-from geometry.design import BOARD_CLEARANCE, BOARD_SEAL, SEAT_SLOT, ArrayDesign, Microphone, Tube
+from geometry.design import ArrayDesign
+from geometry.design_parts import BOARD_CLEARANCE, BOARD_SEAL, SEAT_SLOT, Microphone, Tube
 from geometry.layout import place
 
 #: kg/m^3

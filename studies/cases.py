@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from geometry import ArrayDesign, DesignError
 from geometry.design_file import value_of
-from studies.study_file import Study
+from studies.study import Study
 
 
 @dataclass(frozen=True, eq=False)
@@ -91,9 +91,17 @@ def _sampled(study: Study) -> NDArray[np.float64]:
     if study.sampling == "latin-hypercube":
         return np.asarray(qmc.LatinHypercube(size, rng=generator).random(study.cases))
     with warnings.catch_warnings():
-        # Any number of cases may be asked for; the balance of powers of 2 is explained in docs/studies.md.
+        # Any number of cases may be asked for: a dry run says what is balanced, see `sobol_note`.
         warnings.filterwarnings("ignore", "The balance properties of Sobol", UserWarning)
         return np.asarray(qmc.Sobol(size, scramble=True, rng=generator).random(study.cases))
+
+
+def sobol_note(study: Study) -> str:
+    """What to tell of a Sobol sample whose number of cases is no power of two; empty where there is nothing to tell."""
+    lower = 1 << (study.cases.bit_length() - 1) if study.cases else 0
+    if study.sampling != "sobol" or study.cases == lower:
+        return ""
+    return f"a Sobol sample of {study.cases} cases is not balanced; one of {lower} or {2 * lower} is"
 
 
 def _meets(study: Study, cases: Cases, number: int) -> bool:

@@ -117,7 +117,8 @@ def check_design(design: ArrayDesign, progress: Callable[[str, float], None] | N
     layout = place(design)
     report("attenuation", 0.1)
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # the same limits are listed under validity
+        # the same limits are listed under validity
+        warnings.filterwarnings("ignore", "entrance loss of a tube|membrane: ", UserWarning)
         library = acoustic_fem.solve(design, ATTENUATION_AT, fidelity="lumped")
     levels = [(frequency, *worst_heard(library.transfer_function, frequency)) for frequency in ATTENUATION_AT]
     report("parts", 0.3)

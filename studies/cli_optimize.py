@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from studies.cli_options import display_on_stderr
+from studies.cli_options import Scheduler, WorkerCount, check_workers, display_on_stderr
 from studies.display import number
 from studies.tables import show, table_of
 
@@ -26,14 +26,8 @@ def optimize(
     out: Annotated[
         Path, typer.Option(help="A new folder, or that of the same search, which is continued.", show_default=False)
     ],
-    workers: Annotated[
-        int | None,
-        typer.Option(help="Processes on this machine; 1 computes in this one.", show_default="one per core"),
-    ] = None,
-    scheduler: Annotated[
-        str | None,
-        typer.Option(metavar="tcp://HOST:PORT", help="A dask scheduler, whose workers are used.", show_default=False),
-    ] = None,
+    workers: WorkerCount = None,
+    scheduler: Scheduler = None,
 ) -> None:
     """Search the best designs of a study, of those that can be printed and laid out.
 
@@ -42,10 +36,7 @@ def optimize(
 
     Example: [bold]acoustic-fem optimize fingertip-study.toml --out fingertip[/bold]
     """
-    if scheduler is not None and workers is not None:
-        raise typer.BadParameter("--workers must not be given beside --scheduler, which has its own")
-    if workers is not None and not 1 <= workers <= 1024:
-        raise typer.BadParameter(f"--workers {workers} must be between 1 and 1024")
+    check_workers(workers, scheduler)
     from studies.folders import check_folder
     from studies.optimize import journal_exists
     from studies.optimize import optimize as search

@@ -38,6 +38,14 @@ Noise = Annotated[
     ),
 ]
 Frequencies = Annotated[str, typer.Option(metavar="FIRST:LAST:COUNT", help="Frequencies in Hz, evenly spaced.")]
+WorkerCount = Annotated[
+    int | None,
+    typer.Option(help="Processes on this machine; 1 computes in this one.", show_default="one per core"),
+]
+Scheduler = Annotated[
+    str | None,
+    typer.Option(metavar="tcp://HOST:PORT", help="A dask scheduler, whose workers are used.", show_default=False),
+]
 
 
 def display_on_stderr() -> Display:
@@ -50,6 +58,14 @@ def display_on_stderr() -> Display:
 def noise_choice(level: float | None) -> NoiseChoice:
     """``--noise`` as the localizer takes it."""
     return "design" if level is None else level
+
+
+def check_workers(workers: int | None, scheduler: str | None) -> None:
+    """Refuse ``--workers`` and ``--scheduler`` that do not go together."""
+    if scheduler is not None and workers is not None:
+        raise typer.BadParameter("--workers must not be given beside --scheduler, which has its own")
+    if workers is not None and not 1 <= workers <= 1024:
+        raise typer.BadParameter(f"--workers {workers} must be between 1 and 1024")
 
 
 @contextmanager
@@ -66,15 +82,9 @@ def named(**options: str) -> Iterator[None]:
 
 def frequency_option(text: str) -> Any:
     """The grid FIRST:LAST:COUNT, (n_freq,) float64, Hz; ranges are checked where the grid is used."""
-    parts = text.split(":")
-    try:
-        first, last, count = float(parts[0]), float(parts[1]), int(parts[2])
-        if len(parts) != 3 or not 1 <= count <= 100_000:
-            raise ValueError
-    except (ValueError, IndexError):
-        raise typer.BadParameter(
-            f"--frequencies: {text!r} must be FIRST:LAST:COUNT in Hz, such as 1:100:64, with COUNT from 1 to 100000"
-        ) from None
-    import numpy as np
+    from acoustic_fem.checks import stated_grid
 
-    return np.linspace(first, last, count)
+    try:
+        return stated_grid(text)
+    except ValueError as error:
+        raise typer.BadParameter(f"--frequencies: {error}") from None

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from studies.cli_options import display_on_stderr
+from studies.cli_options import Scheduler, WorkerCount, check_workers, display_on_stderr
 from studies.display import number
 
 if TYPE_CHECKING:
@@ -28,21 +28,16 @@ def sweep(
         Path | None,
         typer.Option(help="The store to write or to continue, such as results.zarr.", show_default=False),
     ] = None,
-    workers: Annotated[
-        int | None,
-        typer.Option(help="Processes on this machine; 1 computes in this one.", show_default="one per core"),
-    ] = None,
-    scheduler: Annotated[
-        str | None,
-        typer.Option(metavar="tcp://HOST:PORT", help="A dask scheduler, whose workers are used.", show_default=False),
-    ] = None,
+    workers: WorkerCount = None,
+    scheduler: Scheduler = None,
     dry_run: Annotated[
         bool, typer.Option("--dry-run", help="Only say how many cases and cells, how long and how much memory.")
     ] = False,
 ) -> None:
     """Compute many designs: every case of a study with its metrics, into one store.
 
-    Killed and started again it goes on where it was. A case that fails keeps its reason and stops no other.
+    Killed and started again it goes on where it was. A case that fails keeps its reason and stops no other. Exit code 1
+    where one fails by a mistake of the program.
 
     Example: [bold]acoustic-fem sweep study.toml --out results.zarr[/bold]
     """
@@ -50,22 +45,24 @@ def sweep(
 
     if out is None and not dry_run:
         raise typer.BadParameter("--out is missing: the store to write, such as results.zarr")
-    if scheduler is not None and workers is not None:
-        raise typer.BadParameter("--workers must not be given beside --scheduler, which has its own")
-    if workers is not None and not 1 <= workers <= 1024:
-        raise typer.BadParameter(f"--workers {workers} must be between 1 and 1024")
+    check_workers(workers, scheduler)
     given = load_study(study)
     if dry_run:
         from studies.sweep_plan import plan_sweep
 
         _print_plan(plan_sweep(given, workers), given.fidelity)
         return
-    from studies.sweep import run_sweep
+    from studies.sweep import SweepError, run_sweep
 
     assert out is not None
     with display_on_stderr() as display, display.stage("Sweep") as report:
         summary = run_sweep(given, out, workers=workers, scheduler=scheduler, progress=_shown(report))
     _print_summary(summary, out)
+    if wrong := summary.program_errors:
+        raise SweepError(
+            f"{out}: {len(wrong)} cases (the first is {min(wrong)}) failed by a mistake of the program, not by their "
+            "design; when it is mended compute the study into a new store"
+        )
 
 
 def _shown(report: Report) -> Callable[[Progress], None]:
@@ -103,6 +100,8 @@ def size(count: float) -> str:
 def _print_plan(plan: Plan, fidelity: str) -> None:
     left_out = f" ({plan.left_out} more break a constraint)" if plan.left_out else ""
     print(f"cases: {plan.cases}{left_out}")
+    if plan.note:
+        print(f"note: {plan.note}")
     refused = sum(plan.refused.values())
     if refused:
         print(f"not valid: {refused}, which will be kept as failed:")

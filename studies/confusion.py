@@ -68,12 +68,6 @@ class PredictedConfusion:
         """(n_design,) float64: share of touches whose point is named."""
         return np.asarray(np.einsum("dpp->d", self.confusion) / self.confusion.shape[1])
 
-    @property
-    def standard_error(self) -> Array:
-        """(n_design,) float64: of :attr:`top1`, from the number of touches simulated."""
-        share = self.top1
-        return np.asarray(np.sqrt(share * (1 - share) / (self.touches * self.confusion.shape[1])))
-
 
 def predict_confusion(
     transfer_function: ArrayLike,

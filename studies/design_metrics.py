@@ -14,7 +14,7 @@ from studies.cases import Cases
 if TYPE_CHECKING:
     from geometry import ArrayDesign
     from studies.metric_registry import Metric
-    from studies.study_file import Study
+    from studies.study import Study
     from studies.sweep_workers import Workers
 
 
@@ -36,8 +36,12 @@ def design_metrics(
 
     Returns:
         (n_design, n_metric) float64, NaN where it failed, and for each design why it failed, or nothing.
+
+    Raises:
+        RuntimeError: one failed by a mistake of the program.
     """
     from studies.sweep_cases import Job, solve_block
+    from studies.sweep_store import PROGRAM_ERROR
 
     names = [metric.name for metric in metrics]
     job = Job(study.fidelity, study.frequency, tuple(names), False)
@@ -52,6 +56,9 @@ def design_metrics(
         part = slice(*blocks[number])
         table[part] = np.column_stack([result.values[name] for name in names])
         reasons[part] = result.reason
+    for reason in reasons:
+        if reason.startswith(PROGRAM_ERROR):
+            raise RuntimeError(reason)  # no property of a design: a search must not learn from it
     return table, tuple(reasons)
 
 

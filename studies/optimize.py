@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import math
 import os
-import warnings
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -21,7 +20,7 @@ from numpy.typing import NDArray
 from geometry import ArrayDesign, DesignError
 from studies.design_metrics import design_metrics
 from studies.optimize_file import Optimization, searched_range
-from studies.study_file import Parameter, StudyError
+from studies.study import Parameter, StudyError
 from studies.sweep_workers import open_workers
 
 if TYPE_CHECKING:
@@ -341,15 +340,13 @@ def evaluated(problem: Optimization, number: int, values: dict[str, Any]) -> Can
 
 @contextmanager
 def _quiet() -> Iterator[None]:
-    """Optuna writes a line for every trial, and says of features that they may change."""
+    """Optuna writes a line for every trial."""
     import optuna
 
     before = optuna.logging.get_verbosity()
     optuna.logging.set_verbosity(optuna.logging.ERROR)
     try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore", optuna.exceptions.ExperimentalWarning)
-            yield
+        yield
     finally:
         optuna.logging.set_verbosity(before)
 

@@ -8,17 +8,18 @@ from pathlib import Path
 from typing import Annotated, Any, Literal
 
 import tomlkit
-from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from pydantic import Field, ValidationError
 from tomlkit.exceptions import TOMLKitError
 
 from geometry import ArrayDesign
 from geometry.design_fields import error_from_validation
+from geometry.text_file import read_text
 from studies.metric_registry import Metric, metrics_named
 from studies.printable import Demand, PrintRules
-from studies.study_file import Parameter, Study, StudyError, read_study
+from studies.study import Parameter, Study, StudyError
+from studies.study_file import FileSection, read_study
 
 Method = Literal["nsga2", "tpe", "random"]
-_LARGEST_FILE = 1_000_000  # bytes
 
 
 @dataclass(frozen=True)
@@ -89,26 +90,22 @@ class Optimization:
         return metrics_named(dict.fromkeys(names))
 
 
-class _Section(BaseModel):
-    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
-
-
 _Whole = Annotated[int, Field(strict=True)]
 _Real = Annotated[float, Field(strict=True)]
 
 
-class _Objective(_Section):
+class _Objective(FileSection):
     metric: str = Field(description="name of a metric")
     better: Literal["larger", "smaller"] | None = Field(default=None, description="which values are wanted")
 
 
-class _Limit(_Section):
+class _Limit(FileSection):
     metric: str = Field(description="name of a metric")
     least: _Real | None = Field(default=None, description="smallest value allowed")
     most: _Real | None = Field(default=None, description="largest value allowed")
 
 
-class _Optimize(_Section):
+class _Optimize(FileSection):
     trials: Annotated[_Whole, Field(ge=1, le=1_000_000)] = Field(default=2000, description="designs to try")
     batch: Annotated[_Whole, Field(ge=1, le=10_000)] = Field(default=64, description="designs computed at once")
     method: Method | None = Field(default=None, description="how the designs are proposed")
@@ -126,15 +123,7 @@ def load_optimization(path: str | os.PathLike[str]) -> Optimization:
         DesignError: the base design is not valid.
     """
     path = Path(path)
-    if not path.is_file():
-        raise StudyError(f"{path}: {'is a folder, not a study file' if path.is_dir() else 'no such file'}")
-    if path.stat().st_size > _LARGEST_FILE:
-        raise StudyError(f"{path}: {path.stat().st_size} bytes must be at most {_LARGEST_FILE} for a study file")
-    try:
-        text = path.read_text(encoding="utf-8-sig")
-    except UnicodeDecodeError as error:
-        raise StudyError(f"{path}: byte {error.start} is not UTF-8; a study file is a text in UTF-8") from None
-    return read_optimization(text, str(path), path.parent)
+    return read_optimization(read_text(path, "a study file", StudyError), str(path), path.parent)
 
 
 def read_optimization(

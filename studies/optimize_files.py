@@ -107,7 +107,7 @@ def read_search(out: Path) -> tuple[Optimization, OptimizationResult]:
     from geometry import load_design
     from studies.optimize import found_so_far, journal_exists
     from studies.optimize_file import read_optimization
-    from studies.study_file import StudyError
+    from studies.study import StudyError
 
     if not journal_exists(out) or not all((out / name).is_file() for name in (_STUDY, _BASE, _REFINED)):
         raise StudyError(

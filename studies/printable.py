@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from geometry import ArrayDesign
-from geometry.design import Tube
+from geometry.design_parts import Tube
 from geometry.layout import place
 from geometry.print_processes import PrintProcess, Rule, process_of
 

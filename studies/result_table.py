@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from geometry import ArrayDesign
-from geometry.design_fields import fields_of
+from geometry.design_fields import field_named
 from studies.metric_registry import METRICS
 from studies.optimize import pareto_front
 
@@ -273,12 +273,8 @@ def table_of_search(problem: Optimization, result: OptimizationResult) -> Result
 
 def unit_of(name: str) -> str:
     """Unit of a field of the design by dotted name, empty where it has none."""
-    steps = name.split(".")
-    for field in fields_of(ArrayDesign):
-        parts = field.name.split(".")
-        if len(parts) == len(steps) and all(a in ("*", b) for a, b in zip(parts, steps, strict=True)):
-            return field.unit
-    return ""
+    field = field_named(ArrayDesign, name)
+    return "" if field is None else field.unit
 
 
 def _parameter(name: str, values: NDArray[Any], unit: str) -> Column:

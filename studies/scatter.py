@@ -20,6 +20,7 @@ from acoustic_fem.batch_parameters import ArrayParameters, Topology
 from acoustic_fem.membrane import DiscSolution, solve_disc
 from acoustic_fem.units import metres, pascals
 from geometry.design import ArrayDesign
+from geometry.text_file import read_text
 
 Array = NDArray[np.float64]
 Kind = Literal["absolute", "relative"]
@@ -90,11 +91,9 @@ def read_tolerances(path: Path) -> tuple[Tolerance, ...]:
         ValueError: it cannot be read, or holds an unknown quantity or field, or a value out of range.
     """
     try:
-        text = tomllib.loads(path.read_text(encoding="utf-8"))
-    except OSError as error:
-        raise ValueError(f"{path}: {error.strerror}") from None
-    except (UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
-        raise ValueError(f"{path}: {error}") from None
+        text = tomllib.loads(read_text(path, "a file of tolerances", ValueError))
+    except tomllib.TOMLDecodeError as error:
+        raise ValueError(f"{path}: is not TOML: {error}") from None
     known = {tolerance.quantity: tolerance for tolerance in TOLERANCES}
     for quantity, given in text.items():
         if quantity not in known:

@@ -1,13 +1,10 @@
-"""Study files: which designs, and what to compute for each. Every refusal is a :class:`StudyError` of one line."""
+"""Study files, read. Every refusal is a :class:`studies.study.StudyError` of one line."""
 
 from __future__ import annotations
 
-import hashlib
-import json
 import os
 import tomllib
 from collections.abc import Mapping
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
@@ -16,140 +13,23 @@ from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from geometry import ArrayDesign, DesignError, load_design
-from geometry.design_fields import check_value, error_from_validation, fields_of
-from geometry.design_file import prototype, prototype_names, value_of, write_design
-from studies.constraints import Constraint, parse_constraint
-
-Fidelity = Literal["lumped", "helmholtz", "navier-stokes"]
-Sampling = Literal["grid", "latin-hypercube", "sobol", "random"]
+from geometry.design_fields import check_value, error_from_validation, field_named
+from geometry.design_file import prototype, prototype_names, value_of
+from geometry.text_file import read_text
+from studies.constraints import parse_constraint
+from studies.study import Fidelity, Parameter, Sampling, Study, StudyError
 
 #: Most cases of one study; a store of more should be several.
 LARGEST = 10_000_000
-_LARGEST_FILE = 1_000_000  # bytes
 
 
-class StudyError(ValueError):
-    """A study that is not valid. The message is one line: file, field, value and what is allowed."""
+class FileSection(BaseModel):
+    """Base of every section of a study file: immutable; unknown keys and non-finite numbers are refused."""
 
-
-@dataclass(frozen=True)
-class Parameter:
-    """A field of the design that a study varies: a list of values, or a range.
-
-    Attributes:
-        name: dotted name.
-        values: the list; empty for a range.
-        low: where a range begins.
-        high: where it ends.
-        count: values of the range in a grid; 0 where none is given.
-        scale: of a range: equal steps, or equal ratios.
-        whole: whether the values are whole numbers, to which those of a range are rounded.
-    """
-
-    name: str
-    values: tuple[float | int | str, ...] = ()
-    low: float = 0.0
-    high: float = 0.0
-    count: int = 0
-    scale: Literal["linear", "log"] = "linear"
-    whole: bool = False
-
-    @property
-    def size(self) -> int:
-        """Number of values in a grid."""
-        return len(self.values) or self.count
-
-    def at(self, place: NDArray[np.float64]) -> NDArray[Any]:
-        """Values at places from 0 to 1: for a list each value takes an equal share of them."""
-        if self.values:
-            kind = np.float64 if all(isinstance(value, (int, float)) for value in self.values) else object
-            kind = np.int64 if self.whole else kind
-            index = np.minimum((place * len(self.values)).astype(np.int64), len(self.values) - 1)
-            return np.array(self.values, dtype=kind)[index]
-        if self.whole:  # each whole number takes an equal share
-            low, high = round(self.low), round(self.high)
-            return np.minimum(low + (place * (high - low + 1)).astype(np.int64), high)
-        if self.scale == "log":
-            values = self.low * (self.high / self.low) ** place
-        else:
-            values = self.low + (self.high - self.low) * place
-        return np.clip(values, min(self.low, self.high), max(self.low, self.high))
-
-    def grid(self) -> NDArray[Any]:
-        """All values in a grid, in the order of the file."""
-        if self.values:
-            return self.at((np.arange(len(self.values)) + 0.5) / len(self.values))
-        steps = np.arange(self.count) / max(self.count - 1, 1)
-        if self.whole:
-            return np.unique(np.round(self.low + (self.high - self.low) * steps).astype(np.int64))
-        return self.at(steps)
-
-
-@dataclass(frozen=True, eq=False)
-class Study:
-    """A set of designs and what to compute for each.
-
-    Attributes:
-        text: the study file.
-        name: of the study.
-        description: what it asks, for people.
-        base: the design that is varied.
-        axes: what varies on its own: one parameter, or several that go together.
-        sampling: how the cases lie: every combination, or samples of the ranges.
-        cases: number of samples; 0 for a grid.
-        seed: of the samples.
-        constraints: conditions that a case must meet to be part of the study.
-        fidelity: what the cells are computed with.
-        frequency: (n_freq,) Hz.
-        metrics: names of :data:`studies.metric_registry.METRICS`.
-        transfer_functions: whether they are kept.
-    """
-
-    text: str
-    name: str
-    description: str
-    base: ArrayDesign
-    axes: tuple[tuple[Parameter, ...], ...]
-    sampling: Sampling
-    cases: int
-    seed: int
-    constraints: tuple[Constraint, ...]
-    fidelity: Fidelity
-    frequency: NDArray[np.float64]
-    metrics: tuple[str, ...]
-    transfer_functions: bool
-
-    @property
-    def parameters(self) -> tuple[Parameter, ...]:
-        """All that varies, in the order of the file."""
-        return tuple(parameter for axis in self.axes for parameter in axis)
-
-    def content(self) -> dict[str, Any]:
-        """What decides the results, as plain values: neither comments nor the order of lines count."""
-        return {
-            "base": hashlib.sha256(write_design(self.base).encode()).hexdigest(),
-            "parameters": [[vars(parameter) | {"values": list(parameter.values)} for parameter in axis]
-                           for axis in self.axes],
-            "sampling": self.sampling,
-            "cases": self.cases,
-            "seed": self.seed,
-            "constraints": [constraint.text for constraint in self.constraints],
-            "fidelity": self.fidelity,
-            "frequencies": [float(value) for value in self.frequency],
-            "metrics": list(self.metrics),
-            "transfer_functions": self.transfer_functions,
-        }  # fmt: skip
-
-    def digest(self) -> str:
-        """Hash of :meth:`content`."""
-        return hashlib.sha256(json.dumps(self.content(), sort_keys=True).encode()).hexdigest()
-
-
-class _Section(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
 
 
-class _Range(_Section):
+class _Range(FileSection):
     first: Annotated[float, Field(strict=True, alias="from", description="where the range begins")]
     last: Annotated[float, Field(strict=True, alias="to", description="where the range ends")]
     count: Annotated[int, Field(strict=True, ge=2, le=100_000)] | None = Field(
@@ -158,7 +38,7 @@ class _Range(_Section):
     scale: Literal["linear", "log"] = Field(default="linear", description="equal steps or equal ratios")
 
 
-class _StudyFile(_Section):
+class _StudyFile(FileSection):
     name: str = Field(
         default="study",
         min_length=1,
@@ -190,19 +70,7 @@ def load_study(path: str | os.PathLike[str]) -> Study:
         DesignError: the base design is not valid.
     """
     path = Path(path)
-    try:
-        if path.is_file() and path.stat().st_size > _LARGEST_FILE:
-            raise StudyError(f"{path}: {path.stat().st_size} bytes must be at most {_LARGEST_FILE} for a study file")
-        text = path.read_bytes().decode("utf-8-sig")
-    except FileNotFoundError:
-        raise StudyError(f"{path}: no such file") from None
-    except IsADirectoryError:
-        raise StudyError(f"{path}: is a folder, not a study file") from None
-    except UnicodeDecodeError as error:
-        raise StudyError(f"{path}: byte {error.start} is not UTF-8; a study file is a text in UTF-8") from None
-    except OSError as error:
-        raise StudyError(f"{path}: cannot be read: {error.strerror}") from None
-    return read_study(text, str(path), path.parent)
+    return read_study(read_text(path, "a study file", StudyError), str(path), path.parent)
 
 
 def read_study(
@@ -281,19 +149,14 @@ def _metrics(names: tuple[str, ...]) -> tuple[str, ...]:
 
 
 def _frequencies(text: str) -> NDArray[np.float64]:
-    from acoustic_fem.checks import frequency_grid
+    from acoustic_fem.checks import frequency_grid, stated_grid
 
-    parts = text.split(":")
     try:
-        first, last, count = float(parts[0]), float(parts[1]), int(parts[2])
-        if len(parts) != 3 or not 1 <= count <= 100_000:
-            raise ValueError
-    except (ValueError, IndexError):
-        raise ValueError(
-            f"frequencies = {text!r} must be FIRST:LAST:COUNT in Hz, such as '1:100:64', with COUNT from 1 to 100000"
-        ) from None
+        grid = stated_grid(text)
+    except ValueError as error:
+        raise ValueError(f"frequencies = {error}") from None
     try:
-        return frequency_grid(np.linspace(first, last, count))
+        return frequency_grid(grid)
     except ValueError as error:
         raise ValueError(f"frequencies = {text!r}: {error}") from None
 
@@ -334,7 +197,8 @@ def _parameter(name: str, given: Any, in_grid: bool, base: ArrayDesign, source: 
         now = value_of(base, name)
     except DesignError as error:
         raise ValueError(f"parameters: {error}") from None
-    kind = next((field.kind for field in fields_of(ArrayDesign) if _same(field.name, name)), "a number")
+    field = field_named(ArrayDesign, name)
+    kind = "a number" if field is None else field.kind
     if kind in ("a table", "a list") or isinstance(now, (BaseModel, tuple, dict)):
         raise ValueError(f"parameters.{name} is {kind}; give the fields in it, such as {name}.length")
     if isinstance(given, list) and given:
@@ -379,11 +243,6 @@ def _check_design(base: ArrayDesign, name: str, value: Any, source: str) -> None
         if "is not a field" in str(error) or "is not given" in str(error) or str(error).startswith(f"{source}: "):
             raise StudyError(_named(source, error)) from None
         # a rule between fields: other parameters may mend it, else the case fails by name
-
-
-def _same(pattern: str, name: str) -> bool:
-    steps, given = pattern.split("."), name.split(".")
-    return len(steps) == len(given) and all(a in ("*", b) for a, b in zip(steps, given, strict=True))
 
 
 def _cases(file: _StudyFile, axes: tuple[tuple[Parameter, ...], ...]) -> int:

@@ -23,9 +23,9 @@ from acoustic_fem.provenance import versions
 from geometry import DesignError
 from studies.cases import Cases, cases_of
 from studies.metric_registry import metrics_named
-from studies.study_file import Study, StudyError
+from studies.study import Study, StudyError
 from studies.sweep_cases import CellKey, Job, SolvedCell, cells_of, check_metrics, discs_of, solve_block, solve_cell
-from studies.sweep_store import DONE, FAILED, BlockResult, SweepStore
+from studies.sweep_store import DONE, FAILED, PROGRAM_ERROR, BlockResult, SweepStore
 from studies.sweep_workers import Workers, WorkersLost, open_workers
 
 #: Cases looked at for a valid one, on which the metrics are tried before any work.
@@ -35,7 +35,7 @@ _FEW = 512
 
 
 class SweepError(RuntimeError):
-    """A sweep that ended before all of its cases were computed; what is done is kept."""
+    """A sweep that did not compute all of its cases; what is done is kept."""
 
 
 @dataclass(frozen=True)
@@ -82,6 +82,11 @@ class Summary:
     cell_seconds: float
     seconds: float
     notes: tuple[str, ...]
+
+    @property
+    def program_errors(self) -> list[int]:
+        """Numbers of the cases that failed by a mistake of the program."""
+        return [n for why, numbers in self.failures.items() if why.startswith(PROGRAM_ERROR) for n in numbers]
 
 
 def run_sweep(

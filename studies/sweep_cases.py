@@ -1,14 +1,17 @@
 """What a worker of a sweep computes: the metrics of consecutive cases, and single 3-D cells.
 
 Lumped cases of one topology are computed in one vectorised call; what a batch cannot hold, and every 3-D fidelity,
-case by case with the admittances of the cells given. A case that fails keeps its reason and stops no other.
+case by case with the admittances of the cells given. A case that fails keeps its reason and stops no other; that of a
+mistake of the program says so.
 """
 
 from __future__ import annotations
 
+import traceback
 import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from pathlib import Path
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -18,7 +21,7 @@ from acoustic_fem import Medium
 from acoustic_fem.axisymmetric_elasticity import DiscShape
 from acoustic_fem.batch_network import batch_response
 from acoustic_fem.batch_parameters import ArrayParameters, MediumParameters, Topology, design_air
-from acoustic_fem.design_cells import CellError, solve_cells
+from acoustic_fem.design_cells import CellError, CellFault, solve_cells
 from acoustic_fem.disc_table import DiscTable, design_shape, interpolated_discs
 from acoustic_fem.lumped_cell import lumped_admittance
 from acoustic_fem.network import solve_network
@@ -28,13 +31,17 @@ from geometry.layout import place
 from studies.cases import Cases
 from studies.metric_registry import Metric, metrics_named
 from studies.responses import Responses
-from studies.sweep_store import DONE, FAILED, BlockResult
+from studies.sweep_store import DONE, FAILED, PROGRAM_ERROR, BlockResult
 
 #: A cell in its air.
 CellKey: TypeAlias = tuple[Cell, Medium]
 Complex: TypeAlias = NDArray[np.complex128]
 
 _LONGEST_REASON = 500
+#: What stops a case: its design is refused, or cannot be computed.
+_REFUSALS = (ValueError, ArithmeticError, RuntimeError, OSError, MemoryError)
+#: What stops a case and is no property of its design.
+_MISTAKES = (TypeError, AttributeError, NameError, LookupError, AssertionError, CellFault)
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,8 +85,8 @@ def solve_cell(key: CellKey, frequency: NDArray[np.float64], fidelity: str) -> S
     cell, medium = key
     try:
         solution = solve_cells([cell], frequency, medium, fidelity, apart=True)[cell]
-    except (CellError, ValueError, OSError) as error:
-        return SolvedCell(None, _in_words(error))
+    except (*_REFUSALS, *_MISTAKES) as error:
+        return SolvedCell(None, _reason(error))
     return SolvedCell(solution.admittance, "", solution.seconds, solution.cached)
 
 
@@ -114,6 +121,7 @@ class _Block:
     transfer_functions: dict[int, Complex] = field(default_factory=dict)
 
     def fail(self, number: int, why: str) -> None:
+        """Keep the first reason for which a case fails."""
         if not self.reason[number]:
             self.reason[number] = why[:_LONGEST_REASON]
 
@@ -141,7 +149,7 @@ def solve_block(
             try:
                 designs[number] = cases.design(number)
             except DesignError as error:
-                block.fail(number, _in_words(error))
+                block.fail(number, _reason(error))
         for numbers, responses in _responses(job, designs, cells, block):
             _measure(numbers, responses, metrics, block)
             if job.transfer_functions:
@@ -183,12 +191,15 @@ def _responses(
             found.append((numbers, _batch(job, topology, [designs[number] for number in numbers])))
         except (ValueError, ArithmeticError):
             alone += numbers  # one of them is at fault; which one shows case by case
+        except _MISTAKES as error:
+            for number in numbers:
+                block.fail(number, _reason(error))
     single: dict[tuple[int, ...], list[tuple[int, Responses]]] = {}
     for number in sorted(alone):
         try:
             one = _network(job, designs[number], cells)
-        except Exception as error:
-            block.fail(number, _in_words(error))
+        except (*_REFUSALS, *_MISTAKES) as error:
+            block.fail(number, _reason(error))
         else:
             single.setdefault(one.transfer_function.shape, []).append((number, one))
     found += [([number for number, _ in each], _joined([one for _, one in each])) for each in single.values()]
@@ -299,12 +310,15 @@ def _measure(numbers: Sequence[int], responses: Responses, metrics: Sequence[Met
         values = block.values[metric.name]
         try:
             values[list(numbers)] = metric.of_batch(responses)
-        except Exception:  # one design is at fault, or all are: each has its own reason
+        except _REFUSALS:  # one design is at fault, or all are: each has its own reason
             for place_in_batch, number in enumerate(numbers):
                 try:
                     values[number] = metric.of_batch(_one(responses, place_in_batch))[0]
-                except Exception as error:
-                    block.fail(number, f"metric {metric.name}: {_in_words(error)}")
+                except (*_REFUSALS, *_MISTAKES) as error:
+                    block.fail(number, _reason(error, f"metric {metric.name}: "))
+        except _MISTAKES as error:
+            for number in numbers:
+                block.fail(number, _reason(error, f"metric {metric.name}: "))
         for number in numbers:
             if np.isnan(values[number]):
                 block.fail(number, f"metric {metric.name}: is not a number")
@@ -321,6 +335,11 @@ def check_metrics(job: Job, design: ArrayDesign) -> None:
         metric.of_batch(responses)
 
 
-def _in_words(error: BaseException) -> str:
+def _reason(error: BaseException, where: str = "") -> str:
+    """Why a case failed, in one line; of a mistake of the program with the place in it."""
     message = " ".join(str(error).split())
-    return message if isinstance(error, (ValueError, CellError)) and message else f"{type(error).__name__}: {message}"
+    if isinstance(error, _MISTAKES):
+        last = traceback.extract_tb(error.__traceback__)[-1]
+        return f"{PROGRAM_ERROR}{where}{type(error).__name__} in {Path(last.filename).name}:{last.lineno}: {message}"
+    named = isinstance(error, (ValueError, CellError)) and message
+    return where + (message if named else f"{type(error).__name__}: {message}")

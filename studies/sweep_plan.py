@@ -9,8 +9,8 @@ from time import process_time
 from acoustic_fem.design_cells import is_cached
 from acoustic_fem.disc_table import disc_count
 from geometry import DesignError
-from studies.cases import Cases, cases_of
-from studies.study_file import Study, StudyError
+from studies.cases import Cases, cases_of, sobol_note
+from studies.study import Study, StudyError
 from studies.sweep_cases import CellKey, Job, cells_of, check_metrics, discs_of, solve_block
 from studies.sweep_store import block_size, point_count
 from studies.sweep_workers import cores
@@ -42,6 +42,7 @@ class Plan:
         workers: that number.
         memory: expected of all workers together, bytes.
         storage: of the store before compression, bytes.
+        note: what to know of the sample; empty where there is nothing.
     """
 
     cases: int
@@ -53,6 +54,7 @@ class Plan:
     workers: int
     memory: float
     storage: float
+    note: str
 
 
 def plan_sweep(study: Study, workers: int | None = None) -> Plan:
@@ -93,7 +95,7 @@ def plan_sweep(study: Study, workers: int | None = None) -> Plan:
     stored = 8 * (len(study.metrics) + len(cases.names) + 1) + (values if study.transfer_functions else 0)
     return Plan(
         len(cases), cases.left_out, dict(refused.most_common()), len(cells), cached, seconds, team, memory,
-        stored * len(cases),
+        stored * len(cases), sobol_note(study),
     )  # fmt: skip
 
 

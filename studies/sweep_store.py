@@ -20,11 +20,11 @@ from numpy.typing import NDArray
 
 from acoustic_fem.provenance import versions
 from geometry import ArrayDesign
-from geometry.design_fields import fields_of
+from geometry.design_fields import field_named
 from geometry.design_file import read_design, write_design
 from studies.cases import Cases
 from studies.folders import check_folder
-from studies.study_file import Study, StudyError
+from studies.study import Study, StudyError
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -33,6 +33,8 @@ if TYPE_CHECKING:
 FORMAT = 1
 #: Values of ``state``.
 WAITING, DONE, FAILED = 0, 1, 2
+#: How the reason begins of a case that failed by a mistake of the program, not by its design.
+PROGRAM_ERROR = "program error: "
 #: Versions that may change a result.
 _LIBRARIES = ("gmsh", "numpy", "scikit-fem", "scipy", "xarray", "zarr")
 #: Complex values of transfer functions worked on in one block, and most cases of one.
@@ -285,13 +287,12 @@ def _create(path: Path, study: Study, cases: Cases, metrics: Sequence[Labelled])
             dimension_names=("case", *dims), attributes=attributes,
         )  # fmt: skip
 
-    fields = {field.name: field for field in fields_of(ArrayDesign)}
     variable("case", ("case",), np.arange(len(cases)), long_name="number of the case")
     variable("frequency", ("frequency",), study.frequency, units="Hz", long_name="frequency")
     variable("microphone", ("microphone",), np.array(study.base.microphones, dtype=object), long_name="microphone")
     variable("point", ("point",), np.arange(1, point_count(cases) + 1), long_name="sensing point, from 1")
     for name, column in zip(cases.names, cases.columns, strict=True):
-        field = fields.get(_pattern(name, fields))
+        field = field_named(ArrayDesign, name)
         about = {"long_name": field.description, "units": field.unit or "1"} if field else {"units": "mm"}
         variable(name, ("case",), column, kind="parameter", **about)
     for metric in metrics:
@@ -311,16 +312,6 @@ def _create(path: Path, study: Study, cases: Cases, metrics: Sequence[Labelled])
 
 def _kind(values: NDArray[Any]) -> str:
     return "string" if values.dtype == object else str(values.dtype)
-
-
-def _pattern(name: str, known: Iterable[str]) -> str:
-    """The name with a star for an index or a name of the user's own, as ``fields_of`` has it."""
-    steps = name.split(".")
-    for other in known:
-        parts = other.split(".")
-        if len(parts) == len(steps) and all(a in ("*", b) for a, b in zip(parts, steps, strict=True)):
-            return other
-    return name
 
 
 def _first_difference(stored: Mapping[str, Any], wanted: Mapping[str, Any]) -> str:

@@ -11,7 +11,8 @@ import geometry
 from geometry.air import air_solid
 from geometry.cavity_shapes import draw_cavity, turned
 from geometry.cells import ANGLE_STEP, Cell, canonical_ports, cell_catalogue, resonator_cell
-from geometry.design import Membrane, Printing, Resonator
+from geometry.design import Printing
+from geometry.design_parts import Membrane, Resonator
 from geometry.layout import place
 from geometry.microphone import build_housing
 from geometry.shell import build_shell, cylinder, port_height

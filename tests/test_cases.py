@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from studies.cases import Cases, cases_of
-from studies.study_file import StudyError, read_study
+from studies.study import StudyError
+from studies.study_file import read_study
 
 HEAD = 'base = "array-2x6"\nmetrics = ["distance_smallest"]\nfidelity = "lumped"\n'
 

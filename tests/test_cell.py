@@ -11,7 +11,7 @@ from reference_data import AIR, column
 from acoustic_fem import cell_cache, duct
 from acoustic_fem.cavity import closed_cylinder_compliance
 from acoustic_fem.cell import port_admittance, solve_solid
-from acoustic_fem.design_cells import CellError, solve_cells
+from acoustic_fem.design_cells import CellError, CellFault, solve_cells
 from acoustic_fem.linear_solver import LinearSolverError
 from acoustic_fem.lumped_cell import lumped_admittance
 from geometry.cells import Cell, CellPort
@@ -288,3 +288,17 @@ def test_bad_input_is_refused_by_name(change, message):
     good = {"solid": cq.Solid.makeBox(1, 1, 1), "ports": {"a": (0.5, 0.5, 0)}, "frequency": [1.0], "medium": AIR}
     with pytest.raises((ValueError, MeshError, LinearSolverError), match=message):
         port_admittance(**{**good, **change})
+
+
+def test_a_mistake_in_a_process_that_solves_a_cell_is_not_taken_for_a_cell_without_solution(
+    tmp_path, monkeypatch, capfd
+):
+    (tmp_path / "sitecustomize.py").write_text(
+        "import geometry.air\ngeometry.air.air_volume = lambda cell: cell.nonsense\n"
+    )
+    monkeypatch.syspath_prepend(tmp_path)
+    monkeypatch.setenv("ACOUSTIC_FEM_CACHE", str(tmp_path / "cache"))
+    cell = Cell("resonator", 3.0, 2.0, 1.0, (CellPort(0.0, 0.4),), 3.0, 0.0)
+    with pytest.raises(CellFault, match=r"AttributeError: 'Cell' object has no attribute 'nonsense'"):
+        solve_cells([cell], [10.0], AIR, "helmholtz", apart=True)
+    assert "Traceback" in capfd.readouterr().err

@@ -12,9 +12,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import geometry
-from geometry.design import ArrayDesign, Tube
+from geometry.design import ArrayDesign
 from geometry.design_fields import DesignError, fields_of
 from geometry.design_file import prototype_text, read_design, write_design
+from geometry.design_parts import Tube
 from geometry.materials import MATERIALS, Material, blend_modulus, youngs_modulus_from_shore_a
 
 DELETE = object()

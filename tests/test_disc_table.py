@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -29,9 +30,9 @@ def solved() -> list[DiscShape]:
 
 @pytest.fixture(scope="module")
 def table(solved: list[DiscShape]) -> DiscTable:
-    def solve(several: object) -> list[ElasticDisc]:
-        solved.extend(several)  # type: ignore[arg-type]
-        return [solve_dimensionless(shape) for shape in several]  # type: ignore[attr-defined]
+    def solve(several: Sequence[DiscShape]) -> list[ElasticDisc]:
+        solved.extend(several)
+        return [solve_dimensionless(shape) for shape in several]
 
     (made,) = disc_tables(shapes(300), solve)
     return made

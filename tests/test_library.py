@@ -335,4 +335,4 @@ assert not heavy, heavy
 
 def test_an_unknown_name_is_an_attribute_error():
     with pytest.raises(AttributeError, match="module 'acoustic_fem' has no attribute 'nonsense'"):
-        acoustic_fem.nonsense  # noqa: B018
+        _ = acoustic_fem.nonsense

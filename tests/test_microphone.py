@@ -8,8 +8,8 @@ from reference_data import AIR
 from scipy.integrate import quad
 
 from acoustic_fem import microphone
-from geometry.design import Microphone
 from geometry.design_file import prototype, prototype_names
+from geometry.design_parts import Microphone
 
 MEMS = Microphone(chamber_diameter=3.0, chamber_height=2.0)
 BAND = np.logspace(-2, 3.3, 60)

@@ -287,7 +287,7 @@ def test_a_symmetric_line_has_mirrored_responses():
 def test_the_place_where_tubes_are_cut_does_not_matter(monkeypatch):
     design = prototype("array-2x6")
     four_radii = solve(design)
-    monkeypatch.setattr("geometry.design.STUB_LENGTH_IN_RADII", 2.5)
+    monkeypatch.setattr("geometry.design_parts.STUB_LENGTH_IN_RADII", 2.5)
     monkeypatch.setattr("geometry.cells.STUB_LENGTH_IN_RADII", 2.5)
     assert design.tube.stub_length == pytest.approx(2.5 * design.tube.inner_diameter / 2)
     two_and_a_half = solve(design)

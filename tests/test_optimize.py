@@ -19,12 +19,13 @@ from geometry import prototype
 from geometry.design_file import load_design
 from geometry.layout import place
 from studies.metric_registry import metrics_named
-from studies.optimize import JOURNAL, OptimizationResult, optimize, pareto_front, ranked, refusal_of
+from studies.optimize import JOURNAL, Candidate, OptimizationResult, optimize, pareto_front, ranked, refusal_of
 from studies.optimize_file import Optimization, read_optimization
 from studies.optimize_files import read_search, save_search
-from studies.optimize_gradient import SmoothModel, refine, with_refined
-from studies.printable import PrintRules, measures
-from studies.study_file import StudyError
+from studies.optimize_gradient import refine, with_refined
+from studies.printable import Demand, PrintRules, measures
+from studies.smooth_model import SmoothModel
+from studies.study import StudyError
 
 STUDY = """
 name = "small"
@@ -85,7 +86,7 @@ def test_every_computed_design_can_be_printed_and_laid_out(problem: Optimization
 
 
 def test_the_front_keeps_the_limits_and_nothing_beats_it(found: OptimizationResult) -> None:
-    def figures(each):  # type: ignore[no-untyped-def]
+    def figures(each: Candidate) -> np.ndarray:
         return np.array([each.metrics["distance_smallest"], each.metrics["sensitivity_force"]])
 
     assert found.front
@@ -225,8 +226,8 @@ def test_a_front_is_what_no_other_beats() -> None:
 
 
 @pytest.mark.parametrize(("demand", "bore"), [("least", 0.1), ("advised", 0.2), ("base", 0.18)])
-def test_a_demand_gives_the_narrowest_bore(demand: str, bore: float) -> None:
-    rules = PrintRules(prototype("fingertip-3x4"), demand)  # type: ignore[arg-type]
+def test_a_demand_gives_the_narrowest_bore(demand: Demand, bore: float) -> None:
+    rules = PrintRules(prototype("fingertip-3x4"), demand)
     assert rules.least_value("tube.inner_diameter") == pytest.approx(bore)
     assert rules.least_value("tube.length") is None
     thin = prototype("fingertip-3x4").with_values({"tube.inner_diameter": bore - 0.01})

@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import xarray as xr
+import zarr
 
 import acoustic_fem
 import geometry
@@ -74,12 +75,12 @@ def test_only_one_block_is_held(store: PerturbedLibrary, monkeypatch: pytest.Mon
         chunks = fresh._parts[0].chunks
         shape = fresh._parts[0].shape
 
-        def __init__(self, array: object) -> None:
+        def __init__(self, array: zarr.Array) -> None:
             self.array = array
 
         def __getitem__(self, part: slice) -> object:
             rows.append(part)
-            return self.array[part]  # type: ignore[index]
+            return self.array[part]
 
     monkeypatch.setattr(fresh, "_parts", tuple(Spy(part) for part in fresh._parts))
     for first in range(0, 128, 4):

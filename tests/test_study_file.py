@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 
 from geometry import DesignError, prototype, save_design
-from studies.study_file import StudyError, load_study, read_study
+from studies.study import StudyError
+from studies.study_file import load_study, read_study
 
 HEAD = 'base = "array-2x6"\nmetrics = ["distance_smallest"]\nfidelity = "lumped"\n'
 PARAMETERS = '[parameters]\n"tube.length" = [12.5, 14]\n'

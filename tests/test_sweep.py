@@ -17,14 +17,19 @@ from typer.testing import CliRunner
 import acoustic_fem
 from acoustic_fem import cell_cache, design_cells
 from acoustic_fem.axisymmetric_elasticity import DiscShape, ElasticDisc, solve_dimensionless
+from acoustic_fem.medium import Medium
 from geometry.cells import Cell
 from studies import sweep, sweep_cases
 from studies.cases import cases_of
 from studies.cli import app
+from studies.design_metrics import design_metrics
 from studies.metric_registry import METRICS
-from studies.study_file import Study, StudyError, read_study
+from studies.responses import Responses
+from studies.study import Study, StudyError
+from studies.study_file import read_study
 from studies.sweep import Progress, Summary, run_sweep
 from studies.sweep_store import BlockResult, SweepStore, block_size, open_sweep
+from studies.sweep_workers import open_workers
 
 METRICS_OF_STUDY = ("distance_smallest", "ipd_mean", "sensitivity_force", "volume")
 TEXT = f"""
@@ -232,11 +237,10 @@ def test_a_metric_that_fails_for_one_design_fails_that_case_only(
     length = whole.case(victim)["tube.length"]
     volume = METRICS["volume"]
 
-    def picky(responses: object) -> np.ndarray:
-        designs = responses.designs  # type: ignore[attr-defined]
-        if any(design.tube.length == length for design in designs):
+    def picky(responses: Responses) -> np.ndarray:
+        if any(design.tube.length == length for design in responses.designs or ()):
             raise ArithmeticError("too long")
-        return volume.compute(responses)  # type: ignore[arg-type]
+        return volume.compute(responses)
 
     monkeypatch.setitem(METRICS, "volume", replace(volume, compute=picky))
     run_sweep(study, tmp_path / "r.zarr", workers=1)
@@ -245,6 +249,38 @@ def test_a_metric_that_fails_for_one_design_fails_that_case_only(
     assert str(result.dataset["reason"].values[victim]) == "metric volume: ArithmeticError: too long"
     others = result.done
     np.testing.assert_array_equal(result.dataset["volume"].values[others], whole.dataset["volume"].values[others])
+
+
+def test_a_mistake_of_the_program_is_no_property_of_a_design(
+    tmp_path: Path, finished: tuple[Path, Summary], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    volume = METRICS["volume"]
+
+    def mistaken(responses: Responses) -> np.ndarray:
+        if any(design.point_count == 6 for design in responses.designs or ()):
+            raise KeyError("six")
+        return volume.compute(responses)
+
+    def tried(job: object, design: object) -> None:
+        """The first case is tried before any work, where a mistake is a traceback."""
+
+    monkeypatch.setitem(METRICS, "volume", replace(volume, compute=mistaken))
+    monkeypatch.setattr(sweep, "check_metrics", tried)
+    (tmp_path / "study.toml").write_text(TEXT)
+    out = tmp_path / "r.zarr"
+    told = CliRunner().invoke(app, ["sweep", str(tmp_path / "study.toml"), "--out", str(out)])
+    whole, result = open_sweep(finished[0]), open_sweep(out)
+    wrong = whole.done & (whole.dataset["lines.0.points"].values == 6)
+    assert 0 < wrong.sum() < whole.done.sum()
+    np.testing.assert_array_equal(result.done, whole.done & ~wrong)
+    for reason in result.dataset["reason"].values[wrong]:
+        assert re.fullmatch(r"program error: metric volume: KeyError in test_sweep\.py:\d+: 'six'", str(reason))
+    assert told.exit_code == 1
+    assert isinstance(told.exception, sweep.SweepError)
+    assert f"{wrong.sum()} cases (the first is {np.flatnonzero(wrong)[0]}) failed by a mistake" in str(told.exception)
+    assert "x program error: metric volume: KeyError" in told.stdout
+    with open_workers(1, None) as team, pytest.raises(RuntimeError, match="program error: metric volume: KeyError"):
+        design_metrics([{"lines.0.points": 6}], read_study(TEXT), (METRICS["volume"],), team)
 
 
 def test_metrics_that_the_frequencies_cannot_give_are_refused_before_any_work(tmp_path: Path) -> None:
@@ -275,7 +311,7 @@ def test_every_distinct_cell_is_solved_once_and_one_that_fails_takes_its_own_cas
     asked: list[Cell] = []
 
     def solve_cells(
-        cells: list[Cell], frequency: np.ndarray, medium: object, fidelity: str, *, apart: bool
+        cells: list[Cell], frequency: np.ndarray, medium: Medium, fidelity: str, *, apart: bool
     ) -> dict[Cell, object]:
         from acoustic_fem.lumped_cell import lumped_admittance
 
@@ -284,7 +320,7 @@ def test_every_distinct_cell_is_solved_once_and_one_that_fails_takes_its_own_cas
         asked.append(cell)
         if cell.kind == "resonator" and cell.height == 3.0 and len({port.bore_diameter for port in cell.ports}) == 1:
             raise design_cells.CellError(f"{cell.label}: no mesh")
-        admittance = lumped_admittance(cell, frequency, medium)  # type: ignore[arg-type]
+        admittance = lumped_admittance(cell, frequency, medium)
         return {cell: design_cells.CellSolution(admittance, fidelity, 1, (), 0.0, 0.0, 1.0, cached=False)}
 
     monkeypatch.setattr(sweep_cases, "solve_cells", solve_cells)
@@ -312,6 +348,15 @@ def test_a_dry_run_says_what_it_will_cost_and_writes_nothing(tmp_path: Path, mon
     assert f"distinct cells (navier-stokes): {len(cells)}, of which 0 are in the cache" in result.stdout
     assert re.search(r"expected time: \S+ (s|min|h) with 2 workers", result.stdout)
     assert sorted(entry.name for entry in tmp_path.iterdir()) == ["study.toml"]
+
+
+@pytest.mark.parametrize(("count", "told"), [(40, True), (64, False)])
+def test_a_dry_run_says_that_a_sobol_sample_is_not_balanced(count: int, told: bool, tmp_path: Path) -> None:
+    text = TEXT.replace('"random"\ncases = 40', f'"sobol"\ncases = {count}')
+    (tmp_path / "study.toml").write_text(text)
+    result = CliRunner().invoke(app, ["sweep", str(tmp_path / "study.toml"), "--dry-run"])
+    assert result.exit_code == 0, result.output
+    assert ("note: a Sobol sample of 40 cases is not balanced; one of 32 or 64 is" in result.stdout) == told
 
 
 def test_the_verb_says_what_it_did_and_goes_on(tmp_path: Path) -> None:

@@ -75,6 +75,18 @@ def wait_for(condition: Callable[[], object], process: subprocess.Popen[bytes] |
         time.sleep(0.02)
 
 
+def start_and_kill(arguments: tuple[str, ...], out: Path, moment: int) -> None:
+    """Kill a sweep of two workers when so many blocks are done, and wait until its workers have gone."""
+    run = start(*arguments)
+    wait_for(lambda: blocks(out) >= moment, run)
+    helpers = psutil.Process(run.pid).children(recursive=True)
+    run.send_signal(signal.SIGKILL)
+    run.wait()
+    assert len(helpers) >= 2
+    assert (open_sweep(out).dataset["state"].values == 0).any(), "the sweep was done before it was killed"
+    wait_for(lambda: not any(alive(helper) for helper in helpers))
+
+
 @pytest.fixture
 def cluster(tmp_path: Path) -> Iterator[tuple[str, list[subprocess.Popen[bytes]]]]:
     """Address of a scheduler on loopback, and its two workers."""
@@ -128,14 +140,7 @@ def test_a_run_that_is_killed_three_times_ends_in_the_same_store(
     out = tmp_path / "results.zarr"
     arguments = ("studies.cli", "sweep", str(study), "--out", str(out), "--workers", "2")
     for moment in (1, 6, 11):
-        run = start(*arguments)
-        wait_for(lambda moment=moment: blocks(out) >= moment, run)  # type: ignore[misc]
-        helpers = psutil.Process(run.pid).children(recursive=True)
-        run.send_signal(signal.SIGKILL)
-        run.wait()
-        assert len(helpers) >= 2
-        assert (open_sweep(out).dataset["state"].values == 0).any(), "the sweep was done before it was killed"
-        wait_for(lambda helpers=helpers: not any(alive(helper) for helper in helpers))  # type: ignore[misc]
+        start_and_kill(arguments, out, moment)
     run = start(*arguments)
     assert run.wait(PATIENCE) == 0
     assert blocks(out) < BLOCKS + 3 * 2, "blocks that were done were computed again"

@@ -9,6 +9,7 @@ import subprocess
 import sys
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -51,10 +52,11 @@ def page(folder: Path) -> str:
     return (folder / "report.html").read_text(encoding="utf-8")
 
 
-def data_of(page: str) -> dict:  # type: ignore[type-arg]
+def data_of(page: str) -> dict[str, Any]:
     found = re.search(r'<script type="application/json" id="data">(.*?)</script>', page, re.DOTALL)
     assert found is not None
-    return json.loads(found.group(1))  # type: ignore[no-any-return]
+    data: dict[str, Any] = json.loads(found.group(1))
+    return data
 
 
 def test_the_newcomers_study_has_its_256_designs(table: ResultTable) -> None:

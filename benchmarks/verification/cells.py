@@ -11,9 +11,9 @@ from acoustic_fem.cell import mesh_sizes, solve_solid
 from acoustic_fem.condensed import condense
 from acoustic_fem.section import CircularSection
 from benchmarks.one_mesh import in_one_mesh, in_pieces, transfer_functions
-from benchmarks.verification.reference import AIR, column, rows
 from benchmarks.verification.report import Check, Level, Study, Subject, Table
 from geometry.mesh import InvertedElementsError, MeshSizes, mesh_solid
+from tests.reference_data import AIR, column, rows
 
 CELL_TEXT = """The reference cell: a cylinder of 6 x 2.5 mm, rigid all round, with two tubes of 0.5 x 6.25 mm opposite
 each other at mid height; 1 to 100 Hz. The vendored rows of another program (tests/reference/acoustics.json) are good

@@ -9,8 +9,8 @@ import numpy as np
 
 from acoustic_fem import duct
 from acoustic_fem.section import CircularSection
-from benchmarks.verification.reference import AIR
 from benchmarks.verification.report import Check, Level, Study, Subject, Table
+from tests.reference_data import AIR
 
 _DIGITS = 50
 _LENGTHS = (1e-4, 0.0125, 0.12, 1.0)

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import json
 from importlib.util import find_spec
+from pathlib import Path
 
 import numpy as np
 
 from acoustic_fem.medium import Medium
-from benchmarks.verification.reference import ROOT
 from benchmarks.verification.report import Check, Subject, Table
+from tests import openwind_ladder
 
 TEXT = """Input impedance of tubes with a closed end by [OpenWind](https://openwind.inria.fr) {version} (INRIA; GPL-3,
 the optional extra `verify`) with `losses="bessel"`, no junction masses, and the air of its own `Physics(20)` for both
@@ -17,6 +18,7 @@ programs. Tubes by its transfer matrices, the cone by its finite elements of ord
 over {frequencies} Hz; {source}."""
 
 _TARGET = 1e-9
+_STORED = Path(openwind_ladder.__file__).parent / "reference" / "openwind.json"
 
 
 def available() -> bool:
@@ -30,15 +32,12 @@ def run(quick: bool) -> Subject:
     Raises:
         RuntimeError: a full run without OpenWind.
     """
-    import openwind_ladder  # the tests' folder is on the path, see reference.py
-
     if available():
         numbers, source = openwind_ladder.reference(), "both computed in this run"
     elif quick:
-        stored = ROOT / "tests" / "reference" / "openwind.json"
         numbers, source = (
-            json.loads(stored.read_text(encoding="utf-8")),
-            "OpenWind's from tests/reference/openwind.json",
+            json.loads(_STORED.read_text(encoding="utf-8")),
+            f"OpenWind's from tests/reference/{_STORED.name}",
         )
     else:
         raise RuntimeError('the page compares with OpenWind: python -m pip install -e ".[verify]"')

@@ -12,9 +12,9 @@ from acoustic_fem.cavity import closed_cylinder_compliance, closed_sphere_compli
 from acoustic_fem.cell import port_admittance
 from acoustic_fem.condensed import Physics, condense
 from acoustic_fem.diffusion_field import diffusion_field, field_coefficients
-from benchmarks.verification.reference import AIR
 from benchmarks.verification.report import Check, Level, Study, Subject
 from geometry.mesh import MeshSizes, SolidMesh, mesh_solid
+from tests.reference_data import AIR
 
 TUBE_TEXT = """A round tube of radius a = 0.25 mm and length 1 mm, uniform curved tetrahedra, both 3-D models, against
 the exact duct: the largest error of Y₁₁ and Y₁₂ relative to |Y₁₁|. At low frequency Poiseuille's profile lies in the
