@@ -99,8 +99,8 @@ def array_model(design: ArrayDesign, parts: Mapping[str, cq.Workplane] | None = 
 def build_assembly(design: ArrayDesign, parts: Mapping[str, cq.Workplane] | None = None) -> cq.Assembly:
     """The array as a CadQuery assembly with a named component per point, microphone and tube.
 
-    Copies of a part share its shape, so that a STEP file holds it once. Write it with
-    ``assembly.export("array.step")``. Tubes that are drawn schematically are left out.
+    Copies of a part share its shape. Tubes that are drawn schematically are left out. To write it as STEP with the
+    names of its parts, use :func:`geometry.step_assembly.write_step`.
 
     Args:
         design: the array.
@@ -118,13 +118,18 @@ def assembly_of(model: ArrayModel) -> cq.Assembly:
     for part in model.placed:
         groups.setdefault(part.group, cq.Assembly(name=part.group)).add(
             model.shapes[part.part],
-            name=part.label if part.label != part.group else f"{part.label} {model.kind(part.part)}",
+            name=component_name(model, part),
             loc=cq.Location(plane_of(part.matrix)),
             color=cq.Color(*_rgb(LOOKS[model.kind(part.part)][0])),
         )
     for group in groups.values():
         root.add(group)
     return root
+
+
+def component_name(model: ArrayModel, part: PlacedPart) -> str:
+    """What a placed part is called in an assembly, where its group has the name of its place."""
+    return part.label if part.label != part.group else f"{part.label} {model.kind(part.part)}"
 
 
 def plane_of(matrix: NDArray[np.float64]) -> cq.Plane:

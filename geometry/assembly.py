@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from geometry.cavity_shapes import turned
 from geometry.design import ArrayDesign, Tube
+from geometry.design_file import write_design
 from geometry.layout import ArrayLayout, MicrophonePlacement, PointPlacement, place
 from geometry.mold import mold_counts
 from geometry.tube import Port
@@ -28,8 +29,9 @@ _ANGLE_STEP = 0.1
 class PartSet(dict[str, "cq.Workplane"]):
     """Parts by name, each in its own coordinates (mm), with what they were generated from.
 
-    ``parameters`` has for each part the numbers and words written into its 3MF file, ``counts`` how many of
-    it one array needs.
+    ``parameters`` has for each part the numbers and words written into its 3MF file: what matters most of it, and
+    under ``design_toml`` the text of the whole design, from which :func:`build_parts` draws the part of that name
+    again. ``counts`` has how many of it one array needs, 0 for single shells beside a carrier.
     """
 
     def __init__(self) -> None:
@@ -69,8 +71,8 @@ def build_parts(design: ArrayDesign) -> PartSet:
         ``mold-base``, ``mold-lid``, ... in which membranes are cast, see :func:`geometry.mold.build_mold`;
         ``microphone-housing``, with the angles of further ports where lines meet; ``microphone-board``. Where
         tubes of different diameters are used, the names of shells and housings end in bore x outside
-        of their ports' tubes. With ``printing.carrier`` also ``carrier``, the shells of all points in one piece,
-        in place of those printed one by one.
+        of their ports' tubes. With ``printing.carrier`` also ``carrier``, the shells of all points in one piece:
+        the single shells are then spares, needed 0 times.
 
     Raises:
         ValueError: a part is not one valid solid.
@@ -129,14 +131,25 @@ def build_parts(design: ArrayDesign) -> PartSet:
     }
     parts.parameters["membrane"] = disc
     for name in mold.parts:
-        parts.parameters[name] = {**disc, "scale": design.mold.scale, "draft": design.mold.draft}
+        parts.parameters[name] = {
+            **disc,
+            "kind": design.mold.kind,
+            "scale": design.mold.scale,
+            "draft": design.mold.draft,
+        }
+    for step in range(1, design.mold.shim_count + 1):
+        if (name := f"mold-shim-{step}") in mold.parts:
+            raised = step * design.mold.shim_step
+            parts.parameters[name] |= {"raises_lid": raised, "height": design.mold.land_height + raised}
     if printing.carrier != "none":
         carrier = array_carrier(design, [plan.shells[name] for name, _ in plan.point_shells])
         parts["carrier"] = carrier.part
         parts.parameters["carrier"] = {**shell, **joints, "shells": len(carrier.places), "necks": carrier.necks}
     parts.counts = _counts(design, plan)
+    text = write_design(design.completed())
     for name in parts:
-        parts.parameters[name] = {"design": design.name, "count": parts.counts[name], **parts.parameters[name]}
+        about: dict[str, float | int | str] = {"design": design.name, "count": parts.counts[name]}
+        parts.parameters[name] = {**about, **parts.parameters[name], "design_toml": text}
     return parts
 
 
@@ -239,13 +252,14 @@ def _housing_name(ports: tuple[Port, ...]) -> str:
 
 def _counts(design: ArrayDesign, plan: _Plan) -> dict[str, int]:
     used = Counter(name for name, _ in plan.point_shells + plan.microphone_housings)
+    carried = design.printing.carrier != "none"
     return {
-        **{name: used[name] for name in plan.shells},
+        **{name: 0 if carried else used[name] for name in plan.shells},
         "membrane": len(plan.point_shells),
         **mold_counts(design),
         **{name: used[name] for name in plan.housings},
         "microphone-board": len(plan.microphone_housings),
-        **({} if design.printing.carrier == "none" else {"carrier": 1}),
+        **({"carrier": 1} if carried else {}),
     }
 
 

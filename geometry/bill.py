@@ -10,15 +10,15 @@ import io
 import json
 import math
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, fields, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
 from geometry.assembly import PartSet, build_parts
-from geometry.design import ArrayDesign
+from geometry.design import BOARD_SEAL, ArrayDesign
 from geometry.part_files import origin
-from geometry.tube import cutting_list
+from geometry.tube import Cut, cutting_list
 from geometry.whole_file import write_text
 
 if TYPE_CHECKING:
@@ -39,7 +39,8 @@ class Prices:
         sheath: heat-shrink or catheter tube, per metre.
         microphone: MEMS microphone, each.
         board: that carries it, each.
-        glue: per joint of a tube or a membrane.
+        gasket: under a board, each.
+        glue: per joint of a tube, a membrane or a board.
         resin_factor: resin used per resin in the parts, for supports and what stays in the tank.
         silicone_factor: silicone mixed per silicone in the membranes, for the overflow and the cup.
         cutting_loss: of spring and sheath per cut, mm.
@@ -53,6 +54,7 @@ class Prices:
     sheath: float = 0.5
     microphone: float = 1.5
     board: float = 0.3
+    gasket: float = 0.05
     glue: float = 0.01
     resin_factor: float = 1.3
     silicone_factor: float = 2.0
@@ -105,7 +107,7 @@ class Bill:
     silicone_ml: float
     """In the membranes."""
     tube_m: float
-    """Of spring and as much of sheath, cut to length."""
+    """Of sheath, cut to length; springs of bent tubes are a little shorter."""
 
     @property
     def cost(self) -> float:
@@ -158,7 +160,7 @@ class Bill:
 
 
 def bill_of_materials(design: ArrayDesign, parts: PartSet | None = None, prices: Prices | None = None) -> Bill:
-    """What one array takes of resin, silicone, spring, sheath, microphones and glue.
+    """What one array takes of resin, silicone, spring, sheath, microphones, gaskets and glue.
 
     Args:
         design: the array.
@@ -168,24 +170,27 @@ def bill_of_materials(design: ArrayDesign, parts: PartSet | None = None, prices:
     parts = build_parts(design) if parts is None else parts
     prices = prices or Prices()
     volumes = _millilitres(parts)
-    # Where a carrier holds all shells in one piece, they are not printed one by one as well.
-    made = [
-        name for name in parts if origin(name) != "bought" and not ("carrier" in parts and name.startswith("shell"))
-    ]
+    made = [name for name in parts if origin(name) != "bought" and parts.counts[name]]
     items = [_made(name, volumes[name], parts.counts[name], design, prices) for name in made]
-    springs, sheaths = _tubes(design, prices)
-    items += springs + sheaths
-    count = len(design.microphones)
-    items.append(BillItem(design.microphone.model, "bought", count, count, "pieces", prices.microphone))
+    cuts = cutting_list(design)
+    items += _springs(cuts, prices) + _sheaths(cuts, prices)
+    microphone, count = design.microphone, len(design.microphones)
+    items.append(BillItem(microphone.model, "bought", count, count, "pieces", prices.microphone))
     items.append(BillItem("microphone-board", "bought", count, count, "pieces", prices.board))
-    joints = 2 * sum(cut.count for cut in cutting_list(design)) + design.point_count
-    note = "two per tube, one per membrane"
+    joints, note = 2 * sum(cut.count for cut in cuts) + design.point_count, "two per tube, one per membrane"
+    if microphone.gasket_width is None:
+        joints, note = joints + count, f"{note}, one per board"
+    else:
+        inside = microphone.chamber_diameter + 2 * BOARD_SEAL
+        outside = inside + 2 * microphone.gasket_width
+        sizes = f"ring of {inside:g} x {outside:g} mm, thicker than its groove of {microphone.gasket_depth:g} mm"
+        items.append(BillItem("gasket", "bought", count, count, "pieces", prices.gasket, sizes))
     items.append(BillItem("glue joint", "bought", joints, joints, "pieces", prices.glue, note))
     used = {
         use: math.fsum(volumes[item.item] * item.count for item in items if item.use == use)
         for use in ("printed", "tooling", "cast")
     }
-    length = math.fsum(cut.total_length for cut in cutting_list(design)) / 1000
+    length = math.fsum(cut.total_length for cut in cuts) / 1000
     return Bill(design.name, tuple(items), prices, used["printed"], used["tooling"], used["cast"], length)
 
 
@@ -222,33 +227,31 @@ def _made(name: str, volume: float, count: int, design: ArrayDesign, prices: Pri
     return BillItem(name, use, count, quantity, "ml", prices.resin, design.printing.material)
 
 
-def _tubes(design: ArrayDesign, prices: Prices) -> tuple[list[BillItem], list[BillItem]]:
-    """Springs and sheaths, one line per kind and length."""
-    springs, sheaths = [], []
-    for cut in cutting_list(design):
-        tube, total = cut.tube, cut.count * (cut.cut_length + prices.cutting_loss) / 1000
-        turns = cut.cut_length / tube.wire_diameter
-        use = {"segment": "between points", "microphone": "to microphones"}[cut.use]
-        springs.append(
-            BillItem(
-                f"spring {tube.spring_outer_diameter:g} mm, wire {tube.wire_diameter:g} mm",
-                "bought",
-                cut.count,
-                total,
-                "m",
-                prices.spring,
-                f"cut to {cut.cut_length:g} mm, {turns:.0f} turns, {use}",
-            )
+def _springs(cuts: Sequence[Cut], prices: Prices) -> list[BillItem]:
+    return [
+        BillItem(
+            f"spring {cut.tube.spring_outer_diameter:g} mm, wire {cut.tube.wire_diameter:g} mm",
+            "bought",
+            cut.count,
+            cut.count * (cut.spring_length + prices.cutting_loss) / 1000,
+            "m",
+            prices.spring,
+            f"cut to {cut.spring_length:g} mm, {cut.turns:.0f} turns, {cut.place}",
         )
-        sheaths.append(
-            BillItem(
-                f"sheath {tube.outer_diameter:g} mm outside over the spring",
-                "bought",
-                cut.count,
-                total,
-                "m",
-                prices.sheath,
-                f"cut to {cut.cut_length:g} mm, {use}",
-            )
+        for cut in cuts
+    ]
+
+
+def _sheaths(cuts: Sequence[Cut], prices: Prices) -> list[BillItem]:
+    return [
+        BillItem(
+            f"sheath {cut.tube.outer_diameter:g} mm outside over the spring",
+            "bought",
+            cut.count,
+            cut.count * (cut.cut_length + prices.cutting_loss) / 1000,
+            "m",
+            prices.sheath,
+            f"cut to {cut.cut_length:g} mm, {cut.place}",
         )
-    return springs, sheaths
+        for cut in cuts
+    ]

@@ -143,7 +143,8 @@ class Printing(Section):
     glue_gap: Millimetre = Field(default=0.05, le=1, description="radial gap around a tube in its port")
     port_lip: Millimetre = Field(default=0.3, le=10, description="shoulder on which a tube stops in its port")
     carrier: Literal["none", "row", "sheet"] = Field(
-        default="none", description="all shells in one piece besides: joined in a row or a sheet by snap-off necks"
+        default="none",
+        description="all shells in one piece instead of singly: joined in a row or a sheet by snap-off necks",
     )
     carrier_gap: Millimetre = Field(default=4.0, ge=2, le=50, description="between neighbouring shells of a carrier")
     carrier_neck: Millimetre = Field(default=0.5, ge=0.2, le=3, description="width and height of a snap-off neck")

@@ -125,7 +125,10 @@ class Shell(Section):
         default="none", description="number of the point on the wall, in digits of straight strokes"
     )
     label_height: Millimetre | None = Field(
-        default=None, ge=0.5, le=20, description="height of the digits; default: 0.8 of the wall's height, at most 3 mm"
+        default=None,
+        ge=0.5,
+        le=20,
+        description="height of the digits; default: 0.8 of the wall above the floor, at most 3 mm",
     )
     label_relief: Millimetre = Field(default=0.2, ge=0.05, le=1, description="how far they stand out or are cut in")
 

@@ -157,6 +157,14 @@ def tightest_bend(path: NDArray[np.float64]) -> float:
     return float((product[bent] / (2 * area[bent])).min()) if bent.any() else math.inf
 
 
+def turning(path: NDArray[np.float64]) -> float:
+    """Angle by which the direction of a polyline (n, 2) or (n, 3) float64 turns along its way in all, radians."""
+    steps = np.diff(path, axis=0)
+    along = steps / np.linalg.norm(steps, axis=1, keepdims=True)
+    # By the chord of the unit vectors: exact for small angles, where an arc cosine is not.
+    return float(2 * np.arcsin(np.minimum(np.linalg.norm(np.diff(along, axis=0), axis=1) / 2, 1.0)).sum())
+
+
 def trimmed(path: NDArray[np.float64], length: float) -> NDArray[np.float64]:
     """A polyline (n, 3) without ``length`` mm of its first and of its last segment, which are longer than that."""
     ends = path.copy()

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from geometry.array_model import LOOKS, ArrayModel, Kind, array_model
+from geometry.assembly_table import assembly_text
 from geometry.design import ArrayDesign
 from geometry.whole_file import whole_file
 
@@ -79,6 +80,7 @@ def write_viewer(
         name=html.escape(design.name),
         facts=html.escape(f"{design.point_count} points, {len(design.microphones)} microphones"),
         switches=switches,
+        table=html.escape(assembly_text(design)),
         labels=json.dumps(labels),
     )
     title = f"<title>{html.escape(design.name)}</title>"
@@ -90,7 +92,9 @@ def write_viewer(
 
 
 _PANEL = """<div style="position:fixed;left:12px;top:12px;font:14px sans-serif;background:#fffc;padding:8px">
-<b>{name}</b><br>{facts}<br><small>drag: turn; wheel: zoom; right button: move</small><br>{switches}</div>
+<b>{name}</b><br>{facts}<br><small>drag: turn; wheel: zoom; right button: move</small><br>{switches}
+<details><summary>which part goes where</summary>
+<pre style="max-height:60vh;max-width:90vw;overflow:auto;font-size:12px">{table}</pre></details></div>
 <script>
 const partsOfKind = {labels};
 scene.background = new THREE.Color(0xf4f5f7);

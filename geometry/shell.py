@@ -75,8 +75,8 @@ def build_shell(
     solid = cut_ports(solid, ports, printing, radius, outer, resonator.port_axis_height)
     if label is not None and features.label != "none":
         sides = [(port.angle, hole) for port, (_, hole) in zip(ports, sockets, strict=True)]
-        span = (0.0 if features.feet else -resonator.floor_thickness, top + ledge)  # above the feet
-        solid = add_label(solid, label, outer, resonator.wall_thickness, span, sides, features)
+        # Beside the floor are feet, and in a carrier its webs and necks: digits stand above it.
+        solid = add_label(solid, label, outer, resonator.wall_thickness, (0.0, top + ledge), sides, features)
     return one_solid(solid, "shell")
 
 

@@ -11,8 +11,8 @@ from geometry.design import Shell
 from geometry.shell_rules import FOOT_EDGE
 from geometry.stroke_letters import SPACE, WIDTH, strokes
 
-#: Width of a digit's strokes in its heights.
-_STROKE = 0.16
+#: Width of a digit's strokes in its heights: as wide as the gap between the two sides of a 0.
+_STROKE = WIDTH / 3
 #: Largest height of digits that is chosen, and the smallest that is drawn.
 _USUAL_DIGITS, _SMALLEST_DIGITS = 3.0, 0.5
 #: Widest label in diameters of the shell: further round the wall digits would be seen from the side.
@@ -72,7 +72,7 @@ def add_label(
     ports: Sequence[tuple[float, float]],
     features: Shell,
 ) -> cq.Shape:
-    """Raise or engrave digits on the round wall, in the middle of the widest gap between ports.
+    """Raise or engrave digits on the round wall, in the middle of the span and of the widest gap between ports.
 
     Args:
         solid: the shell.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 import os
 from collections import Counter
@@ -47,6 +48,8 @@ _PLURALS: dict[Kind, str] = {
 }
 #: Arrays of more points are shown exploded in an excerpt of so many.
 _MOST_EXPLODED, _EXCERPT = 24, 5
+#: Part of the exploded view's width that is kept for names, and the angles from which it is seen, degrees.
+_NAMES_LEFT, _STEEPEST, _FLATTEST = 0.2, 27, 10
 #: Facets for the eye: within this distance (mm) and angle (rad).
 _DEVIATION, _FACET_ANGLE = 0.05, 0.2
 #: Tubes of a microphone lead away from the viewer where their directions add up to more than this.
@@ -118,18 +121,19 @@ def exploded_view(
     counts = Counter(model.kind(part.part) for part in model.placed)
     if design.point_count > _MOST_EXPLODED:
         model = _first_of(model, _EXCERPT)
-    boxes = [model.shapes[part.part].BoundingBox() for part in model.placed]
-    places = np.array([part.position for part in model.placed])
-    low, high = places.min(axis=0), places.max(axis=0)
-    # Long sides lie across the picture; layers are far enough apart not to hide the rows behind them.
-    tall = high[1] - low[1] > high[0] - low[0]
-    step = max(2 * max(box.zlen for box in boxes), 0.6 * float(min(high[0] - low[0], high[1] - low[1])))
+    boxes = {kind: _bounds(model, kind) for kind in _LEVELS if any(model.kind(p.part) == kind for p in model.placed)}
+    low, high = np.min([low for low, _ in boxes.values()], axis=0), np.max([high for _, high in boxes.values()], axis=0)
+    # Long sides lie across the picture.
+    tall = bool(high[1] - low[1] > high[0] - low[0])
+    width, depth = sorted((high - low)[:2].tolist(), reverse=True)
+    thick = max(float(high[2] - low[2]) for low, high in boxes.values())
+    slope, step = _exploded(width, depth, thick, max(_LEVELS.values()) + 1, size)
     plotter = _plotter(size)
     _add_parts(plotter, model, {kind: step * level for kind, level in _LEVELS.items()})
-    aside = 0.03 * float(max(high[:2] - low[:2])) + max(max(box.xlen, box.ylen) for box in boxes) / 2
+    aside = 0.03 * width
     if isinstance(model.layout.surface, Cylinder):
         aside += step * max(_LEVELS.values())  # its layers spread sideways too
-    start = (high[0], low[1] - aside) if tall else (low[0] - aside, low[1])
+    start = (float(high[0]), float(low[1]) - aside) if tall else (float(low[0]) - aside, float(low[1]))
     names, anchors = [], []
     for level in sorted(set(_LEVELS.values())):
         kinds = [kind for kind, own in _LEVELS.items() if own == level and counts[kind]]
@@ -139,8 +143,42 @@ def exploded_view(
         names.append(f"shown: {_EXCERPT} of {design.point_count} points")
         anchors.append((*start, -step))
     _labels(plotter, anchors, names, 20, ("right", "center"))
-    _aim(plotter, (1.0, 0.25, 0.5) if tall else (0.25, -1.0, 0.5), left=0.2)
+    _aim(plotter, (1.0, 0.25, slope) if tall else (0.25, -1.0, slope), left=_NAMES_LEFT)
     return _save(plotter, path)
+
+
+def _bounds(model: ArrayModel, kind: Kind) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Lowest and highest x, y and z of all parts of a kind, mm."""
+    corners = []
+    for part in model.placed:
+        if model.kind(part.part) == kind:
+            box = model.shapes[part.part].BoundingBox()
+            sides = itertools.product((box.xmin, box.xmax), (box.ymin, box.ymax), (box.zmin, box.zmax))
+            corners.append(np.array(list(sides)) @ part.matrix[:3, :3].T + part.matrix[:3, 3])
+    points = np.vstack(corners)
+    return points.min(axis=0), points.max(axis=0)
+
+
+def _exploded(width: float, depth: float, thick: float, layers: int, size: tuple[int, int]) -> tuple[float, float]:
+    """Slope at which layers are looked at from above, and what lifts each clear of the one below, mm.
+
+    A layer of that depth and thickness takes ``depth sin a + thick cos a`` of the picture's height at an angle ``a``,
+    so that a deep array is seen flatly: as steeply as fills the picture, within what shows membranes and rows.
+
+    Args:
+        width: of the array across the picture, mm.
+        depth: of the array away from the viewer, mm.
+        thick: of a layer, mm.
+        layers: how many lie above each other.
+        size: width and height of the picture in pixels.
+    """
+    room = width * size[1] / (size[0] * (1 - _NAMES_LEFT))
+    for degrees in range(_STEEPEST, _FLATTEST, -1):
+        rise, lean = math.sin(math.radians(degrees)), math.cos(math.radians(degrees))
+        if layers * (depth * rise + thick * lean) <= room:
+            break
+    # Seen a little from the side, the direction has more than 1 in the plan.
+    return math.hypot(1.0, 0.25) * rise / lean, (depth * rise + thick * lean) / lean
 
 
 def draw_point(

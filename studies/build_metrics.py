@@ -13,7 +13,6 @@ from geometry.bill import Prices
 from geometry.design import ArrayDesign
 from geometry.design_parts import BOARD_CLEARANCE, BOARD_SEAL, SEAT_SLOT, Microphone, Tube
 from geometry.layout import place
-from geometry.tube import cutting_list
 
 #: kg/m^3
 DENSITIES = {
@@ -63,15 +62,17 @@ def mass(design: ArrayDesign) -> float:
 
 def cost(design: ArrayDesign) -> float:
     """What :func:`geometry.bill.bill_of_materials` says of one array, molds left out, at its assumed prices, USD."""
-    volumes, prices, cuts = _volumes(design), Prices(), cutting_list(design)
+    volumes, prices, tubes, microphones = _volumes(design), Prices(), list(_tubes(design)), len(design.microphones)
     resin = sum(volumes[name][0] for name in ("shells", "housings"))
-    length = sum(cut.count * (cut.cut_length + prices.cutting_loss) for cut in cuts)
-    joints = 2 * sum(cut.count for cut in cuts) + design.point_count
+    # As if no spring were bent: the bends are not worth a layout.
+    length = sum(count * (tube.length - 2 * design.printing.port_lip + prices.cutting_loss) for tube, count in tubes)
+    sealed = design.microphone.gasket_width is not None
+    joints = 2 * sum(count for _, count in tubes) + design.point_count + (0 if sealed else microphones)
     return (
         prices.resin * prices.resin_factor * resin / 1e3
         + prices.silicone * prices.silicone_factor * volumes["membranes"][0] / 1e3
         + (prices.spring + prices.sheath) * length / 1e3
-        + (prices.microphone + prices.board) * len(design.microphones)
+        + (prices.microphone + prices.board + (prices.gasket if sealed else 0.0)) * microphones
         + prices.glue * joints
     )
 

@@ -15,6 +15,8 @@ from geometry.whole_file import write_text
 
 #: Marks a folder as the result of a run, which a later run may replace.
 MARK = ".acoustic-fem-run"
+#: Lists what was put into a folder that may hold files of others too.
+FILES = "files.txt"
 #: What a run writes: the design first, the report last.
 DESIGN = "design.toml"
 RESULTS = ("library.nc", "parts", "localizer", "figures")
@@ -101,6 +103,41 @@ def replaced_folder(folder: Path) -> Iterator[Path]:
         _remove(old)
     finally:
         _remove(fresh)
+
+
+@contextmanager
+def replaced_files(folder: Path) -> Iterator[Path]:
+    """An empty folder whose files move into ``folder`` when all went well, and are removed when not.
+
+    What an earlier call put there goes, so that no folder holds files of two designs; files of others stay. Both are
+    told apart by the list ``files.txt``: whenever a call is stopped, it names all that calls have put there.
+
+    Raises:
+        ValueError: the list names what is no file of the folder.
+    """
+    fresh, listed = folder / ".files.new", folder / FILES
+    earlier = set(listed.read_text(encoding="utf-8").splitlines()) if listed.is_file() else set()
+    for name in sorted(earlier):
+        if name in ("", ".", "..") or Path(name).name != name:
+            raise ValueError(f"{listed}: {name!r} must be the name of a file in {folder}; remove the list or mend it")
+    folder.mkdir(parents=True, exist_ok=True)
+    _remove(fresh)
+    fresh.mkdir()
+    try:
+        yield fresh
+        names = {path.name for path in fresh.iterdir()} | {FILES}
+        _write_list(listed, earlier | names)
+        for name in names - {FILES}:
+            os.replace(fresh / name, folder / name)
+        for name in earlier - names:
+            (folder / name).unlink(missing_ok=True)
+        _write_list(listed, names)
+    finally:
+        _remove(fresh)
+
+
+def _write_list(path: Path, names: set[str]) -> None:
+    write_text(path, "".join(f"{name}\n" for name in sorted(names)))
 
 
 def _check_writable(path: Path, place: Path) -> None:

@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-import os
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from geometry.design import ArrayDesign
 from geometry.print_processes import PrintProcess
 from studies.display import Report
+from studies.folders import replaced_files
 
 if TYPE_CHECKING:
     from geometry.bill import Bill
@@ -35,28 +34,38 @@ class MadeParts:
 def make_parts(
     design: ArrayDesign, folder: Path, formats: Sequence[str], process: PrintProcess, report: Report
 ) -> MadeParts:
-    """Draw, export and judge the parts of a design, and put the array together.
+    """Draw, export and judge the parts of a design, and put the array together, all of it or nothing.
 
     Args:
         design: the array.
-        folder: made if it does not exist; files of the same name in it are replaced, each by a complete one.
+        folder: made if it does not exist. What it holds of an earlier call is replaced when all is made; files of
+            others stay, but for those of the same name.
         formats: of the files of each part.
         process: whose rules are applied.
         report: told what is being made.
 
     Raises:
-        ValueError: a part cannot be built or written.
+        ValueError: a part cannot be built or written, or the folder's list of files names what is none of its own.
         OSError: the folder cannot be written.
     """
+    with replaced_files(folder) as fresh:
+        made = _make(design, fresh, formats, process, report)
+    return replace(made, files=tuple(replace(file, path=folder / file.path.name) for file in made.files))
+
+
+def _make(
+    design: ArrayDesign, folder: Path, formats: Sequence[str], process: PrintProcess, report: Report
+) -> MadeParts:
     from geometry import build_parts, export, print_report
-    from geometry.array_model import build_assembly
+    from geometry.array_model import array_model
+    from geometry.assembly_table import write_assembly_table
     from geometry.bill import bill_of_materials, write_bill
-    from geometry.layout import place
     from geometry.mold_view import mold_section
     from geometry.part_files import tessellate_distinct
     from geometry.print_plates import export_plates
     from geometry.print_report_files import write_report
     from geometry.scene import write_gltf, write_viewer
+    from geometry.step_assembly import write_step
     from geometry.views import exploded_view, top_view
 
     report("drawing the parts", 0.0)
@@ -73,8 +82,9 @@ def make_parts(
     bill = bill_of_materials(design, parts)
     write_bill(bill, folder)
     report("assembly.step", 0.68)
-    with _complete(folder / "assembly.step") as path:
-        build_assembly(design, parts).export(str(path), "STEP")
+    write_assembly_table(design, folder)
+    model = array_model(design, parts)
+    write_step(model, folder / "assembly.step")
     report("array.glb", 0.78)
     write_gltf(design, folder / "array.glb", parts)
     report("array.html", 0.82)
@@ -86,15 +96,4 @@ def make_parts(
     report("mold-section.png", 0.96)
     mold_section(design, folder / "mold-section.png", parts)
     report("done", 1.0)
-    return MadeParts(files, printing, bill, plates.too_large, place(design).notes)
-
-
-@contextmanager
-def _complete(path: Path) -> Iterator[Path]:
-    """A file beside, of the same ending, which takes the place of ``path`` when all went well."""
-    beside = path.with_name(f".{path.stem}.{os.getpid()}{path.suffix}")
-    try:
-        yield beside
-        os.replace(beside, path)
-    finally:
-        beside.unlink(missing_ok=True)
+    return MadeParts(files, printing, bill, plates.too_large, model.layout.notes)

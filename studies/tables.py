@@ -94,20 +94,24 @@ def show_check(found: DesignCheck) -> None:
 
 
 def show_parts(design: ArrayDesign, made: MadeParts) -> None:
-    """What was made: parts with their files, tubes to cut, the bill."""
+    """What was made: parts with their files, tubes to cut, the bill, where to read which part goes where."""
     from geometry.tube import cutting_list
 
     table = table_of("part", "count", "volume (mm^3)", "files", numbers=(1, 2))
     for name in dict.fromkeys(file.part for file in made.files):
         own = [file for file in made.files if file.part == name]
         words = ", ".join(file.path.name for file in own) + "".join(f"; also {other}" for other in own[0].also)
+        words += "" if own[0].count else "; spare, on no plate: all are in the carrier"
         table.add_row(name, str(own[0].count), f"{own[0].cad_volume:.1f}", words)
     show(table)
-    table = table_of("tube", "count", "cut length (mm)", "bore (mm)", "outside (mm)", numbers=(1, 2, 3, 4))
+    table = table_of(
+        "tube", "count", "sheath (mm)", "spring (mm)", "bore (mm)", "outside (mm)", numbers=(1, 2, 3, 4, 5)
+    )
     for cut in cutting_list(design):
-        use = "between points" if cut.use == "segment" else "to a microphone"
-        bore, outside = cut.tube.inner_diameter, cut.tube.outer_diameter
-        table.add_row(use, str(cut.count), f"{cut.cut_length:g}", f"{bore:g}", f"{outside:g}")
+        lengths = f"{cut.cut_length:g}", f"{cut.spring_length:g}"
+        table.add_row(
+            cut.place, str(cut.count), *lengths, f"{cut.tube.inner_diameter:g}", f"{cut.tube.outer_diameter:g}"
+        )
     show(table)
     bill = made.bill
     money = bill.prices.currency
@@ -116,6 +120,7 @@ def show_parts(design: ArrayDesign, made: MadeParts) -> None:
         f"silicone {bill.silicone_ml:.3g} ml, tube {bill.tube_m:.3g} m: "
         f"about {bill.cost:.2f} {money}, molds {bill.tooling_cost:.2f} {money} (bill.txt)"
     )
+    print("which part goes to which point, and which tube between: assembly.txt")
     for name in made.too_large:
         print(f"note: {name} is too large for the plate of {made.printing.process.name} and lies on none")
     for note in made.notes:

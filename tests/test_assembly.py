@@ -1,9 +1,12 @@
 """Whole arrays as solids: tubes fit their ports, nothing is in the way of anything, files hold every part by name."""
 
 import base64
+import csv
 import dataclasses
+import itertools
 import math
 import re
+from collections import Counter
 
 import cadquery as cq
 import numpy as np
@@ -11,9 +14,13 @@ import pytest
 
 import geometry
 from geometry.array_model import array_model, assembly_of, build_assembly
+from geometry.assembly import build_parts, place_parts
+from geometry.assembly_table import assembly_steps, assembly_text, write_assembly_table
 from geometry.fit import CONTACT_VOLUME, clearances, interferences, port_fits
+from geometry.layout import place
 from geometry.routing import path_length
 from geometry.scene import write_gltf, write_viewer
+from geometry.step_assembly import write_step
 from geometry.tube import cutting_list
 from geometry.tube_solid import build_tube, piece_of
 
@@ -161,9 +168,16 @@ def test_shells_stand_on_the_cylinder_and_collide_where_it_is_too_narrow():
 # -- assembly -------------------------------------------------------------------------------------------
 def test_the_step_file_names_every_component_and_holds_every_shape_once(models, tmp_path):
     model = models["array-2x6"]
-    path = tmp_path / "array.step"
-    assembly_of(model).export(str(path))
-    assert path.read_text().count("MANIFOLD_SOLID_BREP(") == len(model.shapes)
+    path = write_step(model, tmp_path / "array.step")
+    text = path.read_text()
+    assert text.count("MANIFOLD_SOLID_BREP(") == len(model.shapes)
+    # Products carry the names of the parts, instances those of their places.
+    products = re.findall(r"PRODUCT\('([^']*)'", text)
+    assert sorted(products) == sorted({*model.shapes, *(part.group for part in model.placed), "array-2x6"})
+    instances = re.findall(r"NEXT_ASSEMBLY_USAGE_OCCURRENCE\(\s*'[^']*',\s*'([^']*)'", text)
+    assert {"point 7", "shell 7", "membrane 7", "microphone B housing"} <= set(instances)
+    assert len(instances) == len(model.placed) + len({part.group for part in model.placed})
+    assert not [name for name in instances if name.isdigit()]
     read = cq.Assembly.importStep(str(path))
     assert read.name == "array-2x6"
     groups = {group.name: [part.name for part in group.children] for group in read.children}
@@ -203,6 +217,55 @@ def test_shells_with_feet_and_grooves_fit_together_and_a_carrier_stands_for_its_
     assert "shell-straight" not in items
 
 
+@pytest.mark.parametrize("name", ["fingertip-3x4", "glove", "line-3"])
+def test_the_assembly_table_says_what_stands_where_and_what_leads_on(name):
+    design = geometry.prototype(name)
+    layout, steps = place(design), assembly_steps(design)
+    placed = {
+        part.group: part for part in place_parts(design, layout) if part.part.startswith(("shell", "microphone-h"))
+    }
+    tubes = {tube.label: tube for tube in layout.tubes}
+    ports = {part: words["ports"] for part, words in build_parts(design).parameters.items() if "ports" in words}
+    assert len(steps) == sum(line.points + 2 for line in design.lines)
+    assert [step.tube.name for step in steps if step.tube] == [tube.label for tube in layout.tubes]
+    for step, after in itertools.pairwise(steps):
+        part = placed[step.place]
+        assert (step.part, step.position) == (part.part, part.position)
+        assert step.rotation == pytest.approx(part.rotation, abs=0.05)
+        for angle in (step.port_before, step.port_after):
+            assert angle is None or f"{angle:g} deg" in ports[step.part]
+        if step.tube is None:
+            assert after.line == step.line + 1
+            continue
+        tube = tubes[step.tube.name]
+        if tube.schematic:
+            continue
+        # The tube begins at this place, in the direction of its turned port, and ends at the next.
+        for at, port, end in ((step, step.port_after, tube.path[0]), (after, after.port_before, tube.path[-1])):
+            x, y = end[:2] - np.array(at.position[:2])
+            direction = math.degrees(math.atan2(y, x))
+            assert (direction - at.rotation - port + 180) % 360 - 180 == pytest.approx(0, abs=0.2)
+        assert step.tube.sheath_length == pytest.approx(
+            path_length(tube.course) - 2 * design.printing.port_lip, abs=1e-3
+        )
+
+
+def test_the_assembly_table_is_written_for_people_and_for_programs(tmp_path):
+    design = geometry.prototype("fingertip-3x4")
+    table, page = write_assembly_table(design, tmp_path)
+    rows = list(csv.DictReader(table.open(encoding="utf-8")))
+    assert [row["place"] for row in rows] == ["microphone A", *(f"point {k}" for k in range(1, 13)), "microphone B"]
+    assert Counter(row["part"] for row in rows if row["place"].startswith("point")) == {
+        name: count for name, count in build_parts(design).counts.items() if name.startswith("shell")
+    }
+    second = rows[2]
+    assert (second["part"], second["tube to the next"]) == ("shell-corner-65.8-0.18x0.55", "tube 3 of line 1")
+    assert (second["sheath length (mm)"], second["spring length (mm)"], second["turns"]) == ("3.6", "3.37", "67")
+    assert page.read_text(encoding="utf-8") == assembly_text(design)
+    assert "drawn schematically" not in assembly_text(design)
+    assert "drawn schematically" in assembly_text(geometry.prototype("line-4"))
+
+
 # -- pictures and models --------------------------------------------------------------------------------
 @pytest.mark.parametrize("view", ["top_view", "exploded_view"])
 def test_pictures_show_all_kinds_of_parts(view, tmp_path):
@@ -220,6 +283,25 @@ def test_pictures_show_all_kinds_of_parts(view, tmp_path):
         assert np.mean((red > blue + 60) & (green > blue + 40)) > 5e-4, "springs"
         assert np.mean((blue > red + 10) & (blue > green)) > 0.01, "shells"
     assert np.mean(np.minimum(np.minimum(red, green), blue) > 250) > 0.4
+
+
+@pytest.mark.parametrize("name", ["array-2x6", "glove"])
+def test_the_layers_of_an_exploded_view_lie_clear_of_each_other_and_fill_the_picture(name, tmp_path):
+    import pyvista as pv
+
+    from geometry.views import exploded_view
+
+    image = pv.read(exploded_view(geometry.prototype(name), tmp_path / "view.png", size=(800, 500)))
+    # Rows from the bottom of the picture.
+    red, green, blue = np.moveaxis(np.asarray(image.active_scalars).reshape(500, 800, 3).astype(int), -1, 0)
+    shells, springs = (blue > red + 10) & (blue > green), (red > blue + 60) & (green > blue + 40)
+    rows = np.arange(500)[:, None]
+    highest, lowest = np.where(shells, rows, -1).max(axis=0), np.where(springs, rows, 1000).min(axis=0)
+    both = (highest >= 0) & (lowest < 1000)
+    assert both.sum() > 50
+    assert (highest[both] < lowest[both]).all()
+    drawn = np.flatnonzero(shells.any(axis=0))
+    assert drawn[-1] - drawn[0] > 0.38 * 800
 
 
 def test_the_gltf_model_is_in_metres_with_a_node_per_part(models, tmp_path):
@@ -250,4 +332,5 @@ def test_the_page_holds_the_model_and_asks_for_nothing_else(models, tmp_path):
     scene = trimesh.load_scene(tmp_path / "model.glb")
     assert len(scene.graph.nodes_geometry) == len(models["array-2x6"].placed)
     assert "microphones (2)" in page
+    assert "point 7       shell-corner-90     180     90, 0" in page
     assert "<title>array-2x6</title>" in page

@@ -49,7 +49,31 @@ def test_every_part_is_on_the_bill_once_with_its_count(bill):
     parts = geometry.build_parts(geometry.prototype("array-2x6"))
     assert {item.item: item.count for item in bill.items if item.item in parts} == parts.counts
     assert next(item.count for item in bill.items if item.item == "SPH1878LR5H-C") == 2
-    assert next(item.count for item in bill.items if item.item == "glue joint") == 2 * 13 + 12
+    assert next(item.count for item in bill.items if item.item == "glue joint") == 2 * 13 + 12 + 2
+
+
+def test_a_board_takes_a_glue_joint_or_a_gasket(bill):
+    sealed = geometry.prototype("array-2x6").with_values(
+        {"microphone.gasket_width": 0.5, "microphone.gasket_depth": 0.2}
+    )
+    items = {item.item: item for item in bill_of_materials(sealed).items}
+    assert items["glue joint"].count == 2 * 13 + 12
+    inside = sealed.microphone.chamber_diameter + 1.2
+    assert (items["gasket"].count, items["gasket"].cost) == (2, pytest.approx(0.1))
+    assert f"{inside:g} x {inside + 1:g} mm" in items["gasket"].note
+    assert "one per board" in next(item.note for item in bill.items if item.item == "glue joint")
+
+
+def test_a_bent_spring_is_bought_as_long_as_its_turns_and_each_piece_says_its_lines():
+    items = bill_of_materials(geometry.prototype("fingertip-3x4")).items
+    spring = next(item for item in items if item.item.startswith("spring") and "between" in item.note)
+    sheath = next(item for item in items if item.item.startswith("sheath") and "between" in item.note)
+    assert "cut to 3.37 mm, 67 turns, between points of line 1" in spring.note
+    assert "cut to 3.6 mm" in sheath.note
+    assert sheath.quantity - spring.quantity == pytest.approx(11 * 0.23e-3)
+    notes = [item.note for item in bill_of_materials(geometry.prototype("large-area-64")).items]
+    assert any(note.endswith("between points of lines 1, 3") for note in notes)
+    assert any(note.endswith("between points of lines 2, 4") for note in notes)
 
 
 def test_prices_are_the_users_own(bill):

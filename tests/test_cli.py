@@ -165,8 +165,58 @@ def test_parts_fill_a_folder_with_all_it_takes_to_make_the_array(command: Comman
     for name in ("array.glb", "array.html", "bill.csv", "bill.txt", "print-report.html", "top-view.png",
                  "exploded-view.png", "mold-section.png"):  # fmt: skip
         assert written[name].stat().st_size > 500
-    assert "to a microphone" in told.out
+    assert "to microphones of line 1" in told.out
+    assert "which tube between: assembly.txt" in told.out
+    assert "point 3       shell-straight" in written["assembly.txt"].read_text(encoding="utf-8")
+    assert set(written["files.txt"].read_text(encoding="utf-8").split()) == set(written)
     assert "resin" in told.out
+
+
+def test_a_folder_of_parts_never_mixes_two_designs_and_keeps_what_others_put_there(
+    command: Command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from studies.folders import replaced_files
+
+    folder = tmp_path / "parts"
+
+    def make(*names: str) -> None:
+        with replaced_files(folder) as fresh:
+            for name in names:
+                (fresh / name).write_text(f"{name} of {names}")
+
+    def names() -> set[str]:
+        return {path.name for path in folder.iterdir()}
+
+    make("mold-lid.stl", "plate-1.3mf", "plate-2.3mf")
+    (folder / "notes.md").write_text("mine")
+    make("mold-scraper.stl", "plate-1.3mf")
+    assert names() == {"mold-scraper.stl", "plate-1.3mf", "notes.md", "files.txt"}
+    assert "scraper" in (folder / "plate-1.3mf").read_text()
+    assert (folder / "notes.md").read_text() == "mine"
+
+    # What fails changes nothing; what is stopped while files move leaves none that the next call would not remove.
+    with pytest.raises(FileNotFoundError):
+        make("mold-lid.stl", "no-such-folder/plate-1.3mf")
+    assert names() == {"mold-scraper.stl", "plate-1.3mf", "notes.md", "files.txt"}
+    moved = os.replace
+
+    def stopped(source: Path, target: Path) -> None:
+        if Path(target).name.startswith("plate"):
+            raise KeyboardInterrupt
+        moved(source, target)
+
+    monkeypatch.setattr("studies.folders.os.replace", stopped)
+    with pytest.raises(KeyboardInterrupt):
+        make("mold-lid.stl", "plate-1.3mf", "plate-9.3mf")
+    monkeypatch.undo()
+    make("membrane.stl")
+    assert names() == {"membrane.stl", "notes.md", "files.txt"}
+
+    (folder / "files.txt").write_text("membrane.stl\n../precious\n")
+    (tmp_path / "precious").write_text("mine")
+    told = command("parts", "array-2x6", "--out", folder)
+    assert (told.code, "'../precious' must be the name of a file in" in told.err) == (1, True)
+    assert (tmp_path / "precious").read_text() == "mine"
 
 
 @pytest.mark.slow

@@ -1,6 +1,7 @@
 """CAD parts: shapes, fits, names and counts."""
 
 import math
+from collections import Counter
 
 import cadquery as cq
 import numpy as np
@@ -11,9 +12,13 @@ import geometry
 from geometry.air import air_volume
 from geometry.assembly import PartSet, build_parts, part_counts, place_parts
 from geometry.cells import cell_catalogue
+from geometry.design_file import read_design
 from geometry.layout import place
+from geometry.part_files import tessellate_distinct
+from geometry.print_plates import export_plates
+from geometry.print_processes import PROCESSES, with_rules
 from geometry.shell import build_shell, one_solid
-from geometry.tube import Port, cutting_list
+from geometry.tube import Port, cutting_list, spring_length
 
 
 @pytest.fixture(scope="module")
@@ -187,11 +192,72 @@ def test_the_cutting_list_takes_off_the_lips(array):
     assert cuts[1].total_length == pytest.approx(130.9)
 
 
-def test_the_cutting_list_of_the_large_area_adds_up_by_tube():
+def test_the_cutting_list_of_the_large_area_adds_up_by_tube_and_names_its_lines():
     design = geometry.prototype("large-area-64")
     cuts = cutting_list(design)
     assert sum(cut.count for cut in cuts) == sum(line.points + 1 for line in design.lines)
     assert len({(cut.use, cut.tube) for cut in cuts}) == len(cuts)
+    assert [(cut.use, cut.lines) for cut in cuts] == [
+        ("microphone", (1, 2, 3, 4)), ("segment", (1, 3)), ("segment", (2, 4)),
+    ]  # fmt: skip
+    assert all(cut.spring_length == cut.cut_length for cut in cuts)
+
+
+@pytest.mark.parametrize("radius", [1.6, 5.0, 40.0])
+def test_the_turns_of_a_bent_spring_touch_on_the_inside_of_its_bend(radius):
+    tube, bend = geometry.prototype("fingertip-3x4").tube, 1.3
+    # Wires of neighbouring turns touch where their middles lie on the inside, half a mean coil diameter off the axis.
+    inside = radius - (tube.spring_outer_diameter - tube.wire_diameter) / 2
+    turns = bend / (2 * math.asin(tube.wire_diameter / 2 / inside))
+    length = spring_length(tube, radius * bend, bend)
+    assert length == pytest.approx(turns * tube.wire_diameter, rel=3e-4)
+    assert length < radius * bend
+
+
+def test_springs_wound_around_a_cylinder_are_cut_shorter_than_their_sheaths():
+    design = geometry.prototype("array-2x6").with_values(
+        {"layout": {"kind": "cylinder", "columns": 6, "diameter": 60.0}}
+    )
+    lengths = {(cut.use, cut.cut_length, cut.spring_length) for cut in cutting_list(design)}
+    # From shell to shell the axis turns by what the shells turn; from row to row it lies straight along the cylinder.
+    frames = [place(design).frame(point) for point in place(design).points[:2]]
+    turn = math.acos(np.dot(frames[0].axes[2], frames[1].axes[2]))
+    wound = round(11.5 - turn * (design.tube.spring_outer_diameter - design.tube.wire_diameter) / 2, 2)
+    assert wound < 11.45
+    assert {piece for piece in lengths if piece[0] == "segment"} == {("segment", 11.5, wound), ("segment", 11.5, 11.5)}
+
+
+def test_a_carrier_takes_the_place_of_its_shells_on_plates_and_lists(tmp_path):
+    design = geometry.prototype("array-2x6").with_values({"printing.carrier": "sheet", "mold.kind": "open-face"})
+    parts = build_parts(design)
+    assert {name: count for name, count in parts.counts.items() if name.startswith(("shell", "carrier"))} == {
+        "shell-straight": 0, "shell-corner-90": 0, "carrier": 1,
+    }  # fmt: skip
+    assert parts.parameters["shell-straight"]["count"] == 0
+    shapes = tessellate_distinct(parts)
+    laid = export_plates(parts, tmp_path, PROCESSES["sla-resin"], shapes)
+    copies = Counter()
+    for plate in laid.plates:
+        copies.update(plate.copies)
+    assert copies == {"carrier": 1, "mold-base": 1, "mold-scraper": 1, "microphone-housing": 2}
+    # On a machine that is too small for the carrier nothing stands in for it.
+    small = with_rules(PROCESSES["sla-resin"], {"build_volume": (50, 45, 50)})
+    laid = export_plates(parts, tmp_path, small, shapes)
+    assert laid.too_large == ("carrier",)
+    assert not [name for plate in laid.plates for name in plate.copies if name.startswith("shell")]
+
+
+def test_a_part_is_drawn_again_from_what_its_parameters_hold(array, parts):
+    changed = array.with_values({"resonator.shape": "box", "shell.feet": 2, "membrane.rim_width": 1.2, "mold.rows": 2})
+    drawn = build_parts(changed)
+    for name in ("shell-straight", "mold-base", "mold-shim-2"):
+        again = build_parts(read_design(str(drawn.parameters[name]["design_toml"])))[name]
+        assert again.val().Volume() == pytest.approx(drawn[name].val().Volume(), rel=1e-12)
+        assert drawn[name].val().Volume() != pytest.approx(parts[name].val().Volume(), rel=1e-3) or "shim" in name
+    shims = [parts.parameters[f"mold-shim-{step}"] for step in (1, 2)]
+    assert [shim["raises_lid"] for shim in shims] == [0.05, 0.1]
+    for step, shim in enumerate(shims, start=1):
+        assert shim["height"] == pytest.approx(parts[f"mold-shim-{step}"].val().BoundingBox().zlen)
 
 
 def test_a_part_that_falls_into_two_is_refused():

@@ -111,7 +111,7 @@ def test_the_page_has_every_part_point_and_cell(page: Page) -> None:
         assert item.assumption in page.text
     assert "no datasheet figure found" in page.text
     assert "row-3" in page.text
-    assert re.search(r"between points 2 11\.5 23 0\.44", page.text)
+    assert re.search(r"between points of line 1 2 11\.5 11\.5 144 0\.44", page.text)
 
 
 def test_the_key_figures_are_those_of_the_run() -> None:
