@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from studies.figures import WIDTH
-from studies.figures import _figure as figure_in_style
 from studies.figures import _save as save_figure
+from studies.figures import figure_in_style as figure_in_style
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -162,7 +162,7 @@ def draw_training(loss: Sequence[float], accuracy: Sequence[float], path: str | 
     """Mean loss and share of errors on held-out touches, by epoch, both on logarithmic scales."""
     epoch = np.arange(1, len(loss) + 1)
     errors = 100 * (1 - np.asarray(accuracy))
-    with _figure((WIDTH, 3.2)) as figure:
+    with figure_in_style((WIDTH, 3.2)) as figure:
         left, right = figure.subplots(1, 2)
         left.semilogy(epoch, loss)
         left.set(title="training touches", xlabel="epoch", ylabel="cross-entropy  (nats)")
