@@ -88,7 +88,7 @@ def test_help_loads_nothing_heavy() -> None:
         "heavy = {'OCP', 'cadquery', 'gmsh', 'matplotlib', 'numpy', 'pyvista', 'scipy', 'skfem', 'torch', 'xarray'}\n"
         "print(sorted(heavy & set(sys.modules)), file=sys.stderr)"
     )
-    told = subprocess.run([sys.executable, "-c", code], cwd=ROOT, check=True, capture_output=True, text=True)
+    told = subprocess.run([sys.executable, "-c", code], cwd=ROOT, check=True, capture_output=True, encoding="utf-8")
     assert told.stderr.strip() == "[]"
     assert "Usage" in told.stdout
 
