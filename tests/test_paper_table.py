@@ -10,7 +10,7 @@ import pytest
 import typer
 
 from studies import paper_table
-from studies.paper_table import BEGIN, END, Row, plan_of, solved, table
+from studies.paper_table import BEGIN, END, Row, solved, table
 
 PAGE = Path(__file__).parents[1] / "docs" / "studies" / "paper_table" / "README.md"
 ROWS = [json.loads(path.read_text(encoding="utf-8")) for path in sorted(PAGE.parent.glob("line-*.json"))]
@@ -19,17 +19,20 @@ ROWS = [json.loads(path.read_text(encoding="utf-8")) for path in sorted(PAGE.par
 def test_the_table_of_the_page_is_that_of_the_stored_rows():
     shown = PAGE.read_text(encoding="utf-8").partition(BEGIN)[2].partition(END)[0].strip()
     assert shown == table(ROWS)
-    assert len(shown.splitlines()) == 2 + 2 * len(ROWS)
+    assert len(shown.splitlines()) == 2 + len(ROWS)
 
 
-def test_rows_were_made_with_the_plan_that_the_code_has():
-    for row in ROWS:
-        assert row["plan"]["seconds_per_point"] == plan_of(row["full"], row["microphones"]).seconds_per_point
+@pytest.mark.parametrize("row", ROWS, ids=lambda row: f"{row['design']}-{row['points_per_line']}-{row['noise']:g}")
+def test_a_row_was_trained_and_is_shown_as_its_file_says(row):
+    assert row["plan"]["microphone_noise"] == row["noise"]
+    trained = row["network"]["training"]["touches"] // row["points"]
+    assert f"| {row['points']} | {1e3 * row['noise']:g} | " in table([row])
+    assert f" | {trained} | " in table([row])
 
 
 @pytest.mark.parametrize(("design", "lines"), [("line-2", 1), ("line-3", 3), ("line-4", 6)])
 def test_the_arrays_have_so_many_points_on_every_line(design, lines):
-    response = solved(Row(design, 4))
+    response = solved(Row(design, 4, 0.0))
     assert np.bincount(response.line).tolist() == [4] * lines
 
 
@@ -38,13 +41,13 @@ def test_rows_that_are_stored_are_not_made_again(tmp_path, monkeypatch, capsys):
 
     def measured(row, full, folder):
         made.append(row.name)
-        return ROWS[0] | {"design": row.design, "points_per_line": row.points_per_line}
+        return ROWS[0] | {"design": row.design, "points_per_line": row.points_per_line, "noise": row.noise}
 
     monkeypatch.setattr(paper_table, "measure", measured)
     for points in ([12], [12, 24]):
         paper_table.main(tmp_path, False, ["line-2"], points)
-    assert made == ["line-2-12", "line-2-24"]
-    assert (tmp_path / "table.md").read_text(encoding="utf-8").count("\n") == 2 + 2 * 2
+    assert made == [f"line-2-{points}-noise-{noise}" for points in (12, 24) for noise in ("0", "0.001")]
+    assert (tmp_path / "table.md").read_text(encoding="utf-8").count("\n") == 2 + 4
 
 
 @pytest.mark.parametrize(("design", "points"), [(["line-5"], None), (None, [1]), (None, [65])])
