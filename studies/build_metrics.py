@@ -10,7 +10,7 @@ import math
 from collections.abc import Iterator
 
 from geometry.bill import Prices
-from geometry.design import BOARD_CLEARANCE, BOARD_SEAL, SEAT_SLOT, ArrayDesign, Microphone, Tube
+from geometry.design import BOARD_SEAL, SEAT_SLOT, ArrayDesign, Microphone, Tube
 from geometry.layout import place
 from geometry.tube import cutting_list
 
@@ -149,7 +149,7 @@ def _board(microphone: Microphone) -> float:
 def _seat(microphone: Microphone) -> tuple[float, float]:
     """Length and width of the seat of the board, mm."""
     length, width = microphone.board_size
-    return length + 2 * BOARD_CLEARANCE, width + 2 * BOARD_CLEARANCE
+    return length + 2 * microphone.board_gap, width + 2 * microphone.board_gap
 
 
 def _segment(radius: float, distance: float) -> float:
