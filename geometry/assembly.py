@@ -12,8 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from geometry.cavity_shapes import turned
-from geometry.design import ArrayDesign, Tube
+from geometry.design import ArrayDesign
 from geometry.design_file import write_design
+from geometry.design_parts import Tube
 from geometry.layout import ArrayLayout, MicrophonePlacement, PointPlacement, place
 from geometry.mold import mold_counts
 from geometry.tube import Port

@@ -16,7 +16,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
 from geometry.assembly import PartSet, build_parts
-from geometry.design import BOARD_SEAL, ArrayDesign
+from geometry.design import ArrayDesign
+from geometry.design_parts import BOARD_SEAL
 from geometry.part_files import origin
 from geometry.tube import Cut, cutting_list
 from geometry.whole_file import write_text

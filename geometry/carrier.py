@@ -12,7 +12,8 @@ from dataclasses import dataclass
 
 import cadquery as cq
 
-from geometry.design import ArrayDesign, Printing, Resonator
+from geometry.design import ArrayDesign, Printing
+from geometry.design_parts import Resonator
 from geometry.shell import build_shell, one_solid
 from geometry.tube import Port
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, fields, replace
+from itertools import product
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -138,6 +139,57 @@ def wall_distance(shape: Box | Dome | None, radius: float, height: float, angle:
 def separation(distance: float, turn: float, rise: float) -> float:
     """Of two rays from the axis that differ by ``turn`` degrees and ``rise`` mm, from that distance on, mm."""
     return math.hypot(2 * distance * math.sin(math.radians(turn) / 2), rise)
+
+
+def web(first: tuple[float, float], second: tuple[float, float], turn: float, rise: float = 0.0) -> float:
+    """Least material between two round holes whose axes are rays from one axis, mm; not above 0 where they meet.
+
+    Exact for holes at one height, where the nearest sides of both and their axes lie in a plane, unless they are nearly
+    opposite and their ends nearest, and for parallel ones; else the distance of the axes less both radii, which is
+    on the safe side.
+
+    Args:
+        first: where on its axis the hole begins, mm, and its radius.
+        second: the same of the other.
+        turn: angle between the axes, degrees.
+        rise: difference of their heights, mm.
+    """
+    (start, radius), (other_start, other_radius) = first, second
+    apart = separation(min(start, other_start), turn, rise) - radius - other_radius
+    angle = math.radians(abs((turn + 180) % 360 - 180))
+    if rise or not angle:
+        return apart
+    # The first axis runs along x, the second one above it.
+    along = (math.cos(angle), math.sin(angle))
+    dx = other_start * along[0] + other_radius * along[1] - start
+    dy = other_start * along[1] - other_radius * along[0] - radius
+    across = dx * along[1] - dy * along[0]  # of the corner of the first from the side of the second
+    if across > 0 and dy < 0:
+        return min(apart, 0.0)
+    ahead = -(dx * along[0] + dy * along[1])
+    return min(abs(dy) if dx >= 0 else math.hypot(dx, dy), abs(across) if ahead >= 0 else math.hypot(dx, dy))
+
+
+def port_web(
+    ports: tuple[Port, Port], mouths: tuple[float, float], shoulder: float, glue_gap: float, rise: float = 0.0
+) -> float:
+    """Least material between two ports of a housing, bores and sockets, mm; see :func:`web`.
+
+    Args:
+        ports: at their angles.
+        mouths: from the axis to the wall where the bores begin, mm.
+        shoulder: from the axis to where the sockets begin, mm.
+        glue_gap: around the tubes in their sockets, mm.
+        rise: difference of the ports' heights, mm.
+    """
+    holes = []
+    for port, mouth in zip(ports, mouths, strict=True):
+        bore = port.bore_diameter / 2
+        # The sides of a bore reach further in than its axis: the wall is round.
+        begin = math.sqrt(max(mouth**2 - bore**2, 0.0))
+        holes.append(((begin, bore), (shoulder, port.tube_diameter / 2 + glue_gap)))
+    turn = ports[0].angle - ports[1].angle
+    return min(web(first, second, turn, rise) for first, second in product(*holes))
 
 
 def turned(ports: Sequence[Port], step: float) -> tuple[tuple[Port, ...], float]:

@@ -12,7 +12,8 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 from geometry.cavity_shapes import Box, Dome, port_rank, turned, wall_distance
-from geometry.design import STUB_LENGTH_IN_RADII, ArrayDesign, Resonator
+from geometry.design import ArrayDesign
+from geometry.design_parts import STUB_LENGTH_IN_RADII, Resonator
 from geometry.layout import ArrayLayout
 from geometry.tube import Port
 

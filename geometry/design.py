@@ -15,39 +15,10 @@ from typing import Annotated, Any, Literal, Self
 from pydantic import Field, model_validator
 
 from geometry.design_fields import Count, Millimetre, Number, Section
-from geometry.design_parts import (
-    BOARD_CLEARANCE,
-    BOARD_SEAL,
-    SEAT_SLOT,
-    STUB_LENGTH_IN_RADII,
-    Membrane,
-    Microphone,
-    Resonator,
-    Shell,
-    Tube,
-)
+from geometry.design_parts import Membrane, Microphone, Resonator, Shell, Tube
 from geometry.design_rules import check_consistency
 from geometry.materials import MATERIALS, Material
 from geometry.topology import check_topology
-
-__all__ = [
-    "BOARD_CLEARANCE",
-    "BOARD_SEAL",
-    "SEAT_SLOT",
-    "STUB_LENGTH_IN_RADII",
-    "Air",
-    "ArrayDesign",
-    "Layout",
-    "Line",
-    "Membrane",
-    "Microphone",
-    "Molding",
-    "PrintRules",
-    "Printing",
-    "Resonator",
-    "Shell",
-    "Tube",
-]
 
 CubicMillimetre = Annotated[Number, Field(gt=0, json_schema_extra={"unit": "mm^3"})]
 Ratio = Annotated[Number, Field(gt=0)]

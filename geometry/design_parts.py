@@ -18,8 +18,6 @@ STUB_LENGTH_IN_RADII = 4.0
 
 #: Width on which the board of a microphone is glued, or bears on either side of a gasket, mm.
 BOARD_SEAL = 0.6
-#: Gap around the board in its seat, mm.
-BOARD_CLEARANCE = 0.1
 #: Width of the slot for the wires per width of the seat.
 SEAT_SLOT = 0.6
 
@@ -303,13 +301,14 @@ class Microphone(Section):
     board_width: Millimetre | None = Field(
         default=None, ge=1, le=40, description="width of the board; default: covers package, chamber and gasket"
     )
+    board_gap: Millimetre = Field(default=0.1, ge=0.02, le=1, description="gap around the board in its seat; assumed")
     gasket_width: Millimetre | None = Field(
         default=None,
         ge=0.3,
         le=5,
         description="width of a groove for a seal under the board; default: none, the board is glued",
     )
-    gasket_depth: Millimetre = Field(default=0.4, ge=0.1, le=5, description="depth of that groove")
+    gasket_depth: Millimetre = Field(default=0.2, ge=0.1, le=5, description="depth of that groove")
     source: str = Field(default="assumed", description="where the figures come from")
 
     @property

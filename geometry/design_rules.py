@@ -11,9 +11,10 @@ from geometry.materials import MATERIALS
 from geometry.print_processes import process_of
 
 if TYPE_CHECKING:
-    from geometry.design import ArrayDesign, Tube
+    from geometry.design import ArrayDesign
+    from geometry.design_parts import Tube
 
-#: Thinnest wall above and below the socket of a tube, mm: less does not survive the glue.
+#: Thinnest wall above and below the socket of a tube and between two ports, mm: less does not survive the glue.
 SOCKET_COVER = 0.1
 #: Most by which shims raise the lid of a mold, mm: the pins stay in their sockets.
 MOST_SHIMS = 1.0
@@ -354,12 +355,16 @@ def _sockets_around_microphones(design: ArrayDesign) -> Iterator[str]:
             if design.layout.kind == "hand":
                 apart = hand.meeting_angle(design, name) or apart
             hole = max(tube.outer_diameter for tube in ends) / 2 + printing.glue_gap
-            least = 2 * (hole / math.sin(math.radians(apart) / 2) - printing.port_lip)
-            if chamber.chamber_diameter < least:
+            bore = max(tube.inner_diameter for tube in ends) / 2
+            half = math.radians(min(apart, 360 - apart)) / 2
+            # Sockets begin at the lip, bores where the round wall ends beside them; nearest are their inner corners.
+            socket, mouth = ((SOCKET_COVER / 2 + r * math.cos(half)) / math.sin(half) for r in (hole, bore))
+            least = 2 * max(socket - printing.port_lip, math.hypot(mouth, bore))
+            if chamber.chamber_diameter < least - 1e-9:
                 yield (
                     f"microphone.chamber_diameter = {chamber.chamber_diameter:g} mm must be at least {least:.4g} mm "
-                    f"for the sockets of the {len(ends)} lines that end at {name!r} to fit around it, "
-                    f"{apart:.4g} degrees apart"
+                    f"for the ports of the {len(ends)} lines that end at {name!r} to fit around it, "
+                    f"{apart:.4g} degrees apart with {SOCKET_COVER:g} mm of wall between them"
                 )
 
 

@@ -9,7 +9,8 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from geometry.design import ArrayDesign, Tube
+from geometry.design import ArrayDesign
+from geometry.design_parts import Tube
 from geometry.hand import hand_runs
 from geometry.overlaps import overlaps
 from geometry.routing import bearing, bow_angle, bowed_path, drawn_path, path_length, tidy, unit

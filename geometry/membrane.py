@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from geometry.design import ArrayDesign, Membrane, Resonator
+from geometry.design import ArrayDesign
+from geometry.design_parts import Membrane, Resonator
 
 if TYPE_CHECKING:
     import cadquery as cq

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import combinations
 
 import cadquery as cq
 
-from geometry.design import BOARD_CLEARANCE, BOARD_SEAL, SEAT_SLOT, Microphone, Printing
+from geometry.design import Printing
+from geometry.design_parts import BOARD_SEAL, SEAT_SLOT, Microphone
 from geometry.design_rules import SOCKET_COVER
-from geometry.shell import cut_ports, cylinder, one_solid
+from geometry.shell import cut_ports, cylinder, one_solid, refuse_thin_web
 from geometry.tube import Port
 
 
@@ -20,12 +22,14 @@ def build_housing(microphone: Microphone, printing: Printing, ports: Sequence[Po
     for it surrounds the chamber. Ports are at mid height as in a shell; below the seat the tubes have free way.
 
     Raises:
-        ValueError: no port, or the drawn housing is not one valid solid.
+        ValueError: no port, two that leave no wall between them, or the drawn housing is not one valid solid.
     """
     if not ports:
         raise ValueError("microphone housing: has no port; it must have at least 1")
     radius, wall, top = microphone.chamber_diameter / 2, microphone.wall_thickness, microphone.chamber_height
-    length, width = (side + 2 * BOARD_CLEARANCE for side in microphone.board_size)
+    for pair in combinations(ports, 2):
+        refuse_thin_web("microphone housing", pair, (radius, radius), radius + printing.port_lip, printing.glue_gap)
+    length, width = (side + 2 * microphone.board_gap for side in microphone.board_size)
     height = microphone.sound_hole_length + microphone.package_height
     outside = (length + 2 * wall, width + 2 * wall)
     gasket = microphone.gasket_depth if microphone.gasket_width is not None else 0.0

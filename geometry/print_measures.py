@@ -1,4 +1,4 @@
-"""What a printer minds in a part, measured on its facets, each with the place of the worst spot. Lengths in mm."""
+"""Overhangs and cups of a part, measured on its facets, each with the place of the worst spot. Lengths in mm."""
 
 from __future__ import annotations
 
@@ -12,19 +12,12 @@ from numpy.typing import NDArray
 from scipy import ndimage
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
-from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
-from vtkmodules.vtkCommonCore import mutable, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData, vtkStaticCellLocator
 
 from geometry.measure import Tessellation
 
 Place = tuple[float, float, float]
 Floats = NDArray[np.float64]
 
-#: Facets that face each other within this angle (degrees) have a wall between them; others meet in an edge.
-_OPPOSED = 15.0
-#: Where walls and gaps are probed: this many places per face of the solid.
-_PROBES = 40
 #: Where an overhang is probed for its middle: this many places per patch.
 _SAMPLES = 1000
 #: The grid in which cups are looked for: steps per narrowest hole and across the part, cells in all at most.
@@ -50,7 +43,7 @@ class Overhang:
     area: float
 
 
-class _Skin:
+class Skin:
     """The facets of a part with areas and outward normals, those of no area left out."""
 
     def __init__(self, facets: Tessellation) -> None:
@@ -63,68 +56,11 @@ class _Skin:
         self.areas, self.normals = lengths[keep] / 2, normals[keep] / lengths[keep, None]
 
 
-def thinnest_wall(facets: Tessellation) -> Spot:
-    """Smallest distance through the material between facets that face each other.
-
-    Rays go inwards from 40 places of every face. A first hit counts where its facet faces the start within 15
-    degrees: the thinnest place of a wall is parallel, and the two sides of an edge are no wall.
-    Infinite when nothing is opposed.
-    """
-    return _narrowest(_Skin(facets), -1.0)
-
-
-def narrowest_gap(facets: Tessellation) -> Spot:
-    """Smallest distance through air between different faces that face each other, as :func:`thinnest_wall`.
-
-    A bore faces only itself: it is a hole, not a gap.
-    """
-    return _narrowest(_Skin(facets), 1.0)
-
-
-def _narrowest(skin: _Skin, sense: float) -> Spot:
-    random = np.random.default_rng(0)
-    locator = _locator(skin)
-    reach = float(np.linalg.norm(np.ptp(skin.vertices, axis=0))) + 1.0
-    least, place = math.inf, None
-    t, sub, cell, hit, inside = mutable(0.0), mutable(0), mutable(0), [0.0] * 3, [0.0] * 3
-    order = np.argsort(skin.faces, kind="stable")
-    for own in np.split(order, np.flatnonzero(np.diff(skin.faces[order])) + 1):
-        chosen = random.choice(own, _PROBES, p=skin.areas[own] / skin.areas[own].sum())
-        starts = _inside(skin.corners[chosen], random)
-        rays = sense * skin.normals[chosen]
-        begins, ends = (starts + 1e-6 * rays).tolist(), (starts + reach * rays).tolist()
-        for k in range(_PROBES):
-            if not locator.IntersectWithLine(begins[k], ends[k], 0.0, t, hit, inside, sub, cell):
-                continue
-            other = int(cell)
-            way = math.dist(starts[k], hit)
-            if way >= least or (sense > 0 and skin.faces[other] == skin.faces[chosen[k]]):
-                continue
-            if sense * float(skin.normals[other] @ rays[k]) * -1 > math.cos(math.radians(_OPPOSED)):
-                x, y, z = ((starts[k] + hit) / 2).tolist()
-                least, place = way, (x, y, z)
-    return Spot(least, place)
-
-
-def _inside(corners: Floats, random: np.random.Generator) -> Floats:
+def inside(corners: Floats, random: np.random.Generator) -> Floats:
     """A place in each of (n, 3, 3) triangles, uniform in its area, from barycentric coordinates."""
     a, b = random.random((2, len(corners), 1))
     root = np.sqrt(a)
     return np.asarray((1 - root) * corners[:, 0] + root * (1 - b) * corners[:, 1] + root * b * corners[:, 2])
-
-
-def _locator(skin: _Skin) -> Any:  # its stubs know no references
-    points, cells, mesh = vtkPoints(), vtkCellArray(), vtkPolyData()
-    points.SetData(numpy_to_vtk(np.ascontiguousarray(skin.vertices), deep=True))
-    offsets = np.arange(0, 3 * len(skin.triangles) + 1, 3, dtype=np.int64)
-    connections = np.ascontiguousarray(skin.triangles.reshape(-1), dtype=np.int64)
-    cells.SetData(numpy_to_vtkIdTypeArray(offsets, deep=True), numpy_to_vtkIdTypeArray(connections, deep=True))
-    mesh.SetPoints(points)
-    mesh.SetPolys(cells)
-    locator = vtkStaticCellLocator()
-    locator.SetDataSet(mesh)
-    locator.BuildLocator()
-    return locator
 
 
 # -- overhangs ------------------------------------------------------------------------------------------------
@@ -138,12 +74,8 @@ def overhangs(facets: Tessellation, angle: float, upside_down: bool = False) -> 
         angle: from the horizontal, degrees.
         upside_down: built from its top.
     """
-    skin = _Skin(facets)
-    sense = -1.0 if upside_down else 1.0
-    heights = sense * skin.corners[:, :, 2]
-    hangs = -sense * skin.normals[:, 2] > math.cos(math.radians(angle)) + 1e-9
-    hangs &= heights.max(axis=1) > heights.min() + 1e-6
-    chosen = np.flatnonzero(hangs)
+    skin = Skin(facets)
+    chosen = np.flatnonzero(_hanging(skin, angle, upside_down))
     if not len(chosen):
         return Overhang(0.0, None, 0.0)
     random = np.random.default_rng(0)
@@ -158,7 +90,7 @@ def overhangs(facets: Tessellation, angle: float, upside_down: bool = False) -> 
     span, place = 0.0, None
     for index in range(patches):
         own = chosen[patch == index]
-        samples = _inside(skin.corners[random.choice(own, _SAMPLES, p=skin.areas[own] / skin.areas[own].sum())], random)
+        samples = inside(skin.corners[random.choice(own, _SAMPLES, p=skin.areas[own] / skin.areas[own].sum())], random)
         rim = skin.vertices[edges[border & (patch[owner] == index)]][:, :, :2]
         inner = _distances(samples[:, :2], rim)
         worst = int(np.argmax(inner))
@@ -166,6 +98,19 @@ def overhangs(facets: Tessellation, angle: float, upside_down: bool = False) -> 
             x, y, z = samples[worst].tolist()
             span, place = 2 * float(inner[worst]), (x, y, z)
     return Overhang(span, place, float(skin.areas[chosen].sum()))
+
+
+def hanging_area(facets: Tessellation, angle: float, upside_down: bool = False) -> float:
+    """The area, mm^2, of what :func:`overhangs` finds, without looking for its widest circle."""
+    skin = Skin(facets)
+    return float(skin.areas[_hanging(skin, angle, upside_down)].sum())
+
+
+def _hanging(skin: Skin, angle: float, upside_down: bool) -> NDArray[np.bool_]:
+    sense = -1.0 if upside_down else 1.0
+    heights = sense * skin.corners[:, :, 2]
+    hangs = -sense * skin.normals[:, 2] > math.cos(math.radians(angle)) + 1e-9
+    return np.asarray(hangs & (heights.max(axis=1) > heights.min() + 1e-6))
 
 
 def _distances(points: Floats, segments: Floats) -> Floats:
@@ -194,7 +139,7 @@ def sealed_cup(facets: Tessellation, narrowest_hole: float, upside_down: bool = 
         narrowest_hole: vents narrower than this need not be seen, mm.
         upside_down: built from its top.
     """
-    skin = _Skin(facets)
+    skin = Skin(facets)
     low, size = skin.vertices.min(axis=0), np.ptp(skin.vertices, axis=0)
     finest = min(narrowest_hole / _STEPS_PER_HOLE, float(size.min()) / _STEPS_ACROSS)
     step = max(finest, float(np.prod(size) / _MOST_CELLS) ** (1 / 3))
@@ -254,7 +199,7 @@ class _Groups:
         return max(((self._cells[root], root) for root in roots), default=(0, 0))
 
 
-def _grid(skin: _Skin, low: Floats, size: Floats, step: float) -> NDArray[np.bool_]:
+def _grid(skin: Skin, low: Floats, size: Floats, step: float) -> NDArray[np.bool_]:
     """Which cells of a grid around a part are solid at their centres, one empty cell wide at its sides."""
     counts = np.maximum(np.ceil(size / step).astype(int), 1)
     change = np.zeros((counts[0] + 2, counts[1] + 2, counts[2] + 1), dtype=np.int32)
@@ -265,7 +210,7 @@ def _grid(skin: _Skin, low: Floats, size: Floats, step: float) -> NDArray[np.boo
 
 
 def _crossings(
-    skin: _Skin, low: Floats, step: float, counts: NDArray[np.int_]
+    skin: Skin, low: Floats, step: float, counts: NDArray[np.int_]
 ) -> Iterator[tuple[NDArray[np.int_], NDArray[np.int_], Floats, NDArray[np.bool_]]]:
     """Where vertical lines through the cells' centres cross facets: column, row, height, whether into the solid."""
     upright = np.abs(skin.normals[:, 2]) > 1e-9

@@ -9,9 +9,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from geometry.assembly import PartSet
 from geometry.part_files import SharedShape, origin, tessellate_distinct
+from geometry.print_pose import Pose, find_pose
 from geometry.print_processes import PrintProcess
 from geometry.three_mf import Body, write_3mf
 from geometry.whole_file import whole_file
@@ -49,7 +51,8 @@ def export_plates(
 ) -> Plates:
     """Write ``folder/plate-1.3mf``, ...: every printed part as often as it is needed, in rows, none over another.
 
-    Each shape is stored once however often it lies there, in its own coordinates but for a move; z = 0 is the plate.
+    Each shape is stored once however often it lies there, in its own coordinates, and laid on the plate, z = 0, in the
+    pose in which the report judges it.
 
     Args:
         parts: name to workplane with one solid, mm; cast and bought ones are left out.
@@ -62,19 +65,19 @@ def export_plates(
     """
     counts = parts.counts if isinstance(parts, PartSet) else {}
     parameters = parts.parameters if isinstance(parts, PartSet) else {}
-    copies: list[SharedShape] = []
+    copies: list[tuple[SharedShape, Pose]] = []
     too_large: list[str] = []
     for shape in tessellate_distinct(parts) if shapes is None else shapes:
         if origin(shape.names[0]) != "printed":
             continue
-        size = np.ptp(shape.facets.vertices, axis=0)
-        if (size > process.build_volume).any():
+        pose = find_pose(shape.facets, process)
+        if not pose.fits:
             too_large += shape.names
             continue
-        copies += [shape] * sum(counts.get(name, 1) for name in shape.names)
+        copies += [(shape, pose)] * sum(counts.get(name, 1) for name in shape.names)
     if not copies:
         raise ValueError(f"parts: none of {', '.join(parts) or 'none'} can be laid on the plate of {process.name}")
-    copies.sort(key=lambda shape: -float(np.ptp(shape.facets.vertices[:, 1])))
+    copies.sort(key=lambda copy: -copy[1].size[1])
     plates = []
     for number, placed in enumerate(_packed(copies, process), start=1):
         distinct = {shape.names[0]: shape for shape, _ in placed}
@@ -94,23 +97,25 @@ def export_plates(
     return Plates(tuple(plates), tuple(too_large))
 
 
-Placed = list[tuple[SharedShape, tuple[float, float, float]]]
+Placed = list[tuple[SharedShape, NDArray[np.float64]]]
 
 
-def _packed(shapes: list[SharedShape], process: PrintProcess) -> list[Placed]:
+def _packed(copies: list[tuple[SharedShape, Pose]], process: PrintProcess) -> list[Placed]:
     """Rows of copies from the deepest on, a new plate where the next row does not fit."""
     width, depth, _ = process.build_volume
     plates: list[Placed] = [[]]
     x = y = row = 0.0
-    for shape in shapes:
-        low, size = shape.facets.vertices.min(axis=0), np.ptp(shape.facets.vertices, axis=0)
+    for shape, pose in copies:
+        size = pose.size
         if x + size[0] > width:
             x, y, row = 0.0, y + row + SPACING, 0.0
         if y + size[1] > depth:
             plates.append([])
             x = y = row = 0.0
-        dx, dy, dz = (np.array([x, y, 0.0]) - low).tolist()
-        plates[-1].append((shape, (dx, dy, dz)))
-        x += float(size[0]) + SPACING
-        row = max(row, float(size[1]))
+        matrix = np.eye(4)
+        matrix[:3, :3] = pose.rotation
+        matrix[:3, 3] = np.array([x, y, 0.0]) - (shape.facets.vertices @ pose.rotation.T).min(axis=0)
+        plates[-1].append((shape, matrix))
+        x += size[0] + SPACING
+        row = max(row, size[1])
     return plates

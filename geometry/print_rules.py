@@ -7,6 +7,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
+from geometry.print_pose import Pose, find_pose
 from geometry.print_processes import PrintProcess, Relation, Rule, Verdict
 
 if TYPE_CHECKING:
@@ -15,7 +18,14 @@ if TYPE_CHECKING:
     from geometry.measure import Round, Tessellation
 
 #: Entries of a part's parameters that are radial gaps to what is put into it, and how the report calls them.
-GAPS = {"glue_gap": "gap around tube", "pin_clearance": "gap around pin", "package_gap": "gap around package"}
+GAPS = {
+    "glue_gap": "gap around tube",
+    "pin_clearance": "gap around pin",
+    "guide_clearance": "gap of guides",
+    "board_gap": "gap around board",
+}
+#: Facets of a casting that look up: the z of their normals; walls have a draft.
+_UPWARDS = 0.5
 #: Shorter than this share of its diameter a free-standing cylinder is a plate, not a pin.
 _PLATE = 0.5
 
@@ -50,10 +60,10 @@ def judge_printed(
         process: with its rules.
         parameters: what the part was generated from; gaps to what is put into it are judged where they are known.
     """
-    from geometry import print_measures as measures
     from geometry.measure import inner_voids, rounds
+    from geometry.wall_measures import narrowest_gap, thinnest_wall
 
-    wall, gap = measures.thinnest_wall(facets), measures.narrowest_gap(facets)
+    wall, gap = thinnest_wall(solid, facets), narrowest_gap(solid, facets)
     findings = [_by_rule(name, "thinnest wall", wall.value, "mm", process.wall, wall.place)]
     round_ones = rounds(solid)
     holes = [one for one in round_ones if one.hollow]
@@ -68,48 +78,54 @@ def judge_printed(
     for key, called in GAPS.items():
         if isinstance(parameters.get(key), float):
             findings.append(_by_rule(name, called, parameters[key], "mm", process.clearance, None))
-    findings += _built(name, facets, process, holes)
+    pose = find_pose(facets, process)
+    findings += _built(name, facets, process, holes, pose)
     voids = inner_voids(solid)
     reason = "voids without a way out for liquid resin or powder"
     findings.append(Finding(name, "trapped volumes", voids, 0, "", "fail" if voids else "ok", reason, None, "at most"))
-    findings += [_size(name, solid, process), _facets(name, facets, process)]
+    findings += [_size(name, process, pose), _facets(name, facets, process)]
     return findings
 
 
-def judge_cast(name: str, thickness: float, process: PrintProcess) -> Finding:
-    """The one rule on a part that is cast between printed plates, its thickness in mm."""
+def judge_cast(name: str, facets: Tessellation, process: PrintProcess) -> Finding:
+    """The one rule on a part that is cast between printed plates: its thinnest place above its flat lower face."""
+    corners = facets.vertices[facets.triangles]
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    upwards = corners[normals[:, 2] > _UPWARDS * np.linalg.norm(normals, axis=1)]
+    thickness = float(upwards[:, :, 2].min() - facets.vertices[:, 2].min())
     return _by_rule(name, "cast thickness", thickness, "mm", process.cast_thickness, None)
 
 
-def _built(name: str, facets: Tessellation, process: PrintProcess, holes: list[Round]) -> list[Finding]:
-    """What depends on the direction of building: as drawn, or upside down where less hangs."""
+def judge_shims(name: str, step: float, process: PrintProcess) -> Finding:
+    """Whether shims of neighbouring steps are told apart by what they do: a warning, since they can be measured."""
+    tolerance = process.tolerance
+    source = f"two shims true to {tolerance:g} mm each may be the wrong way round, measure them; {process.source}"
+    return _by_rule(name, "step of shims", step, "mm", Rule(0.0, 2 * tolerance, source), None)
+
+
+def _built(name: str, facets: Tessellation, process: PrintProcess, holes: list[Round], pose: Pose) -> list[Finding]:
+    """What depends on the direction of building."""
     from geometry.print_measures import overhangs, sealed_cup
 
     findings = []
-    upside_down = False
     if process.overhang_angle > 0:
-        drawn, turned = (overhangs(facets, process.overhang_angle, way) for way in (False, True))
-        upside_down = turned.area < drawn.area - 1e-6
-        hang = turned if upside_down else drawn
-        way = "upside down" if upside_down else "as drawn"
+        hang = overhangs(facets, process.overhang_angle, pose.upside_down)
         finding = _by_rule(name, "widest overhang", hang.span, "mm", process.overhang_span, hang.place)
-        note = f"built {way}, flatter than {process.overhang_angle:g} degrees: {hang.area:.3g} mm^2 in all"
+        note = f"built {pose.words}, flatter than {process.overhang_angle:g} degrees: {hang.area:.3g} mm^2 in all"
         findings.append(_with_note(finding, note))
     if math.isfinite(process.cup_volume.advised):
         advised = process.hole.advised
         narrowest = max(min(holes[0].diameter, advised) if holes else advised, process.hole.limit)
-        cup = sealed_cup(facets, narrowest, upside_down)
+        cup = sealed_cup(facets, narrowest, pose.upside_down)
         findings.append(_by_rule(name, "sealed cup", cup.value, "mm^3", process.cup_volume, cup.place))
     return findings
 
 
-def _size(name: str, solid: cq.Shape, process: PrintProcess) -> Finding:
-    box = solid.BoundingBox()
-    # A part may be turned: its largest extent must fit the largest of the machine, and so on.
-    sizes = sorted((box.xlen, box.ylen, box.zlen))
-    size, room = max(zip(sizes, sorted(process.build_volume), strict=True), key=lambda pair: pair[0] / pair[1])
-    verdict: Verdict = "ok" if size <= room else "fail"
-    return Finding(name, "size", size, room, "mm", verdict, f"build volume: {process.source}", None, "at most")
+def _size(name: str, process: PrintProcess, pose: Pose) -> Finding:
+    size, room = max(zip(pose.size, process.build_volume, strict=True), key=lambda pair: pair[0] / pair[1])
+    verdict: Verdict = "ok" if pose.fits else "fail"
+    reason = f"laid {pose.words}; build volume: {process.source}"
+    return Finding(name, "size", size, room, "mm", verdict, reason, None, "at most")
 
 
 def _facets(name: str, facets: Tessellation, process: PrintProcess) -> Finding:

@@ -13,6 +13,9 @@ from functools import partial
 
 from geometry.design import ArrayDesign
 
+#: What small printed lengths are commonly true to, mm: told for every process, so that designs compare.
+USUAL_TOLERANCE = 0.05
+
 
 @dataclass(frozen=True)
 class AcousticEffect:

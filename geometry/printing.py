@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING
 from geometry.assembly import PartSet
 from geometry.part_files import SharedShape, origin, tessellation_tolerance
 from geometry.print_processes import PrintProcess, Verdict, find_process, process_of
-from geometry.print_rules import Finding, judge_cast, judge_printed
-from geometry.print_tolerance import AcousticEffect, acoustic_effects
+from geometry.print_rules import Finding, judge_cast, judge_printed, judge_shims
+from geometry.print_tolerance import USUAL_TOLERANCE, AcousticEffect, acoustic_effects
 
 if TYPE_CHECKING:
     import cadquery as cq
@@ -28,7 +28,7 @@ class PrintReport:
     process: PrintProcess
     findings: tuple[Finding, ...]
     effects: tuple[AcousticEffect, ...] = ()
-    """What the tolerance of the process does to the acoustics, where the design is known."""
+    """What 0.05 mm, and then the tolerance of the process where it is another, do to the acoustics of a design."""
 
     @property
     def verdict(self) -> Verdict:
@@ -52,10 +52,11 @@ def print_report(
 ) -> PrintReport:
     """Measure parts and compare them with the rules of a process.
 
-    Walls and gaps are measured by rays between the facets that are exported, holes and pins as the cylinders and
-    cones of the solid, overhangs and cups on the facets, built along z as drawn or upside down. Parts named
-    ``membrane...`` are cast and only their thickness is judged; every other part is printed. Gaps to what is put
-    into a part are not in the solids: they are judged for parts from :func:`geometry.build_parts`, which know them.
+    Walls and gaps are found by rays between the facets that are exported and measured between the faces of the
+    solid, holes and pins as its cylinders and cones, overhangs and cups on the facets, as the part is laid on the
+    plate, see :func:`geometry.print_pose.find_pose`. Parts named ``membrane...`` are cast and only the thickness of
+    the disc is judged; every other part is printed. Gaps to what is put into a part are not in the solids: the design
+    states them.
 
     Args:
         parts: name to workplane with one solid, mm.
@@ -85,13 +86,31 @@ def print_report(
             progress(name, index / len(parts))
         solid = part.val()
         source = origin(name)
+        if source == "bought":
+            continue
+        facets = facets_of[name] if name in facets_of else tessellate(solid, tolerance)
         if source == "cast":
-            findings.append(judge_cast(name, solid.BoundingBox().zlen, rules))
-        elif source == "printed":
-            facets = facets_of[name] if name in facets_of else tessellate(solid, tolerance)
-            known = dict(parameters.get(name, {}))
-            if design is not None and name.startswith("mold-lid"):
-                known["pin_clearance"] = design.mold.pin_clearance
-            findings += judge_printed(name, solid, facets, rules, known)
-    effects = acoustic_effects(design, rules.tolerance) if design is not None else ()
+            findings.append(judge_cast(name, facets, rules))
+            continue
+        gaps = _gaps(name, design) if design is not None else parameters.get(name, {})
+        findings += judge_printed(name, solid, facets, rules, gaps)
+        if design is not None and name.startswith("mold-shim"):
+            findings.append(judge_shims(name, design.mold.shim_step, rules))
+    effects: tuple[AcousticEffect, ...] = ()
+    if design is not None:
+        for tolerance in dict.fromkeys((USUAL_TOLERANCE, rules.tolerance)):
+            effects += acoustic_effects(design, tolerance)
     return PrintReport(rules, tuple(findings), effects)
+
+
+def _gaps(name: str, design: ArrayDesign) -> dict[str, float]:
+    """Radial gaps to what is put into a part of a design or slides on it, mm, by the keys of ``print_rules.GAPS``."""
+    if name.startswith("microphone-housing"):
+        return {"glue_gap": design.printing.glue_gap, "board_gap": design.microphone.board_gap}
+    if name.startswith("shell") or name == "carrier":
+        return {"glue_gap": design.printing.glue_gap}
+    if name == "mold-scraper":
+        return {"guide_clearance": design.mold.pin_clearance}
+    if name == "mold-lid" or name.startswith("mold-shim"):
+        return {"pin_clearance": design.mold.pin_clearance}
+    return {}

@@ -7,8 +7,9 @@ from itertools import combinations
 
 import cadquery as cq
 
-from geometry.cavity_shapes import draw_cavity, separation, wall_distance
-from geometry.design import Membrane, Printing, Resonator, Shell
+from geometry.cavity_shapes import draw_cavity, port_web, wall_distance
+from geometry.design import Printing
+from geometry.design_parts import Membrane, Resonator, Shell
 from geometry.design_rules import SOCKET_COVER
 from geometry.measure import pinched_edges
 from geometry.routing import unit
@@ -84,7 +85,7 @@ def check_ports(resonator: Resonator, printing: Printing, ports: Sequence[Port])
     """Refuse ports that the wall of a shell has no room for.
 
     Raises:
-        ValueError: none or more than six, one that leaves the wall, or two that overlap.
+        ValueError: none or more than six, one that leaves the wall, or two that leave no wall between them.
     """
     if not 1 <= len(ports) <= MOST_PORTS:
         raise ValueError(f"shell: has {len(ports)} ports; it must have 1 to {MOST_PORTS}")
@@ -104,16 +105,35 @@ def check_ports(resonator: Resonator, printing: Printing, ports: Sequence[Port])
         problem = resonator.port_problem(height, 2 * bore)
         if problem:
             raise ValueError(f"{where} {problem}")
-    shape = resonator.cavity_shape
-    for first, second in combinations(ports, 2):
-        one, other = port_height(first, resonator), port_height(second, resonator)
-        near = min(wall_distance(shape, radius, one, first.angle), wall_distance(shape, radius, other, second.angle))
-        bores = (first.bore_diameter + second.bore_diameter) / 2
-        sockets = (first.tube_diameter + second.tube_diameter) / 2 + 2 * printing.glue_gap
-        turn, rise = first.angle - second.angle, one - other
-        apart = separation(near, turn, rise), separation(radius + lip, turn, rise)
-        if apart[0] <= bores or apart[1] < sockets - 1e-9:
-            raise ValueError(f"shell: the ports at {first.angle:g} and {second.angle:g} deg overlap")
+    for pair in combinations(ports, 2):
+        heights = [port_height(port, resonator) for port in pair]
+        mouths = tuple(
+            wall_distance(resonator.cavity_shape, radius, height, port.angle)
+            for port, height in zip(pair, heights, strict=True)
+        )
+        refuse_thin_web("shell", pair, mouths, radius + lip, printing.glue_gap, heights[0] - heights[1])
+
+
+def refuse_thin_web(
+    name: str, ports: Sequence[Port], mouths: Sequence[float], shoulder: float, glue_gap: float, rise: float = 0.0
+) -> None:
+    """Refuse two ports that leave less than :data:`geometry.design_rules.SOCKET_COVER` of wall between them.
+
+    Args: see :func:`geometry.cavity_shapes.port_web`; ``name`` is that of the part.
+
+    Raises:
+        ValueError: they do.
+    """
+    first, second = ports
+    wall = port_web((first, second), (mouths[0], mouths[1]), shoulder, glue_gap, rise)
+    where = f"{name}: the ports at {first.angle:g} and {second.angle:g} deg"
+    if wall <= 0:
+        raise ValueError(f"{where} overlap")
+    if wall < SOCKET_COVER - 1e-9:
+        raise ValueError(
+            f"{where} leave a wall of {wall:.3g} mm between them; it must be at least {SOCKET_COVER:g} mm: turn them "
+            "apart, or widen the cavity or printing.port_lip"
+        )
 
 
 def port_height(port: Port, resonator: Resonator) -> float:

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 import cadquery as cq
 
-from geometry.design import Shell
+from geometry.design_parts import Shell
 from geometry.shell_rules import FOOT_EDGE
 from geometry.stroke_letters import SPACE, WIDTH, strokes
 

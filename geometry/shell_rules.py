@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 from geometry.cavity_shapes import WIDEST_BOX, Box, Dome
 
 if TYPE_CHECKING:
-    from geometry.design import ArrayDesign, Resonator, Shell
+    from geometry.design import ArrayDesign
+    from geometry.design_parts import Resonator, Shell
 
 #: Material on either side of a glue groove, mm.
 _GROOVE_EDGE = 0.15

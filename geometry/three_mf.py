@@ -7,6 +7,9 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 if TYPE_CHECKING:
     import trimesh
 
@@ -23,8 +26,8 @@ class Body:
     name: str
     facets: Tessellation
     parameters: Mapping[str, Any] = field(default_factory=dict)
-    places: tuple[tuple[float, float, float], ...] = ((0.0, 0.0, 0.0),)
-    """How each copy is moved, mm."""
+    places: tuple[NDArray[np.float64], ...] = (np.eye(4),)
+    """How each copy is turned and moved, mm: (4, 4) float64."""
 
 
 def write_3mf(bodies: Sequence[Body], title: str, path: Path) -> None:
@@ -47,7 +50,10 @@ def write_3mf(bodies: Sequence[Body], title: str, path: Path) -> None:
             [_filled(lib3mf.Triangle(), corners) for corners in body.facets.triangles.tolist()],
         )
         for place in body.places:
-            model.AddBuildItem(mesh, wrapper.GetTranslationTransform(*place))
+            transform = lib3mf.Transform()
+            for row, numbers in zip(transform.Fields, place[:3].T.tolist(), strict=True):  # coordinates are rows there
+                row[:] = numbers
+            model.AddBuildItem(mesh, transform)
     writer = model.QueryWriter("3mf")
     writer.SetDecimalPrecision(7)
     writer.WriteToFile(str(path))
@@ -60,7 +66,6 @@ def read_3mf(path: Path) -> dict[str, trimesh.Trimesh]:
         ValueError: another unit, or two bodies of one name.
     """
     import lib3mf
-    import numpy as np
     import trimesh
 
     model = lib3mf.get_wrapper().CreateModel()

@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-from geometry.design import ArrayDesign, Tube
+from geometry.design import ArrayDesign
+from geometry.design_parts import Tube
 from geometry.layout import TubePlacement, place
 from geometry.routing import turning
 

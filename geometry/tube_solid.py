@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from geometry.design import Tube
+from geometry.design_parts import Tube
 from geometry.routing import path_length, tightest_bend, trimmed
 
 if TYPE_CHECKING:

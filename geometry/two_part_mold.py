@@ -9,6 +9,8 @@ from geometry.mold_plan import LID_THICKNESS, SHIM_WIDTH, SOCKET_SPARE, MoldPlan
 from geometry.shell import cylinder
 
 _PIN_CHAMFER = 0.3
+#: Notches in the rim of a shim: width and depth, mm, and the angle between them, degrees; ten go round.
+_NOTCH, _NOTCH_TURN = (0.6, 0.4), 36.0
 
 
 def with_pins(base: cq.Shape, plan: MoldPlan) -> cq.Shape:
@@ -36,7 +38,12 @@ def lid(plan: MoldPlan) -> cq.Shape:
 
 
 def shim(plan: MoldPlan, step: int) -> cq.Shape:
-    """A washer over a pin that holds the lid ``step`` steps above the lands; its lower face at z = 0."""
-    height = plan.mold.land_height + step * plan.mold.shim_step
-    outer, inner = (cylinder(radius, 0, height) for radius in (plan.socket_radius + SHIM_WIDTH, plan.socket_radius))
-    return outer.cut(inner)
+    """A washer over a pin that holds the lid ``step`` steps above the lands; its lower face at z = 0.
+
+    It has as many notches in its rim as steps: sets a few hundredths of a millimetre apart look alike.
+    """
+    height, radius = plan.mold.land_height + step * plan.mold.shim_step, plan.socket_radius + SHIM_WIDTH
+    width, depth = _NOTCH
+    notch = cq.Solid.makeBox(2 * depth, width, height, cq.Vector(radius - depth, -width / 2, 0))
+    turns = [cq.Location(cq.Vector(), cq.Vector(0, 0, 1), _NOTCH_TURN * number) for number in range(step)]
+    return cylinder(radius, 0, height).cut(cylinder(plan.socket_radius, 0, height), *(notch.moved(t) for t in turns))

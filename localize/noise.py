@@ -20,7 +20,7 @@ from numpy.typing import ArrayLike, NDArray
 
 if TYPE_CHECKING:
     from acoustic_fem.medium import Medium
-    from geometry.design import Microphone
+    from geometry.design_parts import Microphone
 
 #: White noise of so many Pa rms over 0 to 500 Hz, or the noise of the design's microphone.
 NoiseChoice = float | Literal["design"]

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 
 from geometry.bill import Prices
 from geometry.design import ArrayDesign
-from geometry.design_parts import BOARD_CLEARANCE, BOARD_SEAL, SEAT_SLOT, Microphone, Tube
+from geometry.design_parts import BOARD_SEAL, SEAT_SLOT, Microphone, Tube
 from geometry.layout import place
 
 #: kg/m^3
@@ -151,7 +151,7 @@ def _board(microphone: Microphone) -> float:
 def _seat(microphone: Microphone) -> tuple[float, float]:
     """Length and width of the seat of the board, mm."""
     length, width = microphone.board_size
-    return length + 2 * BOARD_CLEARANCE, width + 2 * BOARD_CLEARANCE
+    return length + 2 * microphone.board_gap, width + 2 * microphone.board_gap
 
 
 def _segment(radius: float, distance: float) -> float:

@@ -233,14 +233,16 @@ def test_a_ring_that_cannot_close_is_refused_with_its_lengths() -> None:
 
 
 def test_sockets_must_fit_into_the_corner_of_a_ring() -> None:
-    # two sides of 247.8 mm and one of 79.8 mm: 2 asin(39.9 / 247.8) at A, and 2 (0.6 / sin(A / 2) - 0.5) mm
+    # Two sides of 247.8 mm and one of 79.8 mm: A = 2 asin(39.9 / 247.8) at A,
+    # and 2 ((0.05 + 0.6 cos(A / 2)) / sin(A / 2) - 0.5) mm.
     with pytest.raises(DesignError) as caught:
         ring_of((11, 3, 11))
-    assert str(caught.value).startswith("glove: microphone.chamber_diameter = 1.8 mm must be at least 6.453 mm ")
+    assert str(caught.value).startswith("glove: microphone.chamber_diameter = 1.8 mm must be at least 6.976 mm ")
     assert str(caught.value).endswith(
-        "mm for the sockets of the 2 lines that end at 'A' to fit around it, 18.53 degrees apart"
+        "mm for the ports of the 2 lines that end at 'A' to fit around it, 18.53 degrees apart "
+        "with 0.1 mm of wall between them"
     )
-    assert ring_of((11, 3, 11), **{"microphone.chamber_diameter": 6.5}).microphone.chamber_diameter == 6.5
+    assert ring_of((11, 3, 11), **{"microphone.chamber_diameter": 7.0}).microphone.chamber_diameter == 7.0
 
 
 @pytest.mark.parametrize(("diameter", "thin", "thick"), [(6.0, 0.03, 6.0), (7.3, 0.0365, 7.3), (50.0, 0.25, 10.0)])
@@ -263,7 +265,7 @@ def test_the_widest_rim_that_can_be_solved_is_beyond_every_rim_that_is_allowed()
 def test_sockets_of_many_lines_must_fit_around_a_chamber() -> None:
     names = [f"M{k}" for k in range(10)]
     star = [{"between": ["M0", name], "points": 1} for name in names[1:]]
-    with pytest.raises(DesignError, match=r"chamber_diameter = 1\.9 mm must be at least 1\.924 mm .* 9 lines"):
+    with pytest.raises(DesignError, match=r"chamber_diameter = 1\.9 mm must be at least 2\.04 mm .* 9 lines"):
         geometry.prototype("array-2x6").with_values({"microphones": names, "lines": star})
 
 

@@ -10,9 +10,10 @@ import geometry
 from geometry.air import air_volume
 from geometry.array_model import array_model
 from geometry.cells import Cell, CellPort
-from geometry.design import Microphone, Printing
+from geometry.design import Printing
+from geometry.design_parts import Microphone
 from geometry.fit import interferences
-from geometry.microphone import BOARD_CLEARANCE, build_board, build_housing
+from geometry.microphone import build_board, build_housing
 from geometry.shell import cylinder
 from geometry.tube import Port
 
@@ -93,7 +94,7 @@ def test_the_board_lies_in_its_seat_with_the_package_below_the_rim():
     assert housing.intersect(pressed).Volume() == pytest.approx(1e-3 * seat, rel=1e-6)
     assert housing.BoundingBox().zmax == pytest.approx(mic.chamber_height + 0.4 + 1.1, abs=1e-6)
     # It has its clearance on both sides and is held beyond it.
-    for shift, held in ((BOARD_CLEARANCE - 0.01, False), (BOARD_CLEARANCE + 0.01, True)):
+    for shift, held in ((mic.board_gap - 0.01, False), (mic.board_gap + 0.01, True)):
         for axis in ((1, 0), (0, 1), (-1, 0)):
             aside = board.moved(cq.Location(cq.Vector(shift * axis[0], shift * axis[1], 0)))
             assert (housing.intersect(aside).Volume() > 1e-4) == held

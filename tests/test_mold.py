@@ -200,6 +200,16 @@ def test_shims_raise_the_lid_step_by_step(molds):
         assert base.BoundingBox().zmax - 0.05 * step > 2
 
 
+@pytest.mark.parametrize("pin", [1.0, 2.5])
+def test_a_shim_has_as_many_notches_as_steps(pin, molds):
+    _, mold, _ = molds("array-2x6", **{"mold.shim_count": 10, "mold.pin_diameter": pin})
+    for step in range(1, 11):
+        shim = mold.parts[f"mold-shim-{step}"].val()
+        outer, height = shim.BoundingBox().xmax, shim.BoundingBox().zmax
+        rim = cylinder(outer - 0.1, 0, height).cut(cylinder(outer - 0.3, 0, height))
+        assert len(rim.cut(shim).Solids()) == step
+
+
 @pytest.mark.parametrize(("changes", "thicker"), [({}, 0.0), ({"mold.silicone_shrinkage": 0.01}, 0.01)])
 def test_shrinkage_of_silicone_and_resin_is_compensated(changes, thicker, molds):
     """What is printed shrinks by the resin's share, what is cast in it by the silicone's: the design is left."""

@@ -6,15 +6,21 @@ import math
 import cadquery as cq
 import numpy as np
 import pytest
+import trimesh
 
 import geometry
 from geometry.measure import genus, hole_diameters, inner_voids, pinched_edges, rounds, tessellate
-from geometry.print_measures import narrowest_gap, overhangs, sealed_cup, thinnest_wall
+from geometry.membrane import build_membrane
+from geometry.print_measures import overhangs, sealed_cup
+from geometry.print_plates import export_plates
+from geometry.print_pose import find_pose
 from geometry.print_processes import PROCESSES, RULES, Rule, find_process, process_of, with_rules
 from geometry.print_report_files import write_report
 from geometry.print_tolerance import acoustic_effects
 from geometry.printing import print_report
-from geometry.shell import one_solid
+from geometry.shell import build_shell, one_solid
+from geometry.tube import Port
+from geometry.wall_measures import narrowest_gap, thinnest_wall
 
 
 def finding(report, part, rule):
@@ -41,6 +47,10 @@ def facets_of(solid):
     return tessellate(solid, 0.005)
 
 
+def wall_of(solid):
+    return thinnest_wall(solid, facets_of(solid))
+
+
 def cut_box(*holes, size=(10, 10, 5)):
     box = cq.Solid.makeBox(*size)
     for lengths, corner in holes:
@@ -52,13 +62,13 @@ def cut_box(*holes, size=(10, 10, 5)):
 @pytest.mark.parametrize("wall", [0.15, 0.3, 1.0])
 def test_the_wall_of_a_pipe_is_measured(wall):
     pipe = cq.Solid.makeCylinder(3 + wall, 5).cut(cq.Solid.makeCylinder(3, 5))
-    found = thinnest_wall(facets_of(pipe))
-    assert found.value == pytest.approx(wall, abs=0.006)
+    found = wall_of(pipe)
+    assert found.value == pytest.approx(wall, abs=1e-9)
     assert np.hypot(*found.place[:2]) == pytest.approx(3 + wall / 2, abs=0.01)
 
 
 def test_the_floor_of_a_cup_is_measured_and_found():
-    found = thinnest_wall(facets_of(cut_box(((8, 8, 5), (1, 1, 0.35)))))
+    found = wall_of(cut_box(((8, 8, 5), (1, 1, 0.35))))
     assert found.value == pytest.approx(0.35, abs=1e-9)
     assert found.place[2] == pytest.approx(0.175)
     assert 1 < found.place[0] < 9
@@ -68,16 +78,69 @@ def test_sides_that_meet_in_an_edge_are_no_thin_wall():
     # A radial hole leaves edges sharper than 90 degrees on the outside of the cylinder.
     pierced = cq.Solid.makeCylinder(3, 6).cut(cq.Solid.makeCylinder(0.5, 8, cq.Vector(-4, 0, 3), cq.Vector(1, 0, 0)))
     # Where the hole's side and the outside are 40 degrees apart: sqrt(3^2 - (3 sin 40)^2) - 0.5.
-    assert thinnest_wall(facets_of(pierced)).value > 1.79
+    assert wall_of(pierced).value > 1.79
+
+
+def bore(y, z, radius=0.5):
+    return cq.Solid.makeCylinder(radius, 20, cq.Vector(-5, y, z), cq.Vector(1, 0, 0))
+
+
+def test_the_web_between_parallel_bores_is_exact():
+    two = cq.Solid.makeBox(10, 10, 5).cut(bore(4.46, 2.5), bore(5.54, 2.5))
+    assert wall_of(two).value == pytest.approx(0.08, abs=1e-9)
+    assert wall_of(two).place[1:] == pytest.approx((5, 2.5))
+    assert wall_of(cq.Solid.makeBox(10, 10, 5).cut(bore(5, 4.4))).value == pytest.approx(0.1, abs=1e-9)
+
+
+@pytest.mark.parametrize("turn", [18.2, 20, 30, 60, 72])
+def test_the_web_between_diverging_sockets_is_exact(design, turn):
+    ports = [Port(0.0, 0.44, 0.9), Port(turn, 0.44, 0.9)]
+    solid = build_shell(design.resonator, design.membrane, design.printing.model_copy(update={"port_lip": 0.6}), ports)
+    half = math.radians(turn) / 2
+    # Inner corners of sockets of 1.0 mm that begin 3.6 mm from the axis, and of bores of 0.44 mm in the round wall.
+    sockets = 2 * (3.6 * math.sin(half) - 0.5 * math.cos(half))
+    bores = 2 * (math.sqrt(3**2 - 0.22**2) * math.sin(half) - 0.22 * math.cos(half))
+    assert wall_of(solid.val()).value == pytest.approx(min(sockets, bores, 0.45), abs=1e-6)  # 0.45: the ledge
+
+
+def test_a_tapered_fin_is_as_thin_as_its_tip():
+    fin = cq.Workplane("XZ").polyline([(0, 0), (4, 0), (2.05, 6), (1.95, 6)]).close().extrude(5).val()
+    assert wall_of(fin).value == pytest.approx(0.1, abs=1e-9)
+    chamfered = cq.Workplane().box(5, 5, 5).edges().chamfer(0.1).val()
+    assert wall_of(chamfered).value == pytest.approx(5, abs=1e-9)  # an edge that is broken is no wall
+    rounded = cq.Workplane().box(5, 5, 5).edges("|Z").fillet(0.1).val()
+    assert wall_of(rounded).value == pytest.approx(5, abs=1e-9)
+
+
+def test_a_tapered_slot_is_as_narrow_as_its_floor():
+    slot = cq.Workplane("XZ").workplane(offset=-6).polyline([(-0.05, 0), (0.05, 0), (0.6, 2), (-0.6, 2)]).close()
+    slotted = cq.Workplane().box(10, 10, 4).cut(slot.extrude(12)).val()
+    assert narrowest_gap(slotted, facets_of(slotted)).value == pytest.approx(0.1, abs=1e-9)
+
+
+def test_the_web_of_the_glove_is_found_and_a_thinner_one_fails():
+    glove = geometry.prototype("glove")
+    name, parts = "microphone-housing-60", geometry.build_parts(glove)
+    # Bores of 0.64 mm, 60 degrees apart, in the wall of a chamber of 1.8 mm.
+    web = 2 * (math.sqrt(0.9**2 - 0.32**2) / 2 - 0.32 * math.cos(math.pi / 6))
+    found = finding(print_report({name: parts[name]}, design=glove), name, "thinnest wall")
+    assert (found.value, found.verdict) == (pytest.approx(web, abs=1e-6), "warn")
+    thin = glove.with_values(
+        {"lines.0.points": 1, "lines.1.points": 5, "lines.2.points": 5, "microphone.chamber_diameter": 6.74}
+    )
+    parts = geometry.build_parts(thin)
+    name = next(name for name in parts if name.startswith("microphone-housing-1"))
+    found = finding(print_report({name: parts[name]}, design=thin), name, "thinnest wall")
+    assert (found.value, found.verdict) == (pytest.approx(0.1213, abs=1e-4), "fail")
 
 
 def test_a_slot_is_a_gap_and_a_bore_is_not():
     slotted = cut_box(((0.3, 8, 5), (5, 1, 2)))
-    found = narrowest_gap(facets_of(slotted))
+    found = narrowest_gap(slotted, facets_of(slotted))
     assert found.value == pytest.approx(0.3, abs=1e-9)
     assert found.place[0] == pytest.approx(5.15)
     bored = cq.Solid.makeBox(10, 10, 5).cut(cq.Solid.makeCylinder(0.4, 5, cq.Vector(5, 5, 0)))
-    assert narrowest_gap(facets_of(bored)).value == math.inf
+    assert narrowest_gap(bored, facets_of(bored)).value == math.inf
 
 
 @pytest.mark.parametrize(("angle", "share"), [(45, math.sin(math.radians(45))), (19, math.sin(math.radians(19)))])
@@ -174,6 +237,36 @@ def test_a_part_larger_than_the_machine_fails_and_may_be_turned_to_fit():
     found = finding(print_report(long, "dlp-fine"), "bar", "size")
     assert (found.verdict, found.limit) == ("fail", 100.0)
     assert found.value == pytest.approx(170)
+
+
+def test_a_long_part_is_judged_as_it_lies_on_its_plate(tmp_path):
+    bar = {"bar": cq.Workplane().box(164, 10, 4)}
+    found = finding(print_report(bar), "bar", "size")
+    assert export_plates(bar, tmp_path, find_process("sla-resin")).too_large == ()
+    assert found.verdict == "ok"
+    assert found.value == pytest.approx(164 * math.cos(math.radians(35)) + 10 * math.sin(math.radians(35)))
+    assert "laid as drawn, turned by 35 degrees" in found.reason
+    low, high = trimesh.load(tmp_path / "plate-1.3mf").bounds
+    assert low == pytest.approx((0, 0, 0), abs=1e-4)
+    assert (high <= (145, 145, 175)).all()
+    tight = with_rules(PROCESSES["sla-resin"], {"build_volume": (100, 100, 300)})
+    assert finding(print_report(bar, tight), "bar", "size").verdict == "fail"  # it is not stood on end
+    with pytest.raises(ValueError, match="none of bar can be laid on the plate"):
+        export_plates(bar, tmp_path, tight)
+
+
+def test_what_is_judged_upside_down_lies_upside_down(array, coarse, tmp_path):
+    name = "microphone-housing"
+    pose = find_pose(facets_of(array[name].val()), coarse.process)
+    assert pose.upside_down
+    assert "built upside down" in finding(coarse, name, "widest overhang").reason
+    (plate,) = export_plates({name: array[name]}, tmp_path, coarse.process).plates
+    laid = trimesh.load(plate.path).to_geometry()
+    drawn = array[name].val()
+    assert laid.bounds[0] == pytest.approx((0, 0, 0), abs=1e-5)
+    assert laid.volume == pytest.approx(drawn.Volume(), rel=1e-3)  # turned over, not mirrored
+    assert laid.center_mass[2] == pytest.approx(drawn.BoundingBox().zmax - drawn.Center().z, abs=1e-3)
+    assert laid.center_mass[2] != pytest.approx(drawn.Center().z - drawn.BoundingBox().zmin, abs=0.1)
 
 
 # -- rules ----------------------------------------------------------------------------------------------------
@@ -289,6 +382,43 @@ def test_the_membrane_is_judged_as_a_casting_only(coarse):
     assert finding(print_report(thin), "membrane", "cast thickness").verdict == "warn"
 
 
+@pytest.mark.parametrize(
+    "shape", [{}, {"boss_diameter": 2.0, "boss_height": 0.5, "shape": "boss"}, {"rim_height": 0.5, "shape": "rim"}]
+)
+def test_the_disc_of_a_membrane_is_judged_not_its_boss_or_rim(design, shape):
+    thin = design.with_values({"membrane.thickness": 0.09, **{f"membrane.{key}": v for key, v in shape.items()}})
+    found = finding(print_report({"membrane": build_membrane(thin)}), "membrane", "cast thickness")
+    assert (found.value, found.verdict) == (pytest.approx(0.09), "fail")
+
+
+def test_gaps_to_what_is_put_in_are_judged_on_every_part_that_has_them(design):
+    tight = design.with_values({"mold.kind": "open-face", "mold.pin_clearance": 0.02, "microphone.board_gap": 0.03})
+    report = print_report(geometry.build_parts(tight), design=tight)
+    for part, rule, gap in (
+        ("mold-scraper", "gap of guides", 0.02), ("microphone-housing", "gap around board", 0.03),
+    ):  # fmt: skip
+        assert (finding(report, part, rule).value, finding(report, part, rule).verdict) == (gap, "fail")
+    assert not [f for f in report.findings if f.part == "mold-base" and f.rule.startswith("gap ")]
+
+
+def test_a_gasket_of_the_default_depth_leaves_a_wall_that_prints():
+    sealed = geometry.prototype("array-2x6").with_values({"microphone.gasket_width": 0.5})
+    parts = geometry.build_parts(sealed)
+    report = print_report({"microphone-housing": parts["microphone-housing"]}, design=sealed)
+    wall = finding(report, "microphone-housing", "thinnest wall")
+    assert (wall.value, wall.verdict) == (pytest.approx(0.2, abs=1e-6), "warn")
+    assert report.verdict == "warn"
+
+
+def test_shims_that_a_tolerance_mixes_up_are_warned_of(coarse, design):
+    found = finding(coarse, "mold-shim-2", "step of shims")
+    assert (found.value, found.limit, found.verdict) == (0.05, 0.1, "warn")
+    assert "two shims true to 0.05 mm each" in found.reason
+    wide = design.with_values({"mold.shim_step": 0.1})
+    parts = {"mold-shim-1": geometry.build_parts(wide)["mold-shim-1"]}
+    assert finding(print_report(parts, design=wide), "mold-shim-1", "step of shims").verdict == "ok"
+
+
 def test_the_worst_finding_is_the_verdict_and_comes_first():
     report = print_report({"plate": cq.Workplane().box(10, 10, 0.3).faces(">Z").workplane().hole(0.2)})
     assert report.verdict == "fail"
@@ -326,6 +456,16 @@ def test_a_tolerance_that_closes_a_bore_says_so(design):
     }  # fmt: skip
     with pytest.raises(ValueError, match=r"tolerance = 0 mm must be above 0"):
         acoustic_effects(design, 0)
+
+
+def test_the_usual_tolerance_is_told_beside_that_of_the_process(coarse, tmp_path):
+    assert {effect.tolerance for effect in coarse.effects} == {0.05}
+    fine = geometry.prototype("fingertip-3x4")
+    report = print_report({"box": cq.Workplane().box(3, 3, 3)}, design=fine)
+    assert [*dict.fromkeys(effect.tolerance for effect in report.effects)] == [0.05, 0.02]
+    assert report.effects == acoustic_effects(fine, 0.05) + acoustic_effects(fine, 0.02)
+    page = write_report(report, tmp_path, "fingertip")[1].read_text(encoding="utf-8")
+    assert page.index("What ±0.02 mm does to the sound") > 0 < page.index("What ±0.05 mm does to the sound")
 
 
 # -- files ----------------------------------------------------------------------------------------------------

@@ -12,8 +12,10 @@ from hypothesis import strategies as st
 import geometry
 from geometry.assembly import build_parts, part_counts
 from geometry.carrier import array_carrier, build_carrier, carrier_places
-from geometry.design import Membrane, Printing, Resonator, Shell
+from geometry.cavity_shapes import web
+from geometry.design import Printing
 from geometry.design_fields import DesignError
+from geometry.design_parts import Membrane, Resonator, Shell
 from geometry.measure import hole_diameters, tessellate
 from geometry.shell import build_shell, cylinder
 from geometry.shell_features import largest_gap
@@ -37,6 +39,20 @@ def inside(solid, radius, angle, height):
 def facets(solid):
     surface = tessellate(solid, 0.01)
     return trimesh.Trimesh(surface.vertices, surface.triangles, process=False)
+
+
+@settings(max_examples=60, deadline=None)
+@given(
+    starts=st.tuples(st.floats(1, 3), st.floats(1, 3)),
+    radii=st.tuples(st.floats(0.1, 0.6), st.floats(0.1, 0.6)),
+    turn=st.floats(5, 110),
+)
+def test_the_wall_between_two_holes_is_that_of_the_kernel(starts, radii, turn):
+    along = cq.Vector(math.cos(math.radians(turn)), math.sin(math.radians(turn)), 0)
+    first = cq.Solid.makeCylinder(radii[0], 40, cq.Vector(starts[0], 0, 0), cq.Vector(1, 0, 0))
+    second = cq.Solid.makeCylinder(radii[1], 40, along * starts[1], along)
+    found = web((starts[0], radii[0]), (starts[1], radii[1]), turn)
+    assert max(found, 0) == pytest.approx(first.distance(second), abs=1e-6)
 
 
 # -- ports ------------------------------------------------------------------------------------------
@@ -73,6 +89,10 @@ def test_the_counterbore_is_the_tube_with_a_glue_gap_on_either_side():
         ([Port(50.0 * k, 0.3, 0.6) for k in range(7)], "shell: has 7 ports"),
         ((Port(0.0, 0.44, 0.9, 2.3),), r"the port at 0 deg lies at 2\.3 mm; it must lie between 0\.22 and 1\.9 mm"),
         ((Port(0.0, 0.44, 0.9), Port(10.0, 0.44, 0.9)), "the ports at 0 and 10 deg overlap"),
+        (
+            (Port(0.0, 0.44, 0.9), Port(17.0, 0.44, 0.9)),
+            r"the ports at 0 and 17 deg leave a wall of 0\.0457 mm between them; it must be at least 0\.1 mm",
+        ),
         ((Port(30.0, 0.9, 0.44),), r"has a bore of 0\.9 mm; it must be above 0 and below 0\.54 mm"),
     ],
 )
