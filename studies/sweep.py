@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from pathlib import Path
@@ -25,7 +24,7 @@ from studies.cases import Cases, cases_of
 from studies.metric_registry import metrics_named
 from studies.study import Study, StudyError
 from studies.sweep_cases import CellKey, Job, SolvedCell, cells_of, check_metrics, discs_of, solve_block, solve_cell
-from studies.sweep_store import DONE, FAILED, PROGRAM_ERROR, BlockResult, SweepStore
+from studies.sweep_store import DONE, FAILED, PROGRAM_ERROR, BlockResult, SweepStore, check_store, sole_writer
 from studies.sweep_workers import Workers, WorkersLost, open_workers
 
 #: Cases looked at for a valid one, on which the metrics are tried before any work.
@@ -116,8 +115,9 @@ def run_sweep(
     metrics = metrics_named(study.metrics)
     job = Job(study.fidelity, study.frequency, study.metrics, study.transfer_functions)
     _try_metrics(job, cases, study)
-    store = SweepStore.claim(out, study, cases, metrics)
-    with _log(out) as log:
+    check_store(out)
+    with sole_writer(out) as log:  # from before the store is made: of two that begin at once, one does
+        store = SweepStore.claim(out, study, cases, metrics)
         waiting = store.waiting()
         notes: dict[str, None] = {}
         if store.attributes["code_version"] != versions(None, ())["code_version"]:
@@ -260,23 +260,6 @@ def _progress(what: str, done: int, total: int, failed: int, computed: int, seco
 
 
 # -- log --------------------------------------------------------------------------------------------
-@contextmanager
-def _log(out: Path) -> Iterator[IO[str]]:
-    """The file of times beside the store, which no other sweep may hold at the same time."""
-    path = out.with_name(f"{out.name}.log")
-    with path.open("a", encoding="utf-8") as log:
-        try:
-            import fcntl
-        except ImportError:  # not on this system: nobody watches
-            yield log
-            return
-        try:
-            fcntl.flock(log, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except OSError:
-            raise StudyError(f"{out}: another sweep is writing to it") from None
-        yield log
-
-
 def write_line(log: IO[str], content: Mapping[str, Any]) -> None:
     """One line of JSON with the time."""
     log.write(json.dumps({"time": datetime.now(UTC).isoformat(timespec="milliseconds"), **content}) + "\n")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import multiprocessing
 import os
 import signal
 import subprocess
@@ -10,10 +11,12 @@ import sys
 import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import Any
 
 import psutil
 import pytest
 
+from studies.study import StudyError
 from studies.study_file import load_study
 from studies.sweep import run_sweep
 from studies.sweep_store import open_sweep
@@ -145,6 +148,47 @@ def test_a_run_that_is_killed_three_times_ends_in_the_same_store(
     assert run.wait(PATIENCE) == 0
     assert blocks(out) < BLOCKS + 3 * 2, "blocks that were done were computed again"
     assert_same_store(out, expected)
+
+
+PAIRS = 12
+
+
+def begin_together(folder: Path, barrier: Any, told: Any) -> None:
+    """In a process of its own: a sweep into each of some stores, begun when the other process begins it too."""
+    study = load_study(folder / "study.toml")
+    for number in range(PAIRS):
+        barrier.wait(PATIENCE)
+        try:
+            run_sweep(study, folder / f"{number}.zarr", workers=1)
+        except StudyError as error:
+            told.put((number, str(error)))
+        except Exception as error:  # what a second sweep must never see
+            told.put((number, repr(error)))
+        else:
+            told.put((number, "done"))
+
+
+def test_of_two_sweeps_that_begin_at_once_one_computes_and_the_other_is_refused(tmp_path: Path) -> None:
+    text = STUDY.replace("cases = 160", "cases = 4").replace(', "predicted_top1_loud"', "")
+    (tmp_path / "study.toml").write_text(text)
+    processes = multiprocessing.get_context("spawn")
+    barrier, told = processes.Barrier(2), processes.Queue()
+    both = [processes.Process(target=begin_together, args=(tmp_path, barrier, told)) for _ in range(2)]
+    for process in both:
+        process.start()
+    answers: list[list[str]] = [[] for _ in range(PAIRS)]
+    for _ in range(2 * PAIRS):
+        number, answer = told.get(timeout=PATIENCE)
+        answers[number].append(answer)
+    for process in both:
+        process.join(PATIENCE)
+    run_sweep(load_study(tmp_path / "study.toml"), tmp_path / "alone.zarr", workers=1)
+    for number, pair in enumerate(answers):
+        refused = f"{tmp_path / f'{number}.zarr'}: another sweep is writing to it"
+        assert "done" in pair, pair
+        assert set(pair) <= {"done", refused}, pair
+        assert_same_store(tmp_path / f"{number}.zarr", tmp_path / "alone.zarr")
+    assert any(pair != ["done", "done"] for pair in answers)
 
 
 def alive(process: psutil.Process) -> bool:
