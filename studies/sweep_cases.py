@@ -30,8 +30,9 @@ from geometry.cells import Cell, cell_catalogue
 from geometry.layout import place
 from studies.cases import Cases
 from studies.metric_registry import Metric, metrics_named
+from studies.reasons import PROGRAM_ERROR
 from studies.responses import Responses
-from studies.sweep_store import DONE, FAILED, PROGRAM_ERROR, BlockResult
+from studies.sweep_store import DONE, FAILED, BlockResult
 
 #: A cell in its air.
 CellKey: TypeAlias = tuple[Cell, Medium]

@@ -25,6 +25,7 @@ from geometry.design_fields import field_named
 from geometry.design_file import read_design, write_design
 from studies.cases import Cases
 from studies.folders import check_folder
+from studies.reasons import by_kind
 from studies.study import Study, StudyError
 
 if TYPE_CHECKING:
@@ -34,8 +35,6 @@ if TYPE_CHECKING:
 FORMAT = 1
 #: Values of ``state``.
 WAITING, DONE, FAILED = 0, 1, 2
-#: How the reason begins of a case that failed by a mistake of the program, not by its design.
-PROGRAM_ERROR = "program error: "
 #: Versions that may change a result.
 _LIBRARIES = ("gmsh", "numpy", "scikit-fem", "scipy", "xarray", "zarr")
 #: Complex values of transfer functions worked on in one block, and most cases of one.
@@ -139,13 +138,9 @@ class SweepStore:
         self._variables["state"][part] = result.state  # last: from now on the block counts
 
     def failures(self) -> dict[str, list[int]]:
-        """Numbers of the failed cases by reason, the most frequent first."""
-        found: dict[str, list[int]] = {}
-        numbers = np.flatnonzero(self.state == FAILED)
+        """Numbers of the failed cases by kind of reason, as :func:`studies.reasons.by_kind`."""
         reasons = self._variables["reason"][:]
-        for number in numbers:
-            found.setdefault(str(reasons[number]), []).append(int(number))
-        return dict(sorted(found.items(), key=lambda entry: (-len(entry[1]), entry[1][0])))
+        return by_kind((int(number), str(reasons[number])) for number in np.flatnonzero(self.state == FAILED))
 
 
 def check_store(path: Path) -> None:
@@ -179,7 +174,9 @@ def sole_writer(path: Path) -> Iterator[IO[str]]:
         except BlockingIOError:
             raise StudyError(f"{path}: another sweep is writing to it") from None
         except OSError as error:
-            raise StudyError(f"{log.name}: cannot be locked ({error.strerror}); --out must be where files can") from None
+            raise StudyError(
+                f"{log.name}: cannot be locked ({error.strerror}); --out must be where files can"
+            ) from None
         yield log
 
 

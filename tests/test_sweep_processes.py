@@ -13,14 +13,19 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import psutil
 import pytest
+from test_sweep import assert_same_store
 
-from studies.study import StudyError
-from studies.study_file import load_study
+from geometry import ArrayDesign
+from studies import sweep
+from studies.cases import Cases, cases_of
+from studies.study import Study, StudyError
+from studies.study_file import load_study, read_study
 from studies.sweep import run_sweep
+from studies.sweep_blocks import ENDED_WORKERS
 from studies.sweep_store import open_sweep
-from tests.test_sweep import assert_same_store
 
 STUDY = """
 base = "array-2x6"
@@ -189,6 +194,42 @@ def test_of_two_sweeps_that_begin_at_once_one_computes_and_the_other_is_refused(
         assert set(pair) <= {"done", refused}, pair
         assert_same_store(tmp_path / f"{number}.zarr", tmp_path / "alone.zarr")
     assert any(pair != ["done", "done"] for pair in answers)
+
+
+class DeadlyCases(Cases):
+    """Cases of which one ends the process that computes it."""
+
+    def part(self, first: int, stop: int) -> Cases:
+        return DeadlyCases(self.base, self.names, tuple(column[first:stop] for column in self.columns))
+
+    def design(self, number: int) -> ArrayDesign:
+        if multiprocessing.parent_process() is not None and self.case(number)["tube.length"] == 13.0:
+            os.kill(os.getpid(), signal.SIGKILL)
+        return super().design(number)
+
+
+@pytest.mark.slow
+def test_a_case_that_ends_every_worker_fails_and_stops_no_other(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    grid = ", ".join(f"{10 + 0.25 * k}" for k in range(32))
+    study = read_study(
+        'base = "array-2x6"\nfidelity = "lumped"\nmetrics = ["distance_smallest"]\n'
+        f'[parameters]\n"tube.length" = [{grid}]\n'
+    )
+    run_sweep(study, tmp_path / "whole.zarr", workers=1)
+
+    def deadly(study: Study) -> Cases:
+        cases = cases_of(study)
+        return DeadlyCases(cases.base, cases.names, cases.columns)
+
+    monkeypatch.setattr(sweep, "cases_of", deadly)
+    summary = run_sweep(study, tmp_path / "r.zarr", workers=2)
+    assert summary.failures == {ENDED_WORKERS: [12]}
+    whole, result = (open_sweep(tmp_path / f"{name}.zarr").dataset for name in ("whole", "r"))
+    others = np.arange(32) != 12
+    np.testing.assert_allclose(result["distance_smallest"][others], whole["distance_smallest"][others], rtol=1e-12)
+    assert run_sweep(study, tmp_path / "r.zarr", workers=2).computed == 0
 
 
 def alive(process: psutil.Process) -> bool:
