@@ -14,7 +14,7 @@ from acoustic_fem.membrane import design_disc
 from geometry import DesignError
 from studies.cases import Cases
 from studies.study import Study
-from studies.sweep_cases import CellKey, Job, solve_block
+from studies.sweep_cases import REFUSALS, CellKey, Job, solve_block
 from studies.sweep_workers import cores
 
 #: Processor time of one cell that is not in the cache, s: array-2x6, the start of its process included.
@@ -62,17 +62,15 @@ def seconds_of(
 
 def _seconds_per_case(study: Study, cases: Cases, numbers: Sequence[int]) -> float:
     """Processor time of one case without its 3-D cells and membranes; a 3-D network costs as much as a lumped one."""
-    designs = {}
+    chosen = []
     for number in np.array(numbers, int)[np.unique(np.linspace(0, len(numbers) - 1, _TIMED + 1).astype(int))]:
         try:
-            designs[number] = cases.design(int(number))
-        except DesignError:
-            continue
-    if not designs:
+            design_disc(cases.design(int(number)))  # the membrane: from now on known
+        except (DesignError, *REFUSALS):
+            continue  # the case fails by name when it is computed
+        chosen.append(int(number))
+    if not chosen:
         return 0.0
-    for design in designs.values():
-        design_disc(design)  # from now on known
-    chosen = list(designs)
     _timed(study, cases, chosen[:1])  # all modules are loaded
     for batch in (chosen[-1:], chosen, chosen * _REPEATED):
         seconds = _timed(study, cases, batch)

@@ -427,6 +427,14 @@ def test_a_sweep_and_its_plan_take_workers_where_they_save_more_than_their_start
         run_sweep(study, tmp_path / "r.zarr", workers=2)
 
 
+def test_a_case_that_cannot_be_timed_stops_no_plan(monkeypatch: pytest.MonkeyPatch) -> None:
+    def refused(design: object) -> None:
+        raise ValueError("no such membrane")
+
+    monkeypatch.setattr(sweep_cost, "design_disc", refused)
+    assert plan_sweep(read_study(TEXT)).seconds >= 0
+
+
 def test_costly_cases_are_worth_workers(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(sweep_cost, "cores", lambda: 4)
     assert [sweep_cost.team_size(seconds) for seconds in (1.0, 20.0, 60.0, 1e5)] == [1, 1, 4, 4]
