@@ -2,9 +2,10 @@
 
     python benchmarks/sweep.py [--quick]
 
-Lumped designs of 12 points x 64 frequencies with all metrics of distance, sensitivity and size. Rates are per second
-of wall-clock time and, in brackets, per second of processor time of all processes together, which a busy machine
-changes less.
+Lumped designs of 12 points x 64 frequencies with ten metrics of distance, sensitivity and size. Sweeps over workers
+are timed on workers that have started and have computed once; what starting them costs is a row of its own. Processor
+time is that of all processes together, which a busy machine changes less than time. Writes the tables of
+docs/studies.md.
 """
 
 from __future__ import annotations
@@ -21,6 +22,7 @@ from pathlib import Path
 import joblib
 import numpy as np
 import psutil
+from distributed import LocalCluster
 
 import acoustic_fem
 from geometry import ArrayDesign
@@ -29,9 +31,12 @@ from studies.metric_registry import METRICS, metrics_named
 from studies.study import Study
 from studies.study_file import read_study
 from studies.sweep import run_sweep
+from studies.sweep_cases import Job, solve_block
 from studies.sweep_store import open_sweep
-from studies.sweep_workers import open_workers
+from studies.sweep_workers import cores, open_workers
 
+PAGE = Path(__file__).parents[1] / "docs" / "studies.md"
+BEGIN, END = "<!-- speed: made by benchmarks/sweep.py -->", "<!-- end speed -->"
 METRICS_OF_STUDY = (
     "distance_smallest", "distance_mean", "ild_smallest", "ipd_smallest", "sensitivity_force", "noise_equivalent_force",
     "bandwidth", "volume", "cost", "smallest_wall",
@@ -70,8 +75,10 @@ def clock() -> Iterator[Clock]:
 
 
 def _processor_time() -> float:
+    """Of this process, of its children that have ended, and of those that live."""
     own, ended = (resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN))
-    return own.ru_utime + own.ru_stime + ended.ru_utime + ended.ru_stime
+    alive = [child.cpu_times() for child in psutil.Process().children(recursive=True)]
+    return own.ru_utime + own.ru_stime + ended.ru_utime + ended.ru_stime + sum(t.user + t.system for t in alive)
 
 
 def _memory() -> float:
@@ -79,7 +86,8 @@ def _memory() -> float:
     return float(sum(process.memory_info().rss for process in (here, *here.children(recursive=True))))
 
 
-def swept(study: Study, workers: int, check: Callable[[Path], None] | None = None) -> Clock:
+def swept(study: Study, scheduler: str | None = None, check: Callable[[Path], None] | None = None) -> Clock:
+    """A sweep in this process, or on workers that run."""
     with tempfile.TemporaryDirectory() as folder:
         out = Path(folder) / "results.zarr"
         most = 0.0
@@ -89,39 +97,51 @@ def swept(study: Study, workers: int, check: Callable[[Path], None] | None = Non
             most = max(most, _memory())
 
         with clock() as found:
-            run_sweep(study, out, workers=workers, progress=watch)
+            run_sweep(study, out, workers=1 if scheduler is None else None, scheduler=scheduler, progress=watch)
         found.memory = most
         if check is not None:
             check(out)
     return found
 
 
-def row(name: str, cases: int, taken: Clock) -> None:
-    print(
-        f"{name:<34}{cases:>8}{taken.wall:>9.2f}{cases / taken.wall:>10.0f} ({cases / taken.processor:>6.0f})"
-        f"{taken.processor / cases * 1e3:>12.3f}{taken.memory / 1e6:>10.0f}"
-    )
+@contextmanager
+def started(workers: int) -> Iterator[str]:
+    """Address of workers of this machine that have computed a small sweep: all modules are loaded."""
+    with LocalCluster(
+        n_workers=workers, threads_per_worker=1, processes=True, dashboard_address=None, silence_logs=40
+    ) as cluster:
+        swept(study_of(128), cluster.scheduler_address)
+        yield cluster.scheduler_address
 
 
-def heading(text: str) -> None:
-    print(f"\n{text}\n{'':<34}{'cases':>8}{'s':>9}{'cases/s':>10}{'':>9}{'CPU ms/case':>12}{'MB':>10}")
+def table(first: str) -> list[str]:
+    return [f"| {first} | cases | s | cases/s | CPU ms per case | memory (MB) |", "|---|---|---|---|---|---|"]
 
 
-def against_others(cases: int) -> None:
+def row(name: str, cases: int, taken: Clock) -> str:
+    figures = taken.wall, cases / taken.wall, taken.processor / cases * 1e3
+    line = f"| {name} | {cases} | {figures[0]:.2f} | {figures[1]:.0f} | {figures[2]:.2f} | {taken.memory / 1e6:.0f} |"
+    print(line, flush=True)
+    return line
+
+
+def against_others(cases: int) -> list[str]:
     study = study_of(cases)
     designs = [design_of(cases_of(study), number) for number in range(cases)]
-    heading("the same cases by other means")
+    one_by_one(designs[0], study.frequency)  # all modules are loaded
     with clock() as loop:
         expected = np.array([one_by_one(design, study.frequency) for design in designs])
     loop.memory = _memory()
-    row("plain Python loop over solve()", cases, loop)
+    lines = [*table("the same cases by"), row("a plain Python loop over `solve`", cases, loop)]
+    executor = joblib.Parallel(n_jobs=2)
+    executor(joblib.delayed(one_by_one)(design, study.frequency) for design in designs[:8])
     with clock() as parallel:
-        joblib.Parallel(n_jobs=2)(joblib.delayed(one_by_one)(design, study.frequency) for design in designs)
-        parallel.memory = _memory()
-        from joblib.externals.loky import get_reusable_executor
+        executor(joblib.delayed(one_by_one)(design, study.frequency) for design in designs)
+    parallel.memory = _memory()
+    lines.append(row("joblib, 2 processes that have started", cases, parallel))
+    from joblib.externals.loky import get_reusable_executor
 
-        get_reusable_executor().shutdown()
-    row("joblib, 2 processes", cases, parallel)
+    get_reusable_executor().shutdown()
 
     def same(out: Path) -> None:
         result = open_sweep(out).dataset
@@ -129,39 +149,52 @@ def against_others(cases: int) -> None:
         worst = float(np.abs(values / expected - 1).max())
         print(f"largest relative difference to the loop: {worst:.1e}")
 
-    row("sweep, this process", cases, swept(study, 1, same))
-    row("sweep, 2 workers", cases, swept(study, 2))
+    lines.append(row("`sweep`, the calling process", cases, swept(study, check=same)))
+    with started(2) as address:
+        lines.append(row("`sweep`, 2 workers that have started", cases, swept(study, address)))
+    return lines
 
 
 def design_of(cases: Cases, number: int) -> ArrayDesign:
     return cases.design(number)
 
 
-def scaling(cases: int) -> None:
+def scaling(cases: int) -> list[str]:
     study = study_of(cases)
-    heading("workers")
+    lines = [*table("`sweep` by"), row("the calling process", cases, swept(study))]
     for workers in (1, 2):
-        row(f"{workers} worker{'s' * (workers > 1)}", cases, swept(study, workers))
+        with started(workers) as address:
+            name = f"{workers} worker{'s' * (workers > 1)} that ha{'ve' if workers > 1 else 's'} started"
+            lines.append(row(name, cases, swept(study, address)))
+    return lines
 
 
-def growth(sizes: list[int]) -> None:
-    heading("size of the study, 2 workers")
-    for cases in sizes:
-        row("", cases, swept(study_of(cases), 2))
+def growth(sizes: list[int]) -> list[str]:
+    lines = table("size of the study")
+    with started(2) as address:
+        lines += [row("2 workers that have started", cases, swept(study_of(cases), address)) for cases in sizes]
+    return lines
 
 
-def overhead(cases: int) -> None:
-    """What the runner adds to a task that does nothing."""
-    print("\noverhead of the workers, tasks that do nothing")
+def overhead(tasks: int) -> list[str]:
+    """What the runner adds: the start of workers, and to a task that does nothing."""
+    lines = ["| overhead | start and end (s) | per block of cases (ms) |", "|---|---|---|"]
     for workers in (1, 2):
+        study = study_of(128)
+        cases, job = cases_of(study), Job(study.fidelity, study.frequency, study.metrics, False)
+        begin = time.perf_counter()
         with open_workers(workers, None) as team:
-            for _ in team.run(_nothing, ((k,) for k in range(8))):
+            for _ in team.run(solve_block, ((job, cases.part(k, k + 16), k, {}) for k in range(0, 128, 16))):
                 pass
-            start = time.perf_counter()
-            for _ in team.run(_nothing, ((k,) for k in range(cases))):
+            middle = time.perf_counter()
+            for _ in team.run(_nothing, ((k,) for k in range(tasks))):
                 pass
-            taken = time.perf_counter() - start
-        print(f"{workers} worker{'s' * (workers > 1)}: {taken / cases * 1e3:.2f} ms per task (a block of cases)")
+            taken = time.perf_counter() - middle
+        start = "none" if workers == 1 else f"{time.perf_counter() - begin - taken:.1f}"
+        who = "the calling process" if workers == 1 else f"{workers} workers of this machine"
+        lines.append(f"| {who} | {start} | {taken / tasks * 1e3:.2f} |")
+        print(lines[-1], flush=True)
+    return lines
 
 
 def _nothing(number: int) -> int:
@@ -172,14 +205,22 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--quick", action="store_true", help="smaller studies")
     quick = parser.parse_args().quick
-    print(
-        f"Python {platform.python_version()}, numpy {np.__version__}, {platform.machine()}; load {psutil.getloadavg()}"
-    )
     assert set(METRICS_OF_STUDY) <= set(METRICS)
-    against_others(64 if quick else 256)
-    overhead(64 if quick else 256)
-    scaling(1000 if quick else 10_000)
-    growth([100, 1000] if quick else [100, 1000, 10_000, 100_000])
+    about = (
+        f"Python {platform.python_version()}, numpy {np.__version__}, {platform.machine()}, {cores()} cores, load "
+        f"{psutil.getloadavg()[0]:.1f} at the start{', smaller studies (`--quick`)' * quick}."
+    )
+    print(about)
+    lines = [about]
+    for part in (
+        against_others(64 if quick else 256),
+        scaling(1000 if quick else 10_000),
+        growth([100, 1000] if quick else [100, 1000, 10_000, 100_000]),
+        overhead(64 if quick else 256),
+    ):
+        lines += ["", *part]
+    before, rest = PAGE.read_text(encoding="utf-8").split(BEGIN)
+    PAGE.write_text("\n".join([before + BEGIN, *lines, END + rest.split(END, 1)[1]]), encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -77,7 +77,25 @@ def wiring_counts(microphones: int, points_per_line: Sequence[int]) -> WiringCou
     Points per transducer are points / M; one transducer per point has 1, and row-column addressing of
     M x N points has M N / (M + N). With all M(M-1)/2 lines the ratios become the paper's N(M-1)/2 and
     (M-1)(M+N)/(2M).
+
+    Args:
+        microphones: M, at least 2.
+        points_per_line: points of each line, at least 1; M - 1 lines, which connect all microphones in a chain, to
+            M(M-1)/2, one for every pair.
+
+    Raises:
+        ValueError: a number out of range.
     """
+    if microphones < 2:
+        raise ValueError(f"microphones = {microphones} must be at least 2")
+    most = microphones * (microphones - 1) // 2
+    if not microphones - 1 <= len(points_per_line) <= most:
+        raise ValueError(
+            f"points_per_line has {len(points_per_line)} lines; it must have M-1 = {microphones - 1} to "
+            f"M(M-1)/2 = {most} for {microphones} microphones"
+        )
+    if min(points_per_line) < 1:
+        raise ValueError(f"points_per_line = {list(points_per_line)} must be at least 1 each")
     points = sum(points_per_line)
     per_line = points / len(points_per_line)
     per_microphone = points / microphones
@@ -85,7 +103,7 @@ def wiring_counts(microphones: int, points_per_line: Sequence[int]) -> WiringCou
         microphones=microphones,
         lines=len(points_per_line),
         points=points,
-        most_lines=microphones * (microphones - 1) // 2,
+        most_lines=most,
         points_per_microphone=per_microphone,
         gain_over_one_transducer_per_point=per_microphone,
         gain_over_row_column=per_microphone * (microphones + per_line) / (microphones * per_line),

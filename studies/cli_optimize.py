@@ -21,7 +21,7 @@ _SHOWN = 10
 
 def optimize(
     study: Annotated[
-        str, typer.Argument(metavar="STUDY", help="A study file with a section [optimize].", show_default=False)
+        str, typer.Argument(metavar="STUDY", help="A study file with a section \\[optimize].", show_default=False)
     ],
     out: Annotated[
         Path, typer.Option(help="A new folder, or that of the same search, which is continued.", show_default=False)

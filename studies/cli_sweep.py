@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from studies.cli_options import Scheduler, WorkerCount, check_workers, display_on_stderr
+from studies.cli_options import Scheduler, check_workers, display_on_stderr
 from studies.display import number
 
 if TYPE_CHECKING:
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from studies.sweep import Progress, Summary
     from studies.sweep_plan import Plan
 
-#: Reasons for failures that are listed; all are in the store.
+#: Kinds of reasons for failures that are listed; all are in the store.
 _LISTED = 10
 
 
@@ -28,7 +28,13 @@ def sweep(
         Path | None,
         typer.Option(help="The store to write or to continue, such as results.zarr.", show_default=False),
     ] = None,
-    workers: WorkerCount = None,
+    workers: Annotated[
+        int | None,
+        typer.Option(
+            help="Processes on this machine; 1 computes in this one.",
+            show_default="one per core if that saves more than their start, or 1",
+        ),
+    ] = None,
     scheduler: Scheduler = None,
     dry_run: Annotated[
         bool, typer.Option("--dry-run", help="Only say how many cases and cells, how long and how much memory.")
@@ -104,7 +110,7 @@ def _print_plan(plan: Plan, fidelity: str) -> None:
         print(f"note: {plan.note}")
     refused = sum(plan.refused.values())
     if refused:
-        print(f"not valid: {refused}, which will be kept as failed:")
+        print(f"not valid: {refused}, which will be kept as failed; of each kind the first:")
         _print_reasons(plan.refused)
     if fidelity != "lumped":
         print(f"distinct cells ({fidelity}): {plan.cells}, of which {plan.cells_cached} are in the cache")
@@ -117,7 +123,7 @@ def _print_reasons(reasons: dict[str, int]) -> None:
     for reason, count in list(reasons.items())[:_LISTED]:
         print(f"  {count} x {reason}")
     if len(reasons) > _LISTED:
-        print(f"  and {len(reasons) - _LISTED} more reasons")
+        print(f"  and {len(reasons) - _LISTED} more kinds of reasons")
 
 
 def _print_summary(summary: Summary, out: Path) -> None:
@@ -130,7 +136,7 @@ def _print_summary(summary: Summary, out: Path) -> None:
         print(f"{summary.cells} distinct cells, {summary.cells_solved} solved in {duration(summary.cell_seconds)}")
     failed = sum(len(numbers) for numbers in summary.failures.values())
     if failed:
-        print(f"{failed} failed:")
+        print(f"{failed} failed, of each kind the first:")
         _print_reasons({f"{why} (case {numbers[0]})": len(numbers) for why, numbers in summary.failures.items()})
     for note in summary.notes:
         print(f"note: {note}", file=sys.stderr)

@@ -40,8 +40,8 @@ def design_metrics(
     Raises:
         RuntimeError: one failed by a mistake of the program.
     """
+    from studies.reasons import PROGRAM_ERROR
     from studies.sweep_cases import Job, solve_block
-    from studies.sweep_store import PROGRAM_ERROR
 
     names = [metric.name for metric in metrics]
     job = Job(study.fidelity, study.frequency, tuple(names), False)

@@ -82,6 +82,26 @@ def microphone_ratios(transfer_function: xr.DataArray) -> NDArray[np.complex128]
     return np.stack([h[:, a] / h[:, b] for a, b in combinations(range(h.shape[1]), 2)], axis=1)
 
 
+def check_band(frequency: Array, band: tuple[float, float]) -> None:
+    """Refuse a grid from which no mean over a band can be taken.
+
+    Args:
+        frequency: (n_freq,) ascending, Hz.
+        band: lowest and highest frequency, Hz.
+
+    Raises:
+        ValueError: it begins above the band, ends below it, or has a step in it wider than half of it.
+    """
+    low, high = band
+    over = frequency[(frequency > low) & (frequency < high)]
+    step = float(np.diff(np.concatenate([[low], over, [high]])).max())
+    if frequency[0] > low + 1e-6 or frequency[-1] < high - 1e-6 or step > (high - low) / 2 + 1e-6:
+        raise ValueError(
+            f"frequencies from {low:g} to {high:g} Hz in steps of at most {(high - low) / 2:g} Hz; the grid of "
+            f"{len(frequency)} runs from {frequency[0]:g} to {frequency[-1]:g} Hz"
+        )
+
+
 def separability(transfer_function: xr.DataArray, band: tuple[float, float] = BAND) -> Separability:
     """Distances of all pairs of points.
 

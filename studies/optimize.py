@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 from geometry import ArrayDesign, DesignError
 from studies.design_metrics import design_metrics
 from studies.optimize_file import Optimization, searched_range
+from studies.reasons import by_kind
 from studies.study import Parameter, StudyError
 from studies.sweep_workers import open_workers
 
@@ -60,7 +61,7 @@ class OptimizationResult:
     Attributes:
         base: the design it began from, with its figures.
         candidates: all designs that were computed, in the order of the trials.
-        refused: reasons and how many designs each kept from being computed, the most frequent first.
+        refused: kinds of reasons, each by its first, and how many designs they kept from being computed.
         front: those that keep the limits and that no other beats in all objectives; the best first objective first.
     """
 
@@ -217,7 +218,7 @@ def _identity(problem: Optimization) -> dict[str, Any]:
         "study": problem.study.digest(),
         "metrics": [metric.name for metric in problem.metrics],
         "objectives": [[each.metric.name, each.better] for each in problem.objectives],
-        "limits": [str(each) for each in problem.limits],
+        "limits": [[each.metric.name, each.least, each.most] for each in problem.limits],
         "batch": problem.batch,
         "method": problem.method,
         "printable": problem.rules.demand,
@@ -301,22 +302,15 @@ def _result(search: optuna.Study, problem: Optimization) -> OptimizationResult:
     import optuna
 
     base = evaluated(problem, -1, {})
-    candidates, counts = [], dict[str, int]()
+    candidates, reasons = [], list[tuple[int, str]]()
     for trial in search.trials:
         if trial.state == optuna.trial.TrialState.COMPLETE:
             figures = trial.user_attrs["metrics"]
             candidates.append(Candidate(trial.number, trial.user_attrs["values"], figures, keeps(problem, figures)))
         elif "reason" in trial.user_attrs:
-            kind = _kind(trial.user_attrs["reason"])
-            counts[kind] = counts.get(kind, 0) + 1
-    refused = tuple(sorted(counts.items(), key=lambda pair: (-pair[1], pair[0])))
+            reasons.append((trial.number, trial.user_attrs["reason"]))
+    refused = tuple((reason, len(numbers)) for reason, numbers in by_kind(reasons).items())
     return OptimizationResult(base, tuple(candidates), refused, ranked(problem, candidates))
-
-
-def _kind(reason: str) -> str:
-    """A refusal without its numbers, so that equal ones can be counted."""
-    words = [word for word in reason.replace("(", " ").replace(")", " ").split() if not any(c.isdigit() for c in word)]
-    return " ".join(words)
 
 
 def keeps(problem: Optimization, figures: dict[str, float]) -> bool:

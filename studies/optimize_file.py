@@ -53,7 +53,7 @@ class Limit:
     def __str__(self) -> str:
         bounds = [f"at least {self.least:g}"] if self.least is not None else []
         bounds += [f"at most {self.most:g}"] if self.most is not None else []
-        return f"{self.metric.name} {' and '.join(bounds)} {self.metric.unit}"
+        return f"{self.metric.name} {' and '.join(bounds)}{f' {self.metric.unit}' * (self.metric.unit != '1')}"
 
 
 @dataclass(frozen=True, eq=False)
@@ -170,6 +170,8 @@ def _checked(file: _Optimize, study: Study, text: str) -> Optimization:
             raise ValueError(f"optimize.limits.{number}: least = {bound.least:g} must be at most most = {bound.most:g}")
         (metric,) = metrics_named([bound.metric])
         limits.append(Limit(metric, bound.least, bound.most))
+    for metric in (*(objective.metric for objective in objectives), *(limit.metric for limit in limits)):
+        metric.check_grid(study.frequency)
     rules = PrintRules(study.base, file.printable)
     for axis in study.axes:
         for parameter in axis:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from itertools import combinations
 from typing import TYPE_CHECKING, Any
@@ -14,6 +14,7 @@ from geometry import ArrayDesign
 from geometry.design_fields import field_named
 from studies.metric_registry import METRICS
 from studies.optimize import pareto_front
+from studies.reasons import by_kind
 
 if TYPE_CHECKING:
     from studies.optimize import OptimizationResult
@@ -65,7 +66,7 @@ class ResultTable:
         number: (n,) int64, of the case or trial.
         parameters: what was varied.
         metrics: what was computed, all finite.
-        failures: reasons and how many designs failed for each.
+        failures: kinds of reasons, each by its first, and how many designs failed for each.
         waiting: designs not computed yet.
         base_metrics: figures of the base design; empty where they are not known.
     """
@@ -216,8 +217,8 @@ def table_of_sweep(sweep: Sweep) -> ResultTable:
     rows = np.flatnonzero(sweep.done & finite)
     if not len(rows):
         raise ValueError(f"{data.attrs['title']}: none of {data.sizes['case']} cases is done")
-    reasons = [str(reason) for reason in data["reason"].values[sweep.failed]]
-    reasons += ["a metric is not finite"] * int((sweep.done & ~finite).sum())
+    reasons = [(int(number), str(data["reason"].values[number])) for number in np.flatnonzero(sweep.failed)]
+    reasons += [(int(number), "a metric is not finite") for number in np.flatnonzero(sweep.done & ~finite)]
     return ResultTable(
         title=str(data.attrs["title"]),
         description=str(data.attrs["description"]),
@@ -231,7 +232,7 @@ def table_of_sweep(sweep: Sweep) -> ResultTable:
             for name in sweep.parameters
         ),
         metrics=tuple(_metric(name, values[rows]) for name, values in columns.items()),
-        failures=_counted(reasons),
+        failures=tuple((reason, len(numbers)) for reason, numbers in by_kind(reasons).items()),
         waiting=int((~sweep.done & ~sweep.failed).sum()),
         base_metrics=_base_metrics(sweep) if data.attrs["fidelity"] == "lumped" else {},
     )
@@ -297,10 +298,3 @@ def _base_metrics(sweep: Sweep) -> dict[str, float]:
 def _metric(name: str, values: Values) -> Column:
     about = METRICS[name]
     return Column(name, about.long_name, "" if about.unit == "1" else about.unit, values, (), about.better)
-
-
-def _counted(reasons: Sequence[str]) -> tuple[tuple[str, int], ...]:
-    counts: dict[str, int] = {}
-    for reason in reasons:
-        counts[reason] = counts.get(reason, 0) + 1
-    return tuple(sorted(counts.items(), key=lambda pair: (-pair[1], pair[0])))

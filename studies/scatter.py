@@ -114,7 +114,7 @@ class ScatteredDesign:
     """A design whose parts scatter.
 
     Args:
-        design: the nominal array; its membranes must not be pre-stretched with loss (the lumped batch refuses that).
+        design: the nominal array; its membranes must not be pre-stretched with loss.
         tolerances: one per quantity; a quantity that is not among them does not scatter.
 
     Raises:
@@ -125,6 +125,13 @@ class ScatteredDesign:
         names = [tolerance.quantity for tolerance in tolerances]
         if len(set(names)) != len(names):
             raise ValueError(f"tolerances: {max(names, key=names.count)} is given twice")
+        loss = design.material(design.membrane.material).loss_factor
+        if design.membrane.stretch != 1 and loss > 0:
+            raise ValueError(
+                f"membrane.stretch = {design.membrane.stretch:g} must be 1 for manufacturing scatter, unless "
+                f"materials.{design.membrane.material}.loss_factor = {loss:g} is 0: how a stretched membrane with loss "
+                "scatters is not computed"
+            )
         self.design = design
         self.tolerances = tuple(tolerances)
         shared = Topology.of(design)

@@ -98,6 +98,7 @@ def read_study(
         raise _refusal(error, _StudyFile, data, source) from None
     try:
         design = base or _base(file.base, folder or Path())
+        frequency = _frequencies(file.frequencies)
         axes = _axes(file, design, source)
         constraints = tuple(parse_constraint(each, design) for each in file.constraints)
         return Study(
@@ -111,8 +112,8 @@ def read_study(
             seed=file.seed,
             constraints=constraints,
             fidelity=file.fidelity,
-            frequency=_frequencies(file.frequencies),
-            metrics=_metrics(file.metrics),
+            frequency=frequency,
+            metrics=_metrics(file.metrics, frequency),
             transfer_functions=file.transfer_functions,
         )
     except DesignError:
@@ -141,10 +142,11 @@ def _base(name: str, folder: Path) -> ArrayDesign:
     return load_design(path)
 
 
-def _metrics(names: tuple[str, ...]) -> tuple[str, ...]:
+def _metrics(names: tuple[str, ...], frequency: NDArray[np.float64]) -> tuple[str, ...]:
     from studies.metric_registry import metrics_named
 
-    metrics_named(names)
+    for metric in metrics_named(names):
+        metric.check_grid(frequency)
     return tuple(dict.fromkeys(names))
 
 

@@ -7,8 +7,7 @@ they come. What was killed and started again ends in the same store as what was 
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from pathlib import Path
@@ -23,15 +22,16 @@ from acoustic_fem.provenance import versions
 from geometry import DesignError
 from studies.cases import Cases, cases_of
 from studies.metric_registry import metrics_named
+from studies.reasons import PROGRAM_ERROR
 from studies.study import Study, StudyError
-from studies.sweep_cases import CellKey, Job, SolvedCell, cells_of, check_metrics, discs_of, solve_block, solve_cell
-from studies.sweep_store import DONE, FAILED, PROGRAM_ERROR, BlockResult, SweepStore
+from studies.sweep_blocks import ENDED_WORKERS, solved_blocks
+from studies.sweep_cases import CellKey, Job, SolvedCell, cells_of, check_metrics, discs_of, solve_cell
+from studies.sweep_cost import seconds_of, team_size
+from studies.sweep_store import DONE, FAILED, SweepStore, check_store, sole_writer
 from studies.sweep_workers import Workers, WorkersLost, open_workers
 
 #: Cases looked at for a valid one, on which the metrics are tried before any work.
 _LOOKED_AT = 1000
-#: So many lumped cases are computed in this process by default.
-_FEW = 512
 
 
 class SweepError(RuntimeError):
@@ -66,7 +66,7 @@ class Summary:
     Attributes:
         cases: of the study.
         computed: cases computed by this run.
-        failures: numbers of the failed cases by reason, the most frequent first.
+        failures: numbers of the failed cases by kind of reason, each by its first, the most frequent first.
         cells: distinct 3-D cells that were needed.
         cells_solved: of those, not found in the cache.
         cell_seconds: time that the solution of the latter took, summed.
@@ -102,7 +102,8 @@ def run_sweep(
     Args:
         study: what to compute.
         out: the store, a folder ``*.zarr``; that of an earlier run of the same study is continued.
-        workers: processes on this machine, one thread each; 1 computes in this process; by default one per core.
+        workers: processes on this machine, one thread each; 1 computes in this process; by default one per core if
+            that saves more than their start, or 1.
         scheduler: address of a dask scheduler whose workers are used instead, such as ``tcp://10.0.0.1:8786``.
         progress: called as results come.
 
@@ -116,8 +117,9 @@ def run_sweep(
     metrics = metrics_named(study.metrics)
     job = Job(study.fidelity, study.frequency, study.metrics, study.transfer_functions)
     _try_metrics(job, cases, study)
-    store = SweepStore.claim(out, study, cases, metrics)
-    with _log(out) as log:
+    check_store(out)
+    with sole_writer(out) as log:  # from before the store is made: of two that begin at once, one does
+        store = SweepStore.claim(out, study, cases, metrics)
         waiting = store.waiting()
         notes: dict[str, None] = {}
         if store.attributes["code_version"] != versions(None, ())["code_version"]:
@@ -126,12 +128,14 @@ def run_sweep(
         write_line(log, {"event": "start", **versions(study.seed, ()), "waiting_blocks": len(waiting)})
         cells: dict[CellKey, SolvedCell] = {}
         if waiting:
-            pool = open_workers(_team(study, waiting, workers, scheduler), scheduler)
+            needed = _cells_of_blocks(study, cases, waiting)
+            keys = list(dict.fromkeys(key for block in needed.values() for key in block))
+            discs = discs_of(cases)
+            pool = open_workers(_team(study, cases, waiting, keys, discs, workers, scheduler), scheduler)
             try:
                 with pool as team:
-                    job = replace(job, discs=_interpolate_discs(team, cases))
-                    needed = _cells_of_blocks(study, cases, waiting)
-                    cells = _solve_cells(team, job, needed, progress)
+                    job = replace(job, discs=_interpolate_discs(team, discs))
+                    cells = _solve_cells(team, job, keys, progress)
                     _solve_blocks(team, job, cases, store, waiting, needed, cells, progress, notes, log)
             except WorkersLost as error:
                 raise SweepError(f"{out}: {error}; what is done is kept, run again to continue") from None
@@ -151,11 +155,19 @@ def run_sweep(
     return summary
 
 
-def _team(study: Study, waiting: list[tuple[int, int]], workers: int | None, scheduler: str | None) -> int | None:
-    """Workers of this machine: a few lumped cases are done before processes for them have started."""
-    if workers is None and scheduler is None and study.fidelity == "lumped":
-        return 1 if sum(stop - first for first, stop in waiting) <= _FEW else None
-    return workers
+def _team(
+    study: Study,
+    cases: Cases,
+    waiting: list[tuple[int, int]],
+    cells: Iterable[CellKey],
+    discs: Sequence[DiscShape],
+    workers: int | None,
+    scheduler: str | None,
+) -> int | None:
+    """Workers of this machine: as told, or as many as pay for what is left."""
+    if workers is not None or scheduler is not None:
+        return workers
+    return team_size(seconds_of(study, cases, [k for block in waiting for k in range(*block)], cells, discs))
 
 
 def _try_metrics(job: Job, cases: Cases, study: Study) -> None:
@@ -172,14 +184,14 @@ def _try_metrics(job: Job, cases: Cases, study: Study) -> None:
         return
 
 
-def _interpolate_discs(team: Workers, cases: Cases) -> tuple[DiscTable, ...]:
+def _interpolate_discs(team: Workers, discs: Sequence[DiscShape]) -> tuple[DiscTable, ...]:
     """Tables of the membranes of all cases, waiting or not, so that every run has the same."""
 
     def solve(shapes: Sequence[DiscShape]) -> list[ElasticDisc]:
         solved = dict(team.run(solve_dimensionless, ((shape,) for shape in shapes)))
         return [solved[number] for number in range(len(shapes))]
 
-    return disc_tables(discs_of(cases), solve)
+    return disc_tables(discs, solve)
 
 
 def _cells_of_blocks(
@@ -203,14 +215,14 @@ def _cells_of_blocks(
 def _solve_cells(
     team: Workers,
     job: Job,
-    needed: Mapping[tuple[int, int], tuple[CellKey, ...]],
+    keys: Sequence[CellKey],
     progress: Callable[[Progress], None] | None,
 ) -> dict[CellKey, SolvedCell]:
     """Every distinct cell once."""
-    keys = list(dict.fromkeys(key for block in needed.values() for key in block))
     solved: dict[CellKey, SolvedCell] = {}
     started, failed = perf_counter(), 0
-    for number, cell in team.run(solve_cell, ((key, job.frequency, job.fidelity) for key in keys)):
+    tasks = ((key, job.frequency, job.fidelity) for key in keys)
+    for number, cell in team.run(solve_cell, tasks, lost=lambda *_: SolvedCell(None, ENDED_WORKERS)):
         solved[keys[number]] = cell
         failed += cell.admittance is None
         if progress is not None:
@@ -237,13 +249,7 @@ def _solve_blocks(
         failed -= int((state[first:stop] == FAILED).sum())
     started = perf_counter()
 
-    def tasks() -> Iterator[tuple[Any, ...]]:
-        for block in waiting:
-            own = {key: cells[key] for key in needed.get(block, ())}
-            yield job, cases.part(*block), block[0], own
-
-    result: BlockResult
-    for _, (result, warned) in team.run(solve_block, tasks()):
+    for result, warned in solved_blocks(team, job, cases, waiting, needed, cells):
         store.write(result)
         notes |= dict.fromkeys(warned)
         count = len(result.state)
@@ -260,23 +266,6 @@ def _progress(what: str, done: int, total: int, failed: int, computed: int, seco
 
 
 # -- log --------------------------------------------------------------------------------------------
-@contextmanager
-def _log(out: Path) -> Iterator[IO[str]]:
-    """The file of times beside the store, which no other sweep may hold at the same time."""
-    path = out.with_name(f"{out.name}.log")
-    with path.open("a", encoding="utf-8") as log:
-        try:
-            import fcntl
-        except ImportError:  # not on this system: nobody watches
-            yield log
-            return
-        try:
-            fcntl.flock(log, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except OSError:
-            raise StudyError(f"{out}: another sweep is writing to it") from None
-        yield log
-
-
 def write_line(log: IO[str], content: Mapping[str, Any]) -> None:
     """One line of JSON with the time."""
     log.write(json.dumps({"time": datetime.now(UTC).isoformat(timespec="milliseconds"), **content}) + "\n")

@@ -30,8 +30,9 @@ from geometry.cells import Cell, cell_catalogue
 from geometry.layout import place
 from studies.cases import Cases
 from studies.metric_registry import Metric, metrics_named
+from studies.reasons import PROGRAM_ERROR
 from studies.responses import Responses
-from studies.sweep_store import DONE, FAILED, PROGRAM_ERROR, BlockResult
+from studies.sweep_store import DONE, FAILED, BlockResult
 
 #: A cell in its air.
 CellKey: TypeAlias = tuple[Cell, Medium]
@@ -39,7 +40,7 @@ Complex: TypeAlias = NDArray[np.complex128]
 
 _LONGEST_REASON = 500
 #: What stops a case: its design is refused, or cannot be computed.
-_REFUSALS = (ValueError, ArithmeticError, RuntimeError, OSError, MemoryError)
+REFUSALS = (ValueError, ArithmeticError, RuntimeError, OSError, MemoryError)
 #: What stops a case and is no property of its design.
 _MISTAKES = (TypeError, AttributeError, NameError, LookupError, AssertionError, CellFault)
 
@@ -85,7 +86,7 @@ def solve_cell(key: CellKey, frequency: NDArray[np.float64], fidelity: str) -> S
     cell, medium = key
     try:
         solution = solve_cells([cell], frequency, medium, fidelity, apart=True)[cell]
-    except (*_REFUSALS, *_MISTAKES) as error:
+    except (*REFUSALS, *_MISTAKES) as error:
         return SolvedCell(None, _reason(error))
     return SolvedCell(solution.admittance, "", solution.seconds, solution.cached)
 
@@ -198,7 +199,7 @@ def _responses(
     for number in sorted(alone):
         try:
             one = _network(job, designs[number], cells)
-        except (*_REFUSALS, *_MISTAKES) as error:
+        except (*REFUSALS, *_MISTAKES) as error:
             block.fail(number, _reason(error))
         else:
             single.setdefault(one.transfer_function.shape, []).append((number, one))
@@ -310,11 +311,11 @@ def _measure(numbers: Sequence[int], responses: Responses, metrics: Sequence[Met
         values = block.values[metric.name]
         try:
             values[list(numbers)] = metric.of_batch(responses)
-        except _REFUSALS:  # one design is at fault, or all are: each has its own reason
+        except REFUSALS:  # one design is at fault, or all are: each has its own reason
             for place_in_batch, number in enumerate(numbers):
                 try:
                     values[number] = metric.of_batch(_one(responses, place_in_batch))[0]
-                except (*_REFUSALS, *_MISTAKES) as error:
+                except (*REFUSALS, *_MISTAKES) as error:
                     block.fail(number, _reason(error, f"metric {metric.name}: "))
         except _MISTAKES as error:
             for number in numbers:

@@ -10,10 +10,11 @@ from __future__ import annotations
 import json
 import os
 import shutil
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import IO, TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,6 +25,7 @@ from geometry.design_fields import field_named
 from geometry.design_file import read_design, write_design
 from studies.cases import Cases
 from studies.folders import check_folder
+from studies.reasons import by_kind
 from studies.study import Study, StudyError
 
 if TYPE_CHECKING:
@@ -33,8 +35,6 @@ if TYPE_CHECKING:
 FORMAT = 1
 #: Values of ``state``.
 WAITING, DONE, FAILED = 0, 1, 2
-#: How the reason begins of a case that failed by a mistake of the program, not by its design.
-PROGRAM_ERROR = "program error: "
 #: Versions that may change a result.
 _LIBRARIES = ("gmsh", "numpy", "scikit-fem", "scipy", "xarray", "zarr")
 #: Complex values of transfer functions worked on in one block, and most cases of one.
@@ -93,14 +93,14 @@ class SweepStore:
     def claim(cls, path: Path, study: Study, cases: Cases, metrics: Sequence[Labelled]) -> SweepStore:
         """A new store with all parameters and nothing done, or the one of an earlier run of the same study.
 
+        The caller holds :func:`sole_writer`: whoever else writes to the store would lose what this removes.
+
         Raises:
             StudyError: the path holds something else, or the store of another study.
         """
-        check_folder(path)
-        if not path.exists() or (path.is_dir() and not any(path.iterdir())):
+        check_store(path)
+        if not is_sweep(path):
             _create(path, study, cases, metrics)
-        elif not is_sweep(path):
-            raise StudyError(f"{path}: holds what no sweep made; --out must be new, or the results of the same study")
         store = cls(path)
         differs = _first_difference(json.loads(store.attributes["study_content"]), study.content())
         if differs:
@@ -138,13 +138,46 @@ class SweepStore:
         self._variables["state"][part] = result.state  # last: from now on the block counts
 
     def failures(self) -> dict[str, list[int]]:
-        """Numbers of the failed cases by reason, the most frequent first."""
-        found: dict[str, list[int]] = {}
-        numbers = np.flatnonzero(self.state == FAILED)
+        """Numbers of the failed cases by kind of reason, as :func:`studies.reasons.by_kind`."""
         reasons = self._variables["reason"][:]
-        for number in numbers:
-            found.setdefault(str(reasons[number]), []).append(int(number))
-        return dict(sorted(found.items(), key=lambda entry: (-len(entry[1]), entry[1][0])))
+        return by_kind((int(number), str(reasons[number])) for number in np.flatnonzero(self.state == FAILED))
+
+
+def check_store(path: Path) -> None:
+    """Refuse a path that no sweep may write to; nothing is touched.
+
+    Raises:
+        StudyError: it holds what no sweep made.
+        ValueError: it cannot be written.
+    """
+    check_folder(path)
+    if not is_sweep(path) and path.is_dir() and any(path.iterdir()) and not is_sweep(path):  # or it came meanwhile
+        raise StudyError(f"{path}: holds what no sweep made; --out must be new, or the results of the same study")
+
+
+@contextmanager
+def sole_writer(path: Path) -> Iterator[IO[str]]:
+    """The log beside a store, for as long as nobody else may write to either.
+
+    Raises:
+        StudyError: another sweep is writing, or the file system has no locks.
+    """
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with path.with_name(f"{path.name}.log").open("a", encoding="utf-8") as log:
+        try:
+            import fcntl
+        except ImportError:  # not on this system: nobody watches
+            yield log
+            return
+        try:
+            fcntl.flock(log, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            raise StudyError(f"{path}: another sweep is writing to it") from None
+        except OSError as error:
+            raise StudyError(
+                f"{log.name}: cannot be locked ({error.strerror}); --out must be where files can"
+            ) from None
+        yield log
 
 
 def is_sweep(path: Path) -> bool:

@@ -23,8 +23,20 @@ class WorkersLost(RuntimeError):
 class Workers(Protocol):
     """Something that runs tasks."""
 
-    def run(self, function: Callable[..., Any], tasks: Iterable[tuple[Any, ...]]) -> Iterator[tuple[int, Any]]:
-        """Call a function with the arguments of each task; number of the task and result, as they come."""
+    def run(
+        self, function: Callable[..., Any], tasks: Iterable[tuple[Any, ...]], lost: Callable[..., Any] | None = None
+    ) -> Iterator[tuple[int, Any]]:
+        """Call a function with the arguments of each task; number of the task and result, as they come.
+
+        Args:
+            function: what is called.
+            tasks: its arguments.
+            lost: called here with those of a task that ended several workers, for its result; without it that is an
+                error once all other tasks are done.
+
+        Raises:
+            WorkersLost: no workers are left, or a task ended several.
+        """
 
 
 def cores() -> int:
@@ -61,9 +73,11 @@ def open_workers(count: int | None, scheduler: str | None) -> Iterator[Workers]:
 
 
 class _Here:
-    """This process."""
+    """This process, which no task can end without ending the sweep."""
 
-    def run(self, function: Callable[..., Any], tasks: Iterable[tuple[Any, ...]]) -> Iterator[tuple[int, Any]]:
+    def run(
+        self, function: Callable[..., Any], tasks: Iterable[tuple[Any, ...]], lost: Callable[..., Any] | None = None
+    ) -> Iterator[tuple[int, Any]]:
         for number, task in enumerate(tasks):
             yield number, _in_one_thread(function, *task)
 
@@ -74,18 +88,20 @@ class _Dask:
     def __init__(self, client: Any) -> None:
         self._client = client
 
-    def run(self, function: Callable[..., Any], tasks: Iterable[tuple[Any, ...]]) -> Iterator[tuple[int, Any]]:
+    def run(
+        self, function: Callable[..., Any], tasks: Iterable[tuple[Any, ...]], lost: Callable[..., Any] | None = None
+    ) -> Iterator[tuple[int, Any]]:
         from distributed import KilledWorker
 
         waiting = enumerate(tasks)
-        running: dict[Any, int] = {}
+        running: dict[Any, tuple[int, tuple[Any, ...]]] = {}
         finished: queue.SimpleQueue[Any] = queue.SimpleQueue()
-        lost = 0
+        ended = 0
 
         def hand_out() -> None:
             for number, task in waiting:
                 future = self._client.submit(_in_one_thread, function, *task, pure=False)
-                running[future] = number
+                running[future] = number, task
                 future.add_done_callback(finished.put)
                 return
 
@@ -93,20 +109,23 @@ class _Dask:
             hand_out()
         while running:
             future = self._next(finished)
-            number = running.pop(future)
+            number, task = running.pop(future)
             if future.status == "cancelled":
                 raise WorkersLost("the connection to the scheduler was lost")
             if future.status == "error":
                 error = future.exception()
                 if not isinstance(error, KilledWorker):
                     raise error
-                lost += 1
+                if lost is None:
+                    ended += 1
+                else:
+                    yield number, lost(*task)
             else:
                 yield number, future.result()
             future.release()
             hand_out()
-        if lost:
-            raise WorkersLost(f"{lost} task{'s' * (lost > 1)} ended several workers each, which may lack memory")
+        if ended:
+            raise WorkersLost(f"{ended} task{'s' * (ended > 1)} ended several workers each, which may lack memory")
 
     def _next(self, finished: queue.SimpleQueue[Any]) -> Any:
         """The next future that is done, while there is anybody to work on it."""
@@ -152,6 +171,7 @@ def _local(count: int) -> Iterator[_Dask]:
         "distributed.comm.timeouts.connect": "60s",
         "distributed.comm.timeouts.tcp": "600s",
         "distributed.scheduler.worker-ttl": None,
+        "distributed.scheduler.allowed-failures": 1,  # a task that ends two workers is given up
     }
     environment = {f"{name}_NUM_THREADS": 1 for name in ("OMP", "MKL", "OPENBLAS")}
     # With dask's own setting every array is fetched from the system anew: two fifths of a worker's time.

@@ -80,6 +80,10 @@ def test_the_help_lists_every_verb_in_the_order_of_work(command: Command) -> Non
     assert command("--version").out.startswith("acoustic-fem")
 
 
+def test_help_of_a_search_names_its_section(command: Command) -> None:
+    assert "A study file with a section [optimize]." in command("optimize", "--help").out
+
+
 def test_help_loads_nothing_heavy() -> None:
     code = (
         "import sys\n"

@@ -6,6 +6,7 @@ import re
 from pathlib import Path
 
 import pytest
+import yaml
 
 from geometry.design import ArrayDesign
 from geometry.design_fields import fields_of
@@ -54,6 +55,17 @@ def test_the_design_page_lists_every_field_with_its_range() -> None:
     for name, field in fields.items():
         default = "required" if field.required else "" if field.default in (None, "") else f"`{field.default}`"
         assert rows[name][1:] == [field_range(field.kind, field.allowed), default, field.description], name
+
+
+def test_the_cluster_of_the_page_is_the_one_whose_scheduler_is_forwarded() -> None:
+    page = (ROOT / "docs" / "studies.md").read_text(encoding="utf-8")
+    (cluster,) = (yaml.safe_load(text) for text in re.findall(r"^```yaml\n(.*?)^```", page, re.MULTILINE | re.DOTALL))
+    name, service = cluster["metadata"]["name"], cluster["spec"]["scheduler"]["service"]
+    assert service["selector"]["dask.org/cluster-name"] == name
+    assert f"port-forward service/{name}-scheduler {service['ports'][0]['port']}:8786" in page
+    for part in ("worker", "scheduler"):
+        (container,) = cluster["spec"][part]["spec"]["containers"]
+        assert all(isinstance(word, str) for word in container["args"])
 
 
 def field_range(kind: str, allowed: str) -> str:

@@ -291,8 +291,41 @@ def test_distances_below_20_hz_are_those_of_that_part_of_the_grid() -> None:
     whole = acoustic_fem.solve(design, np.append(grid, np.arange(25.0, 101.0, 5.0)), "lumped")
     for extent in ("smallest", "mean"):
         below = METRICS[f"distance_{extent}_low"].of_library(whole)
-        assert below == pytest.approx(METRICS[f"distance_{extent}"].of_library(low), rel=1e-6)
+        assert below == pytest.approx(METRICS[f"distance_{extent}_low"].of_library(low), rel=1e-6)
         assert below != pytest.approx(METRICS[f"distance_{extent}"].of_library(whole), rel=1e-2)
+
+
+@pytest.mark.parametrize(
+    ("frequency", "refused", "allowed"),
+    [
+        (np.linspace(5, 50, 10), "distance_smallest", "bandwidth"),
+        (np.linspace(1, 50, 50), "sensitivity_force", "distance_mean_low"),
+        (np.linspace(2, 100, 50), "distance_mean_low", "volume"),
+        (np.linspace(90, 100, 2), "ipd_mean", "mass"),
+        (np.array([1.0, 100.0]), "noise_equivalent_force", "cost"),
+        (np.array([1.0, 2.0, 3.0, 150.0]), "ild_mean", "height"),
+        (np.linspace(1, 100, 11), "distance_smallest_low", "distance_smallest"),
+        (np.linspace(0.5, 400, 500), "", "predicted_top1_loud"),
+    ],
+)
+def test_a_grid_that_does_not_cover_the_band_of_a_metric_is_refused(
+    frequency: np.ndarray, refused: str, allowed: str
+) -> None:
+    library = acoustic_fem.solve(
+        geometry.prototype("array-2x6").with_values({"lines.0.points": 3}), frequency, "lumped"
+    )
+    assert np.isfinite(METRICS[allowed].of_library(library))
+    if refused:
+        with pytest.raises(ValueError, match=rf"^metric {refused} needs frequencies from 1 to \d+ Hz in steps of at"):
+            METRICS[refused].of_library(library)
+
+
+def test_every_metric_that_names_a_band_in_its_definition_has_it() -> None:
+    for metric in METRICS.values():
+        if "1 to 100 Hz" in metric.definition:
+            assert metric.band == (1.0, 100.0), metric.name
+        if "1 to 20 Hz" in metric.definition:
+            assert metric.band == (1.0, 20.0), metric.name
 
 
 def test_unknown_metrics_and_missing_responses_are_refused_by_name() -> None:

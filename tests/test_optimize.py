@@ -20,7 +20,7 @@ from geometry.design_file import load_design
 from geometry.layout import place
 from studies.metric_registry import metrics_named
 from studies.optimize import JOURNAL, Candidate, OptimizationResult, optimize, pareto_front, ranked, refusal_of
-from studies.optimize_file import Optimization, read_optimization
+from studies.optimize_file import Limit, Optimization, read_optimization
 from studies.optimize_files import read_search, save_search
 from studies.optimize_gradient import refine, with_refined
 from studies.printable import Demand, PrintRules, measures
@@ -250,15 +250,24 @@ def test_shells_that_collide_are_refused(problem: Optimization) -> None:
         ('"tube.inner_diameter" = { from = 0.05, to = 0.3 }', '"tube.inner_diameter" = { from = 0.05, to = 0.1 }',
          "must reach 0.18 mm"),
         ("refine = 30", "refin = 30", "refin"),
+        ("1:100:12", "5:50:10", "metric distance_mean needs frequencies from 1 to 100 Hz"),
+        ("1:100:12", "1:100:11", "metric distance_smallest_low needs frequencies from 1 to 20 Hz"),
     ],
 )  # fmt: skip
 def test_a_bad_file_is_refused_in_one_line(old: str, new: str, message: str) -> None:
-    assert old in SEARCH
+    text = SEARCH.replace("ild_smallest", "distance_smallest_low") if "_low" in message else SEARCH
+    assert old in text
     with pytest.raises(StudyError) as refused:
-        read_optimization(SEARCH.replace(old, new), "study.toml")
+        read_optimization(text.replace(old, new), "study.toml")
     assert message in str(refused.value)
     assert str(refused.value).startswith("study.toml: ")
     assert "\n" not in str(refused.value)
+
+
+def test_a_limit_is_said_with_its_unit_where_it_has_one() -> None:
+    top1, force = metrics_named(["predicted_top1", "sensitivity_force"])
+    assert str(Limit(top1, 0.99, None)) == "predicted_top1 at least 0.99"
+    assert str(Limit(force, 1.0, 2e4)) == "sensitivity_force at least 1 and at most 20000 Pa/N"
 
 
 def test_a_search_refines_only_what_has_a_derivative(problem: Optimization, found: OptimizationResult) -> None:

@@ -22,7 +22,7 @@ def study(head: str = "", parameters: str = PARAMETERS, base: str = HEAD) -> str
 def test_a_study_has_what_its_file_says() -> None:
     given = read_study(
         study(
-            'name = "tubes"\nsampling = "sobol"\ncases = 8\nseed = 3\nfrequencies = "2:50:25"\n'
+            'name = "tubes"\nsampling = "sobol"\ncases = 8\nseed = 3\nfrequencies = "0.5:200:25"\n'
             'constraints = ["tube.length > 20 * tube.inner_diameter"]\n',
             '[parameters]\n"tube.inner_diameter" = {from = 0.3, to = 0.6, scale = "log"}\n'
             'membrane.material = ["silicone-shore-a-30", "silicone-shore-a-10"]\n'
@@ -31,7 +31,7 @@ def test_a_study_has_what_its_file_says() -> None:
     )
     assert given.name == "tubes"
     assert (given.sampling, given.cases, given.seed) == ("sobol", 8, 3)
-    np.testing.assert_array_equal(given.frequency, np.linspace(2, 50, 25))
+    np.testing.assert_array_equal(given.frequency, np.linspace(0.5, 200, 25))
     assert [[parameter.name for parameter in axis] for axis in given.axes] == [
         ["tube.inner_diameter"],
         ["membrane.material"],

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import multiprocessing
 import os
 import signal
 import subprocess
@@ -10,14 +11,21 @@ import sys
 import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import Any
 
+import numpy as np
 import psutil
 import pytest
+from test_sweep import assert_same_store
 
-from studies.study_file import load_study
+from geometry import ArrayDesign
+from studies import sweep
+from studies.cases import Cases, cases_of
+from studies.study import Study, StudyError
+from studies.study_file import load_study, read_study
 from studies.sweep import run_sweep
+from studies.sweep_blocks import ENDED_WORKERS
 from studies.sweep_store import open_sweep
-from tests.test_sweep import assert_same_store
 
 STUDY = """
 base = "array-2x6"
@@ -145,6 +153,83 @@ def test_a_run_that_is_killed_three_times_ends_in_the_same_store(
     assert run.wait(PATIENCE) == 0
     assert blocks(out) < BLOCKS + 3 * 2, "blocks that were done were computed again"
     assert_same_store(out, expected)
+
+
+PAIRS = 12
+
+
+def begin_together(folder: Path, barrier: Any, told: Any) -> None:
+    """In a process of its own: a sweep into each of some stores, begun when the other process begins it too."""
+    study = load_study(folder / "study.toml")
+    for number in range(PAIRS):
+        barrier.wait(PATIENCE)
+        try:
+            run_sweep(study, folder / f"{number}.zarr", workers=1)
+        except StudyError as error:
+            told.put((number, str(error)))
+        except Exception as error:  # what a second sweep must never see
+            told.put((number, repr(error)))
+        else:
+            told.put((number, "done"))
+
+
+def test_of_two_sweeps_that_begin_at_once_one_computes_and_the_other_is_refused(tmp_path: Path) -> None:
+    text = STUDY.replace("cases = 160", "cases = 4").replace(', "predicted_top1_loud"', "")
+    (tmp_path / "study.toml").write_text(text)
+    processes = multiprocessing.get_context("spawn")
+    barrier, told = processes.Barrier(2), processes.Queue()
+    both = [processes.Process(target=begin_together, args=(tmp_path, barrier, told)) for _ in range(2)]
+    for process in both:
+        process.start()
+    answers: list[list[str]] = [[] for _ in range(PAIRS)]
+    for _ in range(2 * PAIRS):
+        number, answer = told.get(timeout=PATIENCE)
+        answers[number].append(answer)
+    for process in both:
+        process.join(PATIENCE)
+    run_sweep(load_study(tmp_path / "study.toml"), tmp_path / "alone.zarr", workers=1)
+    for number, pair in enumerate(answers):
+        refused = f"{tmp_path / f'{number}.zarr'}: another sweep is writing to it"
+        assert "done" in pair, pair
+        assert set(pair) <= {"done", refused}, pair
+        assert_same_store(tmp_path / f"{number}.zarr", tmp_path / "alone.zarr")
+    assert any(pair != ["done", "done"] for pair in answers)
+
+
+class DeadlyCases(Cases):
+    """Cases of which one ends the process that computes it."""
+
+    def part(self, first: int, stop: int) -> Cases:
+        return DeadlyCases(self.base, self.names, tuple(column[first:stop] for column in self.columns))
+
+    def design(self, number: int) -> ArrayDesign:
+        if multiprocessing.parent_process() is not None and self.case(number)["tube.length"] == 13.0:
+            os.kill(os.getpid(), signal.SIGKILL)
+        return super().design(number)
+
+
+@pytest.mark.slow
+def test_a_case_that_ends_every_worker_fails_and_stops_no_other(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    grid = ", ".join(f"{10 + 0.25 * k}" for k in range(32))
+    study = read_study(
+        'base = "array-2x6"\nfidelity = "lumped"\nmetrics = ["distance_smallest"]\n'
+        f'[parameters]\n"tube.length" = [{grid}]\n'
+    )
+    run_sweep(study, tmp_path / "whole.zarr", workers=1)
+
+    def deadly(study: Study) -> Cases:
+        cases = cases_of(study)
+        return DeadlyCases(cases.base, cases.names, cases.columns)
+
+    monkeypatch.setattr(sweep, "cases_of", deadly)
+    summary = run_sweep(study, tmp_path / "r.zarr", workers=2)
+    assert summary.failures == {ENDED_WORKERS: [12]}
+    whole, result = (open_sweep(tmp_path / f"{name}.zarr").dataset for name in ("whole", "r"))
+    others = np.arange(32) != 12
+    np.testing.assert_allclose(result["distance_smallest"][others], whole["distance_smallest"][others], rtol=1e-12)
+    assert run_sweep(study, tmp_path / "r.zarr", workers=2).computed == 0
 
 
 def alive(process: psutil.Process) -> bool:

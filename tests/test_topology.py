@@ -27,6 +27,22 @@ def test_lines_of_different_lengths_count_by_their_mean() -> None:
     assert counts.gain_over_row_column == pytest.approx(12 / 3 * (3 + 6) / (3 * 6))
 
 
+@pytest.mark.parametrize(
+    ("microphones", "points", "message"),
+    [
+        (0, [], "microphones = 0 must be at least 2"),
+        (1, [5], "microphones = 1 must be at least 2"),
+        (-2, [5], "microphones = -2 must be at least 2"),
+        (3, [5], r"points_per_line has 1 lines; it must have M-1 = 2 to M\(M-1\)/2 = 3 for 3 microphones"),
+        (3, [5] * 10, "points_per_line has 10 lines"),
+        (2, [0], r"points_per_line = \[0\] must be at least 1 each"),
+    ],
+)
+def test_wirings_that_cannot_be_are_not_counted(microphones: int, points: list[int], message: str) -> None:
+    with pytest.raises(ValueError, match=f"^{message}"):
+        wiring_counts(microphones, points)
+
+
 @given(st.integers(2, 8), st.data())
 def test_every_connected_wiring_is_accepted_and_every_other_is_refused(microphones: int, data: st.DataObject) -> None:
     names = [f"M{k}" for k in range(microphones)]
