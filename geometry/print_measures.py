@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,7 +13,8 @@ from scipy import ndimage
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
-from geometry.measure import Tessellation
+if TYPE_CHECKING:
+    from geometry.measure import Tessellation
 
 Place = tuple[float, float, float]
 Floats = NDArray[np.float64]

@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from geometry.measure import Tessellation
 from geometry.print_measures import hanging_area
 from geometry.print_processes import PrintProcess
+
+if TYPE_CHECKING:
+    from geometry.measure import Tessellation
 
 #: Turns about the vertical that are tried, degrees: as drawn, across, then between.
 _TURNS = (0.0, 90.0, *(float(turn) for turn in range(5, 90, 5)), *(float(turn) for turn in range(95, 180, 5)))

@@ -315,7 +315,7 @@ def test_layouts_that_cannot_be_are_refused_by_name(layout, message):
 def glove(**values):
     lines = [{"between": pair, "points": 6} for pair in (["A", "B"], ["B", "C"])]
     changes = {"microphones": ["A", "B", "C"], "lines": lines, "layout": {"kind": "hand", "columns": 3}}
-    return geometry.prototype("glove").with_values({**changes, "microphone.chamber_diameter": 2.8, **values})
+    return geometry.prototype("glove").with_values({**changes, "microphone.chamber_diameter": 2.9, **values})
 
 
 def test_points_of_a_hand_lie_along_fingers_that_fan_out_from_the_wrist():
@@ -340,7 +340,7 @@ def test_points_of_a_hand_lie_along_fingers_that_fan_out_from_the_wrist():
 
 
 def test_tubes_that_meet_in_the_palm_at_too_sharp_an_angle_are_refused():
-    with pytest.raises(geometry.DesignError, match=r"microphone.chamber_diameter = 1\.8 mm must be at least 2\.6"):
+    with pytest.raises(geometry.DesignError, match=r"microphone.chamber_diameter = 1\.8 mm must be at least 2\.7"):
         glove(**{"microphone.chamber_diameter": 1.8})
 
 
