@@ -6,6 +6,9 @@ the noise. The likelihood of each point, maximised over g, ranks the points (Gau
 and Williams 2006, chapter 2, for the likelihood). In coordinates where N is the identity, the eigenvectors of C_i make
 the likelihood a sum over a few dozen terms.
 
+Sound from outside presses on all membranes alike: at each frequency it adds a covariance of rank one to N, whose
+shape the library knows and whose level is assumed, or found among several as the likeliest.
+
 A touch with few spectral lines fills far fewer of those terms than a flat spectrum, so that the likelihood weighs the
 noise of the empty ones too high against the shape of the signal: the decoder assumes a share of the noise that it is
 told, and divides its log-likelihoods by a temperature, so that its probabilities are as sure as they are right.
@@ -13,6 +16,7 @@ told, and divides its log-likelihoods by a temperature, so that its probabilitie
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -22,7 +26,14 @@ from scipy.special import log_softmax
 from torch import Tensor
 
 from localize.dataset import ArrayResponse, response_of
-from localize.frame_covariance import check_noise, low_pass, touch_covariances, whitening
+from localize.frame_covariance import (
+    SAMPLES,
+    check_ambient,
+    check_noise,
+    joint_whitening,
+    low_pass,
+    touch_covariances,
+)
 from localize.frames import checked_signals, cut_frames
 from localize.noise import NoiseChoice, NoiseSpectrum
 from localize.threads import one_thread
@@ -39,22 +50,34 @@ NOISE_SHARE = 0.25
 """Of the noise that is told, in amplitude; tried on 216 points were 1, 1/2, 0.3, 1/5 and 1/10. See docs/decoder.md."""
 TEMPERATURE = NOISE_SHARE**-2
 """Counts misfits by the noise that is told again: probabilities are then calibrated, see docs/decoder.md."""
+QUIET_BONUS = 30.0
+"""Nats, after the temperature: the likelihood assumes less noise than there is, and would take the rest for sound. In
+quiet, sound was preferred by at most 35 nats on line-2, by more than 72 where there were 60 dB SPL."""
+ROOM = (None, 50.0, 60.0, 70.0, 80.0, 90.0)
+"""Levels among which the sound of a room is looked for, dB SPL; None is quiet."""
+SURE = 20.0
+"""Nats: points this far behind the best one, and what single precision may err, are not scored again in double."""
 CHUNK = 64
 """Frames that are decoded at once."""
+
+#: Sound around: none, a level in dB SPL, or several, of which each frame takes the likeliest.
+Ambient = float | None | Sequence[float | None]
 
 
 @dataclass(frozen=True, eq=False)
 class DecoderTables:
-    """What the likelihood of a frame is computed from."""
+    """What the likelihood of a frame is computed from, for one level of the sound around."""
 
     reduce: NDArray[np.float64]
-    """(250, SAMPLES): from the samples of a microphone to fewer ones with white noise of variance 1."""
+    """(n_microphone 250, n_microphone SAMPLES): from the samples to fewer ones whose noise is white of variance 1."""
     vectors: NDArray[np.float64]
     """(n_point, n_microphone SAMPLES, rank) eigenvectors of each C_i."""
     weight: NDArray[np.float64]
     """(n_point, rank, n_power) of the energy along each of them, per value of g."""
     log_determinant: NDArray[np.float64]
     """(n_point, n_power) of the covariance."""
+    offset: float
+    """Nats: of the noise and sound alone, which tells levels apart."""
 
 
 class BayesDecoder:
@@ -65,15 +88,25 @@ class BayesDecoder:
         microphone_noise: the noise floor to assume: white, Pa rms over 0 to 500 Hz, 1e-9 to 10; or "design" for
             that of the library's design, see :mod:`localize.noise`. It also stands for what the library does not
             know; a higher one is kinder to a sensor that differs from its design.
+        ambient: pink sound around, the same pressure on all membranes: its level in dB SPL, 0 to 140; None for
+            quiet; or several levels, such as :data:`ROOM`, of which each frame takes the likeliest. Tables, and where
+            there is sound also time, grow with their number. Needs a library with a design.
 
     Raises:
-        ValueError: the library does not cover 1 to 100 Hz, or the noise is outside its range.
+        ValueError: the library does not cover 1 to 100 Hz, the noise or the sound is outside its range, or sound is
+            assumed without a design.
     """
 
     @one_thread()
-    def __init__(self, library: Library | ArrayResponse, microphone_noise: NoiseChoice = 1e-3) -> None:
+    def __init__(
+        self,
+        library: Library | ArrayResponse,
+        microphone_noise: NoiseChoice = 1e-3,
+        ambient: Ambient = None,
+    ) -> None:
         check_noise(microphone_noise)
         response = response_of(library)
+        self.ambient = checked_levels(response, ambient)
         self.design = response.name
         self.microphones = response.microphones
         self.line = response.line
@@ -82,15 +115,11 @@ class BayesDecoder:
         self.provenance = response.provenance
         noise = response.noise(microphone_noise)
         self.noise_rms = noise.rms if isinstance(noise, NoiseSpectrum) else noise
-        whiten = whitening(share_of(noise))
-        variance, vectors = _eigenvectors(touch_covariances(response, whiten))
-        gain = variance[:, :, None] * POWERS
-        self.tables = DecoderTables(
-            reduce=(whiten @ low_pass()).T.copy(),
-            vectors=vectors,
-            weight=-gain / (1 + gain) / TEMPERATURE,
-            log_determinant=np.log1p(gain).sum(1) / TEMPERATURE,
+        touched = touch_covariances(response, np.eye(SAMPLES))
+        self.tables = tuple(
+            _tables(touched, joint_whitening(response, share_of(noise), level), level) for level in self.ambient
         )
+        self._screens = tuple(_Screen(tables) for tables in self.tables)
 
     @property
     def point_count(self) -> int:
@@ -145,12 +174,48 @@ class BayesDecoder:
         Returns:
             (n, n_point) float64, nats, up to a constant per frame.
         """
-        tables = self.tables
-        x = (frames @ tables.reduce).reshape(len(frames), -1)
+        flat = frames.reshape(len(frames), -1)
+        if len(self.tables) == 1:
+            return self._screens[0](flat @ self.tables[0].reduce)
+        best = np.full((len(frames), self.point_count), -np.inf)
+        for tables, screen in zip(self.tables, self._screens, strict=True):
+            x = flat @ tables.reduce
+            alone = tables.offset - 0.5 * (x**2).sum(1, keepdims=True) / TEMPERATURE
+            np.maximum(best, screen(x) + alone, out=best)
+        return best
+
+
+class _Screen:
+    """Likelihood of all points in single precision, and of those that may be the best in double.
+
+    Reading the tables is what takes the time, and single precision halves it. Likelihoods are differences of large
+    numbers, which it cannot tell apart: every point that may come within 20 nats of the best is scored again.
+    """
+
+    def __init__(self, tables: DecoderTables) -> None:
+        self.tables = tables
+        self.points, self.size, self.rank = tables.vectors.shape
+        # One matrix for all points: (n_microphone SAMPLES, n_point rank).
+        self.vectors = np.ascontiguousarray(tables.vectors.astype(np.float32).transpose(1, 0, 2).reshape(self.size, -1))
+        self.weight = tables.weight.astype(np.float32)
+        self.log_determinant = tables.log_determinant.astype(np.float32)
+
+    def __call__(self, x: NDArray[np.float64]) -> NDArray[np.float64]:
+        """(n, size) to (n, n_point)."""
+        energy = ((x.astype(np.float32) @ self.vectors) ** 2).reshape(len(x), self.points, self.rank)
         # (point, frame, ...): one matrix product per point.
-        energy = (x @ tables.vectors) ** 2
-        score = -0.5 * (energy @ tables.weight + tables.log_determinant[:, None, :])
-        return vertex(score).T
+        gain = energy.transpose(1, 0, 2) @ self.weight
+        values = -0.5 * (gain + self.log_determinant[:, None, :])
+        # Of large numbers single precision knows no parabola; a true one rises by less than a nat above its samples.
+        score = np.minimum(vertex(values), values.max(-1) + 1).T.astype(np.float64)
+        error = 8 * np.finfo(np.float32).eps * (x**2).sum(1) / (2 * TEMPERATURE)
+        again = score > (score.max(1) - SURE - error)[:, None]
+        tables = self.tables
+        for point in np.flatnonzero(again.any(0)):
+            frames = np.flatnonzero(again[:, point])
+            exact = (x[frames] @ tables.vectors[point]) ** 2 @ tables.weight[point]
+            score[frames, point] = vertex(-0.5 * (exact + tables.log_determinant[point]))
+        return score
 
 
 def vertex(values: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -173,9 +238,30 @@ def share_of(noise: float | NoiseSpectrum) -> float | NoiseSpectrum:
     return noise * NOISE_SHARE
 
 
-def _eigenvectors(covariances: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Eigenvalues (n_point, rank) and vectors (n_point, n_microphone SAMPLES, rank) of each C_i, where N is 1."""
-    values, vectors = np.linalg.eigh(covariances)
+def checked_levels(response: ArrayResponse, ambient: Ambient) -> tuple[float | None, ...]:
+    """The levels of an ``ambient``, from quiet to loud.
+
+    Raises:
+        ValueError: no level, or as :func:`localize.frame_covariance.check_ambient`.
+    """
+    levels = tuple(ambient) if isinstance(ambient, Sequence) else (ambient,)
+    if not levels:
+        raise ValueError("ambient is empty: it must hold at least one level, or None for quiet")
+    for level in levels:
+        check_ambient(response, level)
+    return tuple(sorted(set(levels), key=lambda level: -1.0 if level is None else level))
+
+
+def _tables(touched: NDArray[np.float64], whiten: NDArray[np.float64], level: float | None) -> DecoderTables:
+    """From covariances of touches, (n_point, n, n) Pa^2, and what makes noise and sound white."""
+    values, vectors = np.linalg.eigh(whiten @ touched @ whiten.T)
     # The largest eigenvalues come last. The same number for every point keeps the tables rectangular.
     rank = max(1, int((values > WEAKEST).sum(1).max()))
-    return np.clip(values[:, -rank:], 0, None), np.ascontiguousarray(vectors[:, :, -rank:])
+    gain = np.clip(values[:, -rank:, None], 0, None) * POWERS
+    return DecoderTables(
+        reduce=(whiten @ np.kron(np.eye(len(whiten) // SAMPLES), low_pass())).T.copy(),
+        vectors=np.ascontiguousarray(vectors[:, :, -rank:]),
+        weight=-gain / (1 + gain) / TEMPERATURE,
+        log_determinant=np.log1p(gain).sum(1) / TEMPERATURE,
+        offset=float(np.log(np.diag(whiten)).sum() / TEMPERATURE) + (QUIET_BONUS if level is None else 0.0),
+    )

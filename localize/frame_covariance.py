@@ -15,7 +15,9 @@ import scipy.linalg
 import scipy.signal
 from numpy.typing import NDArray
 
+from localize.array_response import interpolation
 from localize.dataset import ArrayResponse
+from localize.disturbances import LOWEST_SOUND, REFERENCE
 from localize.frames import FRAME
 from localize.noise import NoiseChoice, NoiseSpectrum
 from localize.stimulus import BAND, NOISE, SAMPLE_RATE
@@ -72,6 +74,50 @@ def whitening(noise: float | NoiseSpectrum) -> NDArray[np.float64]:
     return np.asarray(np.linalg.inv(np.linalg.cholesky(covariance)))
 
 
+def joint_whitening(
+    response: ArrayResponse, noise: float | NoiseSpectrum, ambient: float | None
+) -> NDArray[np.float64]:
+    """(n, n), n = n_microphone SAMPLES: makes noise and sound at all microphones together white, of variance 1."""
+    alone = np.kron(np.eye(len(response.microphones)), scipy.linalg.toeplitz(noise_covariance(noise)))
+    sound = 0.0 if ambient is None else ambient_covariance(response, ambient)
+    return np.asarray(scipy.linalg.solve_triangular(np.linalg.cholesky(alone + sound), np.eye(len(alone)), lower=True))
+
+
+def check_ambient(response: ArrayResponse, level: float | None) -> None:
+    """Refuse sound that is out of range, or that nobody knows the way of.
+
+    Raises:
+        ValueError: a level outside 0 to 140 dB SPL, or an array without a design.
+    """
+    if level is None:
+        return
+    if not 0 <= level <= 140:
+        raise ValueError(f"ambient = {level} dB SPL must be between 0 and 140, or None for quiet")
+    if response.ambient_response is None:
+        raise ValueError(f"ambient = {level} dB SPL needs a library with a design, which tells how sound comes in")
+
+
+def ambient_covariance(response: ArrayResponse, level: float) -> NDArray[np.float64]:
+    """Covariance of filtered sound from outside, the same pressure on all membranes, pink from 20 Hz.
+
+    Args:
+        response: the array, with its ``ambient_response``.
+        level: dB re 20 uPa, of the sound as :func:`localize.disturbances.ambient_sound` makes it.
+
+    Returns:
+        (n, n) float64, n = n_microphone SAMPLES, microphone by microphone, Pa^2: of rank one at each frequency.
+    """
+    if response.ambient_response is None:
+        raise ValueError("sound needs a library with a design")
+    top = min(float(response.frequency[-1]), SAMPLE_RATE / 2)
+    frequency = np.arange(LOWEST_SOUND, top + 1e-9, INTEGRATION_STEP)
+    power = (REFERENCE * 10 ** (level / 20)) ** 2 / frequency / (1 / frequency).sum()
+    even, odd = interpolation(response.frequency, frequency)
+    h = response.ambient_response.real @ even.T + 1j * (response.ambient_response.imag @ odd.T)
+    turn, gain = _sampled(frequency)
+    return _second_moment(h, np.sqrt(power) * gain, turn)
+
+
 def source_density(frequency: NDArray[np.float64]) -> NDArray[np.float64]:
     """Power density of the touch at power 1, Pa^2/Hz, at frequencies from 1 Hz."""
     return np.where(frequency <= BAND[1], SOURCE_RMS**2 / (BAND[1] - BAND[0]), NOISE**2 / (SAMPLE_RATE / 2))
@@ -94,15 +140,28 @@ def touch_covariances(
     """
     top = min(float(response.frequency[-1]), SAMPLE_RATE / 2)
     frequency = np.arange(BAND[0], top + 1e-9, INTEGRATION_STEP)
-    taps = scipy.signal.firwin(TAPS, CUTOFF, fs=SAMPLE_RATE)
-    _, gain = scipy.signal.freqz(taps, worN=frequency, fs=SAMPLE_RATE)
-    amplitude = np.sqrt(density(frequency) * INTEGRATION_STEP) * np.abs(gain)
-    turn = np.exp(2j * math.pi * frequency[:, None] * (np.arange(SAMPLES) * DECIMATION / SAMPLE_RATE)) @ whiten.T
+    turn, gain = _sampled(frequency)
+    turn = turn @ whiten.T
+    amplitude = np.sqrt(density(frequency) * INTEGRATION_STEP) * gain
     size = len(response.microphones) * SAMPLES
     covariances = np.empty((response.point_count, size, size))
     for point, of_point in enumerate(response.at(frequency)):
-        # A random cosine and a random sine per frequency: C = B^T B is positive semidefinite to the last bit.
-        waves = ((of_point.T * amplitude[:, None])[:, :, None] * turn[:, None, :]).reshape(len(frequency), size)
-        both = np.concatenate([waves.real, waves.imag])
-        covariances[point] = both.T @ both
+        covariances[point] = _second_moment(of_point, amplitude, turn)
     return covariances
+
+
+def _sampled(frequency: NDArray[np.float64]) -> tuple[NDArray[np.complex128], NDArray[np.float64]]:
+    """What the decimated samples see of a wave, (n, SAMPLES), and the gain of the filter, (n,)."""
+    taps = scipy.signal.firwin(TAPS, CUTOFF, fs=SAMPLE_RATE)
+    _, gain = scipy.signal.freqz(taps, worN=frequency, fs=SAMPLE_RATE)
+    time = np.arange(SAMPLES) * DECIMATION / SAMPLE_RATE
+    return np.exp(2j * math.pi * frequency[:, None] * time), np.abs(gain)
+
+
+def _second_moment(
+    h: NDArray[np.complex128], amplitude: NDArray[np.float64], turn: NDArray[np.complex128]
+) -> NDArray[np.float64]:
+    """Of a random cosine and a random sine per frequency: B^T B is positive semidefinite to the last bit."""
+    waves = ((h.T * amplitude[:, None])[:, :, None] * turn[:, None, :]).reshape(len(amplitude), -1)
+    both = np.concatenate([waves.real, waves.imag])
+    return np.asarray(both.T @ both)

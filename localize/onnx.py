@@ -19,7 +19,6 @@ import logging
 import os
 import warnings
 from collections.abc import Mapping
-from dataclasses import fields
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -30,7 +29,7 @@ from torch import Tensor, nn
 
 from acoustic_fem.provenance import versions
 from geometry.whole_file import whole_file
-from localize.bayes import BayesDecoder
+from localize.bayes import TEMPERATURE, BayesDecoder, DecoderTables
 from localize.frames import FRAME, checked_signals, combined_probability, cut_frames
 from localize.localizer import Localizer, LocalizerError
 from localize.stimulus import SAMPLE_RATE
@@ -43,7 +42,7 @@ VERSION = 1
 KEY = "acoustic-fem"
 """Of the JSON text among the metadata of a file."""
 OPSET = 20
-SCORED_AGAIN = 16
+SCORED_AGAIN = 24
 """Points that the model-based decoder's graph scores a second time, in double precision."""
 BATCH = 64
 """Frames that are decoded at once."""
@@ -144,6 +143,20 @@ class _NetworkGraph(nn.Module):
 class DecoderGraph(nn.Module):
     """The likelihood of :class:`localize.BayesDecoder`, all points in single precision, the best few in double."""
 
+    def __init__(self, decoder: BayesDecoder) -> None:
+        super().__init__()
+        self.levels = nn.ModuleList(_LevelGraph(tables) for tables in decoder.tables)
+
+    def forward(self, frames: Tensor) -> tuple[Tensor, Tensor]:
+        """(n, n_microphone, 250) to two of (n, n_point)."""
+        flat = frames.double().flatten(1)
+        score = torch.stack([level(flat) for level in self.levels]).amax(0)
+        return score.softmax(-1).float(), score.log_softmax(-1).float()
+
+
+class _LevelGraph(nn.Module):
+    """The same for one level of the sound around."""
+
     reduce: Tensor
     screen: Tensor
     screen_weight: Tensor
@@ -152,12 +165,13 @@ class DecoderGraph(nn.Module):
     weight: Tensor
     determinant: Tensor
 
-    def __init__(self, decoder: BayesDecoder) -> None:
+    def __init__(self, tables: DecoderTables) -> None:
         super().__init__()
         reduce, vectors, weight, determinant = (
-            torch.from_numpy(getattr(decoder.tables, each.name)) for each in fields(decoder.tables)
+            torch.from_numpy(table) for table in (tables.reduce, tables.vectors, tables.weight, tables.log_determinant)
         )
         self.points, size, self.rank = vectors.shape
+        self.offset = tables.offset
         for name, table in (
             ("reduce", reduce),
             # One matrix for all points: (n_microphone SAMPLES, n_point rank).
@@ -170,9 +184,9 @@ class DecoderGraph(nn.Module):
         ):
             self.register_buffer(name, table)
 
-    def forward(self, frames: Tensor) -> tuple[Tensor, Tensor]:
-        """(n, n_microphone, 250) to two of (n, n_point)."""
-        x = (frames.double() @ self.reduce).flatten(1)
+    def forward(self, frames: Tensor) -> Tensor:
+        """(n, n_microphone 250) to (n, n_point)."""
+        x = frames @ self.reduce
         energy = (x.float() @ self.screen).square().unflatten(1, (self.points, self.rank))
         # (point, n, power): one matrix product per point.
         gain = (energy.transpose(0, 1) @ self.screen_weight).transpose(0, 1)
@@ -182,7 +196,7 @@ class DecoderGraph(nn.Module):
         energy = (x[:, None, None, :] @ self.vectors[best]).square()
         gain = (energy @ self.weight[best]).squeeze(2)
         score = score.scatter(1, best, _vertex(-0.5 * (gain + self.determinant[best])))
-        return score.softmax(-1).float(), score.log_softmax(-1).float()
+        return score + (self.offset - x.square().sum(1, keepdim=True) / (2 * TEMPERATURE))
 
 
 def _vertex(values: Tensor) -> Tensor:

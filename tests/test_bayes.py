@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 import scipy.linalg
+import scipy.special
 import torch
 from rc_line import rc_line
 from threadpoolctl import threadpool_info, threadpool_limits
@@ -185,3 +186,46 @@ def test_the_published_lines_of_36_points_are_decoded_with_and_without_noise_and
     assert localize.evaluate(decoder, array, touches, 1e-3).top1 >= 0.98
     made = localize.TouchGenerator(array, 0, "evaluation", 1e-3, stimuli=taps).samples(0, 8 * array.point_count)
     assert (decoder.locate(made.signals).argmax(1) == made.point.numpy()).mean() >= 0.95
+
+
+@pytest.fixture(scope="module")
+def in_a_room():
+    return response_of(acoustic_fem.solve(geometry.prototype("array-2x6"), np.arange(1.0, 201.0), "lumped"))
+
+
+@pytest.mark.parametrize("level", [None, 60.0, 80.0])
+def test_sound_of_a_room_is_told_from_touches_and_costs_nothing_in_quiet(in_a_room, level):
+    sound = {} if level is None else {"ambient": (level, level)}
+    made = localize.TouchGenerator(in_a_room, 0, "evaluation", 1e-3, **sound).samples(0, 240)
+    point, frames = made.point.numpy(), made.signals[..., -250:]
+    alone, heard = (
+        localize.BayesDecoder(in_a_room, 1e-3, ambient).locate(frames) for ambient in (None, (None, 60.0, 80.0))
+    )
+    right = (heard.argmax(1) == point).mean()
+    assert right > (0.99 if level is None else 0.9)
+    assert abs(heard.max(1).mean() - right) < 0.05
+    assert (alone.argmax(1) == point).mean() < 0.6 or level != 80.0
+
+
+def test_single_precision_leaves_no_trace_in_the_probabilities(in_a_room):
+    decoder = localize.BayesDecoder(in_a_room, 1e-3)
+    (tables,) = decoder.tables
+    frames = localize.TouchGenerator(in_a_room, 1, "evaluation", 1e-3).samples(0, 60).signals[..., -250:].double()
+    for scale in (1e-3, 1.0, 1e3):
+        x = scale * frames.numpy().reshape(60, -1) @ tables.reduce
+        exact = bayes.vertex(-0.5 * ((x @ tables.vectors) ** 2 @ tables.weight + tables.log_determinant[:, None, :]))
+        assert np.abs(decoder.locate(scale * frames) - scipy.special.softmax(exact.T, 1)).max() < 1e-7
+
+
+@pytest.mark.parametrize(
+    ("ambient", "message"),
+    [(200.0, r"ambient = 200\.0 dB SPL must be between 0 and 140"), ((), "ambient is empty")],
+)
+def test_sound_out_of_range_is_refused(in_a_room, ambient, message):
+    with pytest.raises(ValueError, match=message):
+        localize.BayesDecoder(in_a_room, 1e-3, ambient)
+
+
+def test_sound_needs_a_design(array):
+    with pytest.raises(ValueError, match="needs a library with a design"):
+        localize.BayesDecoder(array, 1e-3, 60.0)
