@@ -22,6 +22,8 @@ from localize.array_response import (
     ArrayResponse,
     TransferFunctionSource,
     from_zero,
+    interpolated,
+    interpolated_from_zero,
     interpolation,
     interpolation_from_zero,
     response_of,
@@ -120,14 +122,16 @@ class TouchGenerator:
         self._band = (float(grid[0]), min(float(grid[-1]), stimulus.SAMPLE_RATE / 2))
         self._stop = stimulus.lines_within(self._band).stop
         lines = np.minimum(stimulus.line_frequencies()[: self._stop], self._band[1])
-        self._splines = interpolation_from_zero(grid, lines, response.sealed)
         self._source = source
         self._sensors = range(1)
         if source is None:
-            self._on_lines = self._touched(response.transfer_function)
+            self._on_lines = self._on_lines_of(
+                interpolated_from_zero(response.transfer_function, grid, lines, response.sealed)
+            )
         else:
             self._sensors = range(source.sensor_count) if sensors is None else sensors
             _check_source(source, response, self._sensors)
+            self._splines = interpolation_from_zero(grid, lines, response.sealed)
         if ambient is not None:
             disturbances.check_ambient(ambient)
             self._ambient_on_lines = self._nominal("ambient", response.ambient_response)
@@ -135,23 +139,22 @@ class TouchGenerator:
             vent = self._nominal("mismatch.vent", response.vent_ratio) if mismatch.vent else torch.zeros(self._stop)
             self._vent_on_lines = vent.to(device)
 
-    def _touched(self, values: NDArray[np.complex128]) -> Tensor:
-        """Transfer functions of touches on the stimulus's lines from 0 Hz on, complex64."""
-        return self._on_all_lines(from_zero(values, self.response.sealed), self._splines)
+    def _on_lines_of(self, values: NDArray[np.complex128]) -> Tensor:
+        return torch.from_numpy(values.astype(np.complex64)).to(self.device)
 
-    def _on_all_lines(
-        self, values: NDArray[np.complex128], splines: tuple[NDArray[np.float64], NDArray[np.float64]]
-    ) -> Tensor:
-        even, odd = splines
-        on_lines = values.real @ even.T + 1j * (values.imag @ odd.T)
-        return torch.from_numpy(on_lines.astype(np.complex64)).to(self.device)
+    def _touched(self, values: NDArray[np.complex128]) -> Tensor:
+        """Transfer functions of the source on the stimulus's lines from 0 Hz on, complex64."""
+        even, odd = self._splines
+        known = from_zero(values, self.response.sealed)
+        return self._on_lines_of(known.real @ even.T + 1j * (known.imag @ odd.T))
 
     def _nominal(self, name: str, values: NDArray[np.complex128] | None) -> Tensor:
         """A response of the nominal array on the lines."""
         if values is None:
             raise ValueError(f"{name} needs a library with a design: bare transfer functions do not tell what it does")
-        lines = np.clip(stimulus.line_frequencies()[: self._stop], None, self.response.frequency[-1])
-        return self._on_all_lines(values, interpolation(self.response.frequency, lines))
+        grid = self.response.frequency
+        lines = np.clip(stimulus.line_frequencies()[: self._stop], None, grid[-1])
+        return self._on_lines_of(interpolated(values, grid, lines))
 
     def _transfer_function(self, start: int, count: int) -> Tensor:
         """(count, n_microphone, n_line) of consecutive samples."""

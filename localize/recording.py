@@ -206,10 +206,17 @@ def _read_npz(path: Path, microphones: tuple[str, ...]) -> tuple[NDArray[np.floa
     try:
         with np.load(path, allow_pickle=False) as content:
             arrays = {name: np.asarray(content[name]) for name in content.files}
-        rate = float(arrays.get("sample_rate", np.float64(SAMPLE_RATE)))
-        samples = arrays["signals"].astype(np.float64)
+        samples, rates = arrays["signals"], arrays.get("sample_rate", np.float64(SAMPLE_RATE))
+        if rates.size != 1:
+            raise RecordingError(f"{path}: sample_rate has {rates.size} values, must be one number, Hz")
+        for name, values in (("signals", samples), ("sample_rate", rates)):
+            if np.iscomplexobj(values):
+                raise RecordingError(f"{path}: {name} holds complex numbers, must hold real ones")
+        rate, samples = float(rates.item()), samples.astype(np.float64)
     except KeyError:
         raise RecordingError(f"{path}: has no array 'signals', but {', '.join(arrays) or 'none'}") from None
+    except RecordingError:
+        raise
     except (zipfile.BadZipFile, EOFError, TypeError, ValueError) as error:
         raise RecordingError(f"{path}: cut short or not an NPZ file of numbers: {error}") from None
     return samples, rate, None

@@ -28,10 +28,18 @@ LEAST_SILENCE = 1e-6
 """Pa rms: the threshold where no noise is assumed."""
 LARGEST_PRESSURE = 1e6
 """Pa: a larger value is no pressure; ten atmospheres."""
+DEAD = 0.02
+"""A channel is dead where its level is below this share of a microphone's noise: its converter may still toggle."""
+RESTART = 1000
+"""Samples: a larger step back in their numbers is a device that was started anew; a smaller one repeats."""
+AGAIN = 500
+"""Samples: a fault that returns sooner still lasts."""
+LARGEST_NUMBER = 2**53
+"""Of a sample; its time is exact below."""
 _SPARE = 64 * HOP
 """Samples of the ring buffer beyond those that are needed, so that it is moved seldom."""
 
-FaultKind = Literal["samples lost", "samples repeated", "not finite", "clipped", "dead channel"]
+FaultKind = Literal["samples lost", "samples repeated", "restarted", "not finite", "clipped", "dead channel"]
 
 
 class StreamLocator(Protocol):
@@ -56,7 +64,7 @@ class Decision:
     time: float
     """s, of the end of the frame; the stream's sample 0 is at 0."""
     state: Literal["touch", "no touch", "unreadable"]
-    """Unreadable: a channel is clipped or dead."""
+    """Unreadable: a channel is clipped or dead, or was not finite within the last 250 samples."""
     level: float
     """Pa rms about the mean, of the loudest microphone."""
     point: int | None = None
@@ -89,7 +97,7 @@ class Fault:
     channel: str | None = None
     """Name of the microphone; None where it is all of them."""
     samples: int | None = None
-    """How many were lost or repeated."""
+    """How many were lost, or repeated in this chunk."""
 
     def json_line(self) -> str:
         """One line of JSON."""
@@ -138,7 +146,8 @@ class TouchStream:
         self._history = max(FRAME, 0 if reconstructor is None else reconstructor.window + HOP - 1)
         self._buffer = np.empty((len(self._microphones), self._history + _SPARE))
         self._next: int | None = None  # number of the sample that is due
-        self._bad: set[tuple[FaultKind, int]] = set()  # what has been reported and still lasts
+        self._repeated_to: int | None = None  # where repeated samples so far end
+        self._bad: dict[tuple[FaultKind, int], int] = {}  # number of the sample up to which a reported fault was seen
         self._restart()
 
     def push(self, chunk: ArrayLike, first: int | None = None) -> list[Decision | Fault]:
@@ -147,14 +156,22 @@ class TouchStream:
         Args:
             chunk: (n_microphone, n) Pa at 1 kHz, any n.
             first: number of the chunk's first sample in the stream. By default it follows the chunk before; a larger
-                number means that samples are lost, a smaller one that they are repeated, and those are left out.
+                number means that samples are lost, a smaller one that they are repeated, and those are left out; one
+                that is smaller by more than a second, that the device counts anew.
 
         Returns:
             Decisions and faults in the order in which they came about.
 
         Raises:
-            ValueError: a chunk of another shape; nothing has been taken then.
+            ValueError: a chunk of another shape or of complex numbers, or ``first`` is no whole number from 0 to 2^53;
+                nothing has been taken then.
         """
+        if first is not None and (
+            isinstance(first, bool) or not isinstance(first, (int, np.integer)) or not 0 <= first <= LARGEST_NUMBER
+        ):
+            raise ValueError(f"first = {first!r} must be a whole number from 0 to 2^53")
+        if np.iscomplexobj(chunk):
+            raise ValueError("chunk holds complex numbers, must hold pressures in Pa")
         samples = np.asarray(chunk, np.float64)
         if samples.ndim != 2 or len(samples) != len(self._microphones):
             raise ValueError(
@@ -162,15 +179,23 @@ class TouchStream:
                 f"{', '.join(self._microphones)}"
             )
         events: list[Decision | Fault] = []
+        first = None if first is None else int(first)
         due = self._next if self._next is not None else first or 0
         lost = 0 if first is None else first - due
-        if lost > 0:
+        if first is not None and lost < -RESTART:
+            events.append(Fault(first / SAMPLE_RATE, "restarted"))
+            due = first
+            self._bad = {}
+            self._restart()
+        elif lost > 0:
             events.append(Fault(due / SAMPLE_RATE, "samples lost", samples=lost))
             due += lost
             self._restart()
-        elif lost < 0:
+        elif first is not None and lost < 0:
             repeated = min(-lost, samples.shape[1])
-            events.append(Fault((due + lost) / SAMPLE_RATE, "samples repeated", samples=repeated))
+            if repeated and first != self._repeated_to:
+                events.append(Fault(first / SAMPLE_RATE, "samples repeated", samples=repeated))
+            self._repeated_to = first + repeated
             samples = samples[:, repeated:]
         self._next = due
         for good, run in _runs(np.abs(samples) < LARGEST_PRESSURE, samples):
@@ -180,20 +205,23 @@ class TouchStream:
                 self._skip(run, good, events)
         return events
 
-    def _restart(self) -> None:
-        """Forget the samples so far: a frame never spans a gap."""
+    def _restart(self, tell: bool = False) -> None:
+        """Forget the samples so far: a frame never spans a gap.
+
+        Decisions begin with the first whole frame, or, to tell that there is none, at once.
+        """
         self._end = 0
-        self._due = FRAME
+        self._due = FRAME % HOP if tell else FRAME
 
     def _skip(self, run: NDArray[np.float64], good: NDArray[np.bool_], events: list[Decision | Fault]) -> None:
         """A run of samples in which the same channels hold no pressure."""
         for channel in range(len(good)):
-            self._tell("not finite", channel, not good[channel], self._time, events)
-        self._restart()
+            if not good[channel]:
+                self._tell("not finite", channel, self._number + run.shape[1], events)
+        self._restart(tell=True)
         self._next = self._number + run.shape[1]
 
     def _listen(self, run: NDArray[np.float64], events: list[Decision | Fault]) -> None:
-        self._bad = {(kind, channel) for kind, channel in self._bad if kind != "not finite"}
         taken = 0
         while taken < run.shape[1]:
             count = min(self._due, run.shape[1] - taken)
@@ -208,18 +236,25 @@ class TouchStream:
             self._next = self._number + count
             if self._due == 0:
                 self._due = HOP
-                self._judge(self._buffer[:, self._end - FRAME : self._end], events)
+                if self._end < FRAME:
+                    level = float(self._buffer[:, : self._end].std(1).max())
+                    events.append(Decision(self._time, "unreadable", level))
+                else:
+                    self._judge(self._buffer[:, self._end - FRAME : self._end], events)
 
     def _judge(self, frame: NDArray[np.float64], events: list[Decision | Fault]) -> None:
         highest, lowest = frame.max(1), frame.min(1)
-        dead = highest == lowest
+        deviation = frame.std(1)
+        dead = (highest == lowest) | (deviation < DEAD * self.locator.noise_rms)
         clipped = np.maximum(highest, -lowest) >= (np.inf if self.limit is None else self.limit)
         unreadable = bool((dead | clipped).any())
-        if unreadable or self._bad:
+        if unreadable:
             for channel in range(len(frame)):
-                self._tell("dead channel", channel, bool(dead[channel]), self._time, events)
-                self._tell("clipped", channel, bool(clipped[channel]), self._time, events)
-        level = float(frame.std(1).max())
+                if dead[channel]:
+                    self._tell("dead channel", channel, self._number, events)
+                if clipped[channel]:
+                    self._tell("clipped", channel, self._number, events)
+        level = float(deviation.max())
         if unreadable:
             events.append(Decision(self._time, "unreadable", level))
         elif level <= self.silence:
@@ -240,13 +275,12 @@ class TouchStream:
         windows = np.lib.stride_tricks.sliding_window_view(newest, self.reconstructor.window, axis=1)
         return tuple(np.einsum("mhk,mk->h", windows, taps[:, ::-1]).tolist())
 
-    def _tell(self, kind: FaultKind, channel: int, is_bad: bool, time: float, events: list[Decision | Fault]) -> None:
-        """Report a fault when it begins, not while it lasts."""
-        if is_bad and (kind, channel) not in self._bad:
-            self._bad.add((kind, channel))
-            events.append(Fault(time, kind, self._microphones[channel]))
-        elif not is_bad:
-            self._bad.discard((kind, channel))
+    def _tell(self, kind: FaultKind, channel: int, until: int, events: list[Decision | Fault]) -> None:
+        """Report a fault when it begins, not while it lasts or soon returns."""
+        seen = self._bad.get((kind, channel))
+        if seen is None or self._number - seen > AGAIN:
+            events.append(Fault(self._time, kind, self._microphones[channel]))
+        self._bad[kind, channel] = until
 
     @property
     def _number(self) -> int:

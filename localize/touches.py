@@ -68,7 +68,8 @@ def touches_of(events: Iterable[Decision | Fault], array: Array) -> list[Touch]:
     contacts: list[list[Decision]] = []
     for event in events:
         if isinstance(event, Decision) and event.state == "touch":
-            if not contacts or event.time - contacts[-1][-1].time > PAUSE + HOP / SAMPLE_RATE:
+            # Time steps back where a device counts anew.
+            if not contacts or not 0 < event.time - contacts[-1][-1].time <= PAUSE + HOP / SAMPLE_RATE:
                 contacts.append([])
             contacts[-1].append(event)
     listener = TouchFilter(array.line, array.place, STAY, JUMP)

@@ -32,6 +32,14 @@ def train(
     noise: Noise = None,
     seed: Annotated[int, typer.Option(help="Of the touches and the network.")] = 0,
     network: Annotated[str, typer.Option(help="patches, stride-2, or paper: ever larger and slower.")] = "patches",
+    stimuli: Annotated[
+        list[str] | None,
+        typer.Option(
+            help="What touches are made of: multi-sines, taps, friction or pulse-wave; again for a mixture. A network "
+            "names only what it was trained on.",
+            show_default="multi-sines",
+        ),
+    ] = None,
 ) -> None:
     """Train a localizer on touches made from a library.
 
@@ -51,10 +59,20 @@ def train(
     from studies.training_files import TOUCHES, write_training_files
 
     with named(
-        time_limit="--seconds", epochs="--epochs", microphone_noise="--noise", seed="--seed", network="--network"
+        time_limit="--seconds",
+        epochs="--epochs",
+        microphone_noise="--noise",
+        seed="--seed",
+        network="--network",
+        stimuli="--stimuli",
     ):
         plan = TrainingPlan(
-            time_limit=seconds, epochs=epochs, microphone_noise=noise_choice(noise), seed=seed, network=network
+            time_limit=seconds,
+            epochs=epochs,
+            microphone_noise=noise_choice(noise),
+            seed=seed,
+            network=network,
+            stimuli=tuple(stimuli) if stimuli else TrainingPlan.stimuli,
         )
     loaded = response_of(acoustic_fem.load(library))
     out.mkdir(parents=True, exist_ok=True)

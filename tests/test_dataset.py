@@ -12,6 +12,7 @@ import acoustic_fem
 import geometry
 import localize
 from localize import ArrayResponse, TouchGenerator, stimulus
+from localize.array_response import from_zero, interpolated_from_zero, interpolation_from_zero
 from localize.dataset import microphone_signals, response_of
 from localize.noise import input_density, microphone_noise
 
@@ -56,6 +57,16 @@ def test_interpolation_is_exact_on_the_grid_and_good_to_1e_5_between_64_frequenc
     assert np.abs(coarse.at(coarse.frequency) - coarse.transfer_function).max() < 1e-14
     fine = np.arange(1.0, 100.01, 0.25)
     assert np.abs(coarse.at(fine) - rc_line(12, fine).transfer_function).max() < 1e-5
+
+
+@pytest.mark.parametrize("sealed", [True, False])
+def test_a_spline_through_values_is_the_one_of_the_matrices(sealed):
+    grid, lines = np.linspace(0.7, 120.0, 40), np.linspace(0.0, 120.0, 333)
+    values = rc_line(3, grid).transfer_function
+    even, odd = interpolation_from_zero(grid, lines, sealed)
+    known = from_zero(values, sealed)
+    expected = known.real @ even.T + 1j * (known.imag @ odd.T)
+    assert np.abs(interpolated_from_zero(values, grid, lines, sealed) - expected).max() < 1e-12
 
 
 def test_touches_go_round_the_points_and_can_be_made_again_alone():

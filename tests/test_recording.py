@@ -147,6 +147,12 @@ def test_a_file_without_the_array_signals_is_refused_and_objects_are_never_loade
     np.savez(tmp_path / "a.npz", other=np.zeros(3))
     with pytest.raises(RecordingError, match="has no array 'signals', but other"):
         read_recording(tmp_path / "a.npz", NAMES)
+    np.savez(tmp_path / "c.npz", signals=tones(1000) + 1j)
+    with pytest.raises(RecordingError, match=r"c\.npz: signals holds complex numbers, must hold real ones"):
+        read_recording(tmp_path / "c.npz", NAMES)
+    np.savez(tmp_path / "d.npz", signals=tones(1000), sample_rate=[1000.0, 1000.0])
+    with pytest.raises(RecordingError, match=r"d\.npz: sample_rate has 2 values, must be one number, Hz"):
+        read_recording(tmp_path / "d.npz", NAMES)
     np.savez(tmp_path / "b.npz", signals=np.array([{}, {}]))
     with pytest.raises(RecordingError, match="not an NPZ file of numbers"):
         read_recording(tmp_path / "b.npz", NAMES)

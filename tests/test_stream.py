@@ -155,7 +155,9 @@ def test_values_that_are_no_pressure_are_told_once_and_kept_out_of_every_frame(d
     samples[1, 1000:1005] = value
     events = TouchStream(decoder).push(samples)
     assert [event for event in events if isinstance(event, Fault)] == [Fault(1.0, "not finite", "right")]
-    times = [event.time for event in events if isinstance(event, Decision)]
+    decisions = [event for event in events if isinstance(event, Decision)]
+    assert {event.state for event in decisions if 1.005 < event.time < 1.254} == {"unreadable"}
+    times = [event.time for event in decisions if event.state != "unreadable"]
     assert not [time for time in times if 1.0 < time < 1.254]
     assert 1.255 in [round(time, 6) for time in times]
 
@@ -179,6 +181,60 @@ def test_a_fault_that_returns_is_told_again(decoder, signals):
     samples[0, [300, 900]] = np.nan
     events = TouchStream(decoder).push(samples)
     assert [event.time for event in events if isinstance(event, Fault)] == [0.3, 0.9]
+
+
+def test_a_value_that_is_lost_again_and_again_is_told_once_and_its_frames_are_unreadable(decoder, signals):
+    samples = signals[0][:, :3000].copy()
+    samples[0, 100::200] = np.nan
+    events = TouchStream(decoder).push(samples)
+    assert [event for event in events if isinstance(event, Fault)] == [Fault(0.1, "not finite", "left")]
+    decisions = [event for event in events if isinstance(event, Decision)]
+    assert {event.state for event in decisions} == {"unreadable"}
+    assert len(decisions) > 150
+    assert all(np.isfinite(json.loads(event.json_line())["level"]) for event in decisions)
+
+
+def test_a_microphone_that_only_toggles_by_a_bit_is_dead(decoder, signals):
+    samples = signals[0][:, :3000].copy()
+    samples[1] = 1e-3 * NOISE * np.random.default_rng(0).integers(0, 2, 3000)
+    events = TouchStream(decoder).push(samples)
+    assert [event for event in events if isinstance(event, Fault)] == [Fault(0.25, "dead channel", "right")]
+    assert {event.state for event in events if isinstance(event, Decision)} == {"unreadable"}
+
+
+def test_a_device_that_counts_anew_is_listened_to_from_there(decoder, signals):
+    samples = signals[0]
+    stream = TouchStream(decoder)
+    before = stream.push(samples[:, :2000], 5000)
+    after = [event for a in range(0, 3000, 100) for event in stream.push(samples[:, a : a + 100], a)]
+    assert after[0] == Fault(0.0, "restarted")
+    assert after[1:] == TouchStream(decoder).push(samples[:, :3000], 0)
+    touches = localize.touches_of(before + after, decoder)
+    assert all(touch.start <= touch.end for touch in touches)
+    assert len(touches) == 2
+
+
+def test_a_device_that_goes_back_a_little_is_told_once(decoder, signals):
+    samples = signals[0]
+    stream = TouchStream(decoder)
+    events = [
+        event
+        for a in (*range(0, 1000, 100), *range(400, 2000, 100))
+        for event in stream.push(samples[:, a : a + 100], a)
+    ]
+    assert [event for event in events if isinstance(event, Fault)] == [Fault(0.4, "samples repeated", samples=100)]
+    assert [event for event in events if isinstance(event, Decision)] == TouchStream(decoder).push(samples[:, :2000])
+
+
+@pytest.mark.parametrize("first", [1.5, "3", -1, 2**70, True])
+def test_a_number_of_a_sample_that_is_none_is_refused_before_anything_is_taken(decoder, signals, first):
+    stream = TouchStream(decoder)
+    stream.push(signals[0][:, :300])
+    with pytest.raises(ValueError, match=r"first = .* must be a whole number from 0 to 2\^53"):
+        stream.push(signals[0][:, 300:400], first)
+    with pytest.raises(ValueError, match="chunk holds complex numbers"):
+        stream.push(signals[0][:, 300:400] + 0j)
+    assert stream.push(signals[0][:, 300:400], 300) == TouchStream(decoder).push(signals[0][:, :400])[4:]
 
 
 def test_events_are_lines_of_json(decoder, signals):
