@@ -16,6 +16,7 @@ import typer
 
 from studies import (
     cli_bending,
+    cli_calibrate,
     cli_design,
     cli_localizer,
     cli_optimize,
@@ -45,6 +46,7 @@ VERBS = (
     cli_wiring.wiring,
     cli_design.solve,
     cli_design.parts,
+    cli_calibrate.calibrate,
     cli_localizer.train,
     cli_localizer.evaluate,
     cli_design.run,
