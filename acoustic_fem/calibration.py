@@ -126,13 +126,23 @@ def calibrate(manifest: Manifest, model: Library, progress: Callable[[str, float
     _check_model(model, manifest, frequency)
     report = progress or (lambda message, fraction: None)
     expected = model.transfer_function.transpose("point", "microphone", "frequency").values
-    estimates, findings = {}, []
+    estimates: dict[int, TransferEstimate] = {}
+    findings: list[Finding] = []
     heard: dict[str, int] = {}
     for done, number in enumerate(sorted(manifest.points)):
         report(f"point {number}", done / len(manifest.points))
         try:
-            estimates[number], notes = _point(manifest, number, expected, frequency, heard)
+            estimate, notes, digest = _point(manifest, number, expected, frequency)
             findings += [Finding(number, note, excluded=False) for note in notes]
+            if digest in heard:  # which of the two it is of, nobody knows
+                same = heard[digest]
+                estimates.pop(same, None)
+                findings += [
+                    Finding(one, f"is the same recording as that of point {other}", excluded=True)
+                    for one, other in ((same, number), (number, same))
+                ]
+            else:
+                estimates[number], heard[digest] = estimate, number
         except (RecordingFault, SoundFileError) as error:
             findings.append(Finding(number, str(error), excluded=True))
     report("done", 1.0)
@@ -143,9 +153,9 @@ def calibrate(manifest: Manifest, model: Library, progress: Callable[[str, float
 
 
 def _point(
-    manifest: Manifest, number: int, expected: NDArray[np.complex128], frequency: Array, heard: dict[str, int]
-) -> tuple[TransferEstimate, tuple[str, ...]]:
-    """Estimate and notes of a point.
+    manifest: Manifest, number: int, expected: NDArray[np.complex128], frequency: Array
+) -> tuple[TransferEstimate, tuple[str, ...], str]:
+    """Estimate and notes of a point, and a hash of its signals.
 
     Raises:
         RecordingFault: or SoundFileError, with the reason.
@@ -155,9 +165,6 @@ def _point(
     samples = min(len(values) for values in channels.values())
     signals = np.stack([manifest.pascals[name] * values[:samples] for name, values in channels.items()])
     digest = hashlib.sha256(signals.tobytes()).hexdigest()
-    if digest in heard:
-        raise RecordingFault(f"is the same recording as that of point {heard[digest]}")
-    heard[digest] = number
     signals, notes = _without_hum(signals, rate)
     late = np.array([manifest.started_late[name] for name in channels])
     turn = np.exp(-2j * np.pi * frequency * (late[1:] - late[0])[:, None])
@@ -177,7 +184,7 @@ def _point(
     weak = [name for name, row in zip(microphones, whole.coherence, strict=True) if np.median(row) < 0.5]
     if weak:
         notes += (f"coherence of microphone {', '.join(weak)} is below 0.5 at half of the frequencies",)
-    return whole, notes
+    return whole, notes, digest
 
 
 def read_point(manifest: Manifest, number: int) -> tuple[dict[str, Array], float, dict[str, float | None]]:

@@ -25,6 +25,8 @@ LEAST_LEVELS = 32
 MISFIT = 6.0
 #: The other explanation must miss by less than this share of it.
 BETTER = 0.4
+#: Coherence at the quarter of frequencies with the largest transfer function, below which a microphone is deaf.
+DEAF = 0.2
 #: Largest delay between two recorders that goes without saying, s; and the largest change of it in a recording.
 DELAY, DRIFT = 2e-3, 5e-4
 #: Largest change of level in a recording, dB.
@@ -86,33 +88,33 @@ def check_estimate(
     Raises:
         RecordingFault: says which.
     """
-    median = np.median(estimate.coherence, axis=1)
-    best = int(np.argmax(np.where(np.isfinite(median), median, -1)))
-    if not median[best] >= least_coherence:
+    median = np.median(np.nan_to_num(estimate.coherence), axis=1)
+    best = int(np.argmax(median))
+    if halves is not None:
+        _check_halves(halves, best, frequency, microphones[best])
+    if median[best] < least_coherence:
         raise RecordingFault(
             f"coherence of microphone {microphones[best]}, the best, is {median[best]:.2f} (median over frequency); it "
             f"must be at least {least_coherence:g}: not driven, too much noise, or not recorded together"
         )
-    for name, value in zip(microphones, median, strict=True):
-        if not value >= 0.01:
-            raise RecordingFault(f"microphone {name} has nothing in common with the reference: coherence {value:.3f}")
-    if halves is None:
-        return
+
+
+def _check_halves(halves: tuple[TransferEstimate, TransferEstimate], best: int, frequency: Array, name: str) -> None:
     first, second = (half.transfer_function[best] for half in halves)
     weight = np.minimum(halves[0].coherence[best], halves[1].coherence[best]) > 0.9
     if weight.sum() < len(frequency) / 4:
-        return  # a single slow sweep: each half heard other frequencies
+        return  # a single slow sweep, of which each half holds other frequencies, or no signal at all
     change = 20 * np.log10(np.median(np.abs(second[weight] / first[weight])))
     if abs(change) > LEVEL_CHANGE:
         raise RecordingFault(
-            f"level of microphone {microphones[best]} against the reference changes by {change:.1f} dB from the "
-            f"first half to the second"
+            f"level of microphone {name} against the reference changes by {change:.1f} dB from the first half to the "
+            "second"
         )
     drift = common_delay(second[None, weight], first[None, weight], frequency[weight])
     if abs(drift) > DRIFT:
         raise RecordingFault(
-            f"microphone {microphones[best]} and the reference drift apart by {1e3 * drift:.1f} ms from the first half "
-            "to the second: their recorders' clocks differ"
+            f"microphone {name} and the reference drift apart by {1e3 * drift:.1f} ms from the first half to the "
+            "second: their recorders' clocks differ"
         )
 
 
@@ -132,10 +134,23 @@ def check_against_model(
         What should be known, though the recording can be used.
 
     Raises:
-        RecordingFault: channels that look exchanged, a recording that looks like that of another point, or a polarity
-            that is reversed.
+        RecordingFault: a microphone that follows nothing, channels that look exchanged, a recording that looks like
+            that of another point, or a polarity that is reversed.
     """
     measured = estimate.transfer_function
+    for name, row, expected in zip(microphones, estimate.coherence, np.abs(model[point]), strict=True):
+        loudest = row[expected >= np.quantile(expected, 0.75)]
+        if np.median(np.nan_to_num(loudest)) < DEAF:
+            raise RecordingFault(
+                f"microphone {name} has nothing in common with the reference: coherence {np.median(loudest):.2f} where "
+                "the design hears most"
+            )
+    known = estimate.deviation < 0.3 * np.abs(measured)
+    misfit = _misfit(measured, model[point], known)
+    if misfit > MISFIT:
+        for text, changed, other in _explanations(measured, model, point, microphones):
+            if _misfit(changed, other, known) < BETTER * misfit:
+                raise RecordingFault(f"is {misfit:.0f} dB off the design; {text} would explain it")
     low = frequency <= max(10.0, float(frequency[0]))
     turned = (measured * model[point].conj())[:, low].sum(1).real < 0
     if turned.any() and not turned.all():
@@ -143,12 +158,6 @@ def check_against_model(
         raise RecordingFault(f"polarity of microphone {names} is reversed against the others")
     if turned.all():
         raise RecordingFault("polarity of the reference is reversed against all microphones")
-    known = estimate.deviation < 0.3 * np.abs(measured)
-    misfit = _misfit(measured, model[point], known)
-    if misfit > MISFIT:
-        for text, changed, other in _explanations(measured, model, point, microphones):
-            if _misfit(changed, other, known) < BETTER * misfit:
-                raise RecordingFault(f"is {misfit:.0f} dB off the design; {text} would explain it")
     notes = []
     if misfit > MISFIT:
         notes.append(f"is {misfit:.0f} dB off the design: another sensitivity, or a sensor far from it")
