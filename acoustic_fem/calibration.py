@@ -180,7 +180,7 @@ def _point(
         halves = estimated(slice(middle)), estimated(slice(middle, None))
     microphones = tuple(manifest.design.microphones)
     check_estimate(whole, halves, frequency, microphones, manifest.least_coherence)
-    notes += check_against_model(whole, expected, number - 1, frequency, microphones)
+    notes += check_against_model(whole, expected, number - 1, frequency, microphones, tuple(manifest.pascals.values()))
     weak = [name for name, row in zip(microphones, whole.coherence, strict=True) if np.median(row) < 0.5]
     if weak:
         notes += (f"coherence of microphone {', '.join(weak)} is below 0.5 at half of the frequencies",)

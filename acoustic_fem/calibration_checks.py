@@ -119,7 +119,12 @@ def _check_halves(halves: tuple[TransferEstimate, TransferEstimate], best: int, 
 
 
 def check_against_model(
-    estimate: TransferEstimate, model: Complex, point: int, frequency: Array, microphones: tuple[str, ...]
+    estimate: TransferEstimate,
+    model: Complex,
+    point: int,
+    frequency: Array,
+    microphones: tuple[str, ...],
+    pascals: tuple[float, ...],
 ) -> tuple[str, ...]:
     """Compare a recording with the transfer functions of the design.
 
@@ -129,6 +134,7 @@ def check_against_model(
         point: index of the point, from 0.
         frequency: (n_freq,) Hz.
         microphones: their names.
+        pascals: of one unit of the reference and of each microphone, by which exchanged channels were scaled too.
 
     Returns:
         What should be known, though the recording can be used.
@@ -148,7 +154,7 @@ def check_against_model(
     known = estimate.deviation < 0.3 * np.abs(measured)
     misfit = _misfit(measured, model[point], known)
     if misfit > MISFIT:
-        for text, changed, other in _explanations(measured, model, point, microphones):
+        for text, changed, other in _explanations(measured, model, point, microphones, pascals):
             if _misfit(changed, other, known) < BETTER * misfit:
                 raise RecordingFault(f"is {misfit:.0f} dB off the design; {text} would explain it")
     low = frequency <= max(10.0, float(frequency[0]))
@@ -192,16 +198,17 @@ def _misfit(measured: Complex, model: Complex, known: NDArray[np.bool_]) -> floa
 
 
 def _explanations(
-    measured: Complex, model: Complex, point: int, microphones: tuple[str, ...]
+    measured: Complex, model: Complex, point: int, microphones: tuple[str, ...], pascals: tuple[float, ...]
 ) -> Iterator[tuple[str, Complex, Complex]]:
     """Texts with the measured values they would change, and those to compare with."""
+    of_reference, *scale = pascals
     for a, b in combinations(range(len(microphones)), 2):
-        order = list(range(len(microphones)))
-        order[a], order[b] = b, a
-        yield f"channels {microphones[a]} and {microphones[b]} exchanged", measured[order], model[point]
+        changed = measured.copy()
+        changed[a], changed[b] = measured[b] * scale[a] / scale[b], measured[a] * scale[b] / scale[a]
+        yield f"channels {microphones[a]} and {microphones[b]} exchanged", changed, model[point]
     for k, name in enumerate(microphones):
-        changed = measured / measured[k]
-        changed[k] = 1 / measured[k]
+        changed = measured / measured[k] * scale[k] / of_reference
+        changed[k] = (scale[k] / of_reference) ** 2 / measured[k]
         yield f"channels {REFERENCE} and {name} exchanged", changed, model[point]
     for other in range(len(model)):
         if other != point:
