@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+from collections.abc import Iterable
 from dataclasses import asdict, fields
 from pathlib import Path
 from typing import Any
@@ -23,9 +24,9 @@ from geometry.whole_file import whole_file
 _TITLE = "acoustic-fem library"
 _LAYOUT_VERSION = 1
 #: Text attributes that every library carries, and its coordinates.
-_ATTRIBUTES = ("fidelity", "design_toml", "medium", "provenance")
+ATTRIBUTES = ("fidelity", "design_toml", "medium", "provenance")
 _DEVIATION = "transfer_function_deviation"
-_COORDINATES = ("point", "line", "place", "microphone", "frequency")
+COORDINATES = ("point", "line", "place", "microphone", "frequency")
 
 
 class LibraryError(ValueError):
@@ -43,8 +44,18 @@ def save(library: Library, path: str | os.PathLike[str]) -> None:
         LibraryError: the file cannot be written.
     """
     path = Path(path)
+    dataset = dataset_of(library, (*VARIABLES, "force_response"))
+    try:
+        with whole_file(path) as beside:
+            dataset.to_netcdf(beside, engine="netcdf4", format="NETCDF4")
+    except OSError as error:
+        raise LibraryError(f"{path}: cannot be written: {error.strerror or error}") from None
+
+
+def dataset_of(library: Library, names: Iterable[str] = tuple(VARIABLES)) -> xr.Dataset:
+    """A library as real variables and text attributes, as files hold it; :func:`library_of` is the way back."""
     variables = {}
-    for name in (*VARIABLES, "force_response"):
+    for name in names:
         array = getattr(library, name)
         if array is None and name in OPTIONAL:
             continue
@@ -53,7 +64,7 @@ def save(library: Library, path: str | os.PathLike[str]) -> None:
             variables[f"{name}_{part}"] = values.assign_attrs(attributes)
     if library.transfer_function_deviation is not None:
         variables[_DEVIATION] = library.transfer_function_deviation
-    dataset = xr.Dataset(
+    return xr.Dataset(
         variables,
         attrs={
             "Conventions": "CF-1.11",
@@ -66,11 +77,6 @@ def save(library: Library, path: str | os.PathLike[str]) -> None:
             "provenance": json.dumps(dict(library.provenance)),
         },
     )
-    try:
-        with whole_file(path) as beside:
-            dataset.to_netcdf(beside, engine="netcdf4", format="NETCDF4")
-    except OSError as error:
-        raise LibraryError(f"{path}: cannot be written: {error.strerror or error}") from None
 
 
 def load(path: str | os.PathLike[str]) -> Library:
@@ -96,12 +102,12 @@ def load(path: str | os.PathLike[str]) -> Library:
         found = dataset.attrs.get("layout_version")
         raise LibraryError(f"{path}: layout_version = {found} must be {_LAYOUT_VERSION}")
     try:
-        return _library(dataset)
+        return library_of(dataset)
     except ValueError as error:
         raise LibraryError(f"{path}: {_one_line(error)}") from None
 
 
-def _library(dataset: xr.Dataset) -> Library:
+def library_of(dataset: xr.Dataset) -> Library:
     """The library in a data set.
 
     Raises:
@@ -110,11 +116,11 @@ def _library(dataset: xr.Dataset) -> Library:
     absent = {name for name in OPTIONAL if f"{name}_real" not in dataset and f"{name}_imag" not in dataset}
     present = [name for name in VARIABLES if name not in absent]
     missing = [f"{name}_{part}" for name in present for part in ("real", "imag")]
-    missing = [name for name in (*missing, *_COORDINATES) if name not in dataset.variables]
-    missing += [name for name in _ATTRIBUTES if name not in dataset.attrs]
+    missing = [name for name in (*missing, *COORDINATES) if name not in dataset.variables]
+    missing += [name for name in ATTRIBUTES if name not in dataset.attrs]
     if missing:
         raise ValueError(f"is no complete library, {missing[0]} is missing")
-    for name in _ATTRIBUTES:
+    for name in ATTRIBUTES:
         if not isinstance(dataset.attrs[name], str):
             raise ValueError(f"attribute {name} must be a text")
     fidelity = dataset.attrs["fidelity"]

@@ -17,6 +17,7 @@ import typer
 from studies import (
     cli_bending,
     cli_calibrate,
+    cli_convert,
     cli_design,
     cli_localizer,
     cli_optimize,
@@ -47,6 +48,7 @@ VERBS = (
     cli_design.solve,
     cli_design.parts,
     cli_calibrate.calibrate,
+    cli_convert.convert,
     cli_localizer.train,
     cli_localizer.evaluate,
     cli_design.run,
