@@ -20,6 +20,7 @@ from acoustic_fem.calibration_checks import (
 )
 from acoustic_fem.calibration_manifest import REFERENCE, Manifest
 from acoustic_fem.library import MEASURED, Library, labelled
+from acoustic_fem.model_updating import Update
 from acoustic_fem.provenance import versions
 from acoustic_fem.sound_file import Sound, SoundFileError, read_sound
 from acoustic_fem.transfer_estimate import TransferEstimate, transfer_estimate
@@ -61,9 +62,11 @@ class Calibration:
     """By number of the point, in ascending order; of good recordings only."""
     findings: tuple[Finding, ...]
 
-    def library(self, model: Library, model_deviation: Array) -> Library:
-        """A library like any other: measured at the points with a good recording, of a model at the others.
+    def library(self, model: Library, model_deviation: Array, fit: Update | None = None) -> Library:
+        """A library like any other: what was measured, and what is known in other ways where it was not.
 
+        Without a fit, points without a good recording are those of the model. With one they are the fitted sensor's,
+        and so is every measured value that the fit knows better than the measurement, such as one lost in noise.
         Impedances were not measured: the point impedance is the model's, and the source response that times the
         transfer function. What each point comes from is in ``provenance["calibration"]``.
 
@@ -71,17 +74,25 @@ class Calibration:
             model: of the same design, on the same frequencies.
             model_deviation: (n_point, n_microphone, n_freq) standard deviation of the real part, and of the imaginary
                 part, of the model's transfer functions, Pa/Pa.
+            fit: of :func:`acoustic_fem.model_updating.update`, on the estimates of this calibration.
 
         Raises:
-            ValueError: a model of another design or other frequencies.
+            ValueError: a model of another design or other frequencies, or a fit with an objection.
         """
         _check_model(model, self.manifest, self.frequency)
+        if fit is not None and fit.objection is not None:
+            raise ValueError(f"fit must have no objection: {fit.objection}")
         h = model.transfer_function.transpose("point", "microphone", "frequency").values.copy()
         deviation = np.array(model_deviation, dtype=np.float64)
         if deviation.shape != h.shape:
             raise ValueError(f"model_deviation has shape {deviation.shape}; it must be {h.shape}")
+        if fit is not None:
+            h, deviation = fit.transfer_function.copy(), fit.deviation.copy()
         for number, estimate in self.estimates.items():
-            h[number - 1], deviation[number - 1] = estimate.transfer_function, estimate.deviation
+            row = number - 1
+            better = estimate.deviation < deviation[row] if fit is not None else np.ones(h[row].shape, np.bool_)
+            h[row] = np.where(better, estimate.transfer_function, h[row])
+            deviation[row] = np.where(better, estimate.deviation, deviation[row])
         impedance = model.point_impedance.transpose("point", "frequency").values
         design = self.manifest.design
         return labelled(
@@ -94,7 +105,8 @@ class Calibration:
             {
                 **versions(None, ("numpy", "scipy", "xarray")),
                 "frequency_sha256": hashlib.sha256(self.frequency.tobytes()).hexdigest(),
-                "calibration": self._provenance(),
+                "calibration": {**self._provenance(), "other_points": "model" if fit is None else "fitted model"},
+                "fit": None if fit is None else fit.summary(),
                 "model": {"fidelity": model.fidelity, **model.provenance},
             },
             deviation,

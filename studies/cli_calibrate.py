@@ -32,7 +32,8 @@ def calibrate(
     """From recordings of the made sensor to its library: measured transfer functions with their uncertainty.
 
     Swept sines or noise at each point, a calibration microphone at the touched cavity. Bad recordings are left out and
-    named; their points, and those without a recording, keep the transfer functions of the design.
+    named. Points without a good one follow from a fit of the sensor's parts to the measured points; where no sensor
+    within the tolerances is like the measured one, that is said, and they keep the transfer functions of the design.
 
     Example: [bold]acoustic-fem calibrate recordings --out made.nc[/bold]
     """
@@ -43,8 +44,9 @@ def calibrate(
     import acoustic_fem
     from acoustic_fem.calibration import calibrate as estimate
     from acoustic_fem.calibration_manifest import read_manifest
+    from acoustic_fem.model_updating import UpdatedModel, update
     from studies.calibration_figures import draw_calibration
-    from studies.scatter import model_deviation
+    from studies.calibration_priors import fit_priors, model_deviation
 
     manifest = read_manifest(recordings / MANIFEST if recordings.is_dir() else recordings)
     with display_on_stderr() as display, named(frequency="--frequencies"):
@@ -52,7 +54,10 @@ def calibrate(
             model = acoustic_fem.solve(manifest.design, grid, fidelity=fidelity.value, progress=report)
         with display.stage("Recordings") as report:
             calibration = estimate(manifest, model, report)
-        library = calibration.library(model, model_deviation(manifest.design, grid))
+        with display.stage("Fit"):
+            fit = update(UpdatedModel(model, fit_priors(manifest.design)), calibration.estimates)
+        deviation = model_deviation(manifest.design, grid)
+        library = calibration.library(model, deviation, None if fit.objection else fit)
         acoustic_fem.save(library, out)
         figure = draw_calibration(calibration, model, out.with_suffix(".png"))
     if calibration.findings:
@@ -60,8 +65,14 @@ def calibrate(
         for finding in calibration.findings:
             table.add_row(str(finding.point), "left out" if finding.excluded else "note", finding.text)
         show(table)
-    count = manifest.design.point_count
+    determined = int((fit.eigenvalues >= 1).sum())
     print(
-        f"{out}: {len(calibration.estimates)} of {count} points measured, {count - len(calibration.estimates)} computed"
+        f"fit: chi-squared {fit.chi_squared:.0f} for {fit.residuals} residuals; {determined} of {len(fit.parameters)} "
+        "combinations of parameters determined"
     )
+    if fit.objection:
+        print(f"fit not used: {fit.objection}")
+    count, source = manifest.design.point_count, "of the design" if fit.objection else "fitted"
+    missing = count - len(calibration.estimates)
+    print(f"{out}: {count - missing} of {count} points measured, {missing} {source}")
     print(figure)

@@ -16,8 +16,7 @@ from typing import Literal, get_args
 import numpy as np
 from numpy.typing import NDArray
 
-from acoustic_fem.batch_network import batch_transfer_function
-from acoustic_fem.batch_parameters import ArrayParameters, Topology, design_air
+from acoustic_fem.batch_parameters import ArrayParameters, Topology
 from acoustic_fem.membrane import DiscSolution, solve_disc
 from acoustic_fem.units import metres, pascals
 from geometry.design import ArrayDesign
@@ -254,22 +253,3 @@ class _Discs:
         share = np.clip(values[..., 1 : 1 + self._modes], 0, None)
         frequency = np.exp(values[..., 1 + self._modes :]) / (2 * math.pi * opening[..., None])
         return compliance, share / share.sum(axis=-1, keepdims=True), frequency * np.sqrt(modulus)[..., None]
-
-
-def model_deviation(design: ArrayDesign, frequency: Array, count: int = 64, seed: int = 0) -> Array:
-    """How far the transfer functions of made sensors lie from those of the design, with :data:`TOLERANCES`.
-
-    Args:
-        design: the nominal array.
-        frequency: (n_freq,) Hz.
-        count: sensors drawn.
-        seed: of the draws.
-
-    Returns:
-        (n_point, n_microphone, n_freq) root mean square of the real part, and of the imaginary part, of the
-        difference, Pa/Pa.
-    """
-    scattered, air = ScatteredDesign(design), design_air(design)
-    made = batch_transfer_function(scattered.sample(0, count, seed), scattered.topology, frequency, air)
-    nominal = batch_transfer_function(scattered.nominal, scattered.topology, frequency, air)
-    return np.asarray(np.sqrt((np.abs(made - nominal) ** 2).mean(0) / 2))

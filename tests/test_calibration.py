@@ -168,6 +168,6 @@ def test_the_verb_writes_library_and_figure_and_names_what_it_left_out(tmp_path:
     assert result.exit_code == 0, result.output
     assert "left out" in result.output
     assert "cut short" in result.output
-    assert "1 of 4 points measured, 3 computed" in result.output
+    assert "1 of 4 points measured, 3 fitted" in result.output
     assert (tmp_path / "made.png").stat().st_size > 10_000
     assert acoustic_fem.load(out).fidelity == MEASURED
