@@ -62,7 +62,12 @@ class Calibration:
     """By number of the point, in ascending order; of good recordings only."""
     findings: tuple[Finding, ...]
 
-    def library(self, model: Library, model_deviation: Array, fit: Update | None = None) -> Library:
+    @property
+    def missing(self) -> tuple[int, ...]:
+        """Numbers of the points without a good recording."""
+        return tuple(n for n in range(1, self.manifest.design.point_count + 1) if n not in self.estimates)
+
+    def library(self, model: Library, model_deviation: Array | None = None, fit: Update | None = None) -> Library:
         """A library like any other: what was measured, and what is known in other ways where it was not.
 
         Without a fit, points without a good recording are those of the model. With one they are the fitted sensor's,
@@ -73,21 +78,27 @@ class Calibration:
         Args:
             model: of the same design, on the same frequencies.
             model_deviation: (n_point, n_microphone, n_freq) standard deviation of the real part, and of the imaginary
-                part, of the model's transfer functions, Pa/Pa.
+                part, of the model's transfer functions, Pa/Pa; needed where points are missing and there is no fit.
             fit: of :func:`acoustic_fem.model_updating.update`, on the estimates of this calibration.
 
         Raises:
-            ValueError: a model of another design or other frequencies, or a fit with an objection.
+            ValueError: a model of another design or other frequencies, a fit with an objection, or points without a
+                recording, a fit and a deviation.
         """
         _check_model(model, self.manifest, self.frequency)
         if fit is not None and fit.objection is not None:
             raise ValueError(f"fit must have no objection: {fit.objection}")
         h = model.transfer_function.transpose("point", "microphone", "frequency").values.copy()
-        deviation = np.array(model_deviation, dtype=np.float64)
-        if deviation.shape != h.shape:
-            raise ValueError(f"model_deviation has shape {deviation.shape}; it must be {h.shape}")
         if fit is not None:
             h, deviation = fit.transfer_function.copy(), fit.deviation.copy()
+        elif model_deviation is not None:
+            deviation = np.array(model_deviation, dtype=np.float64)
+            if deviation.shape != h.shape:
+                raise ValueError(f"model_deviation has shape {deviation.shape}; it must be {h.shape}")
+        elif self.missing:
+            raise ValueError(f"model_deviation must be given: point {self.missing[0]} has no recording")
+        else:
+            deviation = np.empty(h.shape)
         for number, estimate in self.estimates.items():
             row = number - 1
             better = estimate.deviation < deviation[row] if fit is not None else np.ones(h[row].shape, np.bool_)

@@ -54,10 +54,12 @@ def calibrate(
             model = acoustic_fem.solve(manifest.design, grid, fidelity=fidelity.value, progress=report)
         with display.stage("Recordings") as report:
             calibration = estimate(manifest, model, report)
-        with display.stage("Fit"):
-            fit = update(UpdatedModel(model, fit_priors(manifest.design)), calibration.estimates)
-        deviation = model_deviation(manifest.design, grid)
-        library = calibration.library(model, deviation, None if fit.objection else fit)
+        fit, deviation = None, None
+        if calibration.missing:
+            with display.stage("Fit"):
+                fit = update(UpdatedModel(model, fit_priors(manifest.design)), calibration.estimates)
+                deviation = model_deviation(manifest.design, grid)
+        library = calibration.library(model, deviation, None if fit is None or fit.objection else fit)
         acoustic_fem.save(library, out)
         figure = draw_calibration(calibration, model, out.with_suffix(".png"))
     if calibration.findings:
@@ -65,14 +67,15 @@ def calibrate(
         for finding in calibration.findings:
             table.add_row(str(finding.point), "left out" if finding.excluded else "note", finding.text)
         show(table)
-    determined = int((fit.eigenvalues >= 1).sum())
-    print(
-        f"fit: chi-squared {fit.chi_squared:.0f} for {fit.residuals} residuals; {determined} of {len(fit.parameters)} "
-        "combinations of parameters determined"
-    )
-    if fit.objection:
-        print(f"fit not used: {fit.objection}")
-    count, source = manifest.design.point_count, "of the design" if fit.objection else "fitted"
-    missing = count - len(calibration.estimates)
-    print(f"{out}: {count - missing} of {count} points measured, {missing} {source}")
+    if fit is not None:
+        determined = int((fit.eigenvalues >= 1).sum())
+        print(
+            f"fit: chi-squared {fit.chi_squared:.0f} for {fit.residuals} residuals; {determined} of "
+            f"{len(fit.parameters)} combinations of parameters determined"
+        )
+        if fit.objection:
+            print(f"fit not used: {fit.objection}")
+    source = "of the design" if fit is not None and fit.objection else "fitted"
+    rest = f", {len(calibration.missing)} {source}" if calibration.missing else ""
+    print(f"{out}: {len(calibration.estimates)} of {manifest.design.point_count} points measured{rest}")
     print(figure)

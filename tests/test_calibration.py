@@ -20,6 +20,7 @@ from acoustic_fem.calibration_manifest import read_manifest
 from acoustic_fem.library import MEASURED, Library
 from acoustic_fem.sound_file import read_sound, write_wav
 from acoustic_fem.transfer_estimate import shortest_record, transfer_estimate
+from geometry.design_file import write_design
 from studies.cli import app
 from studies.rig import Recorder, Rig
 
@@ -156,6 +157,8 @@ def test_a_measured_library_is_a_library_with_its_uncertainty(model: Library, tm
     assert (again.transfer_function_deviation.values[[1, 3]] == 0.25).all()
     assert (again.transfer_function_deviation.values[[0, 2]] < 0.05).all()
     assert again.provenance["calibration"]["measured_points"] == [1, 3]
+    with pytest.raises(ValueError, match="model_deviation must be given: point 2 has no recording"):
+        found.library(model)
     ratio = again.source_response / again.point_impedance
     assert np.allclose(ratio.transpose("point", "microphone", "frequency").values, again.transfer_function.values)
 
@@ -171,3 +174,15 @@ def test_the_verb_writes_library_and_figure_and_names_what_it_left_out(tmp_path:
     assert "1 of 4 points measured, 3 fitted" in result.output
     assert (tmp_path / "made.png").stat().st_size > 10_000
     assert acoustic_fem.load(out).fidelity == MEASURED
+
+
+def test_a_sensor_that_no_fit_takes_is_calibrated_from_recordings_of_all_points(tmp_path: Path) -> None:
+    """The batch refuses stretched membranes with loss; measured at every point, nothing has to be computed for it."""
+    Rig(DESIGN, 8).record(tmp_path, POINTS, SHORT)
+    shaped = DESIGN.with_values({"membrane.stretch": 1.2})
+    (tmp_path / "design.toml").write_text(write_design(shaped), encoding="utf-8")
+    out = tmp_path / "made.nc"
+    result = CliRunner().invoke(app, ["calibrate", str(tmp_path), "--out", str(out), "--frequencies", "1:100:8"])
+    assert result.exit_code == 0, result.output
+    assert "4 of 4 points measured\n" in result.output
+    assert acoustic_fem.load(out).design == shaped
