@@ -57,9 +57,9 @@ def row(name: str, design: ArrayDesign, modulus: float, rigs: int) -> str:
         excluded += sum(finding.excluded for finding in found.findings)
         for number, estimate in found.estimates.items():
             inside.append(np.abs(estimate.transfer_function - truth[number - 1]) < estimate.radius_95)
-        full = library.transfer_function.values.copy()
-        for number, estimate in found.estimates.items():
-            full[number - 1] = estimate.transfer_function
+        # points whose recording was left out come from a fit to the others, as the verb does
+        fill = update(UpdatedModel(library), found.estimates) if found.missing else None
+        full = found.library(library, fit=fill).transfer_function.values
         known = [nominal.transfer_function, truth, full]
         for points in MEASURED[design.point_count]:
             start = time.process_time()
