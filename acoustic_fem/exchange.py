@@ -15,6 +15,7 @@ import io
 import json
 import os
 import zipfile
+import zlib
 from pathlib import Path
 from typing import Any
 
@@ -206,7 +207,7 @@ def _read_npz(path: Path) -> xr.Dataset:
     try:
         with np.load(path, allow_pickle=False) as content:
             arrays = {name: content[name] for name in content.files}
-    except (zipfile.BadZipFile, EOFError, OSError, ValueError) as error:
+    except (zipfile.BadZipFile, zlib.error, EOFError, OSError, ValueError) as error:
         raise LibraryError(f"{path}: is no NPZ file or is cut short ({' '.join(str(error).split())})") from None
     if "frequency" not in arrays:
         raise ValueError("was not written by this program: it has no frequency")
@@ -242,7 +243,10 @@ def _read_csv(path: Path) -> xr.Dataset:
     while lines and lines[0].startswith("# "):
         name, _, text = lines.pop(0)[2:].partition(": ")
         attributes[name] = json.loads(text)
-    head, *rows = list(csv.reader(lines)) or [[]]
+    try:
+        head, *rows = list(csv.reader(lines)) or [[]]
+    except csv.Error as error:
+        raise LibraryError(f"{path}: is not a CSV file: {error}") from None
     order, names = ("point", "microphone", "frequency"), head[3:]
     known = [name for name, dimensions in _variables().items() if "microphone_2" not in dimensions]
     if tuple(head[:3]) != order or not set(names) <= set(known):

@@ -26,7 +26,7 @@ _LAYOUT_VERSION = 1
 #: Text attributes that every library carries, and its coordinates.
 ATTRIBUTES = ("fidelity", "design_toml", "medium", "provenance")
 _DEVIATION = "transfer_function_deviation"
-COORDINATES = ("point", "line", "place", "microphone", "frequency")
+_COORDINATES = ("point", "line", "place", "microphone", "frequency")
 
 
 class LibraryError(ValueError):
@@ -116,7 +116,7 @@ def library_of(dataset: xr.Dataset) -> Library:
     absent = {name for name in OPTIONAL if f"{name}_real" not in dataset and f"{name}_imag" not in dataset}
     present = [name for name in VARIABLES if name not in absent]
     missing = [f"{name}_{part}" for name in present for part in ("real", "imag")]
-    missing = [name for name in (*missing, *COORDINATES) if name not in dataset.variables]
+    missing = [name for name in (*missing, *_COORDINATES) if name not in dataset.variables]
     missing += [name for name in ATTRIBUTES if name not in dataset.attrs]
     if missing:
         raise ValueError(f"is no complete library, {missing[0]} is missing")

@@ -7,6 +7,7 @@ import os
 import struct
 import warnings
 import zipfile
+import zlib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -152,14 +153,12 @@ def _read_npz(path: Path) -> Sound:
     try:
         with np.load(path, allow_pickle=False) as content:
             arrays = {name: content[name] for name in content.files}
-    except (zipfile.BadZipFile, EOFError, TypeError, ValueError) as error:
+    except (zipfile.BadZipFile, zlib.error, EOFError, TypeError, ValueError) as error:
         raise SoundFileError(f"{path}: cut short or not an NPZ file of numbers: {error}") from None
     return _of_arrays(path, arrays)
 
 
 def _read_mat(path: Path) -> Sound:
-    import zlib
-
     import scipy.io
     from scipy.io.matlab import MatReadError
 
