@@ -9,7 +9,7 @@ of each membrane, the temperature of the room, and the change of fidelity.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Literal
@@ -247,15 +247,6 @@ class Rig:
         wander *= recorder.drift / np.maximum(wander.std(axis=1, keepdims=True), 1e-300)
         slow = scipy.interpolate.make_interp_spline(time[:: recorder.rate], wander[:, :: recorder.rate], k=3, axis=1)
         return np.asarray(samples + recorder.hum * hum + slow(np.minimum(time, time[:: recorder.rate][-1])))
-
-    def hidden_ratios(self) -> dict[str, Array]:
-        """Hidden parameters over the nominal ones, by the name of the field."""
-        nominal = ArrayParameters.from_design(self.design).individual(Topology.of(self.design))
-        return {
-            field.name: np.asarray(getattr(self.hidden, field.name) / getattr(nominal, field.name))[0]
-            for field in fields(nominal)
-            if np.all(getattr(nominal, field.name) > 0)
-        }
 
 
 def _excitation(recorder: Recorder, total: int, random: np.random.Generator) -> Complex:

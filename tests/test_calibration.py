@@ -15,6 +15,8 @@ from typer.testing import CliRunner
 
 import acoustic_fem
 import geometry
+import localize
+import localize.dataset
 from acoustic_fem.calibration import Calibration, calibrate
 from acoustic_fem.calibration_manifest import read_manifest
 from acoustic_fem.library import MEASURED, Library
@@ -22,7 +24,7 @@ from acoustic_fem.sound_file import read_sound, write_wav
 from acoustic_fem.transfer_estimate import shortest_record, transfer_estimate
 from geometry.design_file import write_design
 from studies.cli import app
-from studies.rig import Recorder, Rig
+from studies.rig import HiddenScatter, Recorder, Rig
 
 GRID = np.linspace(1.0, 100.0, 34)
 DESIGN = geometry.prototype("array-2x6").with_values({"lines.0.points": 4, "layout.columns": 4})
@@ -161,6 +163,17 @@ def test_a_measured_library_is_a_library_with_its_uncertainty(model: Library, tm
         found.library(model)
     ratio = again.source_response / again.point_impedance
     assert np.allclose(ratio.transpose("point", "microphone", "frequency").values, again.transfer_function.values)
+
+
+def test_a_decoder_of_the_measured_library_knows_the_made_sensor(model: Library, tmp_path: Path) -> None:
+    rig = Rig(DESIGN, 2, HiddenScatter(modulus=0.7))
+    library = measured(rig.record(tmp_path, POINTS, SHORT), model).library(model)
+    touched = replace(localize.dataset.response_of(model), transfer_function=rig.transfer_function(GRID))
+    found = [
+        localize.evaluate(localize.BayesDecoder(known, 1e-3), touched, 20, 1e-3).top1 for known in (model, library)
+    ]
+    assert found[1] > 0.95
+    assert found[1] >= found[0]
 
 
 def test_the_verb_writes_library_and_figure_and_names_what_it_left_out(tmp_path: Path) -> None:
