@@ -20,6 +20,8 @@ from geometry.layout import ArrayLayout, place
 
 #: What the air of a cell may be computed with; the last is the one to trust.
 FIDELITIES = ("lumped", "helmholtz", "navier-stokes")
+#: What stands in place of a fidelity in a library made from recordings (:mod:`acoustic_fem.calibration`).
+MEASURED = "measured"
 
 #: Name -> dimensions, units and description of the results.
 VARIABLES = {
@@ -51,6 +53,13 @@ FORCE_RESPONSE = {
     "long_name": "pressure at the microphone per force on the middle quarter of the membrane's radius",
 }
 
+#: Real, unlike the others: what is known of the errors of measured transfer functions.
+DEVIATION = (
+    ("point", "microphone", "frequency"),
+    "Pa/Pa",
+    "standard deviation of the real part, and of the imaginary part, of the transfer function",
+)
+
 #: Those of them that older files and measured libraries may lack.
 OPTIONAL = frozenset({"microphone_impedance"})
 
@@ -71,8 +80,10 @@ class Library:
         microphone_impedance: (microphone, microphone_2, frequency) complex128, pressure at a microphone per
             volume velocity injected at the front of another, Pa s/m^3, the microphones' own load included:
             what thermal noise needs. None in files of older versions and in measured libraries.
+        transfer_function_deviation: (point, microphone, frequency) float64, one standard deviation of the real part
+            and of the imaginary part of the transfer function, Pa/Pa. None where it was computed.
         design: the array.
-        fidelity: how the cells were computed, one of :data:`FIDELITIES`.
+        fidelity: how the cells were computed, one of :data:`FIDELITIES`, or :data:`MEASURED`.
         medium: the air.
         provenance: code and library versions, creation time, seed, hash of the frequency grid, and how each
             distinct cell was solved.
@@ -86,6 +97,7 @@ class Library:
     medium: Medium
     provenance: Mapping[str, Any]
     microphone_impedance: xr.DataArray | None = None
+    transfer_function_deviation: xr.DataArray | None = None
 
     @property
     def frequency(self) -> NDArray[np.float64]:
@@ -195,10 +207,11 @@ def labelled(
     fidelity: str,
     medium: Medium,
     provenance: Mapping[str, Any],
+    deviation: NDArray[np.float64] | None = None,
 ) -> Library:
     """A library from bare arrays, one per name of :data:`VARIABLES` and shaped as listed there.
 
-    Those of :data:`OPTIONAL` may be missing.
+    Those of :data:`OPTIONAL` may be missing; ``deviation`` is that of the transfer function, where it was measured.
     """
     coordinates = {
         "point": ("point", [point.number for point in layout.points], {"long_name": "sensing point, from 1"}),
@@ -208,15 +221,18 @@ def labelled(
         "microphone_2": ("microphone_2", list(design.microphones), {"long_name": "second microphone"}),
         "frequency": ("frequency", frequency, {"units": "Hz", "long_name": "frequency"}),
     }
-    arrays = {
-        name: xr.DataArray(
-            values[name],
+    rows: dict[str, NDArray[Any]] = {name: values[name] for name in VARIABLES if name in values or name not in OPTIONAL}
+    if deviation is not None:
+        rows["transfer_function_deviation"] = deviation
+    described = {**VARIABLES, "transfer_function_deviation": DEVIATION}
+    arrays = {}
+    for name, row in rows.items():
+        dimensions, units, description = described[name]
+        arrays[name] = xr.DataArray(
+            row,
             dims=dimensions,
             coords={key: value for key, value in coordinates.items() if value[0] in dimensions},
             name=name,
             attrs={"units": units, "long_name": description},
         )
-        for name, (dimensions, units, description) in VARIABLES.items()
-        if name in values or name not in OPTIONAL
-    }
     return Library(**arrays, design=design, fidelity=fidelity, medium=medium, provenance=dict(provenance))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+from collections.abc import Iterable
 from dataclasses import asdict, fields
 from pathlib import Path
 from typing import Any
@@ -13,7 +14,7 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from acoustic_fem.checks import frequency_grid
-from acoustic_fem.library import FIDELITIES, OPTIONAL, VARIABLES, Library, labelled
+from acoustic_fem.library import DEVIATION, FIDELITIES, MEASURED, OPTIONAL, VARIABLES, Library, labelled
 from acoustic_fem.medium import Medium
 from geometry.design_file import read_design, write_design
 from geometry.layout import place
@@ -23,7 +24,8 @@ from geometry.whole_file import whole_file
 _TITLE = "acoustic-fem library"
 _LAYOUT_VERSION = 1
 #: Text attributes that every library carries, and its coordinates.
-_ATTRIBUTES = ("fidelity", "design_toml", "medium", "provenance")
+ATTRIBUTES = ("fidelity", "design_toml", "medium", "provenance")
+_DEVIATION = "transfer_function_deviation"
 _COORDINATES = ("point", "line", "place", "microphone", "frequency")
 
 
@@ -42,15 +44,27 @@ def save(library: Library, path: str | os.PathLike[str]) -> None:
         LibraryError: the file cannot be written.
     """
     path = Path(path)
+    dataset = dataset_of(library, (*VARIABLES, "force_response"))
+    try:
+        with whole_file(path) as beside:
+            dataset.to_netcdf(beside, engine="netcdf4", format="NETCDF4")
+    except OSError as error:
+        raise LibraryError(f"{path}: cannot be written: {error.strerror or error}") from None
+
+
+def dataset_of(library: Library, names: Iterable[str] = tuple(VARIABLES)) -> xr.Dataset:
+    """A library as real variables and text attributes, as files hold it; :func:`library_of` is the way back."""
     variables = {}
-    for name in (*VARIABLES, "force_response"):
+    for name in names:
         array = getattr(library, name)
         if array is None and name in OPTIONAL:
             continue
         for part, values in (("real", array.real), ("imag", array.imag)):
             attributes = {"units": array.attrs["units"], "long_name": f"{array.attrs['long_name']}, {part} part"}
             variables[f"{name}_{part}"] = values.assign_attrs(attributes)
-    dataset = xr.Dataset(
+    if library.transfer_function_deviation is not None:
+        variables[_DEVIATION] = library.transfer_function_deviation
+    return xr.Dataset(
         variables,
         attrs={
             "Conventions": "CF-1.11",
@@ -63,11 +77,6 @@ def save(library: Library, path: str | os.PathLike[str]) -> None:
             "provenance": json.dumps(dict(library.provenance)),
         },
     )
-    try:
-        with whole_file(path) as beside:
-            dataset.to_netcdf(beside, engine="netcdf4", format="NETCDF4")
-    except OSError as error:
-        raise LibraryError(f"{path}: cannot be written: {error.strerror or error}") from None
 
 
 def load(path: str | os.PathLike[str]) -> Library:
@@ -93,12 +102,12 @@ def load(path: str | os.PathLike[str]) -> Library:
         found = dataset.attrs.get("layout_version")
         raise LibraryError(f"{path}: layout_version = {found} must be {_LAYOUT_VERSION}")
     try:
-        return _library(dataset)
+        return library_of(dataset)
     except ValueError as error:
         raise LibraryError(f"{path}: {_one_line(error)}") from None
 
 
-def _library(dataset: xr.Dataset) -> Library:
+def library_of(dataset: xr.Dataset) -> Library:
     """The library in a data set.
 
     Raises:
@@ -108,15 +117,16 @@ def _library(dataset: xr.Dataset) -> Library:
     present = [name for name in VARIABLES if name not in absent]
     missing = [f"{name}_{part}" for name in present for part in ("real", "imag")]
     missing = [name for name in (*missing, *_COORDINATES) if name not in dataset.variables]
-    missing += [name for name in _ATTRIBUTES if name not in dataset.attrs]
+    missing += [name for name in ATTRIBUTES if name not in dataset.attrs]
     if missing:
         raise ValueError(f"is no complete library, {missing[0]} is missing")
-    for name in _ATTRIBUTES:
+    for name in ATTRIBUTES:
         if not isinstance(dataset.attrs[name], str):
             raise ValueError(f"attribute {name} must be a text")
     fidelity = dataset.attrs["fidelity"]
-    if fidelity not in FIDELITIES:
-        raise ValueError(f"attribute fidelity = {fidelity!r} must be one of: {', '.join(FIDELITIES)}")
+    known = (*FIDELITIES, MEASURED)
+    if fidelity not in known:
+        raise ValueError(f"attribute fidelity = {fidelity!r} must be one of: {', '.join(known)}")
     design = read_design(dataset.attrs["design_toml"], "attribute design_toml")
     layout = place(design)
     for name, expected in (
@@ -134,6 +144,7 @@ def _library(dataset: xr.Dataset) -> Library:
         fidelity,
         _medium(dataset.attrs["medium"]),
         _json_object(dataset.attrs["provenance"], "provenance"),
+        _deviation(dataset) if _DEVIATION in dataset else None,
     )
 
 
@@ -155,23 +166,32 @@ def _frequency(found: xr.DataArray) -> NDArray[np.float64]:
 
 def _complex(dataset: xr.Dataset, name: str) -> NDArray[np.complex128]:
     dimensions = VARIABLES[name][0]
-    parts = []
-    for variable in (f"{name}_real", f"{name}_imag"):
-        array = dataset[variable]
-        if sorted(map(str, array.dims)) != sorted(dimensions):
-            found = ", ".join(map(str, array.dims))
-            raise ValueError(f"variable {variable} has the dimensions ({found}), must be ({', '.join(dimensions)})")
-        if array.dtype.kind != "f":
-            raise ValueError(f"variable {variable} holds {array.dtype}, not floating-point numbers")
-        array = array.transpose(*dimensions)
-        bad = np.argwhere(~np.isfinite(array.values))
-        if len(bad):
-            where = ", ".join(f"{key} {dataset[key].values[k]}" for key, k in zip(dimensions, bad[0], strict=True))
-            raise ValueError(f"variable {variable} = {array.values[tuple(bad[0])]} at {where}; it must be finite")
-        parts.append(array.values)
+    parts = [_real(dataset, f"{name}_{part}", dimensions) for part in ("real", "imag")]
     values = np.empty(parts[0].shape, dtype=np.complex128)
     values.real, values.imag = parts
     return values
+
+
+def _deviation(dataset: xr.Dataset) -> NDArray[np.float64]:
+    values = _real(dataset, _DEVIATION, DEVIATION[0])
+    if (values < 0).any():
+        raise ValueError(f"variable {_DEVIATION} = {values.min():g} must be at least 0")
+    return values
+
+
+def _real(dataset: xr.Dataset, variable: str, dimensions: tuple[str, ...]) -> NDArray[np.float64]:
+    array = dataset[variable]
+    if sorted(map(str, array.dims)) != sorted(dimensions):
+        found = ", ".join(map(str, array.dims))
+        raise ValueError(f"variable {variable} has the dimensions ({found}), must be ({', '.join(dimensions)})")
+    if array.dtype.kind != "f":
+        raise ValueError(f"variable {variable} holds {array.dtype}, not floating-point numbers")
+    array = array.transpose(*dimensions)
+    bad = np.argwhere(~np.isfinite(array.values))
+    if len(bad):
+        where = ", ".join(f"{key} {dataset[key].values[k]}" for key, k in zip(dimensions, bad[0], strict=True))
+        raise ValueError(f"variable {variable} = {array.values[tuple(bad[0])]} at {where}; it must be finite")
+    return np.asarray(array.values, np.float64)
 
 
 def _medium(text: str) -> Medium:

@@ -16,6 +16,8 @@ import typer
 
 from studies import (
     cli_bending,
+    cli_calibrate,
+    cli_convert,
     cli_design,
     cli_localizer,
     cli_locate,
@@ -46,6 +48,8 @@ VERBS = (
     cli_wiring.wiring,
     cli_design.solve,
     cli_design.parts,
+    cli_calibrate.calibrate,
+    cli_convert.convert,
     cli_localizer.train,
     cli_localizer.evaluate,
     cli_locate.onnx,

@@ -1,0 +1,332 @@
+"""The model brought to the sensor on the table: parameters fitted to measured transfer functions of some points.
+
+Maximum a posteriori with the manufacturing tolerances as priors (Tarantola 2005, ch. 3): parameters u in standard
+deviations of their priors minimise |r(u)|^2 + |u|^2, with the residuals r in units of what the measurement and
+the model are trusted to. Gauss-Newton with step halving; the posterior covariance is (J^T J + 1)^-1.
+
+The model is the lumped network, relative to a library of the nominal design of any fidelity:
+H(u) = H_nominal H_lumped(u) / H_lumped(0). It takes torch tensors and is differentiable, for objectives of one value;
+the Jacobian here, a hundred parameters by thousands of residuals, comes from central differences of one batch of
+sensors, which cost a small part of as many backward passes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, fields, replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+import scipy.stats
+from numpy.typing import NDArray
+
+from acoustic_fem.batch_functions import namespace
+from acoustic_fem.batch_network import batch_transfer_function
+from acoustic_fem.batch_parameters import ArrayParameters, Topology
+from acoustic_fem.checks import in_range
+from acoustic_fem.library import Library
+from acoustic_fem.transfer_estimate import TransferEstimate
+from geometry.design import ArrayDesign
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+#: Deviation that the model itself is taken to have, as a share of the transfer function.
+MODEL_ERROR = 0.01
+#: Probability below which chi-squared, or the size of the parameters, speaks against the fit.
+_SIGNIFICANCE = 1e-3
+#: A combination of parameters counts as determined where the data say more of it than the prior.
+_DETERMINED = 1.0
+_ITERATIONS = 30
+_LONGEST = 2.0  # of the steps of a parameter, in standard deviations: beyond, nothing is linear any more
+_STEP = 1e-3  # of the central differences, in standard deviations
+
+
+@dataclass(frozen=True)
+class Priors:
+    """Standard deviations of the logarithms of the parameters before anything was measured."""
+
+    bore: float = 0.05
+    """Of each tube."""
+    compliance: float = 0.12
+    """Of each node: of its membrane, which stands for its cavity too."""
+    modulus: float = 0.15
+    """Of all membranes together."""
+    loss: float = 0.3
+    """Of the loss factor of all membranes."""
+    gain: float = 0.05
+    """Of each microphone against the reference."""
+    corner: float = 0.10
+    """Of the high-pass of each microphone."""
+    chamber: float = 0.10
+    """Of the volume of each microphone's chamber."""
+
+    def __post_init__(self) -> None:
+        for field in fields(self):
+            in_range(f"priors.{field.name}", getattr(self, field.name), 1e-6, 1.0)
+
+
+class UpdatedModel:
+    """The family of sensors among which the made one is looked for.
+
+    Args:
+        nominal: library of the nominal design, of any fidelity.
+        priors: of the parameters.
+
+    Raises:
+        ValueError: a design that the lumped batch does not take.
+    """
+
+    def __init__(self, nominal: Library, priors: Priors | None = None) -> None:
+        design: ArrayDesign = nominal.design
+        self.library, self.priors = nominal, priors or Priors()
+        self.frequency = nominal.frequency
+        shared = Topology.of(design)
+        self.topology = shared.individual()
+        self._parameters = ArrayParameters.from_design(design, nominal.medium).individual(shared)
+        self._corner = design.microphone.vent_corner
+        tubes, points = self._parameters.tube_radius.shape[1], self._parameters.cavity_radius.shape[1]
+        microphones = len(design.microphones)
+        #: Group -> how many parameters it has, in the order of the vector.
+        self.sizes: Mapping[str, int] = {
+            "bore": tubes,
+            "compliance": points,
+            "modulus": 1,
+            "loss": 1,
+            "gain": microphones,
+            "corner": microphones,
+            "chamber": microphones,
+        }
+        #: What each parameter is of.
+        self.names = (
+            *(f"bore of {name}" for name in self.topology.tube_names),
+            *(f"compliance of point {number + 1}" for number in range(points)),
+            "modulus of all membranes",
+            "loss factor of all membranes",
+            *(f"gain of microphone {name}" for name in design.microphones),
+            *(f"high-pass of microphone {name}" for name in design.microphones),
+            *(f"chamber of microphone {name}" for name in design.microphones),
+        )
+        h = nominal.transfer_function.transpose("point", "microphone", "frequency").values
+        self._ratio = h / self._lumped(np.zeros((1, self.count)))[0]
+
+    @property
+    def count(self) -> int:
+        """Number of parameters."""
+        return sum(self.sizes.values())
+
+    def transfer_function(self, u: Any) -> Any:
+        """Transfer functions of sensors with parameters u; NumPy arrays, or torch tensors that can be differentiated.
+
+        Args:
+            u: (n_sensor, count) float64, in standard deviations of the priors.
+
+        Returns:
+            (n_sensor, n_point, n_microphone, n_freq) complex128, Pa/Pa.
+        """
+        return self._lumped(u) * namespace(u).asarray(self._ratio)
+
+    def _lumped(self, u: Any) -> Any:
+        xp = namespace(u)
+        nominal = self._parameters.map(xp.asarray)
+        factor: dict[str, Any] = {}
+        first = 0
+        for name, size in self.sizes.items():
+            factor[name] = xp.exp(getattr(self.priors, name) * u[:, first : first + size])
+            first += size
+        stiffness = factor["modulus"]
+        parameters = replace(
+            nominal,
+            tube_radius=nominal.tube_radius * factor["bore"],
+            membrane_compliance=nominal.membrane_compliance * factor["compliance"] / stiffness,
+            membrane_frequency=nominal.membrane_frequency * xp.sqrt(stiffness)[:, :, None],
+            membrane_loss=nominal.membrane_loss * factor["loss"],
+            chamber_height=nominal.chamber_height * factor["chamber"],
+            vent_admittance=nominal.vent_admittance * factor["corner"],
+        )
+        h = batch_transfer_function(parameters, self.topology, self.frequency, self.library.medium)
+        rate = xp.asarray(1j * self.frequency / self._corner)
+        # the microphone's high-pass by the nominal one
+        passed = (1 + rate) / (factor["corner"][:, :, None] + rate)
+        return h * (factor["gain"][:, :, None] * passed)[:, None]
+
+    def jacobian(self, u: Array) -> Complex:
+        """(count, n_point, n_microphone, n_freq) derivatives at u, by central differences of one batch."""
+        steps = _STEP * np.eye(self.count)
+        h = self.transfer_function(np.concatenate([u + steps, u - steps]))
+        return np.asarray((h[: self.count] - h[self.count :]) / (2 * _STEP))
+
+
+@dataclass(frozen=True, eq=False)
+class Update:
+    """The most probable sensor of a family, and how far it is known."""
+
+    model: UpdatedModel
+    points: tuple[int, ...]
+    """Numbers of the measured points."""
+    parameters: Array
+    """(count,) in standard deviations of the priors."""
+    covariance: Array
+    """(count, count) of them after the measurement."""
+    eigenvalues: Array
+    """(count,) ascending, of J^T J: what the data say of a combination, by what the prior says."""
+    directions: Array
+    """(count, count) those combinations, in columns."""
+    chi_squared: float
+    """|r|^2 + |u|^2 at the solution."""
+    residuals: int
+    """Number of residuals, real and imaginary parts."""
+    iterations: int
+
+    @property
+    def ratios(self) -> dict[str, tuple[float, float]]:
+        """Parameter -> factor by which it differs from nominal, and the standard deviation of its logarithm."""
+        scale = np.repeat(
+            [getattr(self.model.priors, name) for name in self.model.sizes], list(self.model.sizes.values())
+        )
+        known = np.sqrt(np.diag(self.covariance))
+        values = zip(self.model.names, np.exp(scale * self.parameters), scale * known, strict=True)
+        return {name: (float(value), float(deviation)) for name, value, deviation in values}
+
+    @property
+    def objection(self) -> str | None:
+        """Why the fit cannot be trusted; None where it can."""
+        limit = float(scipy.stats.chi2.isf(_SIGNIFICANCE, self.residuals))
+        if self.chi_squared > limit:
+            return (
+                f"chi-squared = {self.chi_squared:.0f} is above {limit:.0f} for {self.residuals} residuals: no sensor "
+                "of this family is like the measured one"
+            )
+        size, most = (
+            float(self.parameters @ self.parameters),
+            float(scipy.stats.chi2.isf(_SIGNIFICANCE, self.model.count)),
+        )
+        if size > most:
+            return (
+                f"the parameters lie {size:.0f} off their priors, more than {most:.0f} for {self.model.count} of them: "
+                "the sensor is not one of this tolerance"
+            )
+        return None
+
+    @property
+    def undetermined(self) -> tuple[str, ...]:
+        """Combinations of parameters of which the data say less than the priors, the least known first.
+
+        Each names its parts with a weight of at least a third of the largest, at most six.
+        """
+        texts = []
+        for value, direction in zip(self.eigenvalues, self.directions.T, strict=True):
+            if value >= _DETERMINED:
+                break
+            order = np.argsort(-np.abs(direction))[:6]
+            kept = [k for k in order if abs(direction[k]) >= abs(direction[order[0]]) / 3]
+            sign = np.sign(direction[kept[0]])
+            terms = [f"{sign * direction[k]:+.2f} {self.model.names[k]}" for k in kept]
+            texts.append(" ".join(terms))
+        return tuple(texts)
+
+    def summary(self) -> dict[str, Any]:
+        """Plain values for a report."""
+        return {
+            "measured_points": list(self.points),
+            "chi_squared": self.chi_squared,
+            "residuals": self.residuals,
+            "objection": self.objection,
+            "iterations": self.iterations,
+            "parameters": {
+                name: {"ratio": ratio, "log_deviation": known} for name, (ratio, known) in self.ratios.items()
+            },
+            "determined_combinations": int((self.eigenvalues >= _DETERMINED).sum()),
+            "undetermined_combinations": list(self.undetermined),
+        }
+
+    @cached_property
+    def transfer_function(self) -> Complex:
+        """(n_point, n_microphone, n_freq) of the most probable sensor, Pa/Pa."""
+        return np.asarray(self.model.transfer_function(self.parameters[None])[0])
+
+    @cached_property
+    def deviation(self) -> Array:
+        """(n_point, n_microphone, n_freq) standard deviation of its real part, and of its imaginary part.
+
+        By the posterior covariance, to first order, and by what the model is trusted to.
+        """
+        j = self.model.jacobian(self.parameters)
+        flat = j.reshape(len(j), -1)
+        spread = np.einsum("af,ab,bf->f", flat.conj(), self.covariance, flat, optimize=True).real
+        h = np.abs(self.transfer_function)
+        return np.asarray(np.sqrt(spread.reshape(h.shape) / 2 + (MODEL_ERROR * h) ** 2 / 2))
+
+
+def update(model: UpdatedModel, estimates: Mapping[int, TransferEstimate]) -> Update:
+    """Fit a family of sensors to the measured transfer functions of some points.
+
+    Args:
+        model: the family, on the frequencies of the estimates.
+        estimates: by number of the point, from 1.
+
+    Raises:
+        ValueError: no estimate, one of a point that the design does not have, or on other frequencies.
+    """
+    points = sorted(estimates)
+    if not points:
+        raise ValueError("estimates is empty; a fit needs at least one measured point")
+    shape = model._ratio.shape
+    for number in points:
+        in_range("point", number, 1, shape[0])
+        found = estimates[number].transfer_function.shape
+        if found != shape[1:]:
+            raise ValueError(f"point {number} has an estimate of shape {found}; it must be {shape[1:]}")
+    rows = [number - 1 for number in points]
+    measured = np.stack([estimates[number].transfer_function for number in points])
+    noise = np.stack([estimates[number].deviation for number in points])
+    scale = np.sqrt(noise**2 + (MODEL_ERROR * np.abs(measured)) ** 2 / 2)
+
+    def residual(h: Complex) -> Array:
+        r = (h[..., rows, :, :] - measured) / scale
+        return np.concatenate([r.real, r.imag], axis=-1).reshape(*h.shape[:-3], -1)
+
+    def objective(u: Array) -> float:
+        r = residual(model.transfer_function(u[None])[0])
+        return float(r @ r + u @ u)
+
+    u, value, iterations = np.zeros(model.count), objective(np.zeros(model.count)), 0
+    while iterations < _ITERATIONS:
+        iterations += 1
+        r, j = _linearised(model, u, rows, measured, scale)
+        step = -np.linalg.solve(j @ j.T + np.eye(model.count), j @ r + u)
+        length = min(1.0, _LONGEST / float(np.abs(step).max()))
+        while (smaller := objective(u + length * step)) > value and length > 1e-4:
+            length /= 2
+        if smaller >= value:
+            break
+        gain, value, u = value - smaller, smaller, u + length * step
+        if gain < 1e-6 * value + 1e-6:
+            break
+    _, j = _linearised(model, u, rows, measured, scale)
+    information = j @ j.T
+    eigenvalues, directions = np.linalg.eigh(information)
+    covariance = np.linalg.inv(information + np.eye(model.count))
+    return Update(
+        model,
+        tuple(points),
+        u,
+        np.asarray(covariance, np.float64),
+        np.maximum(eigenvalues, 0),
+        np.asarray(directions, np.float64),
+        value,
+        j.shape[1],
+        iterations,
+    )
+
+
+def _linearised(model: UpdatedModel, u: Array, rows: list[int], measured: Complex, scale: Array) -> tuple[Array, Array]:
+    """Residuals (n_residual,) and their derivatives (count, n_residual) at u."""
+    h = model.transfer_function(u[None])[0][rows]
+    j = model.jacobian(u)[:, rows] / scale
+    r = (h - measured) / scale
+    return (
+        np.concatenate([r.real, r.imag], axis=-1).ravel(),
+        np.concatenate([j.real, j.imag], axis=-1).reshape(model.count, -1),
+    )

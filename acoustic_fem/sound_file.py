@@ -1,0 +1,197 @@
+"""Recordings as files: WAV, CSV, NPZ and MAT to named channels at the rate of the file; what is broken is refused."""
+
+from __future__ import annotations
+
+import csv
+import os
+import struct
+import warnings
+import zipfile
+import zlib
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+FORMATS = (".wav", ".csv", ".npz", ".mat")
+#: What a file may hold beside its channels.
+TIME, RATE = "time", "sample_rate"
+
+
+class SoundFileError(ValueError):
+    """A recording that cannot be read: one line that names the file and the reason."""
+
+
+@dataclass(frozen=True, eq=False)
+class Sound:
+    """Channels that were recorded together."""
+
+    channels: Mapping[str, Array]
+    """(n_sample,) float64 each, by name: ``1``, ``2``, ... of a WAV file."""
+    rate: float
+    """Hz."""
+    full_scale: float | None = None
+    """Largest value that the format can hold; None where there is none, as in texts and floating-point numbers."""
+
+
+def read_sound(path: str | os.PathLike[str]) -> Sound:
+    """Read a recording as it is: nothing is scaled, filtered or resampled.
+
+    - WAV: 8 to 32 bit integers as fractions of full scale, or floating-point numbers; channels are numbered from 1.
+    - CSV: a head line of channel names; ``time`` in s among them gives the rate.
+    - NPZ, MAT: an array of numbers per channel, all equally long, and ``sample_rate`` in Hz.
+
+    Raises:
+        SoundFileError: no such file, another suffix, cut short, or a content that is not of this kind.
+    """
+    path = Path(path)
+    reader = {".wav": _read_wav, ".csv": _read_csv, ".npz": _read_npz, ".mat": _read_mat}.get(path.suffix.lower())
+    if reader is None:
+        raise SoundFileError(f"{path}: its name must end with {', '.join(FORMATS[:-1])} or {FORMATS[-1]}")
+    if not path.is_file():
+        raise SoundFileError(f"{path}: {'is a folder' if path.is_dir() else 'no such file'}")
+    try:
+        sound = reader(path)
+    except OSError as error:
+        raise SoundFileError(f"{path}: cannot be read: {error.strerror or error}") from None
+    if not (np.isfinite(sound.rate) and sound.rate > 0):
+        raise SoundFileError(f"{path}: {RATE} = {sound.rate:g} Hz must be finite and above 0")
+    return sound
+
+
+def write_wav(path: str | os.PathLike[str], samples: Array, rate: int, bits: int = 16) -> None:
+    """Write channels as fractions of full scale; what lies beyond is clipped, as a recorder does.
+
+    Args:
+        path: of the file, whole or not at all.
+        samples: (n_channel, n_sample).
+        rate: Hz.
+        bits: 16, 24 (in the upper bits of 32) or 32.
+
+    Raises:
+        ValueError: another number of bits.
+    """
+    import scipy.io.wavfile
+
+    from geometry.whole_file import whole_file
+
+    if bits not in (16, 24, 32):
+        raise ValueError(f"bits = {bits} must be 16, 24 or 32")
+    steps = 2.0 ** (bits - 1)
+    levels = np.clip(np.rint(samples * steps), -steps, steps - 1)
+    if bits == 24:
+        levels = levels * 256
+    with whole_file(path) as beside:
+        scipy.io.wavfile.write(beside, rate, levels.T.astype(np.int16 if bits == 16 else np.int32))
+
+
+def _read_wav(path: Path) -> Sound:
+    import scipy.io.wavfile
+
+    with path.open("rb") as file:
+        head = file.read(8)
+    if len(head) < 8 or head[:4] not in (b"RIFF", b"RIFX", b"RF64"):
+        raise SoundFileError(f"{path}: cut short or not a WAV file")
+    stated = struct.unpack(">I" if head[:4] == b"RIFX" else "<I", head[4:])[0]
+    if head[:4] != b"RF64" and path.stat().st_size < stated + 8:
+        raise SoundFileError(f"{path}: cut short: it has {path.stat().st_size} of {stated + 8} bytes")
+    try:
+        with warnings.catch_warnings():
+            # recorders add chunks of their own; what they hold is no sound
+            warnings.filterwarnings("ignore", category=scipy.io.wavfile.WavFileWarning)
+            rate, samples = scipy.io.wavfile.read(path)
+    except (ValueError, struct.error, EOFError) as error:
+        raise SoundFileError(f"{path}: cut short or not a WAV file: {error}") from None
+    columns = samples.reshape(len(samples), -1).T
+    full_scale = None
+    if samples.dtype == np.uint8:
+        columns, full_scale = (columns.astype(np.float64) - 128) / 128, 127 / 128
+    elif samples.dtype.kind == "i":
+        # SciPy holds 24 bits in the upper ones of 32
+        step = 256 if samples.dtype == np.int32 and not (samples & 0xFF).any() else 1
+        scale = float(np.iinfo(samples.dtype).max) + 1
+        columns, full_scale = columns / scale, (scale - step) / scale
+    channels = {str(number): column.astype(np.float64) for number, column in enumerate(columns, 1)}
+    return Sound(channels, float(rate), full_scale)
+
+
+def _read_csv(path: Path) -> Sound:
+    with path.open(encoding="utf-8-sig", newline="") as file:
+        try:
+            head, *rows = [row for row in csv.reader(file) if row]
+        except (ValueError, csv.Error):
+            raise SoundFileError(f"{path}: is empty or not a CSV file") from None
+    names = [name.strip() for name in head]
+    if len(set(names)) < len(names) or TIME not in names or len(names) < 2:
+        raise SoundFileError(
+            f"{path}: its columns are {', '.join(names)}; they must be {TIME} and one per channel, each once"
+        )
+    for number, row in enumerate(rows, 2):
+        if len(row) != len(names):
+            raise SoundFileError(f"{path}: line {number} has {len(row)} values, must have {len(names)}; cut short?")
+    try:
+        table = np.array(rows, dtype=np.float64).reshape(len(rows), len(names))
+    except ValueError as error:
+        raise SoundFileError(f"{path}: {error}") from None
+    if len(table) < 2:
+        raise SoundFileError(f"{path}: has {len(table)} samples, must have at least 2")
+    time = table[:, names.index(TIME)]
+    step = float(time[-1] - time[0]) / (len(time) - 1)
+    uneven = np.flatnonzero(~(np.abs(np.diff(time) - step) <= 0.1 * abs(step)))
+    if len(uneven) or not step > 0:
+        line = int(uneven[0]) + 3 if len(uneven) else 3
+        raise SoundFileError(f"{path}: {TIME} must rise in even steps; it does not at line {line}")
+    return Sound({name: table[:, k] for k, name in enumerate(names) if name != TIME}, 1 / step)
+
+
+def _read_npz(path: Path) -> Sound:
+    try:
+        with np.load(path, allow_pickle=False) as content:
+            arrays = {name: content[name] for name in content.files}
+    except (zipfile.BadZipFile, zlib.error, EOFError, TypeError, ValueError) as error:
+        raise SoundFileError(f"{path}: cut short or not an NPZ file of numbers: {error}") from None
+    return _of_arrays(path, arrays)
+
+
+def _read_mat(path: Path) -> Sound:
+    import scipy.io
+    from scipy.io.matlab import MatReadError
+
+    try:
+        content = scipy.io.loadmat(path)
+    except (MatReadError, NotImplementedError, ValueError, TypeError, zlib.error, EOFError, struct.error) as error:
+        raise SoundFileError(f"{path}: cut short or not a MAT file up to version 7: {error}") from None
+    return _of_arrays(path, {name: values for name, values in content.items() if not name.startswith("__")})
+
+
+def _of_arrays(path: Path, arrays: Mapping[str, NDArray[Any]]) -> Sound:
+    if RATE not in arrays:
+        raise SoundFileError(f"{path}: has no {RATE}, but {', '.join(arrays) or 'nothing'}")
+    bad = [name for name, values in arrays.items() if values.dtype.kind not in "biuf"]
+    if bad:
+        raise SoundFileError(f"{path}: {bad[0]} holds {arrays[bad[0]].dtype}, not real numbers")
+    if arrays[RATE].size != 1:
+        raise SoundFileError(f"{path}: {RATE} has {arrays[RATE].size} values, must be one number")
+    channels = {name: np.squeeze(v).astype(np.float64) for name, v in arrays.items() if name != RATE}
+    wide = [name for name, values in channels.items() if values.ndim != 1]
+    if wide or not channels:
+        what = f"{wide[0]} has shape {arrays[wide[0]].shape}" if wide else "has no channel"
+        raise SoundFileError(f"{path}: {what}; it must hold one row of samples per channel")
+    check_equal_lengths(path, channels)
+    return Sound(channels, float(arrays[RATE].ravel()[0]))
+
+
+def check_equal_lengths(path: Path | str, channels: Mapping[str, Sequence[float] | Array]) -> None:
+    """Refuse channels of different lengths.
+
+    Raises:
+        SoundFileError: with the lengths.
+    """
+    if len({len(values) for values in channels.values()}) > 1:
+        lengths = ", ".join(f"{name} {len(values)}" for name, values in channels.items())
+        raise SoundFileError(f"{path}: its channels have different numbers of samples: {lengths}")

@@ -1,0 +1,105 @@
+"""A virtual rig calibrated from its recordings: coverage of the stated uncertainty, and what decoding gains.
+
+``python benchmarks/calibration.py`` writes the table of docs/calibration.md anew; ``python benchmarks/calibration.py 3
+"2 x 6"`` prints it for three rigs of one kind. Every sensor is recorded to WAV files and read back from them.
+"""
+
+from __future__ import annotations
+
+import sys
+import tempfile
+import time
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+import acoustic_fem
+import geometry
+import localize
+from acoustic_fem.calibration import calibrate
+from acoustic_fem.calibration_manifest import read_manifest
+from acoustic_fem.model_updating import UpdatedModel, update
+from geometry.design import ArrayDesign
+from localize.dataset import response_of
+from studies.rig import HiddenScatter, Recorder, Rig
+
+PAGE = Path(__file__).parents[1] / "docs" / "calibration.md"
+BEGIN, END = "<!-- rigs: made by benchmarks/calibration.py -->", "<!-- end -->"
+GRID = np.linspace(1.0, 100.0, 48)
+RIGS, TOUCHES, NOISE = 20, 20, 1e-3
+WIDE = {
+    f"{tube}.{field}": value
+    for tube in ("tube", "microphone_tube")
+    for field, value in (("inner_diameter", 0.6), ("outer_diameter", 1.1))
+}
+DESIGNS = {
+    "2 x 6": geometry.prototype("array-2x6"),
+    "2 x 36": geometry.prototype("array-2x6").with_values(
+        {"lines.0.points": 36, "layout.columns": 18, "membrane.thickness": 1.0, "resonator.cavity_diameter": 8.0,
+         "resonator.cavity_height": 3.0, **WIDE}
+    ),
+}  # fmt: skip
+#: Measured points, by the number of points of the line.
+MEASURED = {12: ((6,), (4, 9), (2, 6, 11)), 36: ((18,), (12, 25), (8, 18, 29))}
+
+
+def row(name: str, design: ArrayDesign, modulus: float, rigs: int) -> str:
+    library = acoustic_fem.solve(design, GRID, "lumped")
+    nominal = response_of(library)
+    accuracies, inside, refused, excluded, seconds = [], [], 0, 0, 0.0
+    for seed in range(rigs):
+        rig = Rig(design, seed, HiddenScatter(modulus=modulus), "navier-stokes")
+        truth = rig.transfer_function(GRID)
+        with tempfile.TemporaryDirectory() as folder:
+            manifest = rig.record(Path(folder), range(1, design.point_count + 1), Recorder())
+            found = calibrate(read_manifest(manifest), library)
+        excluded += sum(finding.excluded for finding in found.findings)
+        for number, estimate in found.estimates.items():
+            inside.append(np.abs(estimate.transfer_function - truth[number - 1]) < estimate.radius_95)
+        # points whose recording was left out come from a fit to the others, as the verb does
+        fill = update(UpdatedModel(library), found.estimates) if found.missing else None
+        full = found.library(library, fit=fill).transfer_function.values
+        known = [nominal.transfer_function, truth, full]
+        for points in MEASURED[design.point_count]:
+            start = time.process_time()
+            fit = update(UpdatedModel(library), {k: found.estimates[k] for k in points if k in found.estimates})
+            seconds = max(seconds, time.process_time() - start)
+            refused += fit.objection is not None
+            known.append(fit.transfer_function)
+        touched = replace(nominal, transfer_function=truth)
+        accuracies.append([accuracy(replace(nominal, transfer_function=h), touched) for h in known])
+        print(name, modulus, seed, np.round(100 * np.array(accuracies[-1]), 1), file=sys.stderr, flush=True)
+    shares = 100 * np.array(accuracies)
+    cells = (f"{mean:.1f} ({worst:.1f})" for mean, worst in zip(shares.mean(0), shares.min(0), strict=True))
+    label = name if modulus == 1 else f"{name}, modulus x {modulus:g}"
+    share, recordings = 100 * np.mean(inside), rigs * design.point_count
+    rest = (f"{share:.1f}", f"{refused} of {3 * rigs}", f"{excluded} of {recordings}", f"{seconds:.1f}")
+    return "| " + " | ".join((label, *cells, *rest)) + " |"
+
+
+def accuracy(known: localize.dataset.ArrayResponse, touched: localize.dataset.ArrayResponse) -> float:
+    return localize.evaluate(localize.BayesDecoder(known, NOISE), touched, TOUCHES, NOISE).top1
+
+
+def table(rigs: int, names: tuple[str, ...]) -> str:
+    head = (
+        "| sensors | nominal | known exactly | all measured | one point | two | three | in the 95 % band (%) | "
+        "fits refused | recordings left out | slowest fit (s) |"
+    )
+    rows = [row(name, DESIGNS[name], modulus, rigs) for name in names for modulus in (1.0, 0.85)]
+    return "\n".join([head, "|---" * 11 + "|", *rows])
+
+
+def main() -> None:
+    given = sys.argv[1:]
+    text = table(int(given[0]) if given else RIGS, tuple(given[1:]) or tuple(DESIGNS))
+    print(text)
+    if not given:
+        page = PAGE.read_text(encoding="utf-8")
+        before, rest = page.split(BEGIN)
+        PAGE.write_text(f"{before}{BEGIN}\n{text}\n{END}{rest.split(END, 1)[1]}", encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,81 @@
+"""The verb calibrate."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from studies.cli_options import Fidelity, Frequencies, display_on_stderr, frequency_option, named
+from studies.tables import show, table_of
+
+#: The manifest of a folder of recordings.
+MANIFEST = "calibration.toml"
+
+
+def calibrate(
+    recordings: Annotated[
+        Path,
+        typer.Argument(
+            metavar="RECORDINGS",
+            help=f"A manifest, TOML, or a folder with one called {MANIFEST}: docs/calibration.md.",
+            show_default=False,
+        ),
+    ],
+    out: Annotated[Path, typer.Option(help="The library to write, netCDF; a figure goes beside.", show_default=False)],
+    fidelity: Annotated[
+        Fidelity, typer.Option(help="Of the design's own transfer functions, which stand in for missing points.")
+    ] = Fidelity.lumped,
+    frequencies: Frequencies = "1:100:64",
+) -> None:
+    """From recordings of the made sensor to its library: measured transfer functions with their uncertainty.
+
+    Swept sines or noise at each point, a calibration microphone at the touched cavity. Bad recordings are left out and
+    named. Points without a good one follow from a fit of the sensor's parts to the measured points; where no sensor
+    within the tolerances is like the measured one, that is said, and they keep the transfer functions of the design.
+
+    Example: [bold]acoustic-fem calibrate recordings --out made.nc[/bold]
+    """
+    grid = frequency_option(frequencies)
+    from studies.folders import check_new_file
+
+    check_new_file(out)
+    import acoustic_fem
+    from acoustic_fem.calibration import calibrate as estimate
+    from acoustic_fem.calibration_manifest import read_manifest
+    from acoustic_fem.model_updating import UpdatedModel, update
+    from studies.calibration_figures import draw_calibration
+    from studies.calibration_priors import fit_priors, model_deviation
+
+    manifest = read_manifest(recordings / MANIFEST if recordings.is_dir() else recordings)
+    with display_on_stderr() as display, named(frequency="--frequencies"):
+        with display.stage("Design") as report:
+            model = acoustic_fem.solve(manifest.design, grid, fidelity=fidelity.value, progress=report)
+        with display.stage("Recordings") as report:
+            calibration = estimate(manifest, model, report)
+        fit, deviation = None, None
+        if calibration.missing:
+            with display.stage("Fit"):
+                fit = update(UpdatedModel(model, fit_priors(manifest.design)), calibration.estimates)
+                deviation = model_deviation(manifest.design, grid)
+        library = calibration.library(model, deviation, None if fit is None or fit.objection else fit)
+        acoustic_fem.save(library, out)
+        figure = draw_calibration(calibration, model, out.with_suffix(".png"))
+    if calibration.findings:
+        table = table_of("point", "", "finding", numbers=(0,))
+        for finding in calibration.findings:
+            table.add_row(str(finding.point), "left out" if finding.excluded else "note", finding.text)
+        show(table)
+    if fit is not None:
+        determined = int((fit.eigenvalues >= 1).sum())
+        print(
+            f"fit: chi-squared {fit.chi_squared:.0f} for {fit.residuals} residuals; {determined} of "
+            f"{len(fit.parameters)} combinations of parameters determined"
+        )
+        if fit.objection:
+            print(f"fit not used: {fit.objection}")
+    source = "of the design" if fit is not None and fit.objection else "fitted"
+    rest = f", {len(calibration.missing)} {source}" if calibration.missing else ""
+    print(f"{out}: {len(calibration.estimates)} of {manifest.design.point_count} points measured{rest}")
+    print(figure)
