@@ -35,7 +35,7 @@ def models():
 
 def hand():
     lines = [{"between": pair, "points": 6} for pair in (["A", "B"], ["B", "C"])]
-    changes = {"layout": {"kind": "hand", "columns": 3}, "lines": lines, "microphone.chamber_diameter": 2.8}
+    changes = {"layout": {"kind": "hand", "columns": 3}, "lines": lines, "microphone.chamber_diameter": 3.2}
     return geometry.prototype("glove").with_values(changes)
 
 
