@@ -52,7 +52,7 @@ TEMPERATURE = NOISE_SHARE**-2
 """Counts misfits by the noise that is told again: probabilities are then calibrated, see docs/decoder.md."""
 QUIET_BONUS = 30.0
 """Nats, after the temperature: the likelihood assumes less noise than there is, and would take the rest for sound. In
-quiet, sound was preferred by at most 35 nats on line-2, by more than 72 where there were 60 dB SPL."""
+quiet, sound was preferred by at most 35 nats on line-2 (1 of 100 by 27 or more), at 60 dB SPL by at least 90."""
 ROOM = (None, 50.0, 60.0, 70.0, 80.0, 90.0)
 """Levels among which the sound of a room is looked for, dB SPL; None is quiet."""
 SURE = 20.0
