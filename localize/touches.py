@@ -3,7 +3,8 @@
 Frames that are told from silence and follow each other are one contact. A finger may slide meanwhile: the exact
 hidden Markov filter of :mod:`localize.touch_filter`, run forward and backward over the contact, tells which point was
 touched when, and each point that was held long enough is a touch. Frames 16 ms apart share most of their samples;
-their log-likelihoods count in proportion to what is new in them.
+their log-likelihoods count in proportion to what is new in them, and to their level: what is left of a touch once its
+beginning has passed out of the frame is quiet, and names wrong points with certainty.
 """
 
 from __future__ import annotations
@@ -78,7 +79,9 @@ def touches_of(events: Iterable[Decision | Fault], array: Array) -> list[Touch]:
 
 def _touches(contact: list[Decision], listener: TouchFilter) -> list[Touch]:
     each = np.stack([decision.distribution for decision in contact if decision.distribution is not None])
-    probability = listener.forward_backward(HOP / FRAME * np.log(each.clip(_LEAST_PROBABILITY)))
+    level = np.array([decision.level for decision in contact])
+    weight = HOP / FRAME * level / level.max()
+    probability = listener.forward_backward(weight[:, None] * np.log(each.clip(_LEAST_PROBABILITY)))
     named = probability.argmax(1)
     edges = [0, *(np.flatnonzero(np.diff(named)) + 1).tolist(), len(named)]
     runs = [(a, b) for a, b in pairwise(edges) if b - a >= HELD]

@@ -113,6 +113,16 @@ def test_touches_are_found_where_they_were_made(decoder, signals):
         assert touch.probability > 0.99
 
 
+def test_what_is_left_of_a_loud_touch_names_no_other_point(decoder):
+    names = np.full((6, 6), 1e-9) + np.eye(6)
+    loud, left = names[2] / names[2].sum(), names[5] / names[5].sum()
+    events = [
+        Decision(0.25 + 0.016 * k, "touch", 1.0 if k < 16 else 0.01, 3 if k < 16 else 6, 1.0, loud if k < 16 else left)
+        for k in range(40)
+    ]
+    assert [touch.point for touch in localize.touches_of(events, decoder)] == [3]
+
+
 def test_a_sliding_finger_touches_one_point_after_the_other(array, decoder):
     made = localize.TouchGenerator(array, 0, "evaluation", 0.0).samples(0, 60)
     loud = np.argsort(-made.signals.std(-1).amin(1).numpy())
