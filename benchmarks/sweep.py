@@ -19,6 +19,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
+import dask
 import joblib
 import numpy as np
 import psutil
@@ -33,7 +34,7 @@ from studies.study_file import read_study
 from studies.sweep import run_sweep
 from studies.sweep_cases import Job, solve_block
 from studies.sweep_store import open_sweep
-from studies.sweep_workers import cores, open_workers
+from studies.sweep_workers import ENVIRONMENT, cores, open_workers
 
 PAGE = Path(__file__).parents[1] / "docs" / "studies.md"
 BEGIN, END = "<!-- speed: made by benchmarks/sweep.py -->", "<!-- end speed -->"
@@ -107,9 +108,13 @@ def swept(study: Study, scheduler: str | None = None, check: Callable[[Path], No
 @contextmanager
 def started(workers: int) -> Iterator[str]:
     """Address of workers of this machine that have computed a small sweep: all modules are loaded."""
-    with LocalCluster(
-        n_workers=workers, threads_per_worker=1, processes=True, dashboard_address=None, silence_logs=40
-    ) as cluster:
+    own = {f"distributed.nanny.pre-spawn-environ.{name}": value for name, value in ENVIRONMENT.items()}
+    with (
+        dask.config.set(own),
+        LocalCluster(
+            n_workers=workers, threads_per_worker=1, processes=True, dashboard_address=None, silence_logs=40
+        ) as cluster,
+    ):
         swept(study_of(128), cluster.scheduler_address)
         yield cluster.scheduler_address
 

@@ -44,6 +44,13 @@ def cores() -> int:
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
+#: Of a worker of this machine. With dask's own setting of malloc every array is fetched from the system anew, which
+#: took two fifths of a worker's time.
+ENVIRONMENT = {f"{name}_NUM_THREADS": 1 for name in ("OMP", "MKL", "OPENBLAS")} | {
+    f"MALLOC_{name}_THRESHOLD_": 1 << 30 for name in ("TRIM", "MMAP")
+}
+
+
 @contextmanager
 def open_workers(count: int | None, scheduler: str | None) -> Iterator[Workers]:
     """Workers, for as long as the block lasts.
@@ -173,10 +180,7 @@ def _local(count: int) -> Iterator[_Dask]:
         "distributed.scheduler.worker-ttl": None,
         "distributed.scheduler.allowed-failures": 1,  # a task that ends two workers is given up
     }
-    environment = {f"{name}_NUM_THREADS": 1 for name in ("OMP", "MKL", "OPENBLAS")}
-    # With dask's own setting every array is fetched from the system anew: two fifths of a worker's time.
-    environment |= {f"MALLOC_{name}_THRESHOLD_": 1 << 30 for name in ("TRIM", "MMAP")}
-    one = {f"distributed.nanny.pre-spawn-environ.{name}": value for name, value in environment.items()}
+    one = {f"distributed.nanny.pre-spawn-environ.{name}": value for name, value in ENVIRONMENT.items()}
     with (
         dask.config.set({**one, **patient}),
         LocalCluster(n_workers=count, threads_per_worker=1, processes=True, dashboard_address=None,
