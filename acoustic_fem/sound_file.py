@@ -50,7 +50,7 @@ def read_sound(path: str | os.PathLike[str]) -> Sound:
         SoundFileError: no such file, another suffix, cut short, or a content that is not of this kind.
     """
     path = Path(path)
-    reader = {".wav": _read_wav, ".csv": _read_csv, ".npz": _read_npz, ".mat": _read_mat}.get(path.suffix.lower())
+    reader = {".wav": read_wav, ".csv": _read_csv, ".npz": _read_npz, ".mat": _read_mat}.get(path.suffix.lower())
     if reader is None:
         raise SoundFileError(f"{path}: its name must end with {', '.join(FORMATS[:-1])} or {FORMATS[-1]}")
     if not path.is_file():
@@ -90,7 +90,8 @@ def write_wav(path: str | os.PathLike[str], samples: Array, rate: int, bits: int
         scipy.io.wavfile.write(beside, rate, levels.T.astype(np.int16 if bits == 16 else np.int32))
 
 
-def _read_wav(path: Path) -> Sound:
+def read_wav(path: Path) -> Sound:
+    """As :func:`read_sound`, whatever the suffix."""
     import scipy.io.wavfile
 
     with path.open("rb") as file:

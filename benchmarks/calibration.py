@@ -21,6 +21,7 @@ from acoustic_fem.calibration import calibrate
 from acoustic_fem.calibration_manifest import read_manifest
 from acoustic_fem.model_updating import UpdatedModel, update
 from geometry.design import ArrayDesign
+from geometry.whole_file import replace_section
 from localize.dataset import response_of
 from studies.rig import HiddenScatter, Recorder, Rig
 
@@ -96,9 +97,7 @@ def main() -> None:
     text = table(int(given[0]) if given else RIGS, tuple(given[1:]) or tuple(DESIGNS))
     print(text)
     if not given:
-        page = PAGE.read_text(encoding="utf-8")
-        before, rest = page.split(BEGIN)
-        PAGE.write_text(f"{before}{BEGIN}\n{text}\n{END}{rest.split(END, 1)[1]}", encoding="utf-8")
+        replace_section(PAGE, BEGIN, END, text.splitlines())
 
 
 if __name__ == "__main__":

@@ -13,6 +13,7 @@ import numpy as np
 
 import acoustic_fem
 import geometry
+from geometry.whole_file import replace_section
 from localize import ArrayResponse, BayesDecoder, FrequencyRatioDecoder, judge
 from localize.dataset import TouchGenerator, response_of
 from localize.finger_stimuli import friction, taps
@@ -91,8 +92,7 @@ def main() -> None:
     lines = ["| | " + " | ".join(names) + " |", "|---" * (len(names) + 1) + "|"]
     lines += [f"| {' | '.join(row)} |" for row in zip(titles, *columns, strict=True)]
     print("\n".join(lines))
-    before, rest = PAGE.read_text(encoding="utf-8").split(BEGIN)
-    PAGE.write_text("\n".join([before + BEGIN, *lines, END + rest.split(END, 1)[1]]), encoding="utf-8")
+    replace_section(PAGE, BEGIN, END, lines)
 
 
 if __name__ == "__main__":

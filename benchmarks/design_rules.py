@@ -19,7 +19,7 @@ from scipy.stats import spearmanr
 import acoustic_fem
 import geometry
 from geometry import ArrayDesign
-from geometry.whole_file import whole_file, write_text
+from geometry.whole_file import replace_section, whole_file
 from studies.metric_registry import METRICS
 from studies.study_file import read_study
 from studies.sweep import run_sweep
@@ -79,14 +79,13 @@ class Curve:
 
 
 def main() -> None:
-    page = (FOLDER / "README.md").read_text(encoding="utf-8")
     for rule in RULES:
         curves = {title: sweep(rule, geometry.prototype(base)) for title, base in BASES.items()}
         draw(rule, curves, FOLDER / f"{rule.name}.png")
         lines = [*table(rule, curves), "", verdict(rule, curves), "", at_navier_stokes(rule)]
         print("\n".join(lines), end="\n\n")
-        page = put(page, rule.name, lines)
-    write_text(FOLDER / "README.md", page)
+        begin, end = BEGIN.format(name=rule.name), END.format(name=rule.name)
+        replace_section(FOLDER / "README.md", begin, end, lines)
 
 
 def sweep(rule: Rule, base: ArrayDesign) -> Curve:
@@ -192,13 +191,6 @@ def draw(rule: Rule, curves: dict[str, Curve], path: Path) -> None:
     accuracy.set_ylim(0, 102)
     with whole_file(path) as beside:
         figure.savefig(beside, dpi=110)
-
-
-def put(page: str, name: str, lines: list[str]) -> str:
-    """Replace what stands between the marks of a name."""
-    begin, end = BEGIN.format(name=name), END.format(name=name)
-    before, rest = page.split(begin)
-    return "\n".join([before + begin, *lines, end + rest.split(end, 1)[1]])
 
 
 if __name__ == "__main__":

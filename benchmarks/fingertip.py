@@ -11,6 +11,7 @@ import numpy as np
 
 import acoustic_fem
 import geometry
+from geometry.whole_file import replace_section
 from studies.metric_registry import METRICS
 from studies.tolerance import tolerance_study
 
@@ -54,8 +55,7 @@ def main() -> None:
         lines.append(f"| {title} | {spread(old)} | {spread(new)} | {verdict} ({spread(change, '+.1f')}) |")
     print("\n".join(lines))
     page = DOCS / "optimize.md"
-    before, rest = page.read_text(encoding="utf-8").split(BEGIN)
-    page.write_text("\n".join([before + BEGIN, *lines, END + rest.split(END, 1)[1]]), encoding="utf-8")
+    replace_section(page, BEGIN, END, lines)
 
 
 def error(values: np.ndarray) -> float:

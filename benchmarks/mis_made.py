@@ -19,6 +19,7 @@ import numpy as np
 import acoustic_fem
 import geometry
 import localize
+from geometry.whole_file import replace_section
 from localize.dataset import response_of
 from studies.confusion import predict_confusion
 from studies.metric_registry import METRICS
@@ -107,8 +108,7 @@ def forgiving() -> list[str]:
 
 def put(lines: list[str], begin: str, end: str) -> None:
     print("\n".join(lines))
-    before, rest = PAGE.read_text(encoding="utf-8").split(begin)
-    PAGE.write_text("\n".join([before + begin, *lines, end + rest.split(end, 1)[1]]), encoding="utf-8")
+    replace_section(PAGE, begin, end, lines)
 
 
 def main() -> None:

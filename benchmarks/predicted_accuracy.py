@@ -16,6 +16,7 @@ import numpy as np
 import acoustic_fem
 import geometry
 import localize
+from geometry.whole_file import replace_section
 from studies.confusion import Listener, predict_confusion
 from studies.metric_registry import METRICS
 
@@ -132,11 +133,8 @@ def main() -> None:
         row["predicted_network"], row["predicted_model"] = predicted(row, "network"), predicted(row, "model")
     RESULTS.write_text(json.dumps(rows, indent=1) + "\n")
     print(table(rows))
-    page = PAGE.read_text(encoding="utf-8")
     for begin, end, content in ((BEGIN, END, table(rows)), (DEFINED, DEFINED_END, definitions())):
-        before, rest = page.split(begin)
-        page = f"{before}{begin}\n{content}\n{end}{rest.split(end, 1)[1]}"
-    PAGE.write_text(page, encoding="utf-8")
+        replace_section(PAGE, begin, end, content.splitlines())
 
 
 if __name__ == "__main__":

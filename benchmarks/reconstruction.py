@@ -14,6 +14,7 @@ import numpy as np
 
 import acoustic_fem
 import geometry
+from geometry.whole_file import replace_section
 from localize import ArrayResponse, Reconstructor, short_window_waveform
 from localize.dataset import TouchGenerator, response_of
 from localize.stimulus import multi_sines, time_signal
@@ -34,7 +35,7 @@ def array(name: str) -> ArrayResponse:
         design = design.with_values({"lines.0.points": 12, "layout.columns": 6})
     with warnings.catch_warnings():
         # Entrances beyond the range of the closed form, above 200 Hz: nothing hangs on it here.
-        warnings.filterwarnings("ignore", "entrance loss of a tube")
+        warnings.filterwarnings("ignore", "entrance loss of a tube", UserWarning)
         return response_of(acoustic_fem.solve(design, FREQUENCY, "lumped"))
 
 
@@ -83,8 +84,7 @@ def main() -> None:
     for row in (0, 2, len(FILTERS)):
         lines.append(f"| {titles[row]} | " + " | ".join(f"{value:.0f}" for value in first[row]) + " |")
     print("\n".join(lines))
-    before, rest = PAGE.read_text(encoding="utf-8").split(BEGIN)
-    PAGE.write_text("\n".join([before + BEGIN, *lines, END + rest.split(END, 1)[1]]), encoding="utf-8")
+    replace_section(PAGE, BEGIN, END, lines)
 
 
 if __name__ == "__main__":

@@ -27,6 +27,7 @@ from distributed import LocalCluster
 
 import acoustic_fem
 from geometry import ArrayDesign
+from geometry.whole_file import replace_section
 from studies.cases import Cases, cases_of
 from studies.metric_registry import METRICS, metrics_named
 from studies.study import Study
@@ -224,8 +225,7 @@ def main() -> None:
         overhead(64 if quick else 256),
     ):
         lines += ["", *part]
-    before, rest = PAGE.read_text(encoding="utf-8").split(BEGIN)
-    PAGE.write_text("\n".join([before + BEGIN, *lines, END + rest.split(END, 1)[1]]), encoding="utf-8")
+    replace_section(PAGE, BEGIN, END, lines)
 
 
 if __name__ == "__main__":

@@ -16,6 +16,7 @@ import numpy as np
 import acoustic_fem
 import geometry
 from geometry.design import ArrayDesign
+from geometry.whole_file import replace_section
 from localize import ArrayResponse, TwoTouchDecoder
 from localize.dataset import TouchGenerator, response_of
 from localize.stimulus import multi_sines, time_signal
@@ -73,7 +74,7 @@ def near(response: ArrayResponse, found: np.ndarray, true: np.ndarray) -> np.nda
 def rows(microphones: int, rng: np.random.Generator) -> list[str]:
     with warnings.catch_warnings():
         # Entrances beyond the range of the closed form: nothing hangs on it below 100 Hz.
-        warnings.filterwarnings("ignore", "entrance loss of a tube")
+        warnings.filterwarnings("ignore", "entrance loss of a tube", UserWarning)
         response = response_of(acoustic_fem.solve(design(microphones), FREQUENCY, "lumped"))
     points = response.point_count
     start = process_time()
@@ -132,8 +133,7 @@ def main() -> None:
     ]
     for microphones in LINES:
         lines += rows(microphones, rng)
-    before, rest = PAGE.read_text(encoding="utf-8").split(BEGIN)
-    PAGE.write_text("\n".join([before + BEGIN, *lines, END + rest.split(END, 1)[1]]), encoding="utf-8")
+    replace_section(PAGE, BEGIN, END, lines)
 
 
 if __name__ == "__main__":

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -34,3 +34,17 @@ def write_text(path: str | os.PathLike[str], text: str) -> None:
     """Write a text in UTF-8, whole or not at all; lines end with a line feed on every system."""
     with whole_file(path) as beside:
         beside.write_text(text, encoding="utf-8", newline="\n")
+
+
+def replace_section(path: str | os.PathLike[str], begin: str, end: str, lines: Sequence[str]) -> None:
+    """Put lines between two marks of a text, in place of what stands there; the marks stay.
+
+    Raises:
+        ValueError: the marks do not stand in the text once each, in this order.
+    """
+    text = Path(path).read_text(encoding="utf-8")
+    before, found, rest = text.partition(begin)
+    _, closed, after = rest.partition(end)
+    if not found or not closed or begin in rest:
+        raise ValueError(f"{path}: {begin!r} and then {end!r} must each stand in it once")
+    write_text(path, "\n".join([before + begin, *lines, end + after]))

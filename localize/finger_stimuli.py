@@ -16,7 +16,6 @@ from __future__ import annotations
 
 import math
 import os
-import struct
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -243,29 +242,21 @@ def _faded(pressure: Tensor) -> Tensor:
 
 def _read_wav(path: Path) -> np.ndarray:
     """(n_sample,) float64 at 1 kHz, one being the largest value the format holds."""
-    from scipy.io import wavfile
-    from scipy.signal import resample_poly
+    from acoustic_fem.sound_file import read_wav
+    from localize.recording import at_one_kilohertz
 
     try:
-        rate, values = wavfile.read(path)
+        sound = read_wav(path)
     except OSError as error:
         raise ValueError(f"{path}: cannot be read: {error.strerror or error}") from None
-    except (ValueError, struct.error, EOFError) as error:
-        raise ValueError(f"{path}: is not a WAV file that can be read: {error}") from None
-    if values.ndim != 1:
-        raise ValueError(f"{path}: has {values.shape[1]} channels, must have one: the pressure in a cavity")
-    if np.issubdtype(values.dtype, np.integer):
-        span = np.iinfo(values.dtype)
-        middle = (span.max + span.min + 1) / 2  # eight bits are unsigned
-        scaled = (values.astype(np.float64) - middle) / (span.max - middle + 1)
-    else:
-        scaled = values.astype(np.float64)
-    if not np.isfinite(scaled).all():
+    if len(sound.channels) != 1:
+        raise ValueError(f"{path}: has {len(sound.channels)} channels, must have one: the pressure in a cavity")
+    (pressure,) = sound.channels.values()
+    if not np.isfinite(pressure).all():
         raise ValueError(f"{path}: holds values that are not finite")
-    if not np.ptp(scaled) > 0:
+    if not np.ptp(pressure) > 0:
         raise ValueError(f"{path}: is silent: its value never changes")
-    common = math.gcd(rate, round(SAMPLE_RATE))
-    resampled = resample_poly(scaled, round(SAMPLE_RATE) // common, rate // common)
+    resampled = at_one_kilohertz(pressure[None], sound.rate)[0]
     if len(resampled) < SAMPLE_LENGTH:
-        raise ValueError(f"{path}: lasts {len(scaled) / rate:.3g} s, must last at least 1 s")
-    return np.asarray(resampled)
+        raise ValueError(f"{path}: lasts {len(pressure) / sound.rate:.3g} s, must last at least 1 s")
+    return resampled

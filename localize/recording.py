@@ -5,17 +5,16 @@ from __future__ import annotations
 import csv
 import math
 import os
-import struct
 import zipfile
 from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
-import scipy.io.wavfile
 import scipy.signal
 from numpy.typing import NDArray
 
+from acoustic_fem.sound_file import SoundFileError, read_wav
 from localize.frames import FRAME
 from localize.stimulus import SAMPLE_RATE
 
@@ -86,7 +85,7 @@ def read_recording(
     else:
         limit = full_scale
     _check(path, samples, rate, microphones, limit)
-    return Recording(_at_one_kilohertz(samples, rate), rate)
+    return Recording(at_one_kilohertz(samples, rate), rate)
 
 
 def _check(
@@ -132,7 +131,8 @@ def _first_clipped(channel: NDArray[np.float64], limit: float | None) -> int | N
     return None
 
 
-def _at_one_kilohertz(samples: NDArray[np.float64], rate: float) -> NDArray[np.float64]:
+def at_one_kilohertz(samples: NDArray[np.float64], rate: float) -> NDArray[np.float64]:
+    """(n_channel, n_sample) at a rate in Hz, resampled by a polyphase filter."""
     ratio = Fraction(SAMPLE_RATE / rate).limit_denominator(10_000)
     if ratio == 1:
         return samples
@@ -142,32 +142,11 @@ def _at_one_kilohertz(samples: NDArray[np.float64], rate: float) -> NDArray[np.f
 
 def _read_wav(path: Path, microphones: tuple[str, ...]) -> tuple[NDArray[np.float64], float, float | None]:
     """Channels as fractions of full scale, rate, and the highest value an integer format can hold."""
-    _check_length(path)
     try:
-        rate, samples = scipy.io.wavfile.read(path)
-    except (ValueError, struct.error, EOFError) as error:
-        raise RecordingError(f"{path}: cut short or not a WAV file: {error}") from None
-    samples = samples.reshape(len(samples), -1).T
-    if samples.dtype.kind == "f":
-        return samples.astype(np.float64), float(rate), None
-    if samples.dtype == np.uint8:
-        return (samples.astype(np.float64) - 128) / 128, float(rate), 127 / 128
-    # SciPy holds 24 bits in the upper ones of 32.
-    most = float(np.iinfo(samples.dtype).max)
-    scale = most + 1
-    step = 256 if samples.dtype == np.int32 and not (samples & 0xFF).any() else 1
-    return samples / scale, float(rate), (scale - step) / scale
-
-
-def _check_length(path: Path) -> None:
-    """A WAV file states how long it is."""
-    with path.open("rb") as file:
-        head = file.read(8)
-    if len(head) < 8 or head[:4] not in (b"RIFF", b"RIFX", b"RF64"):
-        raise RecordingError(f"{path}: cut short or not a WAV file")
-    stated = struct.unpack(">I" if head[:4] == b"RIFX" else "<I", head[4:])[0]
-    if head[:4] != b"RF64" and path.stat().st_size < stated + 8:
-        raise RecordingError(f"{path}: cut short: it has {path.stat().st_size} of {stated + 8} bytes")
+        sound = read_wav(path)
+    except SoundFileError as error:
+        raise RecordingError(str(error)) from None
+    return np.stack(list(sound.channels.values())), sound.rate, sound.full_scale
 
 
 def _read_csv(path: Path, microphones: tuple[str, ...]) -> tuple[NDArray[np.float64], float, float | None]:

@@ -8,7 +8,6 @@ long as the paper says, 14,000 touches of every point over 30 epochs, which take
 from __future__ import annotations
 
 import json
-import re
 import warnings
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
@@ -125,13 +124,11 @@ def table(rows: list[dict[str, Any]]) -> str:
 
 def write_table(folder: Path, rows: list[dict[str, Any]]) -> None:
     """Into the folder's README.md where that has a place for it, else into table.md."""
-    from geometry.whole_file import write_text
+    from geometry.whole_file import replace_section, write_text
 
     page = folder / "README.md"
-    text = page.read_text(encoding="utf-8") if page.exists() else ""
-    if BEGIN in text:
-        pattern = re.compile(re.escape(BEGIN) + ".*?" + re.escape(END), re.DOTALL)
-        write_text(page, pattern.sub(lambda _: f"{BEGIN}\n{table(rows)}\n{END}", text))
+    if page.exists() and BEGIN in page.read_text(encoding="utf-8"):
+        replace_section(page, BEGIN, END, table(rows).splitlines())
     else:
         write_text(folder / "table.md", table(rows) + "\n")
 

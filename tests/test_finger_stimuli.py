@@ -123,8 +123,8 @@ def test_formats_of_wav_files_have_the_same_scale(tmp_path):
     ("kind", "message"),
     [
         ("missing", r"missing\.wav: cannot be read: No such file"),
-        ("text", "is not a WAV file that can be read"),
-        ("cut", "is not a WAV file that can be read"),
+        ("text", "cut short or not a WAV file"),
+        ("cut", "cut short: it has 30 of"),
         ("stereo", "has 2 channels, must have one"),
         ("short", r"lasts 0\.5 s, must last at least 1 s"),
         ("silent", "is silent"),
