@@ -1,13 +1,12 @@
-"""The decoders that need no training: accuracy, calibration and time on 36, 108 and 216 points.
+"""The decoders that need no training: accuracy and calibration on 36, 108 and 216 points.
 
 ``python benchmarks/decoder.py`` writes the tables of docs/decoder.md anew, with the 3-D cells of the default fidelity;
-some minutes of one core the first time. Times are processor time of one thread.
+some minutes of one core the first time.
 """
 
 from __future__ import annotations
 
 from pathlib import Path
-from time import process_time
 
 import numpy as np
 
@@ -75,19 +74,12 @@ def column(name: str) -> list[str]:
         if noise == ASSUMED:
             judged = judge(who, test, frames, false_alarm=0.01)
             cells[-1] += f" / {100 * (~judged.explained).mean():.1f}"
-    for locator in (decoder, baseline):
-        frame = frames[:1]
-        locator.log_likelihood(frame)
-        start, turns = process_time(), 100
-        for _ in range(turns):
-            locator.log_likelihood(frame)
-        cells.append(f"{1e3 * (process_time() - start) / turns:.2f} ms")
     return cells
 
 
 def main() -> None:
     names = ("line-2", "line-3", "line-4")
-    titles = ["points", *(case[0] for case in CASES), "one frame, model-based", "one frame, ratio baseline"]
+    titles = ["points", *(case[0] for case in CASES)]
     columns = [column(name) for name in names]
     lines = ["| | " + " | ".join(names) + " |", "|---" * (len(names) + 1) + "|"]
     lines += [f"| {' | '.join(row)} |" for row in zip(titles, *columns, strict=True)]

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from localize.onnx import OnnxLocalizer, export_onnx
     from localize.reconstruct import Reconstructor, Waveform, short_window_waveform
     from localize.recording import Recording, RecordingError, read_recording
+    from localize.sound_test import SoundTest
     from localize.stream import Decision, Fault, TouchStream
     from localize.touch_filter import TouchFilter
     from localize.touches import Touch, touches_of
@@ -44,6 +45,7 @@ _HOMES = {
     "Recording": "recording",
     "RecordingError": "recording",
     "ResidualTest": "judgement",
+    "SoundTest": "sound_test",
     "Touch": "touches",
     "TouchFilter": "touch_filter",
     "TouchGenerator": "dataset",
@@ -79,6 +81,7 @@ __all__ = [
     "Recording",
     "RecordingError",
     "ResidualTest",
+    "SoundTest",
     "Touch",
     "TouchFilter",
     "TouchGenerator",

@@ -53,7 +53,7 @@ TEMPERATURE = NOISE_SHARE**-2
 QUIET_BONUS = 30.0
 """Nats, after the temperature: the likelihood assumes less noise than there is, and would take the rest for sound. In
 quiet, sound was preferred by at most 35 nats on line-2 (1 of 100 by 27 or more), at 60 dB SPL by at least 90."""
-ROOM = (None, 50.0, 60.0, 70.0, 80.0, 90.0)
+ROOM = (None, 40.0, 55.0, 70.0, 85.0)
 """Levels among which the sound of a room is looked for, dB SPL; None is quiet."""
 SURE = 20.0
 """Nats: points this far behind the best one, and what single precision may err, are not scored again in double."""
@@ -236,6 +236,12 @@ def share_of(noise: float | NoiseSpectrum) -> float | NoiseSpectrum:
     if isinstance(noise, NoiseSpectrum):
         return NoiseSpectrum(noise.power * NOISE_SHARE**2, noise.source)
     return noise * NOISE_SHARE
+
+
+def room(loudest: float | None) -> tuple[float | None, ...]:
+    """The levels of :data:`ROOM` that cover sound up to a level in dB SPL; of None that of quiet alone."""
+    step = 15.0
+    return tuple(level for level in ROOM if level is None or (loudest is not None and level < loudest + step / 2))
 
 
 def checked_levels(response: ArrayResponse, ambient: Ambient) -> tuple[float | None, ...]:

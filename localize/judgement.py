@@ -20,7 +20,14 @@ from torch import Tensor
 
 from localize.bayes import BayesDecoder
 from localize.dataset import ArrayResponse, response_of
-from localize.frame_covariance import check_noise, low_pass, touch_covariances, whitening
+from localize.frame_covariance import (
+    ambient_covariance,
+    check_ambient,
+    check_noise,
+    low_pass,
+    touch_covariances,
+    whitening,
+)
 from localize.frames import checked_signals, cut_frames
 from localize.noise import NoiseChoice
 from localize.stimulus import BAND, NOISE, SAMPLE_RATE
@@ -59,6 +66,9 @@ class ResidualTest:
             the signal, which stands above a noise that is lower.
         microphone_noise: the noise there is, as of :class:`localize.BayesDecoder`.
         loudest: Pa rms in the touched cavity, 1e-3 to 1e3: up to here a true touch passes.
+        ambient: sound around up to this level in dB SPL, 0 to 140, passes with a touch; None for quiet. It takes as
+            many directions as there are lines below half the sample rate: with two microphones next to none is then
+            left to test. Needs a library with a design.
 
     Raises:
         ValueError: an argument out of range; touches too far above the noise for double precision; or as
@@ -67,23 +77,31 @@ class ResidualTest:
 
     @one_thread()
     def __init__(
-        self, library: Library | ArrayResponse, microphone_noise: NoiseChoice = 1e-3, loudest: float = 1.0
-    ) -> None:  # fmt: skip
+        self,
+        library: Library | ArrayResponse,
+        microphone_noise: NoiseChoice = 1e-3,
+        loudest: float = 1.0,
+        ambient: float | None = None,
+    ) -> None:
         if not 1e-3 <= loudest <= 1e3:
             raise ValueError(f"loudest = {loudest} Pa must be between 1e-3 and 1e3 Pa")
         check_noise(microphone_noise)
         response = response_of(library)
+        check_ambient(response, ambient)
         self.microphones = response.microphones
         whiten = whitening(response.noise(microphone_noise))
         self._reduce = (whiten @ low_pass()).T.copy()
         inside, above = loudest**2 / (BAND[1] - BAND[0]), TAIL * NOISE**2 / (SAMPLE_RATE / 2)
-        values, vectors = np.linalg.eigh(
-            touch_covariances(response, whiten, lambda f: np.where(f <= BAND[1], inside, above))
-        )
+        covariance = touch_covariances(response, whiten, lambda f: np.where(f <= BAND[1], inside, above))
+        if ambient is not None:
+            each = np.kron(np.eye(len(response.microphones)), whiten)
+            covariance += each @ ambient_covariance(response, ambient) @ each.T
+        values, vectors = np.linalg.eigh(covariance)
         if values.max() * np.finfo(np.float64).eps > LEAK:
             raise ValueError(
-                f"loudest = {loudest} Pa stands too far above microphone_noise = {microphone_noise}: in double "
-                "precision nothing can be told from rounding; take a lower one, or expect more noise"
+                f"loudest = {loudest} Pa or ambient = {ambient} dB SPL stands too far above microphone_noise = "
+                f"{microphone_noise}: in double precision nothing can be told from rounding; take a lower one, or "
+                "expect more noise"
             )
         held = values > LEAK
         self.freedom = (~held).sum(1)
@@ -118,7 +136,9 @@ class ResidualTest:
             of_point = points == here
             energy = (x[of_point] @ self._vectors[here]) ** 2 @ self._held[here]
             residual[of_point] = ((x[of_point] ** 2).sum(2) - energy).sum(1)
-        return np.asarray(scipy.stats.chi2.sf(residual, self.freedom[points] * frames.shape[1]))
+        freedom = self.freedom[points] * frames.shape[1]
+        # Where no direction is left to the noise, nothing can be refused.
+        return np.where(freedom > 0, scipy.stats.chi2.sf(residual, np.maximum(freedom, 1)), 1.0)
 
 
 def judge(

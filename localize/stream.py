@@ -1,13 +1,15 @@
 """Touches while they happen: samples in, in chunks of any size; a decision every 16 ms out.
 
 Every 16 samples the last 250 are judged. Where no microphone hears more than its noise there is no touch, and
-nothing is guessed. What goes wrong with a stream is reported and survived: lost or repeated samples, values that are
+nothing is guessed; nor where sound explains what they hear, or where no point does, if the stream is given the tests of
+that. What goes wrong with a stream is reported and survived: lost or repeated samples, values that are
 not finite, clipping, a channel that is dead. Decisions depend on the samples alone, not on how they were cut up.
 """
 
 from __future__ import annotations
 
 import json
+import math
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Literal, Protocol
 
@@ -18,7 +20,9 @@ from localize.frames import FRAME
 from localize.stimulus import SAMPLE_RATE
 
 if TYPE_CHECKING:
+    from localize.judgement import ResidualTest
     from localize.reconstruct import Reconstructor
+    from localize.sound_test import SoundTest
 
 HOP = 16
 """Samples from one decision to the next."""
@@ -32,12 +36,18 @@ DEAD = 0.02
 """A channel is dead where its level is below this share of a microphone's noise: its converter may still toggle."""
 RESTART = 1000
 """Samples: a larger step back in their numbers is a device that was started anew; a smaller one repeats."""
+REFUSED = 1e-6
+"""Of the frames of true touches: at 62 a second one in four hours."""
 AGAIN = 500
 """Samples: a fault that returns sooner still lasts."""
 LARGEST_NUMBER = 2**53
 """Of a sample; its time is exact below."""
 _SPARE = 64 * HOP
 """Samples of the ring buffer beyond those that are needed, so that it is moved seldom."""
+
+State = Literal["touch", "no touch", "sound", "other", "unreadable"]
+"""Sound: of a room, the same on all membranes, and no touch. Other: a touch of no single point explains what is heard.
+Unreadable: a channel is clipped or dead, or was not finite within the last 250 samples."""
 
 FaultKind = Literal["samples lost", "samples repeated", "restarted", "not finite", "clipped", "dead channel"]
 
@@ -63,8 +73,7 @@ class Decision:
 
     time: float
     """s, of the end of the frame; the stream's sample 0 is at 0."""
-    state: Literal["touch", "no touch", "unreadable"]
-    """Unreadable: a channel is clipped or dead, or was not finite within the last 250 samples."""
+    state: State
     level: float
     """Pa rms about the mean, of the loudest microphone."""
     point: int | None = None
@@ -73,6 +82,8 @@ class Decision:
     """Of that point."""
     distribution: NDArray[np.float64] | None = field(default=None, repr=False, compare=False)
     """(n_point,) probabilities of all points; None unless there is a touch."""
+    weight: float | None = field(default=None, repr=False, compare=False)
+    """Where sound is expected, what stands out of it, in terms of the noise; None where it is not."""
     waveform: tuple[float, ...] | None = None
     """Pa: the pressure in the cavity of the point over the newest 16 samples less the latency of the reconstructor;
     None without one, without a touch, and before its window is full."""
@@ -117,9 +128,14 @@ class TouchStream:
         limit: Pa; a sample that reaches it is clipped. By default nothing is.
         reconstructor: gives the waveform of the named point; the filters of a point are made when it is first named,
             which takes some tens of milliseconds.
+        sound_test: tells the sound of a room from touches. By default sound is taken for a touch.
+        residual_test: tells what no point explains from touches. By default the likeliest point is named whatever it
+            is. On a sensor that differs from its library by a percent it refuses most touches.
+        refused: share of the frames of true touches that the residual test may refuse, above 0, below 1.
 
     Raises:
-        ValueError: a threshold that is not finite and positive, or a reconstructor for other microphones.
+        ValueError: a threshold that is not finite and positive; a reconstructor or a test for other microphones; a
+            share out of range.
     """
 
     def __init__(
@@ -128,12 +144,21 @@ class TouchStream:
         silence: float | None = None,
         limit: float | None = None,
         reconstructor: Reconstructor | None = None,
+        sound_test: SoundTest | None = None,
+        residual_test: ResidualTest | None = None,
+        refused: float = REFUSED,
     ) -> None:
-        if reconstructor is not None and reconstructor.microphones != tuple(locator.microphones):
-            raise ValueError(
-                f"reconstructor is for microphones {', '.join(reconstructor.microphones)}, the locator for "
-                f"{', '.join(locator.microphones)}"
-            )
+        for name, part in (
+            ("reconstructor", reconstructor), ("sound_test", sound_test), ("residual_test", residual_test)
+        ):  # fmt: skip
+            if part is not None and part.microphones != tuple(locator.microphones):
+                raise ValueError(
+                    f"{name} is for microphones {', '.join(part.microphones)}, the locator for "
+                    f"{', '.join(locator.microphones)}"
+                )
+        if not 0 < refused < 1:
+            raise ValueError(f"refused = {refused} must be between 0 and 1, both excluded")
+        self.sound_test, self.residual_test, self.refused = sound_test, residual_test, refused
         self.locator = locator
         self.reconstructor = reconstructor
         self.silence = max(SILENCE * locator.noise_rms, LEAST_SILENCE) if silence is None else silence
@@ -259,11 +284,24 @@ class TouchStream:
             events.append(Decision(self._time, "unreadable", level))
         elif level <= self.silence:
             events.append(Decision(self._time, "no touch", level))
+        elif (beside := self._beside_sound(frame)) is not None and beside[0] <= beside[1]:
+            events.append(Decision(self._time, "sound", level))
         else:
             found = self.locator.locate(frame)
             best = int(found.argmax())
+            if self.residual_test is not None and self.residual_test.p_value(frame[None], [best])[0] < self.refused:
+                events.append(Decision(self._time, "other", level))
+                return
+            weight = None if beside is None else math.sqrt(beside[0])
             shape = self._waveform(best)
-            events.append(Decision(self._time, "touch", level, best + 1, float(found[best]), found, shape))
+            events.append(Decision(self._time, "touch", level, best + 1, float(found[best]), found, weight, shape))
+
+    def _beside_sound(self, frame: NDArray[np.float64]) -> tuple[float, float] | None:
+        """Energy that sound does not explain, and the most that it leaves; None where it is not expected."""
+        if self.sound_test is None:
+            return None
+        found, most = self.sound_test.beside(frame[None])
+        return float(found[0]), float(most[0])
 
     def _waveform(self, point: int) -> tuple[float, ...] | None:
         """The newest 16 estimates that the samples so far allow."""

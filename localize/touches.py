@@ -3,8 +3,9 @@
 Frames that are told from silence and follow each other are one contact. A finger may slide meanwhile: the exact
 hidden Markov filter of :mod:`localize.touch_filter`, run forward and backward over the contact, tells which point was
 touched when, and each point that was held long enough is a touch. Frames 16 ms apart share most of their samples;
-their log-likelihoods count in proportion to what is new in them, and to their level: what is left of a touch once its
-beginning has passed out of the frame is quiet, and names wrong points with certainty.
+their log-likelihoods count in proportion to what is new in them, and to their level (in sound, to what stands out of
+it) and the square of the share of them that the contact fills: a frame that a touch begins or ends in, or what is left
+of a touch once its beginning has passed out of the frame, names wrong points with certainty.
 """
 
 from __future__ import annotations
@@ -54,7 +55,7 @@ class Touch:
     point: int
     """From 1."""
     probability: float
-    """Mean over its frames."""
+    """Mean over its frames, each by how much of the touch is in it."""
     level: float
     """Pa rms of the loudest microphone in the loudest frame."""
 
@@ -79,23 +80,31 @@ def touches_of(events: Iterable[Decision | Fault], array: Array) -> list[Touch]:
 
 def _touches(contact: list[Decision], listener: TouchFilter) -> list[Touch]:
     each = np.stack([decision.distribution for decision in contact if decision.distribution is not None])
-    level = np.array([decision.level for decision in contact])
-    weight = HOP / FRAME * level / level.max()
+    heard = np.array([decision.level if decision.weight is None else decision.weight for decision in contact])
+    weight = HOP / FRAME * heard / heard.max() * _covered(len(contact)) ** 2
     probability = listener.forward_backward(weight[:, None] * np.log(each.clip(_LEAST_PROBABILITY)))
     named = probability.argmax(1)
     edges = [0, *(np.flatnonzero(np.diff(named)) + 1).tolist(), len(named)]
     runs = [(a, b) for a, b in pairwise(edges) if b - a >= HELD]
     if not runs:  # too short for anything else: the point of most weight
-        best = int(probability.sum(0).argmax())
-        return [_touch(contact, probability[:, best], best)]
-    return [_touch(contact[a:b], probability[a:b, named[a]], int(named[a])) for a, b in runs]
+        best = int((weight @ probability).argmax())
+        return [_touch(contact, probability[:, best], weight, best)]
+    return [_touch(contact[a:b], probability[a:b, named[a]], weight[a:b], int(named[a])) for a, b in runs]
 
 
-def _touch(decisions: list[Decision], probability: NDArray[np.float64], point: int) -> Touch:
+def _covered(count: int) -> NDArray[np.float64]:
+    """(count,) share of each frame of a contact that the contact fills: less at its beginning and end."""
+    frame = np.arange(count)
+    return np.clip(np.minimum(frame + 1, count - frame) * HOP / FRAME, 0.0, 1.0)
+
+
+def _touch(
+    decisions: list[Decision], probability: NDArray[np.float64], weight: NDArray[np.float64], point: int
+) -> Touch:
     return Touch(
         start=decisions[0].time,
         end=decisions[-1].time,
         point=point + 1,
-        probability=float(probability.mean()),
+        probability=float(np.average(probability, weights=weight)),
         level=max(decision.level for decision in decisions),
     )

@@ -2,25 +2,31 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
-from studies.cli_options import named, noise_choice
+from studies.cli_options import named
+from studies.listening import Extras, open_localizer, open_stream, open_trained
 from studies.tables import show, table_of
-
-if TYPE_CHECKING:
-    from localize import BayesDecoder, Localizer, OnnxLocalizer
-
-#: White noise that waveforms are reconstructed with where a localizer knows none, Pa rms.
-LEAST_NOISE = 1e-6
 
 DecoderNoise = Annotated[
     float | None,
     typer.Option(
         help="For a library: the white noise of the microphones to assume instead, Pa rms over 0 to 500 Hz.",
         show_default="that of the design's",
+    ),
+]
+DecoderAmbient = Annotated[
+    float | None,
+    typer.Option(
+        metavar="DB",
+        help="Expect sound in the room, up to this level in dB SPL.",
+        show_default="a quiet room",
+        min=0,
+        max=140,
     ),
 ]
 
@@ -36,6 +42,7 @@ def onnx(
     ],
     out: Annotated[Path, typer.Option(help="The file to write, such as localizer.onnx.", show_default=False)],
     noise: DecoderNoise = None,
+    ambient: DecoderAmbient = None,
 ) -> None:
     """Write a localizer as one ONNX graph, from 250 samples of each microphone to the probability of each point.
 
@@ -46,9 +53,11 @@ def onnx(
     check_new_file(out)
     if model.suffix == ".onnx":
         raise ValueError(f"{model}: is an ONNX file already; MODEL must be a localizer's folder or a library")
-    from localize import export_onnx
+    from localize import BayesDecoder, export_onnx
 
-    localizer = _opened(model, noise)
+    localizer = open_trained(model, noise, ambient)
+    if ambient is not None and not isinstance(localizer, BayesDecoder):
+        raise ValueError(f"--ambient = {ambient:g} is for a library; {model} was trained with a sound of its own")
     export_onnx(localizer, out)
     print(
         f"{out}: {len(localizer.line)} points, {len(localizer.microphones)} microphones, "
@@ -85,12 +94,24 @@ def locate(
         ),
     ] = None,
     noise: DecoderNoise = None,
-    waveform: Annotated[
+    library: Annotated[
         Path | None,
         typer.Option(
-            metavar="LIBRARY",
-            help="Reconstruct the pressure in the touched cavity with this library, into the lines of --out.",
-            show_default=False,
+            help="The library of the array, for the options below.", show_default="MODEL, where that is a library"
+        ),
+    ] = None,
+    waveform: Annotated[
+        bool,
+        typer.Option("--waveform", help="Reconstruct the pressure in the touched cavity, into the lines of --out."),
+    ] = False,
+    ambient: DecoderAmbient = None,
+    refuse: Annotated[
+        float | None,
+        typer.Option(
+            metavar="SHARE",
+            help="Call frames 'other' that no single point explains; so many true ones may be refused, such as 1e-6. "
+            "For a calibrated sensor.",
+            show_default="the likeliest point is named",
         ),
     ] = None,
 ) -> None:
@@ -102,27 +123,17 @@ def locate(
     from studies.folders import check_new_file
 
     check_new_file(out)
-    if waveform is not None and out is None:
+    if waveform and out is None:
         raise typer.BadParameter("--waveform goes into the lines of --out; give that too")
-    from localize import Reconstructor, TouchStream, read_recording, touches_of
+    from localize import Decision, read_recording, touches_of
+    from localize.stimulus import SAMPLE_RATE
+    from localize.stream import HOP, State
 
-    localizer: Localizer | BayesDecoder | OnnxLocalizer
-    if model.suffix == ".onnx":
-        if noise is not None:
-            raise ValueError(f"--noise = {noise} is for a library; {model} was made for the noise it names itself")
-        from localize import OnnxLocalizer
-
-        localizer = OnnxLocalizer(model)
-    else:
-        localizer = _opened(model, noise)
+    localizer = open_localizer(model, noise, ambient)
+    stream = open_stream(model, localizer, library, Extras(waveform, ambient, refuse))
     with named(full_scale="--full-scale"):
         heard = read_recording(recording, localizer.microphones, full_scale)
-    reconstructor = None
-    if waveform is not None:
-        import acoustic_fem
-
-        reconstructor = Reconstructor(acoustic_fem.load(waveform), max(localizer.noise_rms, LEAST_NOISE))
-    events = TouchStream(localizer, reconstructor=reconstructor).push(heard.signals)
+    events = stream.push(heard.signals)
     if out is not None:
         write_text(out, "".join(event.json_line() + "\n" for event in events))
     touches = touches_of(events, localizer)
@@ -140,18 +151,9 @@ def locate(
             f"{touch.level:.3g}",
         )
     show(table)
-    print(f"{recording}: {len(touches)} touches in {heard.seconds:.1f} s")
-
-
-def _opened(model: Path, noise: float | None) -> Localizer | BayesDecoder:
-    """A trained localizer from its folder, or the model-based decoder of a library."""
-    from localize import BayesDecoder, load_localizer
-
-    if model.is_dir() or not model.suffix:
-        if noise is not None:
-            raise ValueError(f"--noise = {noise} is for a library; {model} was trained with a noise of its own")
-        return load_localizer(model)
-    import acoustic_fem
-
-    with named(microphone_noise="--noise"):
-        return BayesDecoder(acoustic_fem.load(model), noise_choice(noise))
+    told: dict[State, str] = {"sound": "sound alone", "other": "no single touch"}
+    states = Counter(event.state for event in events if isinstance(event, Decision))
+    others = "".join(
+        f", {what} for {states[state] * HOP / SAMPLE_RATE:.1f} s" for state, what in told.items() if states[state]
+    )
+    print(f"{recording}: {len(touches)} touches in {heard.seconds:.1f} s{others}")

@@ -322,11 +322,32 @@ def test_a_recording_is_located_by_the_network_an_onnx_file_and_the_library_alik
         assert [row[2] for row in rows] == ["3", "1"]
 
     lines = tmp_path / "touches.jsonl"
-    words = ("--out", lines, "--waveform", folder / "library.nc")
+    words = ("--out", lines, "--waveform", "--library", folder / "library.nc")
     assert command("locate", tmp_path / "decoder.onnx", recording, *words).code == 0
     events = [json.loads(line) for line in lines.read_text(encoding="utf-8").splitlines()]
     assert {event["state"] for event in events} == {"touch", "no touch"}
     assert {len(event["waveform"]) for event in events if event["state"] == "touch" and event["time"] > 0.3} == {16}
+
+
+def test_sound_in_a_recording_and_what_no_point_explains_are_no_touches(command: Command, tmp_path: Path) -> None:
+    folder = small_run().folder
+    library = response_of(acoustic_fem.load(folder / "library.nc"))
+    touches = localize.TouchGenerator(library, 0, "evaluation", 1e-3, ambient=(70.0, 70.0)).samples(0, 3)
+    quiet = localize.TouchGenerator(library, 0, "evaluation", 0.0).samples(0, 3)
+    sound = (touches.signals - quiet.signals).numpy()
+    two = quiet.signals[0].numpy() + quiet.signals[2].numpy() + 1e-3 * np.random.default_rng(0).standard_normal((2, 1))
+    for name, signals in (("sound", sound[0]), ("two", two)):
+        scipy.io.wavfile.write(tmp_path / f"{name}.wav", 1000, signals.T.astype(np.float32))
+    network, graph = folder / "localizer", tmp_path / "decoder.onnx"
+    assert command("onnx", folder / "library.nc", "--out", graph, "--noise", 1e-3, "--ambient", 70).code == 0
+
+    words = ("--library", folder / "library.nc", "--ambient", 80)
+    for model in (folder / "library.nc", network, graph):
+        assert " 0 touches" not in command("locate", model, tmp_path / "sound.wav").out
+        told = command("locate", model, tmp_path / "sound.wav", *words)
+        assert (told.code, "0 touches in 1.0 s, sound alone for 0.8 s" in told.out) == (0, True), told
+    told = command("locate", folder / "library.nc", tmp_path / "two.wav", "--refuse", 1e-6)
+    assert (told.code, "0 touches in 1.0 s, no single touch for 0.8 s" in told.out) == (0, True), told
 
 
 def test_run_takes_a_design_and_a_folder_and_nothing_else(command: Command, tmp_path: Path) -> None:
@@ -448,6 +469,11 @@ def places(tmp_path: Path) -> dict[str, Path]:
         ("locate <localizer> <text.nc>", "its name must end with .wav, .csv or .npz"),
         ("locate <localizer> <text.wav> --full-scale 0", "--full-scale = 0.0 Pa must be finite and above 0"),
         ("locate <localizer> <text.wav> --noise 1e-3", "--noise = 0.001 is for a library"),
+        ("locate <localizer> <text.wav> --library <library.nc>", "is for --waveform, --ambient and --refuse"),
+        ("locate <localizer> <text.wav> --ambient 60", "--ambient needs the library of the array"),
+        ("locate <library.nc> <text.wav> --refuse 2", "acoustic-fem: --refuse = 2.0 must be between 0 and 1"),
+        ("locate <localizer> <text.wav> --library <glove.nc> --ambient 60", "sound_test is for microphones A, B, C"),
+        ("onnx <localizer> --out <out.nc> --ambient 60", "--ambient = 60 is for a library"),
         ("locate <text.onnx> <text.wav>", "text.onnx: cut short or not an ONNX file"),
         (
             "run <one.toml> --out <out.nc>",

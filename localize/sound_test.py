@@ -1,0 +1,128 @@
+"""Whether what the microphones hear is sound alone: the same pressure on all membranes, and no touch.
+
+Sound moves all microphones by one function of frequency, whatever its level and spectrum: with two microphones it
+fills half of the directions in which a frame can lie, with four a quarter. The energy beside them is noise, and follows
+the chi-squared distribution where the library is that of the sensor (as in :mod:`localize.judgement`). A made sensor is
+not: sound then leaves a share of itself beside them, which is no touch either.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+import scipy.stats
+from numpy.typing import ArrayLike, NDArray
+from torch import Tensor
+
+from localize.dataset import ArrayResponse, response_of
+from localize.frame_covariance import ambient_covariance, check_ambient, check_noise, low_pass, whitening
+from localize.frames import checked_signals, cut_frames
+from localize.noise import NoiseChoice
+from localize.threads import one_thread
+
+if TYPE_CHECKING:
+    from acoustic_fem import Library
+
+FALSE_ALARM = 1e-6
+"""Share of frames of sound on the library's own sensor that are not called so: one in four hours at 62 a second."""
+MISMATCH = 0.05
+"""Of a frame, in amplitude: what sound may leave beside its directions on a mis-made sensor. Bores 5 % and membranes
+10 % off leave less than 0.01, gains of the microphones 5 % apart up to 0.05, see docs/decoder.md."""
+LEAK = 1e-2
+"""Share of the noise's variance that the loudest sound may have in a direction that is left to the noise."""
+
+
+class SoundTest:
+    """Tells sound without a touch from everything else.
+
+    Args:
+        library: of a design, which tells how sound comes in.
+        microphone_noise: the noise there is, as of :class:`localize.BayesDecoder`.
+        loudest: dB SPL, 0 to 140: up to here sound is recognised.
+
+    Raises:
+        ValueError: an argument out of range; a library without a design; sound too far above the noise for double
+            precision; or as :func:`localize.dataset.response_of`.
+    """
+
+    @one_thread()
+    def __init__(
+        self, library: Library | ArrayResponse, microphone_noise: NoiseChoice = 1e-3, loudest: float = 100.0
+    ) -> None:  # fmt: skip
+        check_noise(microphone_noise)
+        response = response_of(library)
+        check_ambient(response, loudest)
+        self.microphones = response.microphones
+        each = np.eye(len(response.microphones))
+        whiten = whitening(response.noise(microphone_noise))
+        together = np.kron(each, whiten)
+        values, vectors = np.linalg.eigh(together @ ambient_covariance(response, loudest) @ together.T)
+        if values.max() * np.finfo(np.float64).eps > LEAK:
+            raise ValueError(
+                f"loudest = {loudest} dB SPL stands too far above microphone_noise = {microphone_noise}: in double "
+                "precision nothing can be told from rounding; take a lower one, or expect more noise"
+            )
+        reduce = np.kron(each, whiten @ low_pass())
+        self._all = np.asarray(reduce.T, np.float64, copy=True)
+        self._beside = np.asarray((vectors[:, values <= LEAK].T @ reduce).T, np.float64, copy=True)
+        self.freedom = self._beside.shape[1]
+        """Degrees of freedom of one frame's residual."""
+
+    @one_thread()
+    def p_value(self, signals: ArrayLike | Tensor) -> NDArray[np.float64]:
+        """Probability that noise leaves a residual as large as the signal's beside sound.
+
+        Args:
+            signals: (n, n_microphone, n_sample), Pa, at 1 kHz, at least 250 samples; cut into frames that do not
+                overlap, whose residuals are added.
+
+        Returns:
+            (n,) float64.
+
+        Raises:
+            ValueError: as :meth:`localize.BayesDecoder.locate`.
+        """
+        frames = self._frames(signals)
+        return np.asarray(scipy.stats.chi2.sf(_energy(frames, self._beside), self.freedom * frames.shape[1]))
+
+    @one_thread()
+    def beside(self, signals: ArrayLike | Tensor) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """How much of signals sound does not explain, and how much it and noise may leave, see :data:`MISMATCH`.
+
+        Args:
+            signals: as :meth:`p_value`.
+
+        Returns:
+            Two of (n,) float64, energies; the unit is that of the noise in one direction.
+
+        Raises:
+            ValueError: as :meth:`p_value`.
+        """
+        frames = self._frames(signals)
+        usual = scipy.stats.chi2.isf(FALSE_ALARM, self.freedom * frames.shape[1])
+        return _energy(frames, self._beside), usual + MISMATCH**2 * _energy(frames, self._all)
+
+    def is_sound(self, signals: ArrayLike | Tensor) -> NDArray[np.bool_]:
+        """Whether sound explains signals, on the library's sensor or on one that is made a little differently.
+
+        Args:
+            signals: as :meth:`p_value`.
+
+        Returns:
+            (n,) bool; True also of noise alone.
+
+        Raises:
+            ValueError: as :meth:`p_value`.
+        """
+        found, most = self.beside(signals)
+        return found <= most
+
+    def _frames(self, signals: ArrayLike | Tensor) -> NDArray[np.float64]:
+        batch, _ = checked_signals(signals, self.microphones)
+        return np.asarray(cut_frames(batch).flatten(2).numpy())
+
+
+def _energy(frames: NDArray[np.float64], directions: NDArray[np.float64]) -> NDArray[np.float64]:
+    """(n, n_frame, n_microphone 250) along (n_microphone 250, m), summed over frames, (n,)."""
+    return np.asarray(((frames @ directions) ** 2).sum((1, 2)))
