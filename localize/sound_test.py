@@ -3,7 +3,8 @@
 Sound moves all microphones by one function of frequency, whatever its level and spectrum: with two microphones it
 fills half of the directions in which a frame can lie, with four a quarter. The energy beside them is noise, and follows
 the chi-squared distribution where the library is that of the sensor (as in :mod:`localize.judgement`). A made sensor is
-not: sound then leaves a share of itself beside them, which is no touch either.
+not: sound then leaves a share of itself beside them, which is no touch either. Most of that share comes from gains of
+the microphones, which are therefore fitted.
 """
 
 from __future__ import annotations
@@ -26,9 +27,12 @@ if TYPE_CHECKING:
 
 FALSE_ALARM = 1e-6
 """Share of frames of sound on the library's own sensor that are not called so: one in four hours at 62 a second."""
-MISMATCH = 0.05
-"""Of a frame, in amplitude: what sound may leave beside its directions on a mis-made sensor. Bores 5 % and membranes
-10 % off leave less than 0.01, gains of the microphones 5 % apart up to 0.05, see docs/decoder.md."""
+GAIN = 0.15
+"""Gains of the microphones that differ from their mean by less than this share do not matter: they are fitted to each
+frame."""
+MISMATCH = 0.04
+"""Of a frame, in amplitude: what sound may leave beside its directions on a mis-made sensor, gains apart; see
+docs/decoder.md for how many sensors that holds of."""
 LEAK = 1e-2
 """Share of the noise's variance that the loudest sound may have in a direction that is left to the noise."""
 
@@ -100,8 +104,20 @@ class SoundTest:
             ValueError: as :meth:`p_value`.
         """
         frames = self._frames(signals)
+        count = len(self.microphones)
+        apart = frames.reshape(*frames.shape[:2], count, -1)
+        # What each microphone contributes; its gain u multiplies that. Of u' G u the least with gains of mean 1 lies
+        # where G u is the same for all; where they would leave their bounds, the least on the way from all equal.
+        parts = np.einsum("nfms,msd->nmfd", apart, self._beside.reshape(count, -1, self.freedom)).reshape(
+            len(frames), count, -1
+        )
+        gram = parts @ parts.swapaxes(1, 2)
+        gains = np.linalg.solve(gram + np.eye(count), np.ones((len(frames), count, 1)))
+        change = gains / gains.mean(1, keepdims=True) - 1
+        gains = 1 + change * np.minimum(1.0, GAIN / np.maximum(np.abs(change).max(1, keepdims=True), 1e-12))
+        found = (gains * (gram @ gains)).sum((1, 2))
         usual = scipy.stats.chi2.isf(FALSE_ALARM, self.freedom * frames.shape[1])
-        return _energy(frames, self._beside), usual + MISMATCH**2 * _energy(frames, self._all)
+        return found, usual + MISMATCH**2 * _energy(frames, self._all)
 
     def is_sound(self, signals: ArrayLike | Tensor) -> NDArray[np.bool_]:
         """Whether sound explains signals, on the library's sensor or on one that is made a little differently.
