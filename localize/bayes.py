@@ -57,6 +57,8 @@ ROOM = (None, 40.0, 55.0, 70.0, 85.0)
 """Levels among which the sound of a room is looked for, dB SPL; None is quiet."""
 SURE = 20.0
 """Nats: points this far behind the best one, and what single precision may err, are not scored again in double."""
+SCREEN_ERROR = 8 * float(np.finfo(np.float32).eps) / (2 * TEMPERATURE)
+"""Nats that a score in single precision may err, per unit of the sum of squares of a frame's white samples."""
 CHUNK = 64
 """Frames that are decoded at once."""
 
@@ -208,8 +210,7 @@ class _Screen:
         values = -0.5 * (gain + self.log_determinant[:, None, :])
         # Of large numbers single precision knows no parabola; a true one rises by less than a nat above its samples.
         score = np.minimum(vertex(values), values.max(-1) + 1).T.astype(np.float64)
-        error = 8 * np.finfo(np.float32).eps * (x**2).sum(1) / (2 * TEMPERATURE)
-        again = score > (score.max(1) - SURE - error)[:, None]
+        again = score > (score.max(1) - SURE - SCREEN_ERROR * (x**2).sum(1))[:, None]
         tables = self.tables
         for point in np.flatnonzero(again.any(0)):
             frames = np.flatnonzero(again[:, point])
