@@ -22,7 +22,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy.special import log_softmax
 from torch import Tensor
 
 from localize.dataset import ArrayResponse, response_of
@@ -145,7 +144,7 @@ class BayesDecoder:
             ValueError: wrong number of channels, too few samples, a value that is not finite, a silent channel.
         """
         batch, batched = checked_signals(signals, self.microphones)
-        probability = np.exp(self.log_probability(batch))
+        probability = np.exp(self._log_probability(batch))
         return probability if batched else probability[0]
 
     @one_thread()
@@ -162,10 +161,15 @@ class BayesDecoder:
             ValueError: as :meth:`locate`.
         """
         batch, _ = checked_signals(signals, self.microphones)
+        return self._log_probability(batch)
+
+    def _log_probability(self, batch: Tensor) -> NDArray[np.float64]:
         frames = cut_frames(batch)
         flat = frames.flatten(0, 1).numpy()
         score = np.concatenate([self.log_likelihood(flat[k : k + CHUNK]) for k in range(0, len(flat), CHUNK)])
-        return np.asarray(log_softmax(score.reshape(*frames.shape[:2], -1).sum(1), axis=1))
+        total = score.reshape(*frames.shape[:2], -1).sum(1)
+        total -= total.max(1, keepdims=True)
+        return np.asarray(total - np.log(np.exp(total).sum(1, keepdims=True)))
 
     def log_likelihood(self, frames: NDArray[np.float64]) -> NDArray[np.float64]:
         """Log-likelihood of every point, maximised over the power of the touch and divided by the temperature.
@@ -221,15 +225,18 @@ class _Screen:
 
 def vertex(values: NDArray[np.float64]) -> NDArray[np.float64]:
     """Maximum over the last axis of samples of a smooth curve: that of the parabola around the largest one."""
-    best = values.argmax(-1)
-    inner = np.clip(best, 1, values.shape[-1] - 2)[..., None]
-    left, middle, right = (np.take_along_axis(values, inner + k, -1)[..., 0] for k in (-1, 0, 1))
+    # A flat view and whole indices: for a single frame the calls take the time, not the numbers.
+    flat = values.reshape(-1, values.shape[-1])
+    row = np.arange(len(flat))
+    best = flat.argmax(1)
+    inner = np.minimum(np.maximum(best, 1), flat.shape[1] - 2)
+    left, middle, right = flat[row, inner - 1], flat[row, inner], flat[row, inner + 1]
     bend = left - 2 * middle + right
-    with np.errstate(divide="ignore", invalid="ignore"):
-        rise = -((right - left) ** 2) / (8 * bend)
     # At an end of the range the curve may still be rising: then the sample itself is taken.
-    is_top = (best == inner[..., 0]) & (bend < 0)
-    return np.where(is_top, middle + np.where(is_top, rise, 0.0), values.max(-1))
+    is_top = (best == inner) & (bend < 0)
+    rise = -((right - left) ** 2) / (8 * np.where(is_top, bend, -1.0))
+    top = np.where(is_top, middle + rise, flat[row, best])
+    return np.asarray(top.reshape(values.shape[:-1]))
 
 
 def share_of(noise: float | NoiseSpectrum) -> float | NoiseSpectrum:
