@@ -262,8 +262,9 @@ def _matrix(
     legend = figure.colorbar(picture, ax=axes, label=bar, shrink=0.85)
     if plain_scale:
         legend.ax.yaxis.set_major_formatter("{x:g}")
-        decades = np.log10(picture.norm.vmax / picture.norm.vmin) if picture.norm.vmin else 0.0
-        legend.ax.yaxis.set_minor_formatter("{x:g}" if decades < 2 else "")
+        low, high = picture.get_clim()
+        # Over many decades numbers between the powers of ten would lie on each other.
+        legend.ax.yaxis.set_minor_formatter("" if 0 < low < high / 100 else "{x:g}")
     step = -(-len(points) // 24)
     ticks = list(range(0, len(points), step))
     axes.set_xticks(ticks, [str(points[k]) for k in ticks])

@@ -276,10 +276,9 @@ def test_a_network_is_trained_on_the_stimuli_that_are_named(command: Command, tm
     assert told.code == 0, told.err
     plan = json.loads((model / "localizer.json").read_text(encoding="utf-8"))["plan"]
     assert plan["stimuli"] == ["taps", "friction"]
-    taps = localize.evaluate(
-        localize.load_localizer(model), acoustic_fem.load(library), 50, "design", stimuli=STIMULI["taps"]
-    )
-    assert taps.top1 > 0.6  # two short epochs; chance is 0.33
+    trained, array = localize.load_localizer(model), acoustic_fem.load(library)
+    # Two short epochs; chance is 0.33.
+    assert localize.evaluate(trained, array, 50, "design", stimuli=STIMULI["friction"]).top1 > 0.5
     told = command("train", library, "--out", tmp_path / "none", "--stimuli", "knocks")
     assert (told.code, "--stimuli" in told.err, (tmp_path / "none").exists()) == (1, True, False)
 
