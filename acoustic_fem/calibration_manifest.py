@@ -3,7 +3,7 @@
 ::
 
     design = "array-2x6"          # a prototype, or a design file beside the manifest
-    [channels]                    # of WAV files, from 1; by default in this order
+    [channels]                    # of WAV files and matrices, from 1; by default in this order
     reference = 1                 # the calibration microphone at the touched cavity
     A = 2
     B = 3

@@ -22,7 +22,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy.special import log_softmax
 from torch import Tensor
 
 from localize.dataset import ArrayResponse, response_of
@@ -57,6 +56,8 @@ ROOM = (None, 40.0, 55.0, 70.0, 85.0)
 """Levels among which the sound of a room is looked for, dB SPL; None is quiet."""
 SURE = 20.0
 """Nats: points this far behind the best one, and what single precision may err, are not scored again in double."""
+SCREEN_ERROR = 8 * float(np.finfo(np.float32).eps) / (2 * TEMPERATURE)
+"""Nats that a score in single precision may err, per unit of the sum of squares of a frame's white samples."""
 CHUNK = 64
 """Frames that are decoded at once."""
 
@@ -143,7 +144,7 @@ class BayesDecoder:
             ValueError: wrong number of channels, too few samples, a value that is not finite, a silent channel.
         """
         batch, batched = checked_signals(signals, self.microphones)
-        probability = np.exp(self.log_probability(batch))
+        probability = np.exp(self._log_probability(batch))
         return probability if batched else probability[0]
 
     @one_thread()
@@ -160,10 +161,15 @@ class BayesDecoder:
             ValueError: as :meth:`locate`.
         """
         batch, _ = checked_signals(signals, self.microphones)
+        return self._log_probability(batch)
+
+    def _log_probability(self, batch: Tensor) -> NDArray[np.float64]:
         frames = cut_frames(batch)
         flat = frames.flatten(0, 1).numpy()
         score = np.concatenate([self.log_likelihood(flat[k : k + CHUNK]) for k in range(0, len(flat), CHUNK)])
-        return np.asarray(log_softmax(score.reshape(*frames.shape[:2], -1).sum(1), axis=1))
+        total = score.reshape(*frames.shape[:2], -1).sum(1)
+        total -= total.max(1, keepdims=True)
+        return np.asarray(total - np.log(np.exp(total).sum(1, keepdims=True)))
 
     def log_likelihood(self, frames: NDArray[np.float64]) -> NDArray[np.float64]:
         """Log-likelihood of every point, maximised over the power of the touch and divided by the temperature.
@@ -208,8 +214,7 @@ class _Screen:
         values = -0.5 * (gain + self.log_determinant[:, None, :])
         # Of large numbers single precision knows no parabola; a true one rises by less than a nat above its samples.
         score = np.minimum(vertex(values), values.max(-1) + 1).T.astype(np.float64)
-        error = 8 * np.finfo(np.float32).eps * (x**2).sum(1) / (2 * TEMPERATURE)
-        again = score > (score.max(1) - SURE - error)[:, None]
+        again = score > (score.max(1) - SURE - SCREEN_ERROR * (x**2).sum(1))[:, None]
         tables = self.tables
         for point in np.flatnonzero(again.any(0)):
             frames = np.flatnonzero(again[:, point])
@@ -220,15 +225,18 @@ class _Screen:
 
 def vertex(values: NDArray[np.float64]) -> NDArray[np.float64]:
     """Maximum over the last axis of samples of a smooth curve: that of the parabola around the largest one."""
-    best = values.argmax(-1)
-    inner = np.clip(best, 1, values.shape[-1] - 2)[..., None]
-    left, middle, right = (np.take_along_axis(values, inner + k, -1)[..., 0] for k in (-1, 0, 1))
+    # A flat view and whole indices: for a single frame the calls take the time, not the numbers.
+    flat = values.reshape(-1, values.shape[-1])
+    row = np.arange(len(flat))
+    best = flat.argmax(1)
+    inner = np.minimum(np.maximum(best, 1), flat.shape[1] - 2)
+    left, middle, right = flat[row, inner - 1], flat[row, inner], flat[row, inner + 1]
     bend = left - 2 * middle + right
-    with np.errstate(divide="ignore", invalid="ignore"):
-        rise = -((right - left) ** 2) / (8 * bend)
     # At an end of the range the curve may still be rising: then the sample itself is taken.
-    is_top = (best == inner[..., 0]) & (bend < 0)
-    return np.where(is_top, middle + np.where(is_top, rise, 0.0), values.max(-1))
+    is_top = (best == inner) & (bend < 0)
+    rise = -((right - left) ** 2) / (8 * np.where(is_top, bend, -1.0))
+    top = np.where(is_top, middle + rise, flat[row, best])
+    return np.asarray(top.reshape(values.shape[:-1]))
 
 
 def share_of(noise: float | NoiseSpectrum) -> float | NoiseSpectrum:

@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
+import scipy.stats
 from numpy.typing import NDArray
 
 from localize.dataset import ArrayResponse
@@ -53,6 +54,10 @@ class Outcome:
     within_one: float
     expected_calibration_error: float
     touches: int
+    low: float
+    """95 % interval of top-1: of touches by :func:`localize.evaluation.wilson_interval`; where there were several
+    sensors, of their mean by Student's t, for they differ more than chance."""
+    high: float
     worst: float | None = None
     """Top-1 of the worst sensor, where there were several."""
 
@@ -133,6 +138,11 @@ def _outcome(group: str, name: str, value: float | None, results: Sequence[Evalu
     def mean(field: str) -> float:
         return float(np.mean([getattr(result, field) for result in results]))
 
+    shares = np.array([result.top1 for result in results])
+    low, high = results[0].interval()
+    if len(results) > 1:
+        half = scipy.stats.t.ppf(0.975, len(shares) - 1) * shares.std(ddof=1) / np.sqrt(len(shares))
+        low, high = np.clip([shares.mean() - half, shares.mean() + half], 0.0, 1.0)
     return Outcome(
         group=group,
         name=name,
@@ -142,5 +152,7 @@ def _outcome(group: str, name: str, value: float | None, results: Sequence[Evalu
         within_one=mean("within_one"),
         expected_calibration_error=float(np.mean([result.reliability.expected_error for result in results])),
         touches=sum(result.touches for result in results),
+        low=float(low),
+        high=float(high),
         worst=min(result.top1 for result in results) if len(results) > 1 else None,
     )

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
+import scipy.stats
 from numpy.typing import ArrayLike, NDArray
 
 from localize.dataset import ArrayResponse, TouchGenerator, response_of
@@ -36,6 +38,23 @@ class Locator(Protocol):
 
     def locate(self, signals: ArrayLike) -> NDArray[np.float64]:
         """(n, n_microphone, n_sample) to (n, n_point)."""
+
+
+def wilson_interval(share: float, touches: int, confidence: float = 0.95) -> tuple[float, float]:
+    """Interval of a share that was counted (Wilson 1927, "Probable inference, the law of succession, and statistical
+    inference"): as good near 0 and 1, where the usual one has no width.
+
+    Args:
+        share: counted, from 0 to 1.
+        touches: of which, at least 1.
+        confidence: share of such intervals that hold the true one.
+    """
+    z = scipy.stats.norm.ppf(0.5 + confidence / 2)
+    middle = share + z**2 / (2 * touches)
+    half = z * math.sqrt(share * (1 - share) / touches + (z / (2 * touches)) ** 2)
+    low, high = ((middle + sign * half) / (1 + z**2 / touches) for sign in (-1, 1))
+    # Rounding must not leave the share itself outside.
+    return min(float(low), share), max(float(high), share)
 
 
 @dataclass(frozen=True)
@@ -94,6 +113,10 @@ class Evaluation:
     samples: int
     """Samples of each signal, at 1 kHz."""
 
+    def interval(self, name: str = "top1") -> tuple[float, float]:
+        """95 % interval of ``top1``, ``top2`` or ``within_one``, by :func:`wilson_interval`."""
+        return wilson_interval(getattr(self, name), self.touches)
+
     @property
     def hardest_pair(self) -> tuple[int, int, float] | None:
         """The two points most often taken for each other, numbered from 1, and how often, as a share of their touches.
@@ -113,6 +136,7 @@ class Evaluation:
             "top1": self.top1,
             "top2": self.top2,
             "within_one": self.within_one,
+            "intervals": {name: list(self.interval(name)) for name in ("top1", "top2", "within_one")},
             "hardest_pair": self.hardest_pair,
             "confusion": self.confusion.tolist(),
             "by_components": {name: list(value) for name, value in self.by_components.items()},

@@ -102,7 +102,9 @@ class PairFeatures(nn.Module):
     def __init__(self, microphones: int, choice: FeatureChoice = "phasors") -> None:
         super().__init__()
         analysis, synthesis = _factors()
-        self.register_buffer("analysis", torch.from_numpy(analysis.astype(np.float32)), persistent=False)
+        # Where a wavelet hears little of a loud frame, its value is a small difference of large ones. What the first,
+        # small matrix rounds differs from one library to another, and with it the ratios: it is in double precision.
+        self.register_buffer("analysis", torch.from_numpy(analysis), persistent=False)
         self.register_buffer("synthesis", torch.from_numpy(synthesis.astype(np.float32)), persistent=False)
         self.pairs = tuple(combinations(range(microphones), 2))
         self.map_count = map_count(microphones, choice)
@@ -110,13 +112,15 @@ class PairFeatures(nn.Module):
 
     def transform(self, frames: Tensor) -> tuple[Tensor, Tensor]:
         """Real and imaginary part of the wavelet transform, (..., 250) to two of (..., 64, 47)."""
-        parts = (frames @ self.analysis @ self.synthesis).unflatten(-1, (2, FREQUENCIES, TAIL))
+        shares = (frames.double() @ self.analysis).to(self.synthesis.dtype)
+        parts = (shares @ self.synthesis).unflatten(-1, (2, FREQUENCIES, TAIL))
         return parts.select(-3, 0), parts.select(-3, 1)
 
     def forward(self, frames: Tensor) -> Tensor:
         """Maps of a batch of frames; a common gain of all microphones changes nothing."""
         # Scaled so that powers neither overflow nor vanish.
-        real, imag = self.transform(frames / frames.abs().amax((-2, -1), keepdim=True))
+        exact = frames.double()
+        real, imag = self.transform(exact / exact.abs().amax((-2, -1), keepdim=True))
         power = (real * real + imag * imag).clamp_min(1e-30)
         level = 10 * power.log10()
         inverse = power.rsqrt()

@@ -9,7 +9,8 @@ A network's graph holds its features. The model-based decoder's graph computes t
 :mod:`localize.bayes`. Likelihoods are differences of large numbers, a million times larger than what decides
 between two points when the signal stands 60 dB above the noise: single precision is not enough to rank the best
 points, and double precision takes twice the time, which goes into reading the tables. So all points are scored in
-single precision, then the best few again in double.
+single precision, then those that may be the best in double, as many as they are: one in a clear frame, all in one
+that says nothing.
 """
 
 from __future__ import annotations
@@ -29,7 +30,7 @@ from torch import Tensor, nn
 
 from acoustic_fem.provenance import versions
 from geometry.whole_file import whole_file
-from localize.bayes import TEMPERATURE, BayesDecoder, DecoderTables
+from localize.bayes import SCREEN_ERROR, SURE, TEMPERATURE, BayesDecoder, DecoderTables
 from localize.frames import FRAME, checked_signals, combined_probability, cut_frames
 from localize.localizer import Localizer, LocalizerError
 from localize.stimulus import SAMPLE_RATE
@@ -42,8 +43,6 @@ VERSION = 1
 KEY = "acoustic-fem"
 """Of the JSON text among the metadata of a file."""
 OPSET = 20
-SCORED_AGAIN = 24
-"""Points that the model-based decoder's graph scores a second time, in double precision."""
 BATCH = 64
 """Frames that are decoded at once."""
 
@@ -141,7 +140,7 @@ class _NetworkGraph(nn.Module):
 
 
 class DecoderGraph(nn.Module):
-    """The likelihood of :class:`localize.BayesDecoder`, all points in single precision, the best few in double."""
+    """The likelihood of :class:`localize.BayesDecoder`, all points in single precision, the best in double."""
 
     def __init__(self, decoder: BayesDecoder) -> None:
         super().__init__()
@@ -189,14 +188,18 @@ class _LevelGraph(nn.Module):
         x = frames @ self.reduce
         energy = (x.float() @ self.screen).square().unflatten(1, (self.points, self.rank))
         # (point, n, power): one matrix product per point.
-        gain = (energy.transpose(0, 1) @ self.screen_weight).transpose(0, 1)
-        score = _vertex(-0.5 * (gain + self.screen_determinant)).double()
+        values = -0.5 * (energy.transpose(0, 1) @ self.screen_weight + self.screen_determinant[:, None, :])
+        # Of large numbers single precision knows no parabola; a true one rises by less than a nat above its samples.
+        score = torch.minimum(_vertex(values), values.amax(-1) + 1).double()
 
-        best = score.topk(min(SCORED_AGAIN, self.points), dim=1).indices
-        energy = (x[:, None, None, :] @ self.vectors[best]).square()
-        gain = (energy @ self.weight[best]).squeeze(2)
-        score = score.scatter(1, best, _vertex(-0.5 * (gain + self.determinant[best])))
-        return score + (self.offset - x.square().sum(1, keepdim=True) / (2 * TEMPERATURE))
+        power = x.square().sum(1)
+        least = score.amax(0) - SURE - SCREEN_ERROR * power
+        # The points that any frame of the batch needs: tables are then gathered once for all of them.
+        best = (score > least).any(1).nonzero().squeeze(1)
+        gain = (x @ self.vectors[best]).square() @ self.weight[best]
+        exact = _vertex(-0.5 * (gain + self.determinant[best][:, None, :]))
+        score = score.index_put((best,), exact)
+        return score.T + (self.offset - power / (2 * TEMPERATURE))[:, None]
 
 
 def _vertex(values: Tensor) -> Tensor:

@@ -78,7 +78,7 @@ def locate(
         Path,
         typer.Argument(
             metavar="RECORDING",
-            help="WAV with a channel per microphone; CSV with their names on top; NPZ with 'signals'.",
+            help="WAV with a channel per microphone; CSV with their names on top; NPZ or MAT with 'signals'.",
             show_default=False,
         ),
     ],

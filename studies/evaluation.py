@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import asdict, dataclass
 from datetime import UTC, datetime
@@ -29,6 +30,8 @@ SCATTER = (0.25, 0.5, 1.0)
 SENSORS = 12
 #: Touches per point in a condition, as a share of those of the whole evaluation.
 SHARE = 0.1
+#: Touches in a condition, if the whole evaluation has as many: their interval is then at most 4 points either way.
+LEAST = 600
 
 
 @dataclass(frozen=True)
@@ -80,7 +83,8 @@ def evaluate_fully(
         locators: by name.
         library: of a design.
         response: of that library.
-        touches: held-out touches per point; in a condition a tenth as many, at least 5.
+        touches: held-out touches per point; in a condition a tenth as many, at least 600 of all points together, but
+            never more.
         noise: of the microphones, where the condition is not the noise.
         seed: of touches and of mis-made sensors.
         progress: called with what is being done and the fraction done.
@@ -88,7 +92,7 @@ def evaluate_fully(
     from localize import evaluate
     from localize.conditions import evaluate_conditions, evaluate_sensors
 
-    few = max(5, round(SHARE * touches))
+    few = min(touches, max(round(SHARE * touches), math.ceil(LEAST / response.point_count)))
     progress("mis-made sensors", 0.0)
     made = mis_made(library, response, seed)
     found = []

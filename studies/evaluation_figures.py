@@ -8,7 +8,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
+from localize.evaluation import wilson_interval
 from studies.figures import WIDTH
 from studies.figures import _save as save_figure
 from studies.figures import figure_in_style as figure_in_style
@@ -42,7 +44,7 @@ def draw_reliability(judged: Sequence[Judged], path: str | os.PathLike[str]) -> 
 
 
 def draw_conditions(judged: Sequence[Judged], path: str | os.PathLike[str]) -> Path:
-    """Top-1 in every condition, a panel per group; where several sensors were judged, the worst one dashed."""
+    """Top-1 in every condition with its 95 % interval, a panel per group; of several sensors the worst one dashed."""
     groups = list(dict.fromkeys(outcome.group for each in judged for outcome in each.outcomes))
     rows = -(-(len(groups) + 1) // 2)
     with figure_in_style((WIDTH, 0.4 + 2.9 * rows)) as figure:
@@ -56,14 +58,16 @@ def draw_conditions(judged: Sequence[Judged], path: str | os.PathLike[str]) -> P
             panel.set_axis_off()
         for panel in panels[: len(groups) + 1]:
             panel.set(ylim=(0, 103), ylabel="top-1  (%)")
-        panels[0].legend(loc="lower right")
+        panels[1].legend(loc="lower left")
         return save_figure(figure, path)
 
 
 def _draw_components(judged: Sequence[Judged], panel: Axes) -> None:
     for number, each in enumerate(judged):
-        shares = [100 * share for share, _ in each.overall.by_components.values()]
-        _draw_bars(panel, list(each.overall.by_components), shares, number, len(judged), each.name)
+        counted = list(each.overall.by_components.values())
+        shares = [100 * share for share, _ in counted]
+        bars = _error_bars([(share, *wilson_interval(share, touches)) for share, touches in counted])
+        _draw_bars(panel, list(each.overall.by_components), shares, bars, number, len(judged), each.name)
     panel.set(title="components of the touch")
 
 
@@ -71,16 +75,26 @@ def _draw_group(panel: Axes, outcomes: list[Outcome], number: int, name: str) ->
     names = [outcome.name for outcome in outcomes]
     place = np.arange(len(names))
     colour, mark = _COLOURS[number], _MARKS[number]
-    panel.plot(place, [100 * outcome.top1 for outcome in outcomes], marker=mark, color=colour, label=name,
-               linestyle="-" if outcomes[0].value is not None else "none")  # fmt: skip
+    bars = _error_bars([(outcome.top1, outcome.low, outcome.high) for outcome in outcomes])
+    # Beside each other, so that one does not hide the other.
+    panel.errorbar(place + 0.12 * number, [100 * outcome.top1 for outcome in outcomes], bars, marker=mark, color=colour,
+                   label=name, capsize=2, linestyle="-" if outcomes[0].value is not None else "none")  # fmt: skip
     worst = [outcome.worst for outcome in outcomes if outcome.worst is not None]
     if len(worst) == len(outcomes):
         panel.plot(place, [100 * share for share in worst], color=colour, linestyle="--", linewidth=1)
     panel.set_xticks(place, names, rotation=25 if len(names) > 4 else 0, fontsize=8)
 
 
-def _draw_bars(panel: Axes, names: list[str], values: list[float], number: int, count: int, label: str) -> None:
+def _error_bars(shares: Sequence[tuple[float, float, float]]) -> NDArray[np.float64]:
+    """(2, n) percent below and above, of (share, low, high) each."""
+    share, low, high = 100 * np.array(shares).T
+    return np.maximum(np.stack([share - low, high - share]), 0.0)
+
+
+def _draw_bars(
+    panel: Axes, names: list[str], values: list[float], bars: NDArray[np.float64], number: int, count: int, label: str
+) -> None:
     width = 0.8 / count
     place = np.arange(len(names)) + (number - (count - 1) / 2) * width
-    panel.bar(place, values, width, color=_COLOURS[number], label=label)
+    panel.bar(place, values, width, yerr=bars, capsize=2, color=_COLOURS[number], label=label)
     panel.set_xticks(np.arange(len(names)), names, fontsize=8)

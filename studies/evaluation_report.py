@@ -57,12 +57,11 @@ def _verdict(found: FullEvaluation) -> str:
     shares = " and ".join(
         f"the {each.name} names the right point for {100 * each.overall.top1:.1f} %" for each in found.judged
     )
-    worst = min((outcome for each in found.judged for outcome in each.outcomes), key=lambda outcome: outcome.top1)
-    name = next(each.name for each in found.judged if worst in each.outcomes)
-    return (
-        f"Of touches never heard before, {shares}. The hardest condition is {worst.group}, {worst.name}: "
-        f"{100 * worst.top1:.1f} % by the {name}."
-    )
+    hardest = []
+    for each in found.judged:
+        worst = min(each.outcomes, key=lambda outcome: outcome.top1)
+        hardest.append(f"for the {each.name} {worst.group}, {worst.name} ({100 * worst.top1:.1f} %)")
+    return f"Of touches never heard before, {shares}. The hardest condition is {', '.join(hardest)}."
 
 
 def _pictures(found: FullEvaluation) -> dict[str, str]:

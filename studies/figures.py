@@ -139,17 +139,20 @@ def draw_separability(separability: Separability, path: str | os.PathLike[str]) 
 
 
 def draw_confusion(confusion: NDArray[np.int64], points: tuple[int, ...], path: str | os.PathLike[str]) -> Path:
-    """Percent of the touches of the row's point for which the column's point was named."""
+    """Percent of the touches of the row's point for which the column's point was named; white is never, and colours
+    are logarithmic, for what is to be seen are the few percent beside the diagonal.
+    """
+    from matplotlib.colors import LogNorm
+
     touches = np.maximum(confusion.sum(axis=1, keepdims=True), 1)
     with _matrix_panel() as (figure, axes):
         _matrix(
             axes,
             figure,
-            100 * confusion / touches,
+            np.ma.masked_equal(100 * confusion / touches, 0.0),
             points,
             lambda value: "" if value == 0 else f"{value:.1f}" if value < 99.95 else "100",
-            vmin=0.0,
-            vmax=100.0,
+            norm=LogNorm(0.1, 100.0, clip=True),
             cmap="Blues",
             plain_scale=True,
             bar="touches of the row's point (%)",
@@ -259,7 +262,9 @@ def _matrix(
     legend = figure.colorbar(picture, ax=axes, label=bar, shrink=0.85)
     if plain_scale:
         legend.ax.yaxis.set_major_formatter("{x:g}")
-        legend.ax.yaxis.set_minor_formatter("{x:g}")
+        low, high = picture.get_clim()
+        # Over many decades numbers between the powers of ten would lie on each other.
+        legend.ax.yaxis.set_minor_formatter("" if 0 < low < high / 100 else "{x:g}")
     step = -(-len(points) // 24)
     ticks = list(range(0, len(points), step))
     axes.set_xticks(ticks, [str(points[k]) for k in ticks])
@@ -269,7 +274,7 @@ def _matrix(
         return
     for row, line in enumerate(values):
         for column, value in enumerate(line):
-            if np.isfinite(value):
+            if np.isfinite(value) and not np.ma.is_masked(value):
                 red, green, blue, _ = picture.cmap(picture.norm(value))
                 dark = 0.299 * red + 0.587 * green + 0.114 * blue < 0.55
                 axes.text(

@@ -115,9 +115,11 @@ def test_files_of_every_kind_and_one_file_per_channel_say_the_same(model: Librar
     scipy.io.savemat(tmp_path / "two.mat", arrays)
     table = np.column_stack([np.arange(len(sounds[0])) / 1000, *sounds])
     np.savetxt(tmp_path / "two.csv", table, delimiter=",", header="time,reference,A,B", comments="", fmt="%.12g")
-    write_wav(tmp_path / "two.wav", np.stack([sounds[1], sounds[0], sounds[2]]), 1000, 32)
+    rows = np.stack([sounds[1], sounds[0], sounds[2]])
+    write_wav(tmp_path / "two.wav", rows, 1000, 32)
+    np.savez(tmp_path / "rows.npz", signals=rows, sample_rate=1000)
     manifest["channels"] = {"A": 1, "reference": 2, "B": 3}
-    for name in ("two.npz", "two.mat", "two.csv", "two.wav"):
+    for name in ("two.npz", "two.mat", "two.csv", "two.wav", "rows.npz"):
         manifest["points"] = {"2": name}
         path.write_text(tomlkit.dumps(manifest), encoding="utf-8")
         found = measured(path, model).estimates[2]

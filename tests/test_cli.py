@@ -24,6 +24,7 @@ import geometry
 import localize
 from geometry.design_file import prototype_text
 from localize.dataset import response_of
+from localize.finger_stimuli import STIMULI
 from studies import cli
 
 ROOT = Path(__file__).parents[1]
@@ -266,6 +267,20 @@ def test_solve_train_and_evaluate_lead_from_a_design_to_a_judged_localizer(
     assert found["network"]["top1"] > 0.5  # three short epochs; chance is 0.33
     assert np.sum(found["network"]["confusion"]) == 150
     assert f"{100 * found['network']['top1']:.1f}" in told.out
+
+
+def test_a_network_is_trained_on_the_stimuli_that_are_named(command: Command, tmp_path: Path) -> None:
+    library, model = small_run().folder / "library.nc", tmp_path / "localizer"
+    words = ("--epochs", 2, "--stimuli", "taps", "--stimuli", "friction")
+    told = command("train", library, "--out", model, *words)
+    assert told.code == 0, told.err
+    plan = json.loads((model / "localizer.json").read_text(encoding="utf-8"))["plan"]
+    assert plan["stimuli"] == ["taps", "friction"]
+    trained, array = localize.load_localizer(model), acoustic_fem.load(library)
+    # Two short epochs; chance is 0.33.
+    assert localize.evaluate(trained, array, 50, "design", stimuli=STIMULI["friction"]).top1 > 0.5
+    told = command("train", library, "--out", tmp_path / "none", "--stimuli", "knocks")
+    assert (told.code, "--stimuli" in told.err, (tmp_path / "none").exists()) == (1, True, False)
 
 
 def test_train_goes_on_where_it_was_stopped(command: Command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

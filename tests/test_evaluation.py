@@ -8,6 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+import scipy.stats
 from rc_line import rc_line
 from small_run import small_design
 
@@ -15,6 +16,7 @@ import acoustic_fem
 import localize
 from localize.conditions import AMBIENT_LEVELS, NOISES, conditions, evaluate_conditions, evaluate_sensors
 from localize.dataset import response_of
+from localize.evaluation import wilson_interval
 from localize.finger_stimuli import STIMULI
 from studies.evaluation import evaluate_fully, mis_made
 from studies.evaluation_report import write_evaluation
@@ -50,6 +52,25 @@ def test_the_calibration_error_is_the_distance_of_stated_and_true_shares(right, 
     assert (filled[0].touches, filled[0].stated, filled[0].right) == (2000, pytest.approx(stated), found.top1)
     assert filled[0].low <= stated <= filled[0].high
     assert json.loads(json.dumps(found.to_dict()))["expected_calibration_error"] == found.reliability.expected_error
+
+
+@pytest.mark.parametrize(("right", "touches"), [(0, 10), (1, 1), (15, 20), (300, 600), (2400, 2400)])
+def test_intervals_are_those_of_wilson(right, touches):
+    expected = scipy.stats.binomtest(right, touches).proportion_ci(method="wilson")
+    found = wilson_interval(right / touches, touches)
+    assert found == pytest.approx((expected.low, expected.high), abs=1e-12)
+    assert found[0] <= right / touches <= found[1]
+
+
+def test_conditions_have_touches_enough_for_four_points_either_way_but_no_more_than_were_asked_for(library):
+    decoder = localize.BayesDecoder(library, 1e-2)
+    for touches, expected in ((250, 600), (4, 12)):
+        found = evaluate_fully({"decoder": decoder}, library, response_of(library), touches, 1e-1, 0, lambda *_: None)
+        counted = [each for each in found.judged[0].outcomes if each.worst is None]
+        assert {each.touches for each in counted} == {expected}
+        assert all(each.low <= each.top1 <= each.high for each in found.judged[0].outcomes)
+        if expected == 600:
+            assert max(each.high - each.low for each in counted) <= 0.08
 
 
 def test_each_condition_changes_one_thing_and_reaches_the_signals():
@@ -120,4 +141,8 @@ def test_the_page_is_one_file_with_all_figures_and_the_json_has_their_numbers(li
     }  # fmt: skip
     for each in first["conditions"]:
         assert f">{each['name']}<" in page
+        assert f"{100 * each['top1']:.1f} ({100 * each['low']:.1f} to {100 * each['high']:.1f})" in page
+    for name in ("first", "second"):
+        hardest = min(numbers[name]["conditions"], key=lambda each: each["top1"])
+        assert f"for the {name} {hardest['group']}, {hardest['name']} ({100 * hardest['top1']:.1f} %)" in page
     assert 'name = "row-3"' in numbers["provenance"]["design"]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+import scipy.io
 import scipy.io.wavfile
 
 from localize import RecordingError, read_recording
@@ -56,6 +57,27 @@ def test_columns_are_found_by_name_and_the_time_column_gives_the_rate(tmp_path):
     assert heard.signals[:, 100:-100] == pytest.approx(tones(1000)[:, 100:-100], abs=1e-2)
     (tmp_path / "b.csv").write_text("left,right\n" + "".join(f"{k % 7},{k % 5}\n" for k in range(300)))
     assert read_recording(tmp_path / "b.csv", NAMES).signals[1, :6].tolist() == [0, 1, 2, 3, 4, 0]
+
+
+@pytest.mark.parametrize("suffix", [".npz", ".mat"])
+def test_arrays_come_as_a_matrix_in_the_order_of_the_design_or_one_per_microphone(tmp_path, suffix):
+    left, right = samples = tones(2000)
+    save = np.savez if suffix == ".npz" else lambda file, **arrays: scipy.io.savemat(file, arrays)
+    save(tmp_path / f"a{suffix}", signals=samples, sample_rate=2000.0, remark="of a matrix only its rows are read")
+    save(tmp_path / f"b{suffix}", right=right, left=left, sample_rate=2000.0)
+    matrix, named = (read_recording(tmp_path / f"{name}{suffix}", NAMES) for name in "ab")
+    assert matrix.rate == named.rate == 2000.0
+    assert matrix.signals == pytest.approx(named.signals, abs=0)
+    assert matrix.signals[:, 100:-100] == pytest.approx(tones(1000)[:, 100:-100], abs=1e-2)
+    save(tmp_path / f"c{suffix}", right=right, left=left)
+    assert read_recording(tmp_path / f"c{suffix}", NAMES).signals == pytest.approx(samples, abs=0)  # 1 kHz
+
+
+def test_microphones_called_by_numbers_are_found_by_name_and_numbered_channels_by_place(tmp_path):
+    np.savez(tmp_path / "a.npz", **{"1": tones(1000)[0], "2": tones(1000)[1]})
+    np.savez(tmp_path / "b.npz", signals=tones(1000))
+    assert read_recording(tmp_path / "a.npz", ("2", "1")).signals == pytest.approx(tones(1000)[::-1], abs=0)
+    assert read_recording(tmp_path / "b.npz", ("2", "1")).signals == pytest.approx(tones(1000), abs=0)
 
 
 def test_a_slow_quiet_signal_in_coarse_steps_is_not_taken_for_clipped(tmp_path):
@@ -112,11 +134,12 @@ ROWS = "".join(f"{k % 7},{k % 5}\n" for k in range(300))
 @pytest.mark.parametrize(
     ("write", "message"),
     [
-        (lambda folder: folder / "none.wav", r"none\.wav: cannot be read: No such file"),
-        (lambda folder: folder / "none.npz", r"none\.npz: cannot be read: No such file"),
-        (lambda folder: folder / "a.mp3", r"a\.mp3: its name must end with \.wav, \.csv or \.npz"),
+        (lambda folder: folder / "none.wav", r"none\.wav: no such file"),
+        (lambda folder: folder / "none.npz", r"none\.npz: no such file"),
+        (lambda folder: folder / "a.mp3", r"a\.mp3: its name must end with \.wav, \.csv, \.npz or \.mat"),
         (saved(lambda s: s[:1]), r"a\.npz: has 1 channels, must have 2: left, right"),
-        (saved(lambda s: s[0]), r"has no \(1 dimensions\) channels, must have 2"),
+        (saved(lambda s: s[0]), "its channels are signals; they must be left, right, or be the rows of signals"),
+        (saved(lambda s: s[None]), r"signals has shape \(1, 2, 1000\); it must hold one row of samples per channel"),
         (saved(lambda s: s[:, :249]), "has 249 samples, must have at least 250 "),
         (saved(lambda s: s, 100), "sample rate = 100 Hz must be between 250 and 1e"),
         (saved(lambda s: s, np.nan), "sample rate = nan Hz must be"),
@@ -130,8 +153,9 @@ ROWS = "".join(f"{k % 7},{k % 5}\n" for k in range(300))
         (short_npz, r"a\.npz: cut short or not an NPZ file"),
         (text("a.npz", "no numbers"), r"a\.npz: cut short or not an NPZ file"),
         (text("a.csv", ""), r"a\.csv: is empty or not a CSV file"),
-        (text("a.csv", "left,middle\n" + ROWS), "its columns are left, middle; they must be left, right"),
-        (text("a.csv", "left,right,left\n" + ROWS), "its columns are left, right, left"),
+        (text("a.csv", "left,middle\n" + ROWS), "its channels are left, middle; they must be left, right"),
+        (text("a.csv", "left,right,left\n" + ROWS), "its columns are left, right, left; they must be one per channel"),
+        (text("a.csv", "time\n0\n1\n"), "its columns are time; they must be one per channel"),
         (text("a.csv", "left,right\n" + ROWS + "1"), r"line 302 has 1 values, must have 2; cut short\?"),
         (text("a.csv", "left,right\n" + ROWS + "1,x"), "could not convert string to float: 'x'"),
         (text("a.csv", "time,left,right\n0,1,2\n0.001,2,3\n0.5,1,1\n"), "time must rise in even steps; .* line 3"),
@@ -145,10 +169,12 @@ def test_bad_recordings_are_refused_by_name_and_reason(tmp_path, write, message)
 
 def test_a_file_without_the_array_signals_is_refused_and_objects_are_never_loaded(tmp_path):
     np.savez(tmp_path / "a.npz", other=np.zeros(3))
-    with pytest.raises(RecordingError, match="has no array 'signals', but other"):
+    with pytest.raises(
+        RecordingError, match="its channels are other; they must be left, right, or be the rows of signals"
+    ):
         read_recording(tmp_path / "a.npz", NAMES)
     np.savez(tmp_path / "c.npz", signals=tones(1000) + 1j)
-    with pytest.raises(RecordingError, match=r"c\.npz: signals holds complex numbers, must hold real ones"):
+    with pytest.raises(RecordingError, match=r"c\.npz: signals holds complex128, not real numbers"):
         read_recording(tmp_path / "c.npz", NAMES)
     np.savez(tmp_path / "d.npz", signals=tones(1000), sample_rate=[1000.0, 1000.0])
     with pytest.raises(RecordingError, match=r"d\.npz: sample_rate has 2 values, must be one number, Hz"):
