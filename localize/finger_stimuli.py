@@ -243,7 +243,7 @@ def _faded(pressure: Tensor) -> Tensor:
 def _read_wav(path: Path) -> np.ndarray:
     """(n_sample,) float64 at 1 kHz, one being the largest value the format holds."""
     from acoustic_fem.sound_file import read_wav
-    from localize.recording import at_one_kilohertz
+    from localize.resampling import at_one_kilohertz
 
     try:
         sound = read_wav(path)

@@ -5,15 +5,14 @@ from __future__ import annotations
 import math
 import os
 from dataclasses import dataclass
-from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
-import scipy.signal
 from numpy.typing import NDArray
 
 from acoustic_fem.sound_file import MATRIX, Sound, SoundFileError, read_sound
 from localize.frames import FRAME
+from localize.resampling import at_one_kilohertz
 from localize.stimulus import SAMPLE_RATE
 
 LOWEST_RATE, HIGHEST_RATE = 250.0, 1e6
@@ -51,7 +50,7 @@ def read_recording(
     Files are those of :func:`acoustic_fem.sound_file.read_sound`. Channels with names, of CSV, NPZ and MAT, are the
     microphones in any order; numbered ones, of WAV files and of ``signals`` in NPZ and MAT, are in the order of the
     design. Samples are pascals, of WAV files fractions of full scale. Files that give no rate are at 1 kHz; other
-    rates are brought to it by a polyphase filter (scipy.signal.resample_poly).
+    rates are brought to it by a polyphase filter, see :mod:`localize.resampling`.
 
     Args:
         path: of the file; its suffix says what it is.
@@ -65,8 +64,7 @@ def read_recording(
         ValueError: a full scale that is not finite and positive.
     """
     path = Path(path)
-    if full_scale is not None and not 0 < full_scale < math.inf:
-        raise ValueError(f"full_scale = {full_scale} Pa must be finite and above 0")
+    check_full_scale(full_scale)
     try:
         sound = read_sound(path, default_rate=SAMPLE_RATE)
     except SoundFileError as error:
@@ -78,6 +76,16 @@ def read_recording(
         samples, limit = samples * scale, None if sound.full_scale is None else sound.full_scale * scale
     _check(path, samples, rate, microphones, limit)
     return Recording(at_one_kilohertz(samples, rate), rate)
+
+
+def check_full_scale(full_scale: float | None) -> None:
+    """Refuse what is no pressure.
+
+    Raises:
+        ValueError: it is not finite and positive.
+    """
+    if full_scale is not None and not 0 < full_scale < math.inf:
+        raise ValueError(f"full_scale = {full_scale} Pa must be finite and above 0")
 
 
 def _in_order(path: Path, sound: Sound, microphones: tuple[str, ...]) -> NDArray[np.float64]:
@@ -130,12 +138,3 @@ def _first_clipped(channel: NDArray[np.float64], limit: float | None) -> int | N
         if at.max() == FLAT:
             return int(at.argmax())
     return None
-
-
-def at_one_kilohertz(samples: NDArray[np.float64], rate: float) -> NDArray[np.float64]:
-    """(n_channel, n_sample) at a rate in Hz, resampled by a polyphase filter."""
-    ratio = Fraction(SAMPLE_RATE / rate).limit_denominator(10_000)
-    if ratio == 1:
-        return samples
-    # Continued by the end values: a step to zero there would ring into the first and last frame.
-    return np.asarray(scipy.signal.resample_poly(samples, ratio.numerator, ratio.denominator, axis=1, padtype="edge"))

@@ -78,7 +78,11 @@ def open_localizer(
 
 
 def open_stream(
-    model: Path, localizer: Localizer | BayesDecoder | OnnxLocalizer, library: Path | None, extras: Extras
+    model: Path,
+    localizer: Localizer | BayesDecoder | OnnxLocalizer,
+    library: Path | None,
+    extras: Extras,
+    limit: float | None = None,
 ) -> TouchStream:
     """A stream that listens with a localizer.
 
@@ -87,6 +91,7 @@ def open_stream(
         localizer: of :func:`open_localizer`.
         library: of the array, where the model is none.
         extras: what to tell beside the point.
+        limit: Pa; a sample that reaches it is clipped. By default nothing is.
 
     Raises:
         ValueError: an extra without a library, a library without an extra, or a figure out of range.
@@ -97,7 +102,7 @@ def open_stream(
     if extras.asked is None:
         if library is not None:
             raise ValueError(f"--library {library} is for --waveform, --ambient and --refuse; give one of them")
-        return TouchStream(localizer)
+        return TouchStream(localizer, limit=limit)
     import acoustic_fem
 
     path = library or (None if _is_trained(model) or model.suffix == ".onnx" else model)
@@ -109,10 +114,11 @@ def open_stream(
     with named(loudest="--ambient", refused="--refuse"):
         sound = None if extras.ambient is None else SoundTest(response, noise, loudest=extras.ambient)
         if extras.refuse is None:
-            return TouchStream(localizer, reconstructor=reconstructor, sound_test=sound)
+            return TouchStream(localizer, limit=limit, reconstructor=reconstructor, sound_test=sound)
         residual = ResidualTest(response, noise, ambient=extras.ambient)
         return TouchStream(
             localizer,
+            limit=limit,
             reconstructor=reconstructor,
             sound_test=sound,
             residual_test=residual,

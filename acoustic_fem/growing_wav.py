@@ -1,0 +1,99 @@
+"""A WAV file that grows while it is recorded, and can be read whenever the process that writes it is killed.
+
+A name for a whole file only, as of all other results, would lose a recording with its process. Here samples are
+appended first, and then the head is rewritten to state them: it never states more than there is, and what lies behind
+is passed over by readers. The head is 58 bytes in the first page of the file and written by one call, which a signal
+does not cut in two. A cut of power is another matter: nothing is forced onto the disk before the end.
+"""
+
+from __future__ import annotations
+
+import os
+import struct
+from io import FileIO
+from pathlib import Path
+from types import TracebackType
+from typing import Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+LARGEST = 2**31
+"""Bytes of samples in a file; WAV can state twice that, and many readers no more than this."""
+_HEAD = "<4sI4s4sIHHIIHHH4sII4sI"
+_HEAD_BYTES = struct.calcsize(_HEAD)
+_FLOAT = 3
+
+
+class GrowingWav:
+    """One WAV file of 32-bit floating-point numbers.
+
+    Args:
+        path: a file that is there is replaced.
+        rate: Hz.
+        channels: how many.
+
+    Raises:
+        OSError: it cannot be written.
+        ValueError: no channel, or a rate that a WAV file cannot state.
+    """
+
+    def __init__(self, path: str | os.PathLike[str], rate: int, channels: int) -> None:
+        for name, value, most in (("rate", rate, 2**31), ("channels", channels, 1024)):
+            if not 1 <= value <= most:
+                raise ValueError(f"{name} = {value} must be between 1 and {most}")
+        self.path, self.rate, self.channels = Path(path), rate, channels
+        self.samples = 0
+        """Written per channel."""
+        self._file = FileIO(self.path, "wb")
+        self._write_head()
+
+    @property
+    def full(self) -> bool:
+        """Whether another second might not fit."""
+        return 4 * self.channels * (self.samples + self.rate) > LARGEST
+
+    def write(self, samples: NDArray[np.float64]) -> None:
+        """Append (n_channel, n).
+
+        Raises:
+            ValueError: another number of channels, or more than the file can hold.
+            OSError: it cannot be written: the disk is full.
+        """
+        if samples.ndim != 2 or len(samples) != self.channels:
+            raise ValueError(f"samples have shape {samples.shape}, must be (n_channel, n) = ({self.channels}, n)")
+        if 4 * self.channels * (self.samples + samples.shape[1]) > 2 * LARGEST - _HEAD_BYTES:
+            raise ValueError(f"{self.path}: a WAV file cannot hold {self.samples + samples.shape[1]} samples")
+        self._file.seek(_HEAD_BYTES + 4 * self.channels * self.samples)
+        rest = memoryview(np.ascontiguousarray(samples.T, "<f4").tobytes())
+        while rest:
+            rest = rest[self._file.write(rest) :]
+        self.samples += samples.shape[1]
+        self._write_head()
+
+    def close(self) -> None:
+        """Close it, on the disk."""
+        if not self._file.closed:
+            os.fsync(self._file.fileno())
+            self._file.close()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.close()
+
+    def _write_head(self) -> None:
+        frame = 4 * self.channels
+        size = frame * self.samples
+        head = struct.pack(
+            _HEAD,
+            *(b"RIFF", _HEAD_BYTES - 8 + size, b"WAVE"),
+            *(b"fmt ", 18, _FLOAT, self.channels, self.rate, self.rate * frame, frame, 32, 0),
+            *(b"fact", 4, self.samples),
+            *(b"data", size),
+        )
+        self._file.seek(0)
+        self._file.write(head)
