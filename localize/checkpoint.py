@@ -40,7 +40,7 @@ class Progress:
     """That it has taken, in all processes together."""
     losses: list[float] = field(default_factory=list)
     """Of the steps of the epoch under way."""
-    curve: list[list[float]] = field(default_factory=list)
+    curve: list[list[Any]] = field(default_factory=list)
     """Fields of :class:`localize.training.TrainingProgress`, per epoch."""
 
 

@@ -18,7 +18,16 @@ from torch import Tensor
 Purpose = Literal["training", "held-out", "evaluation"]
 PURPOSES: tuple[Purpose, ...] = ("training", "held-out", "evaluation")
 Kind = Literal[
-    "stimulus", "microphone", "ambient", "mismatch", "taps", "friction", "pulse wave", "recording", "mixture"
+    "stimulus",
+    "microphone",
+    "ambient",
+    "mismatch",
+    "taps",
+    "friction",
+    "pulse wave",
+    "recording",
+    "mixture",
+    "recorded frame",
 ]
 # Their numbers are part of the keys: new ones come last.
 _KINDS: tuple[Kind, ...] = (
@@ -31,6 +40,7 @@ _KINDS: tuple[Kind, ...] = (
     "pulse wave",
     "recording",
     "mixture",
+    "recorded frame",
 )
 
 

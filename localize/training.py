@@ -1,13 +1,13 @@
-"""Training of the network on touches made from a library."""
+"""Training of the network on touches made from a library, and on recorded ones beside them."""
 
 from __future__ import annotations
 
 import math
 import os
-from collections.abc import Callable
-from dataclasses import asdict, astuple, dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import asdict, astuple, dataclass, field
 from time import perf_counter
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import torch
@@ -24,6 +24,7 @@ from localize.localizer import Localizer
 from localize.model import NETWORKS, NetworkShape, TouchClassifier
 from localize.noise import NoiseSpectrum
 from localize.random_streams import Purpose
+from localize.recorded_frames import RecordedFrames
 from localize.stimulus import Device
 from localize.threads import one_thread
 from localize.training_plan import TrainingPlan
@@ -57,6 +58,8 @@ class TrainingProgress:
     """Share of held-out touches whose most probable point is the right one."""
     seconds: float
     """Since training began."""
+    recorded: Mapping[str, float] = field(default_factory=dict)
+    """Share of the frames of held-out recordings that are named right, by part; empty without recordings."""
 
 
 def train(
@@ -65,6 +68,7 @@ def train(
     progress: Callable[[TrainingProgress], None] | None = None,
     source: TransferFunctionSource | None = None,
     checkpoint: str | os.PathLike[str] | None = None,
+    recordings: str | os.PathLike[str] | None = None,
 ) -> Localizer:
     """Train a localizer for the array of a library, on the graphics processor where torch finds one.
 
@@ -80,11 +84,15 @@ def train(
         checkpoint: a file that keeps the state of the training, after every epoch and every minute. If it is there,
             training goes on from it, and the weights become those that it would have led to, bit for bit. It stays
             when training is done; remove it once the localizer is saved.
+        recordings: a manifest of touches of the made sensor (:mod:`localize.touch_recordings`), of which the plan's
+            share of the touches is taken. A fifth of the recordings is held out and only judged.
 
     Raises:
         ValueError: the library or the source does not cover 1 to 100 Hz, they hold different points or microphones,
             the plan's network does not fit the maps, or it asks for sound where there is no design.
-        CheckpointError: the checkpoint is damaged, or that of another plan, library or version of torch.
+        TouchManifestError, RecordingError: recordings that cannot be used.
+        CheckpointError: the checkpoint is damaged, or that of another plan, library, set of recordings or version of
+            torch.
     """
     plan = plan or TrainingPlan()
     response = response_of(library)
@@ -99,14 +107,19 @@ def train(
     device = "cuda" if torch.cuda.is_available() else "cpu"
     touches = _touches(response, plan, "training", source, seen, device)
     noise = touches.microphone_noise
+    noise_rms = noise.rms if isinstance(noise, NoiseSpectrum) else noise
+    recorded = None if recordings is None else RecordedFrames(recordings, response, noise_rms, plan.seed, device)
     # The global state of torch's generator is left as it was found.
     with torch.random.fork_rng(devices=[]), one_thread():
         torch.manual_seed(plan.seed)
         held_out = _held_out(plan, _touches(response, plan, "held-out", source, unseen, device))
         classifier = TouchClassifier(microphones, shape).to(device)
-        classifier.fit_normalisation(_frames(touches.samples(0, NORMALISATION_TOUCHES * response.point_count)))
-        kept = None if checkpoint is None else Checkpoint(checkpoint, training_identity(asdict(plan), touches))
-        curve, touch_count = _run_epochs(classifier, touches, held_out, plan, kept, progress)
+        batches = _Batches(touches, recorded, plan)
+        classifier.fit_normalisation(batches.frames(0, NORMALISATION_TOUCHES * response.point_count)[0])
+        identity = {**training_identity(asdict(plan), touches), **(recorded.identity() if recorded else {})}
+        kept = None if checkpoint is None else Checkpoint(checkpoint, identity)
+        curve, touch_count = _run_epochs(classifier, batches, held_out, kept, progress)
+        of_recordings = _of_recordings(recorded, classifier, curve)
     classifier.cpu().eval()
     return Localizer(
         classifier=classifier,
@@ -124,9 +137,10 @@ def train(
             "held_out_touches": len(held_out.point),
             "seconds": curve[-1].seconds,
             "cut_short": touch_count < plan.epochs * _steps_per_epoch(plan, response) * plan.batch,
-            "microphone_noise": noise.rms if isinstance(noise, NoiseSpectrum) else noise,
+            "microphone_noise": noise_rms,
             "sensors": 1 if seen is None else len(seen),
             "device": device,
+            **of_recordings,
         },
         provenance={
             **response.provenance,
@@ -153,15 +167,36 @@ def soft_labels(line: NDArray[np.int64], place: NDArray[np.int64], sigma: float)
     return np.asarray(weight / weight.sum(1, keepdims=True))
 
 
+class _Batches:
+    """Simulated touches, and recorded ones where there are recordings."""
+
+    def __init__(self, touches: TouchGenerator, recordings: RecordedFrames | None, plan: TrainingPlan) -> None:
+        self.touches, self.recordings, self.plan = touches, recordings, plan
+        self._share = 0.0 if recordings is None else plan.recorded
+
+    def frames(self, step: int, size: int) -> tuple[Tensor, Tensor]:
+        """(size, n_microphone, 250) and (size,) points, from 0: batch ``step`` of batches of this size."""
+        recorded = round(self._share * size)
+        simulated = size - recorded
+        parts = []
+        if simulated:
+            made = self.touches.samples(step * simulated, simulated)
+            parts.append((_frames(made), made.point))
+        if recorded and self.recordings is not None:
+            parts.append(self.recordings.samples(step * recorded, recorded))
+        frames, point = zip(*parts, strict=True)
+        return torch.cat(frames), torch.cat(point)
+
+
 def _run_epochs(
     classifier: TouchClassifier,
-    touches: TouchGenerator,
+    batches: _Batches,
     held_out: TouchSignals,
-    plan: TrainingPlan,
     checkpoint: Checkpoint | None,
     report: Callable[[TrainingProgress], None] | None,
 ) -> tuple[list[TrainingProgress], int]:
     """Train in place; one entry per epoch, and the number of touches used."""
+    plan, touches = batches.plan, batches.touches
     response = touches.response
     target = torch.from_numpy(soft_labels(response.line, response.place, plan.label_sigma)).float().to(touches.device)
     optimizer = torch.optim.AdamW(classifier.parameters(), lr=plan.learning_rate, weight_decay=plan.weight_decay)
@@ -181,11 +216,11 @@ def _run_epochs(
         rate = plan.learning_rate * min(1.0, (at.step + 1) / WARM_UP) * 0.5 * (1 + math.cos(math.pi * at.turned))
         for group in optimizer.param_groups:
             group["lr"] = rate
-        part = touches.samples(at.step * plan.batch, plan.batch)
-        maps = classifier.maps(_frames(part))
+        frames, point = batches.frames(at.step, plan.batch)
+        maps = classifier.maps(frames)
         with torch.autocast(maps.device.type, torch.bfloat16, enabled=plan.bfloat16):
             logits = classifier.network(maps)
-        loss = nn.functional.cross_entropy(logits.float(), target[part.point])
+        loss = nn.functional.cross_entropy(logits.float(), target[point])
         optimizer.zero_grad()
         loss.backward()
         optimizer.step()
@@ -198,9 +233,10 @@ def _run_epochs(
         ended = at.step % steps_per_epoch == 0 or at.step >= steps
         if ended:
             epoch, epochs = (math.ceil(k / steps_per_epoch) for k in (at.step, max(at.step, steps)))
-            accuracy = _accuracy(classifier, held_out)
+            accuracy = float((_named(classifier, held_out.signals) == held_out.point).double().mean())
+            recorded = _by_part(classifier, batches.recordings)
             seconds = perf_counter() - started
-            curve.append(TrainingProgress(epoch, epochs, float(np.mean(at.losses)), accuracy, seconds))
+            curve.append(TrainingProgress(epoch, epochs, float(np.mean(at.losses)), accuracy, seconds, recorded))
             at.curve.append(list(astuple(curve[-1])))
             at.losses = []
         if checkpoint and (ended or perf_counter() - saved > SAVE_EVERY):
@@ -271,8 +307,29 @@ def _held_out(plan: TrainingPlan, touches: TouchGenerator) -> TouchSignals:
     )
 
 
-def _accuracy(classifier: TouchClassifier, touches: TouchSignals) -> float:
+def _named(classifier: TouchClassifier, frames: Tensor) -> Tensor:
+    """(n,) most probable points, from 0."""
     classifier.eval()
     with torch.inference_mode():
-        named = torch.cat([classifier(part).argmax(1) for part in touches.signals.split(512)])
-    return float((named == touches.point).double().mean())
+        return torch.cat([classifier(part).argmax(1) for part in frames.split(512)])
+
+
+def _by_part(classifier: TouchClassifier, recordings: RecordedFrames | None) -> dict[str, float]:
+    if recordings is None:
+        return {}
+    judged = recordings.judged(_named(classifier, recordings.judged_frames))
+    return {part: found.right for part, found in judged.items()}
+
+
+def _of_recordings(
+    recordings: RecordedFrames | None, classifier: TouchClassifier, curve: list[TrainingProgress]
+) -> dict[str, Any]:
+    """What the localizer keeps of its recordings: the split, the curves, and how the held-out ones are named."""
+    if recordings is None:
+        return {}
+    judged = recordings.judged(_named(classifier, recordings.judged_frames))
+    return {
+        "recordings": recordings.to_dict(),
+        "held_out_recordings": {part: asdict(found) for part, found in judged.items()},
+        "recorded_accuracy": [dict(entry.recorded) for entry in curve],
+    }

@@ -41,6 +41,8 @@ class TrainingPlan:
     """Lowest and highest level of the sound outside, dB SPL, drawn anew for each touch; None for silence."""
     stimuli: tuple[str, ...] = ("multi-sines",)
     """What the touches are, each as often as the others: names of :data:`localize.finger_stimuli.STIMULI`."""
+    recorded: float = 0.5
+    """Share of the touches that are frames of recordings, where there are recordings to train on."""
     seed: int = 0
     time_limit: float | None = None
     """Seconds; None trains as planned, with the same result on a busy machine. Where the plan would take longer,
@@ -71,6 +73,7 @@ class TrainingPlan:
             ("label_sigma", 0.0, 100.0),
             ("microphone_noise", 0.0, 100.0),
             ("microphone_gain", 0.0, 20.0),
+            ("recorded", 0.0, 1.0),
             ("time_limit", 1e-3, 1e9),
         ):
             value = getattr(self, name)

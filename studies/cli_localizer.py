@@ -40,8 +40,17 @@ def train(
             show_default="multi-sines",
         ),
     ] = None,
+    recordings: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="MANIFEST",
+            help="Recorded touches of the made sensor, half of all that is trained on: docs/localizer.md. A fifth of "
+            "the recordings is held out and judged.",
+            show_default=False,
+        ),
+    ] = None,
 ) -> None:
-    """Train a localizer on touches made from a library.
+    """Train a localizer on touches made from a library, and on recorded ones where there are some.
 
     Killed and started again it goes on where it was, to the same weights: its state is kept in checkpoint.safetensors
     until it is done. Beside the localizer come training.csv and confusion.csv, and a picture of each.
@@ -84,6 +93,7 @@ def train(
             plan,
             lambda p: report(f"epoch {p.epoch} of {p.epochs}: {p.accuracy:.1%}", p.epoch / p.epochs),
             checkpoint=checkpoint,
+            recordings=recordings,
         )
         localizer.save(out)
         judged = evaluate_localizer(localizer, loaded, TOUCHES, plan.microphone_noise, seed=seed)
@@ -91,6 +101,11 @@ def train(
         checkpoint.unlink()
     accuracy = localizer.training["held_out_accuracy"][-1]
     short = f", cut short by --seconds {seconds:g}" if localizer.training["cut_short"] else ""
+    if recordings is not None:
+        table = table_of("recorded", "held-out recordings", "frames", "named right (%)", numbers=(1, 2, 3))
+        for part, found in localizer.training["held_out_recordings"].items():
+            table.add_row(part, str(found["recordings"]), str(found["frames"]), f"{100 * found['right']:.1f}")
+        show(table)
     print(f"{out}: {localizer.training['epochs']} epochs{short}, {accuracy:.1%} of held-out touches named right")
 
 

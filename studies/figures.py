@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from itertools import combinations
 from pathlib import Path
@@ -161,16 +161,19 @@ def draw_confusion(confusion: NDArray[np.int64], points: tuple[int, ...], path: 
         return _save(figure, path)
 
 
-def draw_training(loss: Sequence[float], accuracy: Sequence[float], path: str | os.PathLike[str]) -> Path:
-    """Mean loss and share of errors on held-out touches, by epoch, both on logarithmic scales."""
+def draw_training(loss: Sequence[float], accuracy: Mapping[str, Sequence[float]], path: str | os.PathLike[str]) -> Path:
+    """Mean loss, and the share of errors on each set of held-out touches, by epoch, both on logarithmic scales."""
     epoch = np.arange(1, len(loss) + 1)
-    errors = 100 * (1 - np.asarray(accuracy))
     with figure_in_style((WIDTH, 3.2)) as figure:
         left, right = figure.subplots(1, 2)
         left.semilogy(epoch, loss)
         left.set(title="training touches", xlabel="epoch", ylabel="cross-entropy  (nats)")
-        right.semilogy(epoch, np.where(errors > 0, errors, np.nan))
+        for name, share in accuracy.items():
+            errors = 100 * (1 - np.asarray(share))
+            right.semilogy(epoch, np.where(errors > 0, errors, np.nan), label=name)
         right.set(title="held-out touches; no value: no error", xlabel="epoch", ylabel="named wrong  (%)")
+        if len(accuracy) > 1:
+            right.legend()
         return _save(figure, path)
 
 

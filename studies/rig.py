@@ -228,6 +228,34 @@ class Rig:
         drive = _excitation(recorder, total, random)
         drive[~inside] = 0
         drive *= recorder.level / np.sqrt(2 * (np.abs(drive[inside]) ** 2).sum()) * total
+        return self.recorded(point, drive, total, before, count, recorder, random)
+
+    def recorded(
+        self,
+        point: int,
+        drive: Complex,
+        total: int,
+        before: int,
+        count: int,
+        recorder: Recorder,
+        random: np.random.Generator,
+    ) -> Array:
+        """What is recorded of a pressure in a cavity, with all that a recorder adds.
+
+        Args:
+            point: number, from 1.
+            drive: (total // 2 + 1,) spectrum of the pressure as of np.fft.rfft, Pa; only :data:`BAND` is heard.
+            total: samples of the pressure, at the rate of the recorder.
+            before: of them, that come before the recording.
+            count: of the recording.
+            recorder: how.
+            random: draws what the recorder adds.
+
+        Returns:
+            (1 + n_microphone, count) Pa, the reference first, before they are clipped and rounded.
+        """
+        grid = np.fft.rfftfreq(total, 1 / recorder.rate).astype(np.float64)
+        inside = (grid >= BAND[0]) & (grid <= BAND[1])
         spectra = np.zeros((1 + len(self.design.microphones), len(grid)), np.complex128)
         spectra[0] = drive * np.exp(2j * np.pi * grid * recorder.late)
         spectra[1:, inside] = drive[inside] * self.transfer_function(grid[inside])[point - 1]

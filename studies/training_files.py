@@ -20,6 +20,8 @@ TOUCHES = 50
 def write_training_files(folder: Path, localizer: Localizer, judged: Evaluation) -> None:
     """Write ``training.csv`` and ``.png`` (loss and accuracy by epoch) and ``confusion.csv`` and ``.png``.
 
+    Where there were recordings, the curves have a column for each part of those that were held out.
+
     Args:
         folder: must exist; files of these names are replaced.
         localizer: just trained.
@@ -28,10 +30,14 @@ def write_training_files(folder: Path, localizer: Localizer, judged: Evaluation)
     from studies.figures import draw_confusion, draw_training
 
     loss, accuracy = localizer.training["loss"], localizer.training["held_out_accuracy"]
-    rows = [["epoch", "loss", "held_out_accuracy"]]
-    rows += [[str(k), repr(a), repr(b)] for k, (a, b) in enumerate(zip(loss, accuracy, strict=True), 1)]
+    by_epoch = localizer.training.get("recorded_accuracy") or [{} for _ in loss]
+    recorded = {part: [entry[part] for entry in by_epoch] for part in by_epoch[0]}
+    rows = [["epoch", "loss", "held_out_accuracy", *(f"recorded {part}" for part in recorded)]]
+    rows += [
+        [str(k), *map(repr, values)] for k, values in enumerate(zip(loss, accuracy, *recorded.values(), strict=True), 1)
+    ]
     write_text(folder / f"{CURVES}.csv", _table(rows))
-    draw_training(loss, accuracy, folder / f"{CURVES}.png")
+    draw_training(loss, {"simulated": accuracy, **recorded}, folder / f"{CURVES}.png")
     points = tuple(range(1, localizer.point_count + 1))
     rows = [["touched", *(str(point) for point in points)]]
     rows += [[str(k), *(str(n) for n in named)] for k, named in enumerate(judged.confusion.tolist(), 1)]

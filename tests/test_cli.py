@@ -28,7 +28,7 @@ from localize.finger_stimuli import STIMULI
 from studies import cli
 
 ROOT = Path(__file__).parents[1]
-VERBS = ("prototypes", "check", "solve", "parts", "train", "evaluate", "onnx", "locate", "run")
+VERBS = ("prototypes", "check", "solve", "parts", "train", "evaluate", "onnx", "locate", "live", "run")
 
 
 @dataclass(frozen=True)
@@ -385,7 +385,10 @@ def test_train_has_the_defaults_of_the_plan_and_the_noise_of_the_design(
 ) -> None:
     plans, library = [], small_run().folder / "library.nc"
 
-    def seen(library: object, plan: localize.TrainingPlan, progress: object, checkpoint: Path) -> None:
+    def seen(
+        library: object, plan: localize.TrainingPlan, progress: object, checkpoint: Path, recordings: Path | None
+    ) -> None:
+        assert recordings is None
         plans.append(plan)
         raise KeyboardInterrupt
 

@@ -1,0 +1,72 @@
+"""What recorded touches of a mis-made sensor add. ``python benchmarks/recorded_touches.py [SEED ...]``.
+
+For each seed a sensor of the virtual rig, array-2x6 with a modulus 15 % below its design's, records touches of the
+paper's four parts; localizers are trained on simulated touches of the design, on both, and on recorded ones alone, and
+judged on recordings that none was trained on, beside the model-based decoder with the design's library and with the
+made sensor's own transfer functions.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+import tempfile
+from dataclasses import replace
+from pathlib import Path
+
+os.environ.setdefault("OMP_NUM_THREADS", "1")
+
+import numpy as np
+from rich.console import Console
+from rich.table import Table
+
+import acoustic_fem
+import geometry
+import localize
+from localize.dataset import response_of
+from localize.recorded_frames import RecordedFrames
+from localize.touch_recordings import PARTS
+from studies.rig import HiddenScatter, Recorder, Rig
+from studies.rig_touches import TouchSession, record_touches
+
+NOISE = 1e-3
+PLAN = localize.TrainingPlan(epochs=6, microphone_noise=NOISE, stimuli=("multi-sines", "taps", "friction"))
+RECORDER = Recorder(hum=5e-4, drift=1e-3)
+
+
+def main(seeds: list[int]) -> None:
+    design = geometry.prototype("array-2x6")
+    library = acoustic_fem.solve(design, np.arange(1.0, 201.0), fidelity="lumped")
+    nominal = response_of(library)
+    console = Console(width=120)
+    for seed in seeds:
+        table = Table(title=f"Frames of held-out recordings named right, sensor {seed} (%)")
+        table.add_column("localizer")
+        for part in (*PARTS, "mean"):
+            table.add_column(part, justify="right")
+        rig = Rig(design, seed, HiddenScatter(modulus=0.85))
+        with tempfile.TemporaryDirectory() as folder:
+            manifest = record_touches(rig, Path(folder), range(1, 13), TouchSession(), RECORDER)
+            frames = RecordedFrames(manifest, nominal, NOISE, PLAN.seed)
+            known = rig.transfer_function(np.minimum(nominal.frequency, 160.0))
+            for name, locator in (
+                ("model-based, of the design", localize.BayesDecoder(nominal, NOISE)),
+                (
+                    "model-based, of the made sensor",
+                    localize.BayesDecoder(replace(nominal, transfer_function=known), NOISE),
+                ),
+                ("network, simulated only", localize.train(library, PLAN)),
+                ("network, simulated and recorded", localize.train(library, PLAN, recordings=manifest)),
+                (
+                    "network, recorded only",
+                    localize.train(library, replace(PLAN, recorded=1.0), recordings=manifest),
+                ),
+            ):
+                found = frames.judge(locator)
+                right = [100 * found[part].right for part in PARTS]
+                table.add_row(name, *(f"{value:.1f}" for value in (*right, np.mean(right))))
+        console.print(table)
+
+
+if __name__ == "__main__":
+    main([int(seed) for seed in sys.argv[1:]] or [1])
