@@ -86,7 +86,7 @@ def test_a_stream_tells_sound_from_a_touch_in_it(array, sound_test, decoder):
 
 
 def test_a_stream_names_no_point_for_two_touches_at_once(array, decoder):
-    signals, point = heard(array, None, 240)
+    signals, _ = heard(array, None, 240)
     both = signals[:120] + np.roll(signals[:120], 5, 0)
     residuals = localize.ResidualTest(array, NOISE)
     refused, named = (
