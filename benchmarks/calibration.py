@@ -29,18 +29,22 @@ PAGE = Path(__file__).parents[1] / "docs" / "calibration.md"
 BEGIN, END = "<!-- rigs: made by benchmarks/calibration.py -->", "<!-- end -->"
 GRID = np.linspace(1.0, 100.0, 48)
 RIGS, TOUCHES, NOISE = 20, 20, 1e-3
-WIDE = {
-    f"{tube}.{field}": value
-    for tube in ("tube", "microphone_tube")
-    for field, value in (("inner_diameter", 0.6), ("outer_diameter", 1.1))
-}
+
+
+def long_line(bore: float) -> ArrayDesign:
+    """36 points between two microphones, as the prototype line-2 but for its bores, mm."""
+    values = {"lines.0.points": 36, "layout.columns": 18, "membrane.thickness": 1.0, "resonator.cavity_diameter": 8.0,
+              "resonator.cavity_height": 3.0}  # fmt: skip
+    for tube in ("tube", "microphone_tube"):
+        values |= {f"{tube}.inner_diameter": bore, f"{tube}.outer_diameter": bore + 0.5}
+    return geometry.prototype("array-2x6").with_values(values)
+
+
 DESIGNS = {
     "2 x 6": geometry.prototype("array-2x6"),
-    "2 x 36": geometry.prototype("array-2x6").with_values(
-        {"lines.0.points": 36, "layout.columns": 18, "membrane.thickness": 1.0, "resonator.cavity_diameter": 8.0,
-         "resonator.cavity_height": 3.0, **WIDE}
-    ),
-}  # fmt: skip
+    "2 x 36": long_line(0.6),
+    "2 x 36, bores of 0.8 mm": long_line(0.8),
+}
 #: Measured points, by the number of points of the line.
 MEASURED = {12: ((6,), (4, 9), (2, 6, 11)), 36: ((18,), (12, 25), (8, 18, 29))}
 
