@@ -45,7 +45,7 @@ class Candidate:
     named: NDArray[np.int64]
     """(n,) most probable point of each frame, from 0."""
 
-    def is_distinct(self, other: Candidate) -> bool:
+    def isdistinct(self, other: Candidate) -> bool:
         """Whether the two name different points."""
         return bool((self.named != other.named).mean() > DISTINCT)
 
@@ -64,18 +64,18 @@ def search(model: UpdatedModel, stages: tuple[MarginalLikelihood, ...], line: ND
     found: list[Candidate] = []
     for number, stage in enumerate(stages):
         scale = _scale(model, stage, starts[0][1])
-        found = _distinct([ascend(model, stage, u, start, scale) for start, u in starts])
+        found = distinct([ascend(model, stage, u, start, scale) for start, u in starts])
         starts = [(one.start, one.parameters) for one in found]
         if number == 0:
             starts += _shifted(model, found[0].parameters, line)
     return found
 
 
-def _distinct(candidates: list[Candidate]) -> list[Candidate]:
+def distinct(candidates: list[Candidate]) -> list[Candidate]:
     """Without repetitions and those far behind, the best one first."""
     kept: list[Candidate] = []
     for one in sorted(candidates, key=lambda candidate: -candidate.value):
-        if all(one.is_distinct(other) for other in kept) and (not kept or one.value > kept[0].value - BEHIND):
+        if all(one.isdistinct(other) for other in kept) and (not kept or one.value > kept[0].value - BEHIND):
             kept.append(one)
     return kept
 
