@@ -25,10 +25,10 @@ Array = NDArray[np.float64]
 
 DISTINCT = 0.02
 """Share of the frames that two sensors must name differently to be two."""
-BEHIND = 60.0
+BEHIND = 30.0
 """Nats: a sensor this far behind the best one of its stage is given up."""
 _ITERATIONS = 25
-_PRECISION = 3e-6  # of the objective, at which an ascent ends: hundredths of a nat
+_PRECISION = 1e-5  # of the objective, at which an ascent ends: hundredths of a nat
 _SHIFT_ERROR = 0.1  # to which the logarithms of ratios between microphones are to meet those of the next point
 
 

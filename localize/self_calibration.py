@@ -8,6 +8,7 @@ accepted only where touches that were held out of the search speak for them; oth
 from __future__ import annotations
 
 import hashlib
+import warnings
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
@@ -21,10 +22,11 @@ from acoustic_fem.model_updating import Posterior, Priors, UpdatedModel
 from acoustic_fem.provenance import versions
 from geometry.layout import place
 from localize.calibration_search import ascend, distinct, search
-from localize.dataset import response_of
+from localize.array_response import ArrayResponse, response_of
 from localize.frames import FRAME, checked_signals
 from localize.judgement import ResidualTest
 from localize.marginal_likelihood import MarginalLikelihood
+from localize.stimulus import SAMPLE_RATE
 from localize.threads import one_thread
 
 Array = NDArray[np.float64]
@@ -200,56 +202,84 @@ def self_calibrate(
     if not 1e-9 <= microphone_noise <= 10:
         raise ValueError(f"microphone_noise = {microphone_noise} Pa must be between 1e-9 and 10 Pa")
     response = response_of(library)
-    heard = checked_signals(np.asarray(frames), response.microphones)[0].numpy()
-    if heard.shape[2] != FRAME:
-        raise ValueError(f"frames have {heard.shape[2]} samples, must have {FRAME}")
-    loudness = heard.std(2).max(1)
-    heard = heard[loudness > QUIET * microphone_noise]
+    heard = _touched(np.asarray(frames, np.float64), response, microphone_noise)
+    level = float(np.median(heard.std(2).max(1)))
+    noises = [max(share * level, 2 * microphone_noise) for share in STAGES]
+    heard = heard[np.random.default_rng(seed).permutation(len(heard))]
+    kept, held_out = np.split(heard, [round((1 - HELD_OUT) * len(heard))])
+    with warnings.catch_warnings():
+        # a search also passes through sensors of which these would be right, and which it does not end at
+        warnings.filterwarnings("ignore", "entrance loss of a tube|membrane: ", UserWarning)
+        return _calibrated(
+            UpdatedModel(library, priors), response, kept, held_out, noises, level, seed, progress or _silent
+        )
+
+
+def _touched(frames: Array, response: ArrayResponse, noise: float) -> Array:
+    """Frames that hold a touch."""
+    if frames.ndim != 3 or frames.shape[2] != FRAME:
+        raise ValueError(f"frames have shape {frames.shape}, must be (n, n_microphone, {FRAME})")
+    # one that is not finite is no quiet one
+    heard = frames[~(frames.std(2).max(1, initial=0) <= QUIET * noise)]
+    if len(heard):
+        checked_signals(heard, response.microphones)
     if len(heard) < FEWEST:
         raise SelfCalibrationError(
-            f"{len(heard)} of {len(loudness)} frames hold a touch; a calibration needs at least {FEWEST} "
-            f"({FEWEST * FRAME / 1000:g} s of touches)"
+            f"{len(heard)} of {len(frames)} frames hold a touch; a calibration needs at least {FEWEST} "
+            f"({FEWEST * FRAME / SAMPLE_RATE:g} s of touches)"
         )
-    report = progress or (lambda message, fraction: None)
-    level = float(np.median(heard.std(2).max(1)))
-    order = np.random.default_rng(seed).permutation(len(heard))
-    kept, out = np.split(heard[order], [round((1 - HELD_OUT) * len(heard))])
+    return heard
 
-    model = UpdatedModel(library, priors)
-    grid, noises = response.frequency, [max(share * level, 2 * microphone_noise) for share in STAGES]
+
+def _silent(message: str, fraction: float) -> None:
+    """Nobody is told."""
+
+
+def _calibrated(
+    model: UpdatedModel,
+    response: ArrayResponse,
+    kept: Array,
+    held_out: Array,
+    noises: list[float],
+    level: float,
+    seed: int,
+    report: Callable[[str, float], None],
+) -> SelfCalibration:
+    def responses(u: Array) -> Complex:
+        return np.asarray(model.transfer_function(u[None])[0])
+
+    grid, noise = response.frequency, noises[-1]
     report("search", 0.0)
-    few = [MarginalLikelihood(grid, kept[:SEARCHED], noise) for noise in noises]
-    found = search(model, tuple(few), response.line)
+    found = search(model, tuple(MarginalLikelihood(grid, kept[:SEARCHED], each) for each in noises), response.line)
     report("judgement", 0.7)
     if len(kept) > SEARCHED:
-        likelihood = MarginalLikelihood(grid, kept, noises[-1])
+        likelihood = MarginalLikelihood(grid, kept, noise)
         found = distinct([ascend(model, likelihood, one.parameters, one.start) for one in found])
-    unseen = MarginalLikelihood(grid, out, noises[-1])
-    before = unseen.evidence(model.transfer_function(np.zeros((1, model.count)))[0]).frames
-    h = [model.transfer_function(one.parameters[None])[0] for one in found]
-    seen = [unseen.evidence(of_one) for of_one in h]
-    named = seen[0].share.argmax(1)
-    test = ResidualTest(replace(response, transfer_function=h[0]), noises[-1] / 2, float(np.clip(_LOUDEST * level, 1e-3, 1e3)))
-    difference = seen[0].frames - before
-    rivals = [(found[0].value - one.value, float((seen[0].frames - there.frames).sum())) for one, there in zip(found[1:], seen[1:], strict=True)]
-
+    unseen = MarginalLikelihood(grid, held_out, noise)
+    best, *rivals = (unseen.evidence(responses(one.parameters)) for one in found)
+    named = best.share.argmax(1)
+    difference = best.frames - unseen.evidence(responses(np.zeros(model.count))).frames
+    test = ResidualTest(
+        replace(response, transfer_function=responses(found[0].parameters)),
+        noise / 2,
+        float(np.clip(_LOUDEST * level, 1e-3, 1e3)),
+    )
     report("all frames", 0.8)
-    whole = MarginalLikelihood(grid, heard, noises[-1])
-    final = ascend(model, whole, found[0].parameters, found[0].start)
-    there = model.transfer_function(final.parameters[None])[0]
-    information = whole.information(there, model.jacobian(final.parameters))
+    whole = MarginalLikelihood(grid, np.concatenate([kept, held_out]), noise)
+    u = ascend(model, whole, found[0].parameters, found[0].start).parameters
+    information = whole.information(responses(u), model.jacobian(u))
     report("done", 1.0)
     return SelfCalibration(
-        present=library,
-        posterior=Posterior.of(model, final.parameters, information),
-        frames=len(heard),
-        held_out=len(out),
+        present=model.library,
+        posterior=Posterior.of(model, u, information),
+        frames=len(kept) + len(held_out),
+        held_out=len(held_out),
         seed=seed,
-        noise=noises[-1],
+        noise=noise,
         gain=float(difference.mean()),
-        gain_error=float(difference.std(ddof=1) / np.sqrt(len(out))),
-        rival=min((gap for gap, _ in rivals), default=np.inf),
-        rival_held_out=min((gap for _, gap in rivals), default=np.inf),
-        explained=float((test.p_value(out, named) >= FALSE_ALARM).mean()),
-        agreement=float((unseen.evidence(there).share.argmax(1) == named).mean()),
+        gain_error=float(difference.std(ddof=1) / np.sqrt(len(held_out))),
+        rival=min((found[0].value - one.value for one in found[1:]), default=np.inf),
+        rival_held_out=min((float((best.frames - one.frames).sum()) for one in rivals), default=np.inf),
+        explained=float((test.p_value(held_out, named) >= FALSE_ALARM).mean()),
+        agreement=float((unseen.evidence(responses(u)).share.argmax(1) == named).mean()),
     )
