@@ -86,7 +86,9 @@ def row(name: str, counts: tuple[int, ...], rigs: int) -> str:
             refused[place] += not found.accepted
             values.append(accuracy(response_of(found.library()), truth))
             worse += found.accepted and values[-1] < values[0]
-            figures = f"gain {found.gain:.2f} +- {found.gain_error:.2f} rival {found.rival:.0f} {found.rival_held_out:.1f}"
+            figures = (
+                f"gain {found.gain:.2f} +- {found.gain_error:.2f} rival {found.rival:.0f} {found.rival_held_out:.1f}"
+            )
             figures += f" explained {found.explained:.2f} agreement {found.agreement:.2f} size {found.size:.0f}"
             print(name, seed, count, np.round(100 * np.array(values), 1), figures, found.objection, file=sys.stderr)
         shares.append(values)

@@ -145,7 +145,9 @@ class MarginalLikelihood:
             held = values > HELD
             # single precision halves the time, and what comes of it only steers and weighs
             along = (b @ scaled[:, held]).astype(np.float32)
-            change = along.T @ (self._sources(jacobian[:, point], COARSE).astype(np.float32) @ scaled.astype(np.float32))
+            change = along.T @ (
+                self._sources(jacobian[:, point], COARSE).astype(np.float32) @ scaled.astype(np.float32)
+            )
             inside = change[..., held]
             both = (inside + inside.transpose(0, 2, 1)).reshape(len(jacobian), -1)
             rest = change[..., ~held].reshape(len(jacobian), -1)

@@ -21,8 +21,8 @@ from acoustic_fem.library import MEASURED, Library, labelled
 from acoustic_fem.model_updating import Posterior, Priors, UpdatedModel
 from acoustic_fem.provenance import versions
 from geometry.layout import place
-from localize.calibration_search import ascend, distinct, search
 from localize.array_response import ArrayResponse, response_of
+from localize.calibration_search import ascend, distinct, search
 from localize.frames import FRAME, checked_signals
 from localize.judgement import ResidualTest
 from localize.marginal_likelihood import MarginalLikelihood
@@ -47,7 +47,7 @@ GAIN = 2.0
 RIVAL = 10.0
 """Nats by which a sensor that names other points must be less probable."""
 EXPLAINED = 0.95
-"""Share of the held-out frames that must be touches of the sensor by the residual test, with half of the noise that the fit assumes."""
+"""Share of the held-out frames that must pass the residual test, with half of the noise that the fit assumes."""
 AGREEMENT = 0.95
 """Share of the held-out frames that must keep their points when they join the fit."""
 FALSE_ALARM = 1e-3

@@ -146,35 +146,37 @@ def test_the_command_makes_the_same_library_from_recordings(
 def test_the_command_writes_nothing_when_it_refuses(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """Loud noise, at each microphone another, comes from no sensor."""
+    """A library that is right already is kept, and so is one that the touches say too little of."""
     last, out = tmp_path / "last.nc", tmp_path / "now.nc"
     acoustic_fem.save(nominal(), last)
     before = last.read_bytes()
-    noise = 0.1 * np.random.default_rng(5).standard_normal((110, 2, 250))
-    assert run(monkeypatch, last, recording(tmp_path / "noise.npz", noise), "--out", last) == 1
-    assert "refused" in capsys.readouterr().err.splitlines()[-1]
+    own = touches(replace(truth(), transfer_function=nominal().transfer_function.values), 110)[0]
+    for frames, reason in (
+        (own, "which is as good"),
+        (own[:30], "30 of 30 frames hold a touch"),
+        (own[:, :1], "has 1 channels"),
+    ):
+        file = recording(tmp_path / "touches.npz", frames)
+        assert run(monkeypatch, last, file, "--out", last) == 1
+        assert reason in capsys.readouterr().err.splitlines()[-1]
+        assert run(monkeypatch, last, tmp_path / "none.npz", "--out", out) == 1
     assert last.read_bytes() == before
-    few = recording(tmp_path / "few.npz", touches(truth(), 30)[0])
-    assert run(monkeypatch, last, few, "--out", out) == 1
-    assert "30 of 30 frames hold a touch" in capsys.readouterr().err
-    alone = recording(tmp_path / "alone.npz", noise[:, :1])
-    assert run(monkeypatch, last, alone, "--out", out) == 1
-    assert "channel" in capsys.readouterr().err
     assert not out.exists()
 
 
 def test_touches_of_another_sensor_are_refused() -> None:
-    other = DESIGN.with_values({"tube.inner_diameter": 0.7 * DESIGN.tube.inner_diameter, "membrane.thickness": 1.0})
+    other = DESIGN.with_values({"tube.inner_diameter": 0.6 * DESIGN.tube.inner_diameter})
     h = acoustic_fem.solve(other, GRID, "lumped").transfer_function.values
     found = self_calibrate(nominal(), touches(replace(truth(), transfer_function=h), 110)[0], NOISE)
     assert found.objection is not None
     assert found.library() is nominal()
 
 
-def test_a_library_that_is_right_already_is_kept() -> None:
-    own = replace(truth(), transfer_function=nominal().transfer_function.values)
-    found = self_calibrate(nominal(), touches(own, 120)[0], NOISE)
-    assert "as good" in str(found.objection)
+@pytest.mark.slow
+def test_noise_that_differs_between_microphones_is_refused() -> None:
+    noise = 0.1 * np.random.default_rng(5).standard_normal((110, 2, 250))
+    found = self_calibrate(nominal(), noise, NOISE)
+    assert "held-out frames are touches of the sensor found" in str(found.objection)
     assert found.library() is nominal()
 
 
@@ -188,7 +190,7 @@ def test_frames_that_cannot_be_used_are_refused() -> None:
         self_calibrate(nominal(), quiet)
     with pytest.raises(ValueError, match="have 1 channels, must have 2"):
         self_calibrate(nominal(), frames[:, :1])
-    with pytest.raises(ValueError, match="must be .n, n_microphone, 250"):
+    with pytest.raises(ValueError, match=r"must be \(n, n_microphone, 250\)"):
         self_calibrate(nominal(), np.pad(frames, ((0, 0), (0, 0), (0, 50))))
     with pytest.raises(ValueError, match="channel B of signal 0 is silent"):
         self_calibrate(nominal(), frames * np.array([1.0, 0.0])[:, None])
