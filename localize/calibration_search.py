@@ -27,8 +27,9 @@ DISTINCT = 0.02
 """Share of the frames that two sensors must name differently to be two."""
 BEHIND = 30.0
 """Nats: a sensor this far behind the best one of its stage is given up."""
-_ITERATIONS = 25
-_PRECISION = 1e-5  # of the objective, at which an ascent ends: hundredths of a nat
+COARSE, FINE = 1e-5, 1e-6
+"""Of the objective: an ascent ends where a step gains less. The coarse one may leave a point in ten unsettled."""
+_ITERATIONS = 30
 _SHIFT_ERROR = 0.1  # to which the logarithms of ratios between microphones are to meet those of the next point
 
 
@@ -68,7 +69,8 @@ def search(model: UpdatedModel, stages: tuple[MarginalLikelihood, ...], line: ND
         starts = [(one.start, one.parameters) for one in found]
         if number == 0:
             starts += _shifted(model, found[0].parameters, line)
-    return found
+    best = ascend(model, stages[-1], found[0].parameters, found[0].start, precision=FINE)
+    return distinct([best, *found[1:]])
 
 
 def distinct(candidates: list[Candidate]) -> list[Candidate]:
@@ -81,7 +83,12 @@ def distinct(candidates: list[Candidate]) -> list[Candidate]:
 
 
 def ascend(
-    model: UpdatedModel, likelihood: MarginalLikelihood, u: Array, start: str, scale: Array | None = None
+    model: UpdatedModel,
+    likelihood: MarginalLikelihood,
+    u: Array,
+    start: str,
+    scale: Array | None = None,
+    precision: float = COARSE,
 ) -> Candidate:
     """The maximum near u (count,), by L-BFGS in coordinates in which the likelihood is about as wide everywhere.
 
@@ -91,6 +98,7 @@ def ascend(
         u: where to begin.
         start: what to call it.
         scale: (count, count) from those coordinates to parameters; by default that at u.
+        precision: gain of a step, over the objective, below which it ends.
     """
     scale = _scale(model, likelihood, u) if scale is None else scale
 
@@ -104,7 +112,7 @@ def ascend(
         np.linalg.solve(scale, u),
         jac=True,
         method="L-BFGS-B",
-        options={"maxiter": _ITERATIONS, "maxcor": 20, "ftol": _PRECISION},
+        options={"maxiter": _ITERATIONS, "maxcor": 20, "ftol": precision},
     )
     there = scale @ best.x
     named = likelihood.evidence(model.transfer_function(there[None])[0]).share.argmax(1)

@@ -22,7 +22,7 @@ from acoustic_fem.model_updating import Posterior, Priors, UpdatedModel
 from acoustic_fem.provenance import versions
 from geometry.layout import place
 from localize.array_response import ArrayResponse, response_of
-from localize.calibration_search import ascend, distinct, search
+from localize.calibration_search import FINE, ascend, distinct, search
 from localize.frames import FRAME, checked_signals
 from localize.judgement import ResidualTest
 from localize.marginal_likelihood import MarginalLikelihood
@@ -254,7 +254,7 @@ def _calibrated(
     report("judgement", 0.7)
     if len(kept) > SEARCHED:
         likelihood = MarginalLikelihood(grid, kept, noise)
-        found = distinct([ascend(model, likelihood, one.parameters, one.start) for one in found])
+        found = distinct([ascend(model, likelihood, one.parameters, one.start, precision=FINE) for one in found])
     unseen = MarginalLikelihood(grid, held_out, noise)
     best, *rivals = (unseen.evidence(responses(one.parameters)) for one in found)
     named = best.share.argmax(1)
@@ -266,7 +266,7 @@ def _calibrated(
     )
     report("all frames", 0.8)
     whole = MarginalLikelihood(grid, np.concatenate([kept, held_out]), noise)
-    u = ascend(model, whole, found[0].parameters, found[0].start).parameters
+    u = ascend(model, whole, found[0].parameters, found[0].start, precision=FINE).parameters
     information = whole.information(responses(u), model.jacobian(u))
     report("done", 1.0)
     return SelfCalibration(
