@@ -79,7 +79,7 @@ class SelfCalibration:
     gain_error: float
     """Standard error of it."""
     rival: float
-    """Nats by which the next sensor, one that names other points, is less probable; infinite where all fall far back."""
+    """Nats by which the next sensor, one that names other points, is less probable; infinite where all fall back."""
     rival_held_out: float
     """Nats by which it is less likely on the held-out frames."""
     explained: float
