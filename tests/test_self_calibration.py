@@ -83,8 +83,7 @@ def test_the_likelihood_ranks_points_as_the_decoder_does() -> None:
     assert (share.argmax(1) == points).mean() > 0.98
 
 
-def test_information_is_the_mean_square_of_slopes() -> None:
-    """Fisher's two definitions agree, for frames that are drawn from the model."""
+def test_information_is_symmetric_never_negative_and_grows_with_the_frames() -> None:
     model = UpdatedModel(nominal())
     h = nominal().transfer_function.values
     likelihood = MarginalLikelihood(GRID, touches(truth(), 24)[0], 0.01)
