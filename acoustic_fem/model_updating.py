@@ -15,7 +15,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, fields, replace
 from functools import cached_property
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 import scipy.stats
@@ -158,26 +158,32 @@ class UpdatedModel:
         return np.asarray((h[: self.count] - h[self.count :]) / (2 * _STEP))
 
 
-@dataclass(frozen=True, eq=False)
-class Update:
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Posterior:
     """The most probable sensor of a family, and how far it is known."""
 
     model: UpdatedModel
-    points: tuple[int, ...]
-    """Numbers of the measured points."""
     parameters: Array
     """(count,) in standard deviations of the priors."""
     covariance: Array
     """(count, count) of them after the measurement."""
     eigenvalues: Array
-    """(count,) ascending, of J^T J: what the data say of a combination, by what the prior says."""
+    """(count,) ascending: what the data say of a combination, by what the prior says."""
     directions: Array
     """(count, count) those combinations, in columns."""
-    chi_squared: float
-    """|r|^2 + |u|^2 at the solution."""
-    residuals: int
-    """Number of residuals, real and imaginary parts."""
-    iterations: int
+
+    @classmethod
+    def of(cls, model: UpdatedModel, parameters: Array, information: Array, **rest: Any) -> Self:
+        """At the most probable parameters, from what the data say of them, (count, count), by what the priors say."""
+        eigenvalues, directions = np.linalg.eigh(information)
+        return cls(
+            model=model,
+            parameters=parameters,
+            covariance=np.asarray(np.linalg.inv(information + np.eye(model.count)), np.float64),
+            eigenvalues=np.maximum(eigenvalues, 0),
+            directions=np.asarray(directions, np.float64),
+            **rest,
+        )
 
     @property
     def ratios(self) -> dict[str, tuple[float, float]]:
@@ -188,26 +194,6 @@ class Update:
         known = np.sqrt(np.diag(self.covariance))
         values = zip(self.model.names, np.exp(scale * self.parameters), scale * known, strict=True)
         return {name: (float(value), float(deviation)) for name, value, deviation in values}
-
-    @property
-    def objection(self) -> str | None:
-        """Why the fit cannot be trusted; None where it can."""
-        limit = float(scipy.stats.chi2.isf(_SIGNIFICANCE, self.residuals))
-        if self.chi_squared > limit:
-            return (
-                f"chi-squared = {self.chi_squared:.0f} is above {limit:.0f} for {self.residuals} residuals: no sensor "
-                "of this family is like the measured one"
-            )
-        size, most = (
-            float(self.parameters @ self.parameters),
-            float(scipy.stats.chi2.isf(_SIGNIFICANCE, self.model.count)),
-        )
-        if size > most:
-            return (
-                f"the parameters lie {size:.0f} off their priors, more than {most:.0f} for {self.model.count} of them: "
-                "the sensor is not one of this tolerance"
-            )
-        return None
 
     @property
     def undetermined(self) -> tuple[str, ...]:
@@ -229,11 +215,6 @@ class Update:
     def summary(self) -> dict[str, Any]:
         """Plain values for a report."""
         return {
-            "measured_points": list(self.points),
-            "chi_squared": self.chi_squared,
-            "residuals": self.residuals,
-            "objection": self.objection,
-            "iterations": self.iterations,
             "parameters": {
                 name: {"ratio": ratio, "log_deviation": known} for name, (ratio, known) in self.ratios.items()
             },
@@ -257,6 +238,50 @@ class Update:
         spread = np.einsum("af,ab,bf->f", flat.conj(), self.covariance, flat, optimize=True).real
         h = np.abs(self.transfer_function)
         return np.asarray(np.sqrt(spread.reshape(h.shape) / 2 + (MODEL_ERROR * h) ** 2 / 2))
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Update(Posterior):
+    """The sensor that measured transfer functions speak for; its eigenvalues are those of J^T J."""
+
+    points: tuple[int, ...]
+    """Numbers of the measured points."""
+    chi_squared: float
+    """|r|^2 + |u|^2 at the solution."""
+    residuals: int
+    """Number of residuals, real and imaginary parts."""
+    iterations: int
+
+    @property
+    def objection(self) -> str | None:
+        """Why the fit cannot be trusted; None where it can."""
+        limit = float(scipy.stats.chi2.isf(_SIGNIFICANCE, self.residuals))
+        if self.chi_squared > limit:
+            return (
+                f"chi-squared = {self.chi_squared:.0f} is above {limit:.0f} for {self.residuals} residuals: no sensor "
+                "of this family is like the measured one"
+            )
+        size, most = (
+            float(self.parameters @ self.parameters),
+            float(scipy.stats.chi2.isf(_SIGNIFICANCE, self.model.count)),
+        )
+        if size > most:
+            return (
+                f"the parameters lie {size:.0f} off their priors, more than {most:.0f} for {self.model.count} of them: "
+                "the sensor is not one of this tolerance"
+            )
+        return None
+
+    def summary(self) -> dict[str, Any]:
+        """Plain values for a report."""
+        return {
+            "measured_points": list(self.points),
+            "chi_squared": self.chi_squared,
+            "residuals": self.residuals,
+            "objection": self.objection,
+            "iterations": self.iterations,
+            **super().summary(),
+        }
 
 
 def update(model: UpdatedModel, estimates: Mapping[int, TransferEstimate]) -> Update:
@@ -305,19 +330,14 @@ def update(model: UpdatedModel, estimates: Mapping[int, TransferEstimate]) -> Up
         if gain < 1e-6 * value + 1e-6:
             break
     _, j = _linearised(model, u, rows, measured, scale)
-    information = j @ j.T
-    eigenvalues, directions = np.linalg.eigh(information)
-    covariance = np.linalg.inv(information + np.eye(model.count))
-    return Update(
+    return Update.of(
         model,
-        tuple(points),
         u,
-        np.asarray(covariance, np.float64),
-        np.maximum(eigenvalues, 0),
-        np.asarray(directions, np.float64),
-        value,
-        j.shape[1],
-        iterations,
+        j @ j.T,
+        points=tuple(points),
+        chi_squared=value,
+        residuals=j.shape[1],
+        iterations=iterations,
     )
 
 

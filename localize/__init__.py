@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from localize.onnx import OnnxLocalizer, export_onnx
     from localize.reconstruct import Reconstructor, Waveform, short_window_waveform
     from localize.recording import Recording, RecordingError, read_recording
+    from localize.self_calibration import SelfCalibration, SelfCalibrationError, self_calibrate
     from localize.sound_test import SoundTest
     from localize.stream import Decision, Fault, TouchStream
     from localize.touch_filter import TouchFilter
@@ -45,6 +46,8 @@ _HOMES = {
     "Recording": "recording",
     "RecordingError": "recording",
     "ResidualTest": "judgement",
+    "SelfCalibration": "self_calibration",
+    "SelfCalibrationError": "self_calibration",
     "SoundTest": "sound_test",
     "Touch": "touches",
     "TouchFilter": "touch_filter",
@@ -60,6 +63,7 @@ _HOMES = {
     "judge": "judgement",
     "load_localizer": "localizer",
     "read_recording": "recording",
+    "self_calibrate": "self_calibration",
     "short_window_waveform": "reconstruct",
     "touches_of": "touches",
     "train": "training",
@@ -81,6 +85,8 @@ __all__ = [
     "Recording",
     "RecordingError",
     "ResidualTest",
+    "SelfCalibration",
+    "SelfCalibrationError",
     "SoundTest",
     "Touch",
     "TouchFilter",
@@ -96,6 +102,7 @@ __all__ = [
     "judge",
     "load_localizer",
     "read_recording",
+    "self_calibrate",
     "short_window_waveform",
     "touches_of",
     "train",

@@ -114,7 +114,7 @@ def ambient_covariance(response: ArrayResponse, level: float) -> NDArray[np.floa
     power = (REFERENCE * 10 ** (level / 20)) ** 2 / frequency / (1 / frequency).sum()
     even, odd = interpolation(response.frequency, frequency)
     h = response.ambient_response.real @ even.T + 1j * (response.ambient_response.imag @ odd.T)
-    turn, gain = _sampled(frequency)
+    turn, gain = sampled_waves(frequency)
     return _second_moment(h, np.sqrt(power) * gain, turn)
 
 
@@ -140,7 +140,7 @@ def touch_covariances(
     """
     top = min(float(response.frequency[-1]), SAMPLE_RATE / 2)
     frequency = np.arange(BAND[0], top + 1e-9, INTEGRATION_STEP)
-    turn, gain = _sampled(frequency)
+    turn, gain = sampled_waves(frequency)
     turn = turn @ whiten.T
     amplitude = np.sqrt(density(frequency) * INTEGRATION_STEP) * gain
     size = len(response.microphones) * SAMPLES
@@ -150,7 +150,7 @@ def touch_covariances(
     return covariances
 
 
-def _sampled(frequency: NDArray[np.float64]) -> tuple[NDArray[np.complex128], NDArray[np.float64]]:
+def sampled_waves(frequency: NDArray[np.float64]) -> tuple[NDArray[np.complex128], NDArray[np.float64]]:
     """What the decimated samples see of a wave, (n, SAMPLES), and the gain of the filter, (n,)."""
     taps = scipy.signal.firwin(TAPS, CUTOFF, fs=SAMPLE_RATE)
     _, gain = scipy.signal.freqz(taps, worN=frequency, fs=SAMPLE_RATE)

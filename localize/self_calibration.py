@@ -1,0 +1,285 @@
+"""A library brought to the sensor as it is now, from touches of which nobody knows the points.
+
+The parameters are those of :mod:`acoustic_fem.model_updating`, with their priors, about the present library: the
+nominal one or the last calibration. The most probable ones given the touches (:mod:`localize.calibration_search`) are
+accepted only where touches that were held out of the search speak for them; otherwise the present library stays.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import warnings
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+import scipy.stats
+from numpy.typing import ArrayLike, NDArray
+
+from acoustic_fem.library import MEASURED, Library, labelled
+from acoustic_fem.model_updating import Posterior, Priors, UpdatedModel
+from acoustic_fem.provenance import versions
+from geometry.layout import place
+from localize.array_response import ArrayResponse, response_of
+from localize.calibration_search import FINE, ascend, distinct, search
+from localize.frames import FRAME, checked_signals
+from localize.judgement import ResidualTest
+from localize.marginal_likelihood import MarginalLikelihood
+from localize.stimulus import SAMPLE_RATE
+from localize.threads import one_thread
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+FEWEST = 100
+"""Frames with a touch that are needed."""
+STAGES = (0.25, 0.12, 0.03)
+"""Noise that is assumed, over the level of the touches: half of the frames are louder at their loudest microphone."""
+QUIET = 4.0
+"""Times the microphones' noise: frames that are nowhere louder hold no touch."""
+SEARCHED = 300
+"""Frames that a search is made with at most; the last ascent takes all."""
+HELD_OUT = 0.25
+"""Share of the frames that the search does not see."""
+GAIN = 2.0
+"""Standard errors by which held-out frames must be likelier than with the present library."""
+RIVAL = 10.0
+"""Nats by which a sensor that names other points must be less probable."""
+EXPLAINED = 0.95
+"""Share of the held-out frames that must pass the residual test, with half of the noise that the fit assumes."""
+AGREEMENT = 0.95
+"""Share of the held-out frames that must keep their points when they join the fit."""
+FALSE_ALARM = 1e-3
+"""Rate of it, and probability below which the size of the parameters speaks against them."""
+_LOUDEST = 8.0  # over the level of the touches
+
+
+class SelfCalibrationError(ValueError):
+    """Touches that nothing can be learned from."""
+
+
+@dataclass(frozen=True, eq=False)
+class SelfCalibration:
+    """The most probable sensor of unlabelled touches, and what speaks against it."""
+
+    present: Library
+    """What it began from, and what stays where it is refused."""
+    posterior: Posterior
+    """Of the parameters, about the present library."""
+    frames: int
+    """With a touch."""
+    held_out: int
+    """Of them, not seen by the search."""
+    seed: int
+    noise: float
+    """Pa rms that was assumed in the end."""
+    gain: float
+    """Nats by which a held-out frame is likelier than with the present library, on average."""
+    gain_error: float
+    """Standard error of it."""
+    rival: float
+    """Nats by which the next sensor, one that names other points, is less probable; infinite where all fall back."""
+    rival_held_out: float
+    """Nats by which it is less likely on the held-out frames."""
+    explained: float
+    """Share of the held-out frames that pass the residual test."""
+    agreement: float
+    """Share of the held-out frames whose point stays the same when they join the fit."""
+
+    @property
+    def size(self) -> float:
+        """|u|^2 of the parameters, in standard deviations of the priors."""
+        return float(self.posterior.parameters @ self.posterior.parameters)
+
+    @property
+    def expected_size(self) -> float:
+        """What it is on average for a sensor of these priors: the number of combinations that the touches determine."""
+        return float((self.posterior.eigenvalues / (1 + self.posterior.eigenvalues)).sum())
+
+    @property
+    def objection(self) -> str | None:
+        """Why it is refused; None where it is accepted."""
+        largest = float(scipy.stats.chi2.isf(FALSE_ALARM, max(self.expected_size, 1.0)))
+        if self.explained < EXPLAINED:
+            return (
+                f"{100 * self.explained:.0f} % of the held-out frames are touches of the sensor found, fewer than "
+                f"{100 * EXPLAINED:.0f} %: another sensor, sound from outside, or parts beyond their tolerances"
+            )
+        if self.size > largest:
+            return (
+                f"the parameters lie {self.size:.0f} off their priors, more than {largest:.0f}: the sensor is not one "
+                "of this tolerance"
+            )
+        if self.rival < RIVAL or self.rival_held_out <= 0:
+            return (
+                f"a sensor that names other points is only {self.rival:.1f} nats less probable, and "
+                f"{self.rival_held_out:.1f} less likely on held-out frames: the touches do not tell which it is"
+            )
+        if self.agreement < AGREEMENT:
+            return (
+                f"only {100 * self.agreement:.0f} % of the held-out frames keep their points when they join the fit: "
+                "it is not settled yet"
+            )
+        if self.gain < GAIN * self.gain_error:
+            return (
+                f"held-out frames are {self.gain:.3f} +- {self.gain_error:.3f} nats likelier than with the present "
+                "library, which is as good"
+            )
+        return None
+
+    @property
+    def accepted(self) -> bool:
+        """Whether the library is a new one."""
+        return self.objection is None
+
+    def library(self) -> Library:
+        """The calibrated library, like any other; the present one where the calibration is refused."""
+        if not self.accepted:
+            return self.present
+        present, h = self.present, self.posterior.transfer_function
+        impedance = present.point_impedance.transpose("point", "frequency").values
+        return labelled(
+            present.design,
+            place(present.design),
+            present.frequency,
+            {"transfer_function": h, "source_response": h * impedance[:, None], "point_impedance": impedance},
+            MEASURED,
+            present.medium,
+            {
+                **versions(None, ("numpy", "scipy", "torch", "xarray")),
+                "frequency_sha256": hashlib.sha256(present.frequency.tobytes()).hexdigest(),
+                "self_calibration": self.summary(),
+                "present": {"fidelity": present.fidelity, **present.provenance},
+            },
+            self.posterior.deviation,
+        )
+
+    def summary(self) -> dict[str, Any]:
+        """Plain values for a report."""
+        return {
+            "frames": self.frames,
+            "held_out": self.held_out,
+            "seed": self.seed,
+            "noise": self.noise,
+            "gain_per_frame": self.gain,
+            "gain_error": self.gain_error,
+            "rival": None if np.isinf(self.rival) else self.rival,
+            "rival_held_out": None if np.isinf(self.rival_held_out) else self.rival_held_out,
+            "explained": self.explained,
+            "agreement": self.agreement,
+            "size": self.size,
+            "expected_size": self.expected_size,
+            "objection": self.objection,
+            **self.posterior.summary(),
+        }
+
+
+@one_thread()
+def self_calibrate(
+    library: Library,
+    frames: ArrayLike,
+    microphone_noise: float = 1e-3,
+    priors: Priors | None = None,
+    seed: int = 0,
+    progress: Callable[[str, float], None] | None = None,
+) -> SelfCalibration:
+    """Bring a library to the sensor that made unlabelled touches.
+
+    Args:
+        library: the nominal one, or the last calibration, of the sensor's design, covering 1 to 100 Hz.
+        frames: (n, n_microphone, 250) Pa at 1 kHz; those without a touch are passed over.
+        microphone_noise: of the microphones, Pa rms over 0 to 500 Hz, 1e-9 to 10.
+        priors: how far the sensor may be from the library; by default those of a fresh one.
+        seed: of the choice of the frames that are held out.
+        progress: called with what is being done and the fraction done.
+
+    Raises:
+        SelfCalibrationError: fewer than 100 frames with a touch.
+        ValueError: frames of a wrong shape, a silent channel, values that are not finite; a noise out of range; a
+            library without the band, or of a design that the lumped batch does not take.
+    """
+    if not 1e-9 <= microphone_noise <= 10:
+        raise ValueError(f"microphone_noise = {microphone_noise} Pa must be between 1e-9 and 10 Pa")
+    response = response_of(library)
+    heard = _touched(np.asarray(frames, np.float64), response, microphone_noise)
+    level = float(np.median(heard.std(2).max(1)))
+    noises = [max(share * level, 2 * microphone_noise) for share in STAGES]
+    heard = heard[np.random.default_rng(seed).permutation(len(heard))]
+    kept, held_out = np.split(heard, [round((1 - HELD_OUT) * len(heard))])
+    with warnings.catch_warnings():
+        # a search also passes through sensors of which these would be right, and which it does not end at
+        warnings.filterwarnings("ignore", "entrance loss of a tube|membrane: ", UserWarning)
+        return _calibrated(
+            UpdatedModel(library, priors), response, kept, held_out, noises, level, seed, progress or _silent
+        )
+
+
+def _touched(frames: Array, response: ArrayResponse, noise: float) -> Array:
+    """Frames that hold a touch."""
+    if frames.ndim != 3 or frames.shape[2] != FRAME:
+        raise ValueError(f"frames have shape {frames.shape}, must be (n, n_microphone, {FRAME})")
+    # one that is not finite is no quiet one
+    heard = frames[~(frames.std(2).max(1, initial=0) <= QUIET * noise)]
+    if len(heard):
+        checked_signals(heard, response.microphones)
+    if len(heard) < FEWEST:
+        raise SelfCalibrationError(
+            f"{len(heard)} of {len(frames)} frames hold a touch; a calibration needs at least {FEWEST} "
+            f"({FEWEST * FRAME / SAMPLE_RATE:g} s of touches)"
+        )
+    return heard
+
+
+def _silent(message: str, fraction: float) -> None:
+    """Nobody is told."""
+
+
+def _calibrated(
+    model: UpdatedModel,
+    response: ArrayResponse,
+    kept: Array,
+    held_out: Array,
+    noises: list[float],
+    level: float,
+    seed: int,
+    report: Callable[[str, float], None],
+) -> SelfCalibration:
+    def responses(u: Array) -> Complex:
+        return np.asarray(model.transfer_function(u[None])[0])
+
+    grid, noise = response.frequency, noises[-1]
+    report("search", 0.0)
+    found = search(model, tuple(MarginalLikelihood(grid, kept[:SEARCHED], each) for each in noises), response.line)
+    report("judgement", 0.7)
+    if len(kept) > SEARCHED:
+        likelihood = MarginalLikelihood(grid, kept, noise)
+        found = distinct([ascend(model, likelihood, one.parameters, one.start, precision=FINE) for one in found])
+    unseen = MarginalLikelihood(grid, held_out, noise)
+    best, *rivals = (unseen.evidence(responses(one.parameters)) for one in found)
+    named = best.share.argmax(1)
+    difference = best.frames - unseen.evidence(responses(np.zeros(model.count))).frames
+    test = ResidualTest(
+        replace(response, transfer_function=responses(found[0].parameters)),
+        noise / 2,
+        float(np.clip(_LOUDEST * level, 1e-3, 1e3)),
+    )
+    report("all frames", 0.8)
+    whole = MarginalLikelihood(grid, np.concatenate([kept, held_out]), noise)
+    u = ascend(model, whole, found[0].parameters, found[0].start, precision=FINE).parameters
+    information = whole.information(responses(u), model.jacobian(u))
+    report("done", 1.0)
+    return SelfCalibration(
+        present=model.library,
+        posterior=Posterior.of(model, u, information),
+        frames=len(kept) + len(held_out),
+        held_out=len(held_out),
+        seed=seed,
+        noise=noise,
+        gain=float(difference.mean()),
+        gain_error=float(difference.std(ddof=1) / np.sqrt(len(held_out))),
+        rival=min((found[0].value - one.value for one in found[1:]), default=np.inf),
+        rival_held_out=min((float((best.frames - one.frames).sum()) for one in rivals), default=np.inf),
+        explained=float((test.p_value(held_out, named) >= FALSE_ALARM).mean()),
+        agreement=float((unseen.evidence(responses(u)).share.argmax(1) == named).mean()),
+    )
