@@ -45,6 +45,8 @@ DESIGNS = {
     "2 x 36": long_line(0.6),
     "2 x 36, bores of 0.8 mm": long_line(0.8),
 }
+#: Played more softly than usual: in wide bores pressure rises on its way, and would clip.
+SOFTLY = {"2 x 36, bores of 0.8 mm": 0.25}
 #: Measured points, by the number of points of the line.
 MEASURED = {12: ((6,), (4, 9), (2, 6, 11)), 36: ((18,), (12, 25), (8, 18, 29))}
 
@@ -52,12 +54,13 @@ MEASURED = {12: ((6,), (4, 9), (2, 6, 11)), 36: ((18,), (12, 25), (8, 18, 29))}
 def row(name: str, design: ArrayDesign, modulus: float, rigs: int) -> str:
     library = acoustic_fem.solve(design, GRID, "lumped")
     nominal = response_of(library)
+    recorder = Recorder(level=SOFTLY.get(name, Recorder.level))
     accuracies, inside, refused, excluded, seconds = [], [], 0, 0, 0.0
     for seed in range(rigs):
         rig = Rig(design, seed, HiddenScatter(modulus=modulus), "navier-stokes")
         truth = rig.transfer_function(GRID)
         with tempfile.TemporaryDirectory() as folder:
-            manifest = rig.record(Path(folder), range(1, design.point_count + 1), Recorder())
+            manifest = rig.record(Path(folder), range(1, design.point_count + 1), recorder)
             found = calibrate(read_manifest(manifest), library)
         excluded += sum(finding.excluded for finding in found.findings)
         for number, estimate in found.estimates.items():
