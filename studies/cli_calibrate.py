@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from studies.cli_options import Fidelity, Frequencies, display_on_stderr, frequency_option, named
 from studies.tables import show, table_of
+
+if TYPE_CHECKING:
+    from acoustic_fem.model_updating import Update
 
 #: The manifest of a folder of recordings.
 MANIFEST = "calibration.toml"
@@ -73,9 +76,23 @@ def calibrate(
             f"fit: chi-squared {fit.chi_squared:.0f} for {fit.residuals} residuals; {determined} of "
             f"{len(fit.parameters)} combinations of parameters determined"
         )
-        if fit.objection:
-            print(f"fit not used: {fit.objection}")
+        print(f"fit not used: {fit.objection}" if fit.objection else _prospect(fit))
     source = "of the design" if fit is not None and fit.objection else "fitted"
     rest = f", {len(calibration.missing)} {source}" if calibration.missing else ""
     print(f"{out}: {len(calibration.estimates)} of {manifest.design.point_count} points measured{rest}")
     print(figure)
+
+
+def _prospect(fit: Update) -> str:
+    """What is to be expected of the fitted library, and what to measure next."""
+    import numpy as np
+
+    from localize.prospect import ENOUGH, expected_accuracy, least_known
+    from localize.stimulus import BAND
+
+    if fit.model.frequency[0] > BAND[0] or fit.model.frequency[-1] < BAND[1]:
+        return f"--frequencies do not cover {BAND[0]:g} to {BAND[1]:g} Hz: what to expect of the fit is not known"
+    shares = expected_accuracy(fit)
+    low = float(np.quantile(shares, 0.1))
+    text = f"to expect: {100 * shares.mean():.1f} % of touches named right, in one of ten cases below {100 * low:.1f} %"
+    return text if low >= ENOUGH else f"{text}; warning: measure another point, best point {least_known(fit)}"

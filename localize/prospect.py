@@ -1,0 +1,58 @@
+"""What a fitted library is worth before anything more is measured: the accuracy to be expected on the made sensor.
+
+A fit to a few points leaves sensors that differ and agree with the measurement equally well. The made one is a draw
+from that posterior; the decoder knows its mean only. How often it names touches of such draws right says whether
+another point should be measured.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from acoustic_fem.model_updating import Posterior
+from localize.bayes import BayesDecoder
+from localize.dataset import response_of
+from localize.evaluation import evaluate
+from localize.noise import NoiseChoice
+
+DRAWS, TOUCHES = 20, 5
+"""Sensors, and touches of each of their points."""
+ENOUGH = 0.95
+"""Of touches named right: where one sensor in ten is worse, another point should be measured."""
+
+
+def expected_accuracy(
+    posterior: Posterior, microphone_noise: NoiseChoice = "design", seed: int = 0
+) -> NDArray[np.float64]:
+    """Shares of touches named right on sensors that agree with a measurement, by a decoder that has the likeliest.
+
+    Args:
+        posterior: of :func:`acoustic_fem.model_updating.update` or a self-calibration, on 1 to 100 Hz.
+        microphone_noise: as of :class:`localize.BayesDecoder`.
+        seed: of the sensors and touches.
+
+    Returns:
+        (DRAWS,) float64 from 0 to 1, ascending.
+
+    Raises:
+        ValueError: frequencies that do not cover 1 to 100 Hz, or a noise out of range.
+    """
+    response = response_of(posterior.model.library)
+    random = np.random.default_rng(seed).standard_normal((DRAWS, posterior.model.count))
+    drawn = posterior.parameters + random / np.sqrt(1 + posterior.eigenvalues) @ posterior.directions.T
+    decoder = BayesDecoder(replace(response, transfer_function=posterior.transfer_function), microphone_noise)
+    sensors = np.asarray(posterior.model.transfer_function(drawn))
+    shares = [
+        evaluate(decoder, replace(response, transfer_function=h), TOUCHES, microphone_noise, seed=seed).top1
+        for h in sensors
+    ]
+    return np.sort(shares)
+
+
+def least_known(posterior: Posterior) -> int:
+    """Number of the point, from 1, whose transfer functions are known least: the one to measure next."""
+    relative = posterior.deviation / np.abs(posterior.transfer_function)
+    return int(np.sqrt((relative**2).mean((1, 2))).argmax()) + 1
