@@ -120,7 +120,7 @@ class BayesDecoder:
         self.tables = tuple(
             _tables(touched, joint_whitening(response, share_of(noise), level), level) for level in self.ambient
         )
-        self._screens = tuple(_Screen(tables) for tables in self.tables)
+        self._screens = tuple(_Screen(tables, len(self.tables) > 1) for tables in self.tables)
 
     @property
     def point_count(self) -> int:
@@ -181,14 +181,26 @@ class BayesDecoder:
             (n, n_point) float64, nats, up to a constant per frame.
         """
         flat = frames.reshape(len(frames), -1)
-        if len(self.tables) == 1:
-            return self._screens[0](flat @ self.tables[0].reduce)
-        best = np.full((len(frames), self.point_count), -np.inf)
-        for tables, screen in zip(self.tables, self._screens, strict=True):
-            x = flat @ tables.reduce
-            alone = tables.offset - 0.5 * (x**2).sum(1, keepdims=True) / TEMPERATURE
-            np.maximum(best, screen(x) + alone, out=best)
-        return best
+        levels = [screen(flat) for screen in self._screens]
+        # Points are left to single precision only where none of any level may come near the best of all.
+        least = np.max([level.score.max(1) - level.error for level in levels], axis=0) - SURE
+        for screen, level in zip(self._screens, levels, strict=True):
+            screen.score_again(level, least)
+        return np.max([level.score for level in levels], axis=0) if len(levels) > 1 else levels[0].score
+
+
+@dataclass(eq=False)
+class _Level:
+    """Frames and their scores at one level of the sound around."""
+
+    x: NDArray[np.float64]
+    """(n, size), where noise and sound are white."""
+    alone: NDArray[np.float64]
+    """(n, 1) nats, of noise and sound without a touch."""
+    score: NDArray[np.float64]
+    """(n, n_point) nats."""
+    error: NDArray[np.float64]
+    """(n,) nats, that single precision may err by."""
 
 
 class _Screen:
@@ -198,29 +210,38 @@ class _Screen:
     numbers, which it cannot tell apart: every point that may come within 20 nats of the best is scored again.
     """
 
-    def __init__(self, tables: DecoderTables) -> None:
+    def __init__(self, tables: DecoderTables, is_one_of_several: bool) -> None:
         self.tables = tables
+        self.is_one_of_several = is_one_of_several
         self.points, self.size, self.rank = tables.vectors.shape
         # One matrix for all points: (n_microphone SAMPLES, n_point rank).
         self.vectors = np.ascontiguousarray(tables.vectors.astype(np.float32).transpose(1, 0, 2).reshape(self.size, -1))
         self.weight = tables.weight.astype(np.float32)
         self.log_determinant = tables.log_determinant.astype(np.float32)
 
-    def __call__(self, x: NDArray[np.float64]) -> NDArray[np.float64]:
-        """(n, size) to (n, n_point)."""
+    def __call__(self, flat: NDArray[np.float64]) -> _Level:
+        """Scores of (n, n_microphone 250) samples."""
+        x = flat @ self.tables.reduce
         energy = ((x.astype(np.float32) @ self.vectors) ** 2).reshape(len(x), self.points, self.rank)
         # (point, frame, ...): one matrix product per point.
         gain = energy.transpose(1, 0, 2) @ self.weight
         values = -0.5 * (gain + self.log_determinant[:, None, :])
+        power = (x**2).sum(1)
+        # Large, and the same for all points: left out where there is no other level to compare with.
+        alone = np.where(self.is_one_of_several, self.tables.offset - power / (2 * TEMPERATURE), 0.0)[:, None]
         # Of large numbers single precision knows no parabola; a true one rises by less than a nat above its samples.
-        score = np.minimum(vertex(values), values.max(-1) + 1).T.astype(np.float64)
-        again = score > (score.max(1) - SURE - SCREEN_ERROR * (x**2).sum(1))[:, None]
+        score = np.minimum(vertex(values), values.max(-1) + 1).T + alone
+        return _Level(x, alone, score, SCREEN_ERROR * power)
+
+    def score_again(self, level: _Level, least: NDArray[np.float64]) -> None:
+        """Put scores of double precision in the place of those that may reach ``least``, (n,) nats."""
+        again = level.score > (least - level.error)[:, None]
         tables = self.tables
         for point in np.flatnonzero(again.any(0)):
             frames = np.flatnonzero(again[:, point])
-            exact = (x[frames] @ tables.vectors[point]) ** 2 @ tables.weight[point]
-            score[frames, point] = vertex(-0.5 * (exact + tables.log_determinant[point]))
-        return score
+            exact = (level.x[frames] @ tables.vectors[point]) ** 2 @ tables.weight[point]
+            found = vertex(-0.5 * (exact + tables.log_determinant[point]))
+            level.score[frames, point] = found + level.alone[frames, 0]
 
 
 def vertex(values: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -247,9 +268,10 @@ def share_of(noise: float | NoiseSpectrum) -> float | NoiseSpectrum:
 
 
 def room(loudest: float | None) -> tuple[float | None, ...]:
-    """The levels of :data:`ROOM` that cover sound up to a level in dB SPL; of None that of quiet alone."""
-    step = 15.0
-    return tuple(level for level in ROOM if level is None or (loudest is not None and level < loudest + step / 2))
+    """Levels like those of :data:`ROOM` that cover sound up to one in dB SPL; of None that of quiet alone."""
+    if loudest is None:
+        return (None,)
+    return (None, *(float(level) for level in np.arange(40.0, loudest + 7.5, 15.0)))
 
 
 def checked_levels(response: ArrayResponse, ambient: Ambient) -> tuple[float | None, ...]:

@@ -144,12 +144,17 @@ class DecoderGraph(nn.Module):
 
     def __init__(self, decoder: BayesDecoder) -> None:
         super().__init__()
-        self.levels = nn.ModuleList(_LevelGraph(tables) for tables in decoder.tables)
+        several = len(decoder.tables) > 1
+        self._levels = tuple(_LevelGraph(tables, several) for tables in decoder.tables)
+        self.levels = nn.ModuleList(self._levels)
 
     def forward(self, frames: Tensor) -> tuple[Tensor, Tensor]:
         """(n, n_microphone, 250) to two of (n, n_point)."""
         flat = frames.double().flatten(1)
-        score = torch.stack([level(flat) for level in self.levels]).amax(0)
+        levels = [(level, *level.screened(flat)) for level in self._levels]
+        # Points are left to single precision only where none of any level may come near the best of all.
+        least = torch.stack([score.amax(0) - error for _, _, score, error in levels]).amax(0) - SURE
+        score = torch.stack([level.again(x, score, least - error) for level, x, score, error in levels]).amax(0).T
         return score.softmax(-1).float(), score.log_softmax(-1).float()
 
 
@@ -164,8 +169,9 @@ class _LevelGraph(nn.Module):
     weight: Tensor
     determinant: Tensor
 
-    def __init__(self, tables: DecoderTables) -> None:
+    def __init__(self, tables: DecoderTables, is_one_of_several: bool) -> None:
         super().__init__()
+        self.is_one_of_several = is_one_of_several
         reduce, vectors, weight, determinant = (
             torch.from_numpy(table) for table in (tables.reduce, tables.vectors, tables.weight, tables.log_determinant)
         )
@@ -183,23 +189,30 @@ class _LevelGraph(nn.Module):
         ):
             self.register_buffer(name, table)
 
-    def forward(self, frames: Tensor) -> Tensor:
-        """(n, n_microphone 250) to (n, n_point)."""
+    def screened(self, frames: Tensor) -> tuple[Tensor, Tensor, Tensor]:
+        """(n, n_microphone 250) to white frames, scores (n_point, n) in single precision, and their error (n,)."""
         x = frames @ self.reduce
         energy = (x.float() @ self.screen).square().unflatten(1, (self.points, self.rank))
         # (point, n, power): one matrix product per point.
         values = -0.5 * (energy.transpose(0, 1) @ self.screen_weight + self.screen_determinant[:, None, :])
         # Of large numbers single precision knows no parabola; a true one rises by less than a nat above its samples.
         score = torch.minimum(_vertex(values), values.amax(-1) + 1).double()
+        return x, score + self._alone(x), SCREEN_ERROR * x.square().sum(1)
 
-        power = x.square().sum(1)
-        least = score.amax(0) - SURE - SCREEN_ERROR * power
+    def again(self, x: Tensor, score: Tensor, least: Tensor) -> Tensor:
+        """Scores (n_point, n), in double precision of the points that may reach ``least`` (n,)."""
         # The points that any frame of the batch needs: tables are then gathered once for all of them.
-        best = (score > least).any(1).nonzero().squeeze(1)
+        # Never none of a level: ONNX Runtime multiplies no empty tables.
+        best = ((score > least) | (score == score.amax(0))).any(1).nonzero().squeeze(1)
         gain = (x @ self.vectors[best]).square() @ self.weight[best]
         exact = _vertex(-0.5 * (gain + self.determinant[best][:, None, :]))
-        score = score.index_put((best,), exact)
-        return score.T + (self.offset - power / (2 * TEMPERATURE))[:, None]
+        return score.index_put((best,), exact + self._alone(x))
+
+    def _alone(self, x: Tensor) -> Tensor:
+        """(n,) nats, of noise and sound without a touch; as in :mod:`localize.bayes` of one level among several."""
+        if not self.is_one_of_several:
+            return torch.zeros_like(x[:, 0])
+        return self.offset - x.square().sum(1) / (2 * TEMPERATURE)
 
 
 def _vertex(values: Tensor) -> Tensor:

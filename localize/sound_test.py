@@ -43,7 +43,8 @@ class SoundTest:
     Args:
         library: of a design, which tells how sound comes in.
         microphone_noise: the noise there is, as of :class:`localize.BayesDecoder`.
-        loudest: dB SPL, 0 to 140: up to here sound is recognised.
+        loudest: dB SPL, 0 to 140: up to here sound is recognised. The louder, the more of what lies below 20 Hz passes
+            for sound: from 100 dB SPL on all of it.
 
     Raises:
         ValueError: an argument out of range; a library without a design; sound too far above the noise for double
@@ -52,7 +53,7 @@ class SoundTest:
 
     @one_thread()
     def __init__(
-        self, library: Library | ArrayResponse, microphone_noise: NoiseChoice = 1e-3, loudest: float = 100.0
+        self, library: Library | ArrayResponse, microphone_noise: NoiseChoice = 1e-3, loudest: float = 80.0
     ) -> None:  # fmt: skip
         check_noise(microphone_noise)
         response = response_of(library)

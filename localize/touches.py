@@ -27,6 +27,8 @@ PAUSE = 0.05
 """s: a contact that is interrupted for less goes on."""
 HELD = 6
 """Frames, 96 ms: a point named for fewer within a longer contact is passed over."""
+LIKELY = 0.5
+"""Probability that a point must reach to be touched in a contact shorter than that."""
 STAY, JUMP = 0.97, 1e-3
 """From one frame to the next, 16 ms later: probability of staying at a point, and of landing anywhere."""
 _LEAST_PROBABILITY = 1e-12
@@ -86,9 +88,10 @@ def _touches(contact: list[Decision], listener: TouchFilter) -> list[Touch]:
     named = probability.argmax(1)
     edges = [0, *(np.flatnonzero(np.diff(named)) + 1).tolist(), len(named)]
     runs = [(a, b) for a, b in pairwise(edges) if b - a >= HELD]
-    if not runs:  # too short for anything else: the point of most weight
+    if not runs:  # too short for anything else: the point of most weight, where there is one
         best = int((weight @ probability).argmax())
-        return [_touch(contact, probability[:, best], weight, best)]
+        touch = _touch(contact, probability[:, best], weight, best)
+        return [touch] if touch.probability >= LIKELY else []
     return [_touch(contact[a:b], probability[a:b, named[a]], weight[a:b], int(named[a])) for a, b in runs]
 
 

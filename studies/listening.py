@@ -111,8 +111,9 @@ def open_stream(
     response = response_of(acoustic_fem.load(path))
     noise = localizer.microphone_noise if isinstance(localizer, BayesDecoder) else localizer.noise_rms or "design"
     reconstructor = Reconstructor(response, max(localizer.noise_rms, LEAST_NOISE)) if extras.waveform else None
-    with named(loudest="--ambient", refused="--refuse"):
+    with named(loudest="--ambient"):
         sound = None if extras.ambient is None else SoundTest(response, noise, loudest=extras.ambient)
+    with named(refused="--refuse"):
         if extras.refuse is None:
             return TouchStream(localizer, limit=limit, reconstructor=reconstructor, sound_test=sound)
         residual = ResidualTest(response, noise, ambient=extras.ambient)
