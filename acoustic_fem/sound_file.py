@@ -141,6 +141,8 @@ def _read_csv(path: Path, default_rate: float | None) -> Sound:
             head, *rows = [row for row in csv.reader(file) if row]
         except (ValueError, csv.Error):
             raise SoundFileError(f"{path}: is empty or not a CSV file") from None
+    if len(head) == 1 and ";" in head[0]:
+        raise SoundFileError(f"{path}: is separated by semicolons; it must be by commas, with points for decimals")
     names = [name.strip() for name in head]
     channels = [name for name in names if name != TIME]
     if len(set(names)) < len(names) or not channels or (default_rate is None and TIME not in names):

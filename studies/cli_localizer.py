@@ -86,6 +86,8 @@ def train(
     loaded = response_of(acoustic_fem.load(library))
     out.mkdir(parents=True, exist_ok=True)
     checkpoint = out / "checkpoint.safetensors"
+    if (out / "localizer.json").exists() and not checkpoint.exists():
+        raise ValueError(f"{out}: holds a finished localizer; remove it, or choose another folder")
     with display_on_stderr() as display, display.stage("Localizer") as report:
         report("training", 0.0)
         localizer = train_localizer(

@@ -269,6 +269,7 @@ def test_solve_train_and_evaluate_lead_from_a_design_to_a_judged_localizer(
     assert f"{100 * found['network']['top1']:.1f}" in told.out
 
 
+@pytest.mark.slow
 def test_a_network_is_trained_on_the_stimuli_that_are_named(command: Command, tmp_path: Path) -> None:
     library, model = small_run().folder / "library.nc", tmp_path / "localizer"
     words = ("--epochs", 2, "--stimuli", "taps", "--stimuli", "friction")
@@ -304,6 +305,8 @@ def test_train_goes_on_where_it_was_stopped(command: Command, tmp_path: Path, mo
     told = command("train", library, "--out", stopped, "--epochs", 4, "--seed", 5)
     assert (told.code, "plan.epochs was 3, is 4; remove it to train anew" in told.err) == (1, True)
     assert command("train", library, "--out", stopped, *words).code == 0
+    told = command("train", library, "--out", whole, *words)
+    assert (told.code, "holds a finished localizer; remove it" in told.err) == (1, True)
     # The name of the weights is their checksum.
     assert [path.name for path in whole.glob("weights-*")] == [path.name for path in stopped.glob("weights-*")]
 

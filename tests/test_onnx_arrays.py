@@ -32,7 +32,7 @@ def array():
     return response_of(acoustic_fem.solve(geometry.prototype("line-2"), np.arange(1.0, 201.0), "lumped"))
 
 
-SLOW = ("decoder of low noise", "decoder in a room")
+SLOW = ("decoder of low noise", "decoder of three levels", "decoder in a room")
 
 
 @pytest.fixture(
@@ -74,3 +74,14 @@ def test_probabilities_agree_on_line_2(array, pair, stimulus, noise, ambient, ga
     alone = np.concatenate([session.run(None, {"frames": frame[None].numpy()})[0] for frame in frames[:40]])
     assert np.abs(alone - expected[:40]).max() < AGREEMENT
     assert np.abs(localizer.locate(frames[7]) - expected[7]).max() < AGREEMENT
+
+
+@pytest.mark.slow
+def test_an_offset_of_a_microphone_does_not_part_levels_of_sound(array, tmp_path):
+    """Far above what the decoder assumes all scores are large, and levels differ by little of that."""
+    decoder = localize.BayesDecoder(array, 1e-3, ambient=(None, 60.0, 80.0))
+    localize.export_onnx(decoder, tmp_path / "localizer.onnx")
+    frames = frames_of(array, "multi-sines", 1e-3)[:60] + torch.linspace(0, 5, 250)
+    expected = decoder.locate(frames)
+    assert np.abs(localize.OnnxLocalizer(tmp_path / "localizer.onnx").locate(frames) - expected).max() < AGREEMENT
+    assert np.abs(np.stack([decoder.locate(frame) for frame in frames[:20]]) - expected[:20]).max() < AGREEMENT

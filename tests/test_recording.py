@@ -155,6 +155,7 @@ ROWS = "".join(f"{k % 7},{k % 5}\n" for k in range(300))
         (text("a.csv", ""), r"a\.csv: is empty or not a CSV file"),
         (text("a.csv", "left,middle\n" + ROWS), "its channels are left, middle; they must be left, right"),
         (text("a.csv", "left,right,left\n" + ROWS), "its columns are left, right, left; they must be one per channel"),
+        (text("a.csv", "left;right\n0,1;0,2\n"), "is separated by semicolons; it must be by commas"),
         (text("a.csv", "time\n0\n1\n"), "its columns are time; they must be one per channel"),
         (text("a.csv", "left,right\n" + ROWS + "1"), r"line 302 has 1 values, must have 2; cut short\?"),
         (text("a.csv", "left,right\n" + ROWS + "1,x"), "could not convert string to float: 'x'"),
