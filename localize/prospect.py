@@ -21,7 +21,8 @@ from localize.noise import NoiseChoice
 DRAWS, TOUCHES = 20, 5
 """Sensors, and touches of each of their points."""
 ENOUGH = 0.95
-"""Of touches named right: where one sensor in ten is worse, another point should be measured."""
+"""Of touches named right: where the worst of these sensors is below, another point should be measured. One in ten would
+be fairer, were there not also what the family of sensors lacks."""
 
 
 def expected_accuracy(
