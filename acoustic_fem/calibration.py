@@ -70,8 +70,9 @@ class Calibration:
     def library(self, model: Library, model_deviation: Array | None = None, fit: Update | None = None) -> Library:
         """A library like any other: what was measured, and what is known in other ways where it was not.
 
-        Without a fit, points without a good recording are those of the model. With one they are the fitted sensor's,
-        and so is every measured value that the fit knows better than the measurement, such as one lost in noise.
+        Without a fit, points without a good recording are those of the model. With one all points are the fitted
+        sensor's, those that were measured too: measured values are rougher than fitted ones, and a decoder that has
+        some of each prefers points of one kind.
         Impedances were not measured: the point impedance is the model's, and the source response that times the
         transfer function. What each point comes from is in ``provenance["calibration"]``.
 
@@ -99,11 +100,9 @@ class Calibration:
             raise ValueError(f"model_deviation must be given: point {self.missing[0]} has no recording")
         else:
             deviation = np.empty(h.shape)
-        for number, estimate in self.estimates.items():
-            row = number - 1
-            better = estimate.deviation < deviation[row] if fit is not None else np.ones(h[row].shape, np.bool_)
-            h[row] = np.where(better, estimate.transfer_function, h[row])
-            deviation[row] = np.where(better, estimate.deviation, deviation[row])
+        if fit is None:
+            for number, estimate in self.estimates.items():
+                h[number - 1], deviation[number - 1] = estimate.transfer_function, estimate.deviation
         impedance = model.point_impedance.transpose("point", "frequency").values
         design = self.manifest.design
         return labelled(
@@ -116,7 +115,10 @@ class Calibration:
             {
                 **versions(None, ("numpy", "scipy", "xarray")),
                 "frequency_sha256": hashlib.sha256(self.frequency.tobytes()).hexdigest(),
-                "calibration": {**self._provenance(), "other_points": "model" if fit is None else "fitted model"},
+                "calibration": {
+                    **self._provenance(),
+                    "other_points": "model" if fit is None else "fitted model, as the measured ones",
+                },
                 "fit": None if fit is None else fit.summary(),
                 "model": {"fidelity": model.fidelity, **model.provenance},
             },

@@ -35,8 +35,8 @@ def calibrate(
     """From recordings of the made sensor to its library: measured transfer functions with their uncertainty.
 
     Swept sines or noise at each point, a calibration microphone at the touched cavity. Bad recordings are left out and
-    named. Points without a good one follow from a fit of the sensor's parts to the measured points; where no sensor
-    within the tolerances is like the measured one, that is said, and they keep the transfer functions of the design.
+    named. Where points lack a good one, all follow from a fit of the sensor's parts to the measured points; where no
+    sensor within the tolerances is like the measured one, that is said, and they keep those of the design.
 
     Example: [bold]acoustic-fem calibrate recordings --out made.nc[/bold]
     """

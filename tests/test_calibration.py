@@ -21,6 +21,7 @@ import localize.dataset
 from acoustic_fem.calibration import Calibration, calibrate
 from acoustic_fem.calibration_manifest import read_manifest
 from acoustic_fem.library import MEASURED, Library
+from acoustic_fem.model_updating import UpdatedModel, update
 from acoustic_fem.sound_file import read_sound, write_wav
 from acoustic_fem.transfer_estimate import shortest_record, transfer_estimate
 from geometry.design_file import write_design
@@ -177,6 +178,24 @@ def test_a_decoder_of_the_measured_library_knows_the_made_sensor(model: Library,
     ]
     assert found[1] > 0.95
     assert found[1] >= found[0]
+
+
+def test_a_library_from_some_points_is_the_fitted_sensor_at_all_of_them(tmp_path: Path) -> None:
+    """Measured values among fitted ones would draw the touches of other points to them."""
+    design = geometry.prototype("array-2x6")
+    nominal = acoustic_fem.solve(design, GRID, "lumped")
+    rig = Rig(design, 7402)
+    found = measured(rig.record(tmp_path, [2, 6, 11], Recorder(seconds=30.0)), nominal)
+    fit = update(UpdatedModel(nominal), found.estimates)
+    library = found.library(nominal, fit=fit)
+    assert np.array_equal(library.transfer_function.values, fit.transfer_function)
+    response = localize.dataset.response_of(nominal)
+    touched = replace(response, transfer_function=rig.transfer_function(GRID))
+    before, after = (
+        localize.evaluate(localize.BayesDecoder(known, 1e-3), touched, 10, 1e-3).top1 for known in (nominal, library)
+    )
+    assert before < 0.8
+    assert after > 0.98
 
 
 def test_the_verb_writes_library_and_figure_and_names_what_it_left_out(tmp_path: Path) -> None:
