@@ -487,7 +487,7 @@ def places(tmp_path: Path) -> dict[str, Path]:
         ("onnx <library.nc> --out <out.nc> --noise 11", "--noise = 11.0 Pa must be between 1e-9 and 10 Pa"),
         ("locate <missing> <text.wav>", "localizer.json: cannot be read"),
         ("locate <localizer> <text.wav>", "text.wav: cut short or not a WAV file"),
-        ("locate <localizer> <text.nc>", "its name must end with .wav, .csv or .npz"),
+        ("locate <localizer> <text.nc>", "its name must end with .wav, .csv, .npz or .mat"),
         ("locate <localizer> <text.wav> --full-scale 0", "--full-scale = 0.0 Pa must be finite and above 0"),
         ("locate <localizer> <text.wav> --noise 1e-3", "--noise = 0.001 is for a library"),
         ("locate <localizer> <text.wav> --library <library.nc>", "is for --waveform, --ambient and --refuse"),
