@@ -52,14 +52,26 @@ TEMPERATURE = NOISE_SHARE**-2
 QUIET_BONUS = 30.0
 """Nats, after the temperature: the likelihood assumes less noise than there is, and would take the rest for sound. In
 quiet, sound was preferred by at most 35 nats on line-2 (1 of 100 by 27 or more), at 60 dB SPL by at least 90."""
-ROOM = (None, 40.0, 55.0, 70.0, 85.0)
-"""Levels among which the sound of a room is looked for, dB SPL; None is quiet."""
 SURE = 20.0
 """Nats: points this far behind the best one, and what single precision may err, are not scored again in double."""
 SCREEN_ERROR = 8 * float(np.finfo(np.float32).eps) / (2 * TEMPERATURE)
 """Nats that a score in single precision may err, per unit of the sum of squares of a frame's white samples."""
 CHUNK = 64
 """Frames that are decoded at once."""
+
+
+def room(loudest: float | None) -> tuple[float | None, ...]:
+    """Levels that cover sound up to one in dB SPL, quiet (None) among them; of None quiet alone.
+
+    15 dB apart from 40 on: of those tried, 10 apart name no more touches in between.
+    """
+    if loudest is None:
+        return (None,)
+    return (None, *(float(level) for level in np.arange(40.0, loudest + 7.5, 15.0)))
+
+
+ROOM = room(90.0)
+"""Levels among which the sound of a room is looked for, dB SPL; None is quiet."""
 
 #: Sound around: none, a level in dB SPL, or several, of which each frame takes the likeliest.
 Ambient = float | None | Sequence[float | None]
@@ -265,13 +277,6 @@ def share_of(noise: float | NoiseSpectrum) -> float | NoiseSpectrum:
     if isinstance(noise, NoiseSpectrum):
         return NoiseSpectrum(noise.power * NOISE_SHARE**2, noise.source)
     return noise * NOISE_SHARE
-
-
-def room(loudest: float | None) -> tuple[float | None, ...]:
-    """Levels like those of :data:`ROOM` that cover sound up to one in dB SPL; of None that of quiet alone."""
-    if loudest is None:
-        return (None,)
-    return (None, *(float(level) for level in np.arange(40.0, loudest + 7.5, 15.0)))
 
 
 def checked_levels(response: ArrayResponse, ambient: Ambient) -> tuple[float | None, ...]:

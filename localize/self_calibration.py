@@ -208,7 +208,8 @@ def self_calibrate(
     heard = heard[np.random.default_rng(seed).permutation(len(heard))]
     kept, held_out = np.split(heard, [round((1 - HELD_OUT) * len(heard))])
     with warnings.catch_warnings():
-        # a search also passes through sensors of which these would be right, and which it does not end at
+        # a search also passes through sensors of which these would be right; of the one it ends at they are told
+        # when its library is made, outside of here
         warnings.filterwarnings("ignore", "entrance loss of a tube|membrane: ", UserWarning)
         return _calibrated(
             UpdatedModel(library, priors), response, kept, held_out, noises, level, seed, progress or _silent

@@ -12,7 +12,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
-import scipy.stats
+import scipy.special
 from numpy.typing import ArrayLike, NDArray
 from torch import Tensor
 
@@ -89,7 +89,7 @@ class SoundTest:
             ValueError: as :meth:`localize.BayesDecoder.locate`.
         """
         frames = self._frames(signals)
-        return np.asarray(scipy.stats.chi2.sf(_energy(frames, self._beside), self.freedom * frames.shape[1]))
+        return np.asarray(scipy.special.chdtrc(self.freedom * frames.shape[1], _energy(frames, self._beside)))
 
     @one_thread()
     def beside(self, signals: ArrayLike | Tensor) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -117,7 +117,7 @@ class SoundTest:
         change = gains / gains.mean(1, keepdims=True) - 1
         gains = 1 + change * np.minimum(1.0, GAIN / np.maximum(np.abs(change).max(1, keepdims=True), 1e-12))
         found = (gains * (gram @ gains)).sum((1, 2))
-        usual = scipy.stats.chi2.isf(FALSE_ALARM, self.freedom * frames.shape[1])
+        usual = float(scipy.special.chdtri(self.freedom * frames.shape[1], FALSE_ALARM))
         return found, usual + MISMATCH**2 * _energy(frames, self._all)
 
     def is_sound(self, signals: ArrayLike | Tensor) -> NDArray[np.bool_]:
