@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from studies.cli_locate import DecoderAmbient, DecoderNoise
+from studies.cli_locate import ArrayLibrary, DecoderAmbient, DecoderNoise, RefusedShare
 from studies.cli_options import named
 from studies.listening import Extras, open_localizer, open_stream
 from studies.tables import show, table_of
@@ -80,25 +80,12 @@ def live(
         Path | None, typer.Option(help="Write a line of JSON for every frame here, 16 ms apart.", show_default=False)
     ] = None,
     noise: DecoderNoise = None,
-    library: Annotated[
-        Path | None,
-        typer.Option(
-            help="The library of the array, for the options below.", show_default="MODEL, where that is a library"
-        ),
-    ] = None,
+    library: ArrayLibrary = None,
     waveform: Annotated[
         bool, typer.Option("--waveform", help="Reconstruct the pressure in the touched cavity.")
     ] = False,
     ambient: DecoderAmbient = None,
-    refuse: Annotated[
-        float | None,
-        typer.Option(
-            metavar="SHARE",
-            help="Call frames 'other' that no single point explains; so many true ones may be refused, such as 1e-6. "
-            "For a calibrated sensor.",
-            show_default="the likeliest point is named",
-        ),
-    ] = None,
+    refuse: RefusedShare = None,
 ) -> None:
     r"""Name touches while they happen: listen to the microphones on a sound card, or play a recording in real time.
 

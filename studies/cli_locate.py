@@ -29,6 +29,21 @@ DecoderAmbient = Annotated[
         max=140,
     ),
 ]
+ArrayLibrary = Annotated[
+    Path | None,
+    typer.Option(
+        help="The library of the array, for the options below.", show_default="MODEL, where that is a library"
+    ),
+]
+RefusedShare = Annotated[
+    float | None,
+    typer.Option(
+        metavar="SHARE",
+        help="Call frames 'other' that no single point explains; so many true ones may be refused, such as 1e-6. "
+        "For a calibrated sensor.",
+        show_default="the likeliest point is named",
+    ),
+]
 
 
 def onnx(
@@ -94,26 +109,13 @@ def locate(
         ),
     ] = None,
     noise: DecoderNoise = None,
-    library: Annotated[
-        Path | None,
-        typer.Option(
-            help="The library of the array, for the options below.", show_default="MODEL, where that is a library"
-        ),
-    ] = None,
+    library: ArrayLibrary = None,
     waveform: Annotated[
         bool,
         typer.Option("--waveform", help="Reconstruct the pressure in the touched cavity, into the lines of --out."),
     ] = False,
     ambient: DecoderAmbient = None,
-    refuse: Annotated[
-        float | None,
-        typer.Option(
-            metavar="SHARE",
-            help="Call frames 'other' that no single point explains; so many true ones may be refused, such as 1e-6. "
-            "For a calibrated sensor.",
-            show_default="the likeliest point is named",
-        ),
-    ] = None,
+    refuse: RefusedShare = None,
 ) -> None:
     """Where and when an array was touched, from a recording of its microphones.
 

@@ -98,6 +98,7 @@ def open_stream(
     """
     from localize import BayesDecoder, Reconstructor, ResidualTest, SoundTest, TouchStream
     from localize.dataset import response_of
+    from localize.stream import REFUSED
 
     if extras.asked is None:
         if library is not None:
@@ -113,17 +114,15 @@ def open_stream(
     reconstructor = Reconstructor(response, max(localizer.noise_rms, LEAST_NOISE)) if extras.waveform else None
     with named(loudest="--ambient"):
         sound = None if extras.ambient is None else SoundTest(response, noise, loudest=extras.ambient)
+    residual = None if extras.refuse is None else ResidualTest(response, noise, ambient=extras.ambient)
     with named(refused="--refuse"):
-        if extras.refuse is None:
-            return TouchStream(localizer, limit=limit, reconstructor=reconstructor, sound_test=sound)
-        residual = ResidualTest(response, noise, ambient=extras.ambient)
         return TouchStream(
             localizer,
             limit=limit,
             reconstructor=reconstructor,
             sound_test=sound,
             residual_test=residual,
-            refused=extras.refuse,
+            refused=REFUSED if extras.refuse is None else extras.refuse,
         )
 
 
