@@ -26,6 +26,7 @@ from acoustic_fem.batch_network import batch_transfer_function
 from acoustic_fem.batch_parameters import ArrayParameters, Topology
 from acoustic_fem.checks import in_range
 from acoustic_fem.library import Library
+from acoustic_fem.microphone import vent_ratio
 from acoustic_fem.transfer_estimate import TransferEstimate
 from geometry.design import ArrayDesign
 
@@ -85,7 +86,7 @@ class UpdatedModel:
         shared = Topology.of(design)
         self.topology = shared.individual()
         self._parameters = ArrayParameters.from_design(design, nominal.medium).individual(shared)
-        self._corner = design.microphone.vent_corner
+        self._vent = vent_ratio(design.microphone, self.frequency, nominal.medium)
         tubes, points = self._parameters.tube_radius.shape[1], self._parameters.cavity_radius.shape[1]
         microphones = len(design.microphones)
         #: Group -> how many parameters it has, in the order of the vector.
@@ -146,9 +147,9 @@ class UpdatedModel:
             vent_admittance=nominal.vent_admittance * factor["corner"],
         )
         h = batch_transfer_function(parameters, self.topology, self.frequency, self.library.medium)
-        rate = xp.asarray(1j * self.frequency / self._corner)
+        vent = xp.asarray(self._vent)
         # the microphone's high-pass by the nominal one
-        passed = (1 + rate) / (factor["corner"][:, :, None] + rate)
+        passed = (1 + vent) / (factor["corner"][:, :, None] + vent)
         return h * (factor["gain"][:, :, None] * passed)[:, None]
 
     def jacobian(self, u: Array) -> Complex:

@@ -27,6 +27,8 @@ DISTINCT = 0.02
 """Share of the frames that two sensors must name differently to be two."""
 BEHIND = 30.0
 """Nats: a sensor this far behind the best one of its stage is given up."""
+FARTHEST = 8.0
+"""Standard deviations of a prior: beyond, nothing is looked for."""
 COARSE, FINE = 1e-5, 1e-6
 """Of the objective: an ascent ends where a step gains less. The coarse one may leave a point in ten unsettled."""
 _ITERATIONS = 30
@@ -104,8 +106,10 @@ def ascend(
 
     def falling(v: Array) -> tuple[float, Array]:
         here = scale @ v
-        value, slope = value_and_slope(model, likelihood, here)
-        return 0.5 * float(here @ here) - value, scale.T @ (here - slope)
+        # no part is that far from what it should be, and a long step there would end in one that is none
+        possible = np.clip(here, -FARTHEST, FARTHEST)
+        value, slope = value_and_slope(model, likelihood, possible)
+        return 0.5 * float(here @ here) - value, scale.T @ (here - np.where(possible == here, slope, 0))
 
     best = scipy.optimize.minimize(
         falling,
@@ -114,7 +118,7 @@ def ascend(
         method="L-BFGS-B",
         options={"maxiter": _ITERATIONS, "maxcor": 20, "ftol": precision},
     )
-    there = scale @ best.x
+    there = np.clip(scale @ best.x, -FARTHEST, FARTHEST)
     named = likelihood.evidence(model.transfer_function(there[None])[0]).share.argmax(1)
     return Candidate(start, there, -float(best.fun), named)
 
