@@ -15,7 +15,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, fields, replace
 from functools import cached_property
-from typing import Any, Self
+from typing import Any, NamedTuple, Self
 
 import numpy as np
 import scipy.stats
@@ -27,14 +27,13 @@ from acoustic_fem.batch_parameters import ArrayParameters, Topology
 from acoustic_fem.checks import in_range
 from acoustic_fem.library import Library
 from acoustic_fem.microphone import vent_ratio
+from acoustic_fem.model_discrepancy import TOTAL, Discrepancy
 from acoustic_fem.transfer_estimate import TransferEstimate
 from geometry.design import ArrayDesign
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
-#: Deviation that the model itself is taken to have, as a share of the transfer function.
-MODEL_ERROR = 0.01
 #: Probability below which chi-squared, or the size of the parameters, speaks against the fit.
 _SIGNIFICANCE = 1e-3
 #: A combination of parameters counts as determined where the data say more of it than the prior.
@@ -85,9 +84,9 @@ class UpdatedModel:
         self.frequency = nominal.frequency
         shared = Topology.of(design)
         self.topology = shared.individual()
-        self._parameters = ArrayParameters.from_design(design, nominal.medium).individual(shared)
+        self.nominal_parameters = ArrayParameters.from_design(design, nominal.medium).individual(shared)
         self._vent = vent_ratio(design.microphone, self.frequency, nominal.medium)
-        tubes, points = self._parameters.tube_radius.shape[1], self._parameters.cavity_radius.shape[1]
+        tubes, points = self.nominal_parameters.tube_radius.shape[1], self.nominal_parameters.cavity_radius.shape[1]
         microphones = len(design.microphones)
         #: Group -> how many parameters it has, in the order of the vector.
         self.sizes: Mapping[str, int] = {
@@ -110,6 +109,8 @@ class UpdatedModel:
             *(f"chamber of microphone {name}" for name in design.microphones),
         )
         h = nominal.transfer_function.transpose("point", "microphone", "frequency").values
+        #: (count,) logarithm of a parameter's factor per standard deviation of its prior.
+        self.scale = np.repeat([getattr(self.priors, name) for name in self.sizes], list(self.sizes.values()))
         self._ratio = h / self._lumped(np.zeros((1, self.count)))[0]
 
     @property
@@ -130,7 +131,7 @@ class UpdatedModel:
 
     def _lumped(self, u: Any) -> Any:
         xp = namespace(u)
-        nominal = self._parameters.map(xp.asarray)
+        nominal = self.nominal_parameters.map(xp.asarray)
         factor: dict[str, Any] = {}
         first = 0
         for name, size in self.sizes.items():
@@ -189,9 +190,7 @@ class Posterior:
     @property
     def ratios(self) -> dict[str, tuple[float, float]]:
         """Parameter -> factor by which it differs from nominal, and the standard deviation of its logarithm."""
-        scale = np.repeat(
-            [getattr(self.model.priors, name) for name in self.model.sizes], list(self.model.sizes.values())
-        )
+        scale = self.model.scale
         known = np.sqrt(np.diag(self.covariance))
         values = zip(self.model.names, np.exp(scale * self.parameters), scale * known, strict=True)
         return {name: (float(value), float(deviation)) for name, value, deviation in values}
@@ -238,7 +237,7 @@ class Posterior:
         flat = j.reshape(len(j), -1)
         spread = np.einsum("af,ab,bf->f", flat.conj(), self.covariance, flat, optimize=True).real
         h = np.abs(self.transfer_function)
-        return np.asarray(np.sqrt(spread.reshape(h.shape) / 2 + (MODEL_ERROR * h) ** 2 / 2))
+        return np.asarray(np.sqrt(spread.reshape(h.shape) / 2 + (TOTAL * h) ** 2 / 2))
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -307,20 +306,38 @@ def update(model: UpdatedModel, estimates: Mapping[int, TransferEstimate]) -> Up
     rows = [number - 1 for number in points]
     measured = np.stack([estimates[number].transfer_function for number in points])
     noise = np.stack([estimates[number].deviation for number in points])
-    scale = np.sqrt(noise**2 + (MODEL_ERROR * np.abs(measured)) ** 2 / 2)
+    first = _most_probable(model, rows, measured, Discrepancy(model.frequency, measured, noise), np.zeros(model.count))
+    trusted = Discrepancy(model.frequency, model.transfer_function(first.u[None])[0][rows], noise)
+    found = _most_probable(model, rows, measured, trusted, first.u)
+    j = trusted.residuals(model.jacobian(found.u)[:, rows])
+    return Update.of(
+        model,
+        found.u,
+        j @ j.T,
+        points=tuple(points),
+        chi_squared=found.value,
+        residuals=j.shape[1],
+        iterations=first.iterations + found.iterations,
+    )
 
-    def residual(h: Complex) -> Array:
-        r = (h[..., rows, :, :] - measured) / scale
-        return np.concatenate([r.real, r.imag], axis=-1).reshape(*h.shape[:-3], -1)
+
+class _Minimum(NamedTuple):
+    u: Array
+    value: float
+    iterations: int
+
+
+def _most_probable(model: UpdatedModel, rows: list[int], measured: Complex, trusted: Discrepancy, u: Array) -> _Minimum:
+    """Minimum of |r|^2 + |u|^2 near u (count,), by Gauss-Newton with step halving."""
 
     def objective(u: Array) -> float:
-        r = residual(model.transfer_function(u[None])[0])
+        r = trusted.residuals(model.transfer_function(u[None])[0][rows] - measured)
         return float(r @ r + u @ u)
 
-    u, value, iterations = np.zeros(model.count), objective(np.zeros(model.count)), 0
-    while iterations < _ITERATIONS:
-        iterations += 1
-        r, j = _linearised(model, u, rows, measured, scale)
+    value = objective(u)
+    for iteration in range(1, _ITERATIONS + 1):
+        r = trusted.residuals(model.transfer_function(u[None])[0][rows] - measured)
+        j = trusted.residuals(model.jacobian(u)[:, rows])
         step = -np.linalg.solve(j @ j.T + np.eye(model.count), j @ r + u)
         length = min(1.0, _LONGEST / float(np.abs(step).max()))
         while (smaller := objective(u + length * step)) > value and length > 1e-4:
@@ -330,24 +347,4 @@ def update(model: UpdatedModel, estimates: Mapping[int, TransferEstimate]) -> Up
         gain, value, u = value - smaller, smaller, u + length * step
         if gain < 1e-6 * value + 1e-6:
             break
-    _, j = _linearised(model, u, rows, measured, scale)
-    return Update.of(
-        model,
-        u,
-        j @ j.T,
-        points=tuple(points),
-        chi_squared=value,
-        residuals=j.shape[1],
-        iterations=iterations,
-    )
-
-
-def _linearised(model: UpdatedModel, u: Array, rows: list[int], measured: Complex, scale: Array) -> tuple[Array, Array]:
-    """Residuals (n_residual,) and their derivatives (count, n_residual) at u."""
-    h = model.transfer_function(u[None])[0][rows]
-    j = model.jacobian(u)[:, rows] / scale
-    r = (h - measured) / scale
-    return (
-        np.concatenate([r.real, r.imag], axis=-1).ravel(),
-        np.concatenate([j.real, j.imag], axis=-1).reshape(model.count, -1),
-    )
+    return _Minimum(u, value, iteration)

@@ -18,12 +18,19 @@ from studies.scatter import TOLERANCES, ScatteredDesign, Tolerance
 Array = NDArray[np.float64]
 
 
-def model_deviation(design: ArrayDesign, frequency: Array, count: int = 64, seed: int = 0) -> Array:
-    """How far the transfer functions of made sensors lie from those of the design, with :data:`TOLERANCES`.
+def model_deviation(
+    design: ArrayDesign,
+    frequency: Array,
+    tolerances: Sequence[Tolerance] = TOLERANCES,
+    count: int = 64,
+    seed: int = 0,
+) -> Array:
+    """How far the transfer functions of made sensors lie from those of the design.
 
     Args:
         design: the nominal array.
         frequency: (n_freq,) Hz.
+        tolerances: of manufacturing.
         count: sensors drawn.
         seed: of the draws.
 
@@ -31,7 +38,7 @@ def model_deviation(design: ArrayDesign, frequency: Array, count: int = 64, seed
         (n_point, n_microphone, n_freq) root mean square of the real part, and of the imaginary part, of the
         difference, Pa/Pa.
     """
-    scattered, air = ScatteredDesign(design), design_air(design)
+    scattered, air = ScatteredDesign(design, tolerances), design_air(design)
     made = batch_transfer_function(scattered.sample(0, count, seed), scattered.topology, frequency, air)
     nominal = batch_transfer_function(scattered.nominal, scattered.topology, frequency, air)
     return np.asarray(np.sqrt((np.abs(made - nominal) ** 2).mean(0) / 2))

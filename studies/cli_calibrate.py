@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from studies.cli_options import Fidelity, Frequencies, display_on_stderr, frequency_option, named
+from studies.cli_options import Fidelity, Frequencies, Tolerances, display_on_stderr, frequency_option, named
 from studies.tables import show, table_of
 
 if TYPE_CHECKING:
@@ -31,6 +31,7 @@ def calibrate(
         Fidelity, typer.Option(help="Of the design's own transfer functions, which stand in for missing points.")
     ] = Fidelity.lumped,
     frequencies: Frequencies = "1:100:64",
+    tolerances: Tolerances = None,
 ) -> None:
     """From recordings of the made sensor to its library: measured transfer functions with their uncertainty.
 
@@ -50,7 +51,9 @@ def calibrate(
     from acoustic_fem.model_updating import UpdatedModel, update
     from studies.calibration_figures import draw_calibration
     from studies.calibration_priors import fit_priors, model_deviation
+    from studies.scatter import TOLERANCES, read_tolerances
 
+    scatter = TOLERANCES if tolerances is None else read_tolerances(tolerances)
     manifest = read_manifest(recordings / MANIFEST if recordings.is_dir() else recordings)
     with display_on_stderr() as display, named(frequency="--frequencies"):
         with display.stage("Design") as report:
@@ -60,8 +63,8 @@ def calibrate(
         fit, deviation = None, None
         if calibration.missing:
             with display.stage("Fit"):
-                fit = update(UpdatedModel(model, fit_priors(manifest.design)), calibration.estimates)
-                deviation = model_deviation(manifest.design, grid)
+                fit = update(UpdatedModel(model, fit_priors(manifest.design, scatter)), calibration.estimates)
+                deviation = model_deviation(manifest.design, grid, scatter)
         library = calibration.library(model, deviation, None if fit is None or fit.objection else fit)
         acoustic_fem.save(library, out)
         figure = draw_calibration(calibration, model, out.with_suffix(".png"))

@@ -38,6 +38,10 @@ Noise = Annotated[
     ),
 ]
 Frequencies = Annotated[str, typer.Option(metavar="FIRST:LAST:COUNT", help="Frequencies in Hz, evenly spaced.")]
+Tolerances = Annotated[
+    Path | None,
+    typer.Option(help="Scatter of your workshop, TOML: docs/tolerances.md.", show_default="assumed ones"),
+]
 WorkerCount = Annotated[
     int | None,
     typer.Option(help="Processes on this machine; 1 computes in this one.", show_default="one per core"),

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from studies.cli_options import Design, Frequencies, Noise, display_on_stderr, frequency_option, named
+from studies.cli_options import Design, Frequencies, Noise, Tolerances, display_on_stderr, frequency_option, named
 from studies.display import number
 from studies.tables import show, table_of
 
@@ -20,10 +20,7 @@ def tolerance(
     library: Annotated[
         int, typer.Option(help="Sensors to store in OUT/library.zarr, for training; 0 for none.", show_default=True)
     ] = 0,
-    tolerances: Annotated[
-        Path | None,
-        typer.Option(help="Scatter of your workshop, TOML: docs/tolerances.md.", show_default="assumed ones"),
-    ] = None,
+    tolerances: Tolerances = None,
     noise: Noise = None,
     seed: Annotated[int, typer.Option(help="Of all draws.")] = 0,
     frequencies: Frequencies = "1:100:64",

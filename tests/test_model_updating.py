@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Sequence
 
 import numpy as np
@@ -15,6 +16,7 @@ from acoustic_fem.model_updating import Priors, Update, UpdatedModel, update
 from acoustic_fem.transfer_estimate import TransferEstimate
 from studies.calibration_priors import fit_priors, model_deviation
 from studies.rig import HiddenScatter, Rig
+from studies.rig_parameters import hidden_parameters, rig_tolerances
 
 GRID = np.linspace(1.0, 100.0, 24)
 DESIGN = geometry.prototype("array-2x6")
@@ -87,6 +89,21 @@ def test_parameters_of_the_family_are_recovered_within_the_posterior(
         assert found.objection is None
         away.append((found.parameters - u) / np.sqrt(np.diag(found.covariance)))
     assert np.mean(np.abs(away) < 1.96) > 0.92
+
+
+def test_parts_of_foreign_sensors_lie_within_the_posterior(library: Library) -> None:
+    """Exact measurements: all that stands between truth and fit is what the family lacks."""
+    model = UpdatedModel(library, fit_priors(DESIGN, rig_tolerances(HiddenScatter())))
+    inside: dict[str, list[bool]] = defaultdict(list)
+    for seed in range(10):
+        rig = Rig(DESIGN, seed, HiddenScatter())
+        found = update(model, measured(rig.transfer_function(GRID), (2, 6, 11), seed))
+        assert found.objection is None
+        for name, (value, row) in hidden_parameters(rig, model).items():
+            away = row @ found.parameters - np.log(value)
+            inside[name.split(" of ")[0]].append(bool(abs(away) < 1.96 * np.sqrt(row @ found.covariance @ row)))
+    assert set(inside) == {"bore", "compliance", "gain", "high-pass", "chamber"}
+    assert {name: np.mean(each) > 0.85 for name, each in inside.items()} == dict.fromkeys(inside, True)
 
 
 def test_what_one_point_cannot_tell_is_named(model: UpdatedModel) -> None:
