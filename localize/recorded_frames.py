@@ -17,6 +17,7 @@ from localize.evaluation import Locator
 from localize.frames import FRAME
 from localize.random_streams import choice, random_words, uniform
 from localize.recording import read_recording
+from localize.same_take import find_same_take
 from localize.stimulus import SAMPLE_RATE, Device
 from localize.stream import Decision, TouchStream
 from localize.touch_recordings import PARTS, Part, TouchManifestError, TouchRecording, read_touch_manifest, split
@@ -56,8 +57,9 @@ class RecordedFrames:
         device: where frames shall be.
 
     Raises:
-        TouchManifestError: as :func:`localize.touch_recordings.read_touch_manifest`; a recording without a touch; or no
-            point has two recordings of one part, so that nothing can be held out.
+        TouchManifestError: as :func:`localize.touch_recordings.read_touch_manifest`; a recording without a touch; two
+            that hold one take, of any points, see :mod:`localize.same_take`; or no point has two recordings of one
+            part, so that nothing can be held out.
         RecordingError: a recording that cannot be used.
     """
 
@@ -76,18 +78,26 @@ class RecordedFrames:
             raise TouchManifestError(f"{found.path}: no point has two recordings of one part; none can be held out")
         self.seed = seed
         self.point_count = response.point_count
-        signals, frames, begin = [], [], 0
+        signals, touched = [], []
         for each in self.recordings:
             full_scale = found.full_scale if each.path.suffix.lower() == ".wav" else None
             heard = read_recording(each.path, response.microphones, full_scale).signals
             first = _touched(heard, response.microphones, noise_rms)
             if not len(first):
                 raise TouchManifestError(f"{each.path}: holds no frame that is louder than the microphones' noise")
-            signals.append(torch.from_numpy(heard.astype(np.float32)))
-            frames.append(torch.from_numpy(first + begin))
-            begin += heard.shape[1]
-        self._signals = torch.cat(signals, dim=1).to(device)
-        self._frames = frames
+            signals.append(heard.astype(np.float32))
+            touched.append(first)
+        same = find_same_take(signals, touched)
+        if same is not None:
+            one, other = (self.recordings[number].file for number in (same.first, same.second))
+            raise TouchManifestError(
+                f"{found.path}: {other} is the same take as {one}: the correlation of a stretch of them is "
+                f"{same.correlation:.4f}"
+            )
+        self._signals = torch.from_numpy(np.concatenate(signals, axis=1)).to(device)
+        begins = np.cumsum([0, *(each.shape[1] for each in signals[:-1])])
+        self._frames = [torch.from_numpy(first + begin) for first, begin in zip(touched, begins, strict=True)]
+        frames = self._frames
         self._tabulate(device)
         judged = [_spread(frames[k]) for k, held in enumerate(self.held_out) if held]
         self._judged = torch.cat(judged).to(device)

@@ -26,7 +26,10 @@ def calibrate(
             show_default=False,
         ),
     ],
-    out: Annotated[Path, typer.Option(help="The library to write, netCDF; a figure goes beside.", show_default=False)],
+    out: Annotated[
+        Path,
+        typer.Option(help="The library to write, netCDF, a new file; a figure goes beside.", show_default=False),
+    ],
     fidelity: Annotated[
         Fidelity, typer.Option(help="Of the design's own transfer functions, which stand in for missing points.")
     ] = Fidelity.lumped,
@@ -44,7 +47,11 @@ def calibrate(
     grid = frequency_option(frequencies)
     from studies.folders import check_new_file
 
-    check_new_file(out)
+    picture = out.with_suffix(".png")
+    if picture == out:
+        raise ValueError(f"{out}: --out must be a library, .nc; its figure goes beside it as .png")
+    check_new_file(out, kept="a measured library")
+    check_new_file(picture, kept="the figure of one")
     import acoustic_fem
     from acoustic_fem.calibration import calibrate as estimate
     from acoustic_fem.calibration_manifest import read_manifest
@@ -67,7 +74,7 @@ def calibrate(
                 deviation = model_deviation(manifest.design, grid, scatter)
         library = calibration.library(model, deviation, None if fit is None or fit.objection else fit)
         acoustic_fem.save(library, out)
-        figure = draw_calibration(calibration, model, out.with_suffix(".png"))
+        figure = draw_calibration(calibration, model, picture)
     if calibration.findings:
         table = table_of("point", "", "finding", numbers=(0,))
         for finding in calibration.findings:

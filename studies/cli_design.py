@@ -37,9 +37,7 @@ def prototypes(
         from geometry.whole_file import write_text
         from studies.folders import check_new_file
 
-        check_new_file(out)
-        if out.exists():
-            raise ValueError(f"{out}: exists; --out must be a new file, a design is never overwritten")
+        check_new_file(out, kept="a design")
         write_text(out, prototype_text(name))
 
 

@@ -21,7 +21,7 @@ def recalibrate(
             show_default=False,
         ),
     ],
-    out: Annotated[Path, typer.Option(help="The library to write, netCDF.", show_default=False)],
+    out: Annotated[Path, typer.Option(help="The library to write, netCDF, a new file.", show_default=False)],
     full_scale: Annotated[
         float | None,
         typer.Option(
@@ -42,7 +42,7 @@ def recalibrate(
     """
     from studies.folders import check_new_file
 
-    check_new_file(out)
+    check_new_file(out, kept="a calibrated library")
     import numpy as np
     import torch
 

@@ -67,13 +67,11 @@ def best(
         raise typer.BadParameter(f"--count {count} must be at least 1")
     from studies.folders import check_new_file
 
-    check_new_file(out)
+    check_new_file(out, kept="a design")
     table = _read(results)
     if design is None or out is None:
         _show_best(table, by or table.metrics[0].name, count)
         return
-    if out.exists():
-        raise ValueError(f"{out}: exists; --out must be a new file, a design is never overwritten")
     from geometry import save_design
     from studies.sweep_report import design_of
 

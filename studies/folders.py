@@ -53,16 +53,23 @@ def claim_folder(out: str | os.PathLike[str], design: str) -> Path:
     return folder
 
 
-def check_new_file(path: Path | None) -> None:
+def check_new_file(path: Path | None, kept: str | None = None) -> None:
     """Refuse a file that cannot be written, before any work is done for it.
 
+    Args:
+        path: of the file; none is nothing to write.
+        kept: what it is, where such a file is never overwritten: a design that somebody may have changed, a library
+            that nobody can compute again. By default an earlier file is replaced.
+
     Raises:
-        ValueError: it is a folder, or its own folder does not exist or cannot be written to.
+        ValueError: it is a folder, exists and is kept, or its own folder does not exist or cannot be written to.
     """
     if path is None:
         return
     if path.is_dir():
         raise ValueError(f"{path}: is a folder; --out must be a file")
+    if kept is not None and path.exists():
+        raise ValueError(f"{path}: exists, and {kept} is never overwritten; name another file, or remove this one")
     if not path.parent.is_dir():
         raise ValueError(f"{path}: --out must lie in a folder that exists; there is no {path.parent}")
     _check_writable(path, path.parent)

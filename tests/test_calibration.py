@@ -212,6 +212,25 @@ def test_the_verb_writes_library_and_figure_and_names_what_it_left_out(tmp_path:
     assert acoustic_fem.load(out).fidelity == MEASURED
 
 
+@pytest.mark.parametrize(
+    ("earlier", "out", "message"),
+    [
+        ("made.nc", "made.nc", "made.nc: exists, and a measured library is never overwritten; name another file"),
+        ("made.png", "made.nc", "made.png: exists, and the figure of one is never overwritten; name another file"),
+        ("other.nc", "made.png", "made.png: --out must be a library, .nc; its figure goes beside it as .png"),
+    ],
+)
+def test_the_verb_overwrites_nothing_and_says_so_before_any_work(
+    tmp_path: Path, earlier: str, out: str, message: str
+) -> None:
+    (tmp_path / earlier).write_bytes(b"of an earlier calibration")
+    refused = CliRunner().invoke(app, ["calibrate", str(tmp_path / "no-recordings"), "--out", str(tmp_path / out)])
+    assert isinstance(refused.exception, ValueError)
+    assert message in str(refused.exception)
+    assert [path.name for path in tmp_path.iterdir()] == [earlier]
+    assert (tmp_path / earlier).read_bytes() == b"of an earlier calibration"
+
+
 def test_a_sensor_that_no_fit_takes_is_calibrated_from_recordings_of_all_points(tmp_path: Path) -> None:
     """The batch refuses stretched membranes with loss; measured at every point, nothing has to be computed for it."""
     Rig(DESIGN, 8).record(tmp_path, POINTS, SHORT)

@@ -275,6 +275,9 @@ def test_places_that_cannot_be_written_are_refused(tmp_path: Path) -> None:
         check_new_file(tmp_path)
     with pytest.raises(ValueError, match="must lie in a folder that exists"):
         check_new_file(tmp_path / "none" / "library.nc")
+    check_new_file(tmp_path / "file")  # replaced, where it is not kept
+    with pytest.raises(ValueError, match=r"file: exists, and a design is never overwritten; name another file, or rem"):
+        check_new_file(tmp_path / "file", kept="a design")
     for place in (tmp_path / "file", tmp_path / "file" / "deeper"):
         with pytest.raises(ValueError, match=r"must be a folder; .*file is a file"):
             check_folder(place)

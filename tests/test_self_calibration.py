@@ -156,11 +156,23 @@ def test_the_command_writes_nothing_when_it_refuses(
         (own[:, :1], "has 1 channels"),
     ):
         file = recording(tmp_path / "touches.npz", frames)
-        assert run(monkeypatch, last, file, "--out", last) == 1
+        assert run(monkeypatch, last, file, "--out", out) == 1
         assert reason in capsys.readouterr().err.splitlines()[-1]
         assert run(monkeypatch, last, tmp_path / "none.npz", "--out", out) == 1
     assert last.read_bytes() == before
     assert not out.exists()
+
+
+def test_the_command_never_overwrites_a_library_its_own_least_of_all(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "last.nc").write_bytes(b"the last calibration")
+    (tmp_path / "again.nc").symlink_to("last.nc")
+    monkeypatch.chdir(tmp_path)
+    for out in ("last.nc", "./last.nc", "again.nc"):
+        assert run(monkeypatch, "last.nc", "touches.npz", "--out", out) == 1
+        assert "exists, and a calibrated library is never overwritten" in capsys.readouterr().err
+    assert (tmp_path / "last.nc").read_bytes() == b"the last calibration"
 
 
 def test_touches_of_another_sensor_are_refused() -> None:
