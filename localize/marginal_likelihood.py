@@ -129,7 +129,10 @@ class MarginalLikelihood:
     def information(self, h: Complex, jacobian: Complex) -> Array:
         """What as many touches, evenly spread, at power 1 and of known points, say of parameters (Fisher).
 
-        For a Gaussian of covariance S it is tr(S^-1 dS_a S^-1 dS_b) / 2 per frame.
+        For a Gaussian of covariance S it is tr(S^-1 dS_a S^-1 dS_b) / 2 per frame. The power of a touch is fitted with
+        the parameters (its derivative is dS = C), so that its share is taken out (Schur complement): whatever makes
+        all of a point louder, such as the level that the microphones have in common, is not told by touches of
+        unknown loudness.
 
         Args:
             h: as :meth:`evidence`.
@@ -151,7 +154,11 @@ class MarginalLikelihood:
             inside = change[..., held]
             both = (inside + inside.transpose(0, 2, 1)).reshape(len(jacobian), -1)
             rest = change[..., ~held].reshape(len(jacobian), -1)
-            total += 0.5 * (both @ both.T) + rest @ rest.T
+            told = 0.5 * (both @ both.T) + rest @ rest.T
+            # C is diagonal along its eigenvectors
+            louder = (values / (1 + values))[held]
+            with_louder = 0.5 * np.einsum("akk,k->a", both.reshape(inside.shape), louder)
+            total += told - 2 * np.outer(with_louder, with_louder) / (louder @ louder)
         return total * (len(self._x) / (len(h) * TEMPERATURE))
 
     def _sources(self, h: Complex, every: int = 1) -> Array:

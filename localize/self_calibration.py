@@ -14,7 +14,6 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-import scipy.stats
 from numpy.typing import ArrayLike, NDArray
 
 from acoustic_fem.library import MEASURED, Library, labelled
@@ -22,6 +21,7 @@ from acoustic_fem.model_updating import Posterior, Priors, UpdatedModel
 from acoustic_fem.provenance import versions
 from geometry.layout import place
 from localize.array_response import ArrayResponse, response_of
+from localize.calibration_objections import FALSE_ALARM, NEEDED, Judged, likeliest_order
 from localize.calibration_search import FINE, ascend, distinct, search
 from localize.frames import FRAME, checked_signals
 from localize.judgement import ResidualTest
@@ -42,31 +42,22 @@ SEARCHED = 300
 """Frames that a search is made with at most; the last ascent takes all."""
 HELD_OUT = 0.25
 """Share of the frames that the search does not see."""
-GAIN = 2.0
-"""Standard errors by which held-out frames must be likelier than with the present library."""
-RIVAL = 10.0
-"""Nats by which a sensor that names other points must be less probable."""
-EXPLAINED = 0.95
-"""Share of the held-out frames that must pass the residual test, with half of the noise that the fit assumes."""
-AGREEMENT = 0.95
-"""Share of the held-out frames that must keep their points when they join the fit."""
-FALSE_ALARM = 1e-3
-"""Rate of it, and probability below which the size of the parameters speaks against them."""
-_LOUDEST = 8.0  # over the level of the touches
+LOUDEST = 8.0
+"""Times the level of the touches: the loudest touch that the residual test passes."""
+LEVELS = (1e-3 / LOUDEST, 1e3 / LOUDEST)
+"""Pa rms at the loudest microphone that half of the touches may be above."""
 
 
 class SelfCalibrationError(ValueError):
     """Touches that nothing can be learned from."""
 
 
-@dataclass(frozen=True, eq=False)
-class SelfCalibration:
+@dataclass(frozen=True, eq=False, kw_only=True)
+class SelfCalibration(Judged):
     """The most probable sensor of unlabelled touches, and what speaks against it."""
 
     present: Library
     """What it began from, and what stays where it is refused."""
-    posterior: Posterior
-    """Of the parameters, about the present library."""
     frames: int
     """With a touch."""
     held_out: int
@@ -74,64 +65,6 @@ class SelfCalibration:
     seed: int
     noise: float
     """Pa rms that was assumed in the end."""
-    gain: float
-    """Nats by which a held-out frame is likelier than with the present library, on average."""
-    gain_error: float
-    """Standard error of it."""
-    rival: float
-    """Nats by which the next sensor, one that names other points, is less probable; infinite where all fall back."""
-    rival_held_out: float
-    """Nats by which it is less likely on the held-out frames."""
-    explained: float
-    """Share of the held-out frames that pass the residual test."""
-    agreement: float
-    """Share of the held-out frames whose point stays the same when they join the fit."""
-
-    @property
-    def size(self) -> float:
-        """|u|^2 of the parameters, in standard deviations of the priors."""
-        return float(self.posterior.parameters @ self.posterior.parameters)
-
-    @property
-    def expected_size(self) -> float:
-        """What it is on average for a sensor of these priors: the number of combinations that the touches determine."""
-        return float((self.posterior.eigenvalues / (1 + self.posterior.eigenvalues)).sum())
-
-    @property
-    def objection(self) -> str | None:
-        """Why it is refused; None where it is accepted."""
-        largest = float(scipy.stats.chi2.isf(FALSE_ALARM, max(self.expected_size, 1.0)))
-        if self.explained < EXPLAINED:
-            return (
-                f"{100 * self.explained:.0f} % of the held-out frames are touches of the sensor found, fewer than "
-                f"{100 * EXPLAINED:.0f} %: another sensor, sound from outside, or parts beyond their tolerances"
-            )
-        if self.size > largest:
-            return (
-                f"the parameters lie {self.size:.0f} off their priors, more than {largest:.0f}: the sensor is not one "
-                "of this tolerance"
-            )
-        if self.rival < RIVAL or self.rival_held_out <= 0:
-            return (
-                f"a sensor that names other points is only {self.rival:.1f} nats less probable, and "
-                f"{self.rival_held_out:.1f} less likely on held-out frames: the touches do not tell which it is"
-            )
-        if self.agreement < AGREEMENT:
-            return (
-                f"only {100 * self.agreement:.0f} % of the held-out frames keep their points when they join the fit: "
-                "it is not settled yet"
-            )
-        if self.gain < GAIN * self.gain_error:
-            return (
-                f"held-out frames are {self.gain:.3f} +- {self.gain_error:.3f} nats likelier than with the present "
-                "library, which is as good"
-            )
-        return None
-
-    @property
-    def accepted(self) -> bool:
-        """Whether the library is a new one."""
-        return self.objection is None
 
     def library(self) -> Library:
         """The calibrated library, like any other; the present one where the calibration is refused."""
@@ -170,6 +103,10 @@ class SelfCalibration:
             "agreement": self.agreement,
             "size": self.size,
             "expected_size": self.expected_size,
+            "likeliest_order": list(self.order.heard),
+            "order_gain_per_frame": self.order.gain,
+            "order_gain_error": self.order.error,
+            "touches_per_point": self.touches.tolist(),
             "objection": self.objection,
             **self.posterior.summary(),
         }
@@ -195,7 +132,7 @@ def self_calibrate(
         progress: called with what is being done and the fraction done.
 
     Raises:
-        SelfCalibrationError: fewer than 100 frames with a touch.
+        SelfCalibrationError: fewer than 100 frames with a touch, or touches of a level that is none in pascals.
         ValueError: frames of a wrong shape, a silent channel, values that are not finite; a noise out of range; a
             library without the band, or of a design that the lumped batch does not take.
     """
@@ -204,6 +141,11 @@ def self_calibrate(
     response = response_of(library)
     heard = _touched(np.asarray(frames, np.float64), response, microphone_noise)
     level = float(np.median(heard.std(2).max(1)))
+    if not LEVELS[0] <= level <= LEVELS[1]:
+        raise SelfCalibrationError(
+            f"the touches are {level:.3g} Pa rms at their loudest microphone, where {LEVELS[0]:g} to {LEVELS[1]:g} Pa "
+            f"can be judged: are the samples pascals? Needed are {NEEDED}"
+        )
     noises = [max(share * level, 2 * microphone_noise) for share in STAGES]
     heard = heard[np.random.default_rng(seed).permutation(len(heard))]
     kept, held_out = np.split(heard, [round((1 - HELD_OUT) * len(heard))])
@@ -259,11 +201,13 @@ def _calibrated(
     unseen = MarginalLikelihood(grid, held_out, noise)
     best, *rivals = (unseen.evidence(responses(one.parameters)) for one in found)
     named = best.share.argmax(1)
-    difference = best.frames - unseen.evidence(responses(np.zeros(model.count))).frames
+    present = responses(np.zeros(model.count))
+    difference = best.frames - unseen.evidence(present).frames
+    order = likeliest_order(unseen, present, response.microphones)
     test = ResidualTest(
         replace(response, transfer_function=responses(found[0].parameters)),
         noise / 2,
-        float(np.clip(_LOUDEST * level, 1e-3, 1e3)),
+        LOUDEST * level,
     )
     report("all frames", 0.8)
     whole = MarginalLikelihood(grid, np.concatenate([kept, held_out]), noise)
@@ -283,4 +227,7 @@ def _calibrated(
         rival_held_out=min((float((best.frames - one.frames).sum()) for one in rivals), default=np.inf),
         explained=float((test.p_value(held_out, named) >= FALSE_ALARM).mean()),
         agreement=float((unseen.evidence(responses(u)).share.argmax(1) == named).mean()),
+        order=order,
+        touches=np.bincount(whole.evidence(responses(u)).share.argmax(1), minlength=response.point_count),
+        line=response.line,
     )

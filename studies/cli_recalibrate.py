@@ -16,8 +16,8 @@ def recalibrate(
         list[Path],
         typer.Argument(
             metavar="RECORDINGS",
-            help="Touches, anywhere on the sensor: WAV with a channel per microphone; CSV with their names on top; "
-            "NPZ with 'signals'.",
+            help="Touches that fill 1 to 100 Hz, one at a time, spread over all points: WAV with a channel per "
+            "microphone; CSV with their names on top; NPZ with 'signals'.",
             show_default=False,
         ),
     ],
@@ -34,9 +34,10 @@ def recalibrate(
 ) -> None:
     """From touches of which nobody knows the points to the library of the sensor as it is now.
 
-    LIBRARY is that of the design or the last calibration. At least 100 frames of 250 ms with touches are needed, better
-    200, on all points. A quarter of them is held out and judges; where they do not speak for the sensor found, that is
-    said with the reason, nothing is written, and LIBRARY stays what is best known.
+    LIBRARY is that of the design or the last calibration. Needed are touches that fill 1 to 100 Hz (multi-sines or
+    noise; no taps and no friction), one at a time, in a quiet room, spread over all points: at least 100 frames of
+    250 ms, better 200, and several per point. A quarter of them is held out and judges; where they do not speak for the
+    sensor found, that is said with the reason, nothing is written, and LIBRARY stays what is best known.
 
     Example: [bold]acoustic-fem recalibrate made.nc monday.wav tuesday.wav --out now.nc[/bold]
     """
@@ -49,6 +50,7 @@ def recalibrate(
     import acoustic_fem
     from localize import SelfCalibrationError, read_recording, self_calibrate
     from localize.array_response import response_of
+    from localize.calibration_objections import numbers
     from localize.frames import cut_frames
     from localize.noise import NoiseSpectrum
 
@@ -68,3 +70,5 @@ def recalibrate(
         f"{out}: from {found.frames} frames with touches; {found.gain:.2f} +- {found.gain_error:.2f} nats per held-out "
         f"frame likelier than with {library}, {100 * found.explained:.0f} % of them explained"
     )
+    if len(found.untouched):
+        print(f"no touch was named point {numbers(found.untouched)}: least known; touch it next time")

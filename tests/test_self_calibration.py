@@ -17,9 +17,10 @@ from acoustic_fem.library import Library
 from acoustic_fem.model_updating import UpdatedModel
 from localize.array_response import response_of
 from localize.bayes import NOISE_SHARE
+from localize.calibration_objections import gaps, likeliest_order, numbers
 from localize.calibration_search import value_and_slope
 from localize.marginal_likelihood import MarginalLikelihood
-from localize.self_calibration import SelfCalibration, self_calibrate
+from localize.self_calibration import SelfCalibration, SelfCalibrationError, self_calibrate
 from studies.cli import main
 from studies.rig import HiddenScatter, Rig
 
@@ -53,8 +54,15 @@ def top1(library: Library, response: localize.ArrayResponse) -> float:
 
 
 @cache
+def heard() -> Array:
+    """160 frames, none of point 7."""
+    frames, points = touches(truth(), 180)
+    return frames[points != 6][:160]
+
+
+@cache
 def calibrated() -> SelfCalibration:
-    return self_calibrate(nominal(), touches(truth(), 160)[0], NOISE)
+    return self_calibrate(nominal(), heard(), NOISE)
 
 
 def test_the_slope_is_that_of_finite_differences() -> None:
@@ -92,6 +100,27 @@ def test_information_is_symmetric_never_negative_and_grows_with_the_frames() -> 
     assert np.linalg.eigvalsh(information)[0] > -1e-4 * np.linalg.eigvalsh(information)[-1]
     twice = MarginalLikelihood(GRID, np.tile(touches(truth(), 24)[0], (2, 1, 1)), 0.01)
     assert np.allclose(twice.information(h, model.jacobian(np.zeros(model.count))), 2 * information, rtol=1e-6)
+
+
+def test_touches_of_unknown_loudness_do_not_tell_the_level_that_microphones_have_in_common() -> None:
+    model = UpdatedModel(nominal())
+    u = np.zeros(model.count)
+    likelihood = MarginalLikelihood(GRID, touches(truth(), 120)[0], 0.01)
+    information = likelihood.information(nominal().transfer_function.values, model.jacobian(u))
+    gain = np.array([name.startswith("gain") for name in model.names], float)
+    against = gain * np.where([name.endswith("A") for name in model.names], 1, -1)
+    assert abs(gain @ information @ gain) < 1e-3
+    assert against @ information @ against > 10
+
+
+def test_the_stated_uncertainty_holds_the_level() -> None:
+    """A sensor 6 % louder, or quieter, at all microphones makes the same touches of quieter, or louder, fingers."""
+    found = calibrated().posterior
+    h = truth().transfer_function
+    own = float(np.exp(np.log(np.abs(found.transfer_function / h)).mean()))
+    radius = np.sqrt(-2 * np.log(0.05)) * found.deviation
+    for level in (0.94, 1.0, 1.06):
+        assert (np.abs(found.transfer_function - level * own * h) < radius).mean() > 0.9
 
 
 def test_unlabelled_touches_bring_the_library_to_the_made_sensor() -> None:
@@ -133,10 +162,11 @@ def test_the_command_makes_the_same_library_from_recordings(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     acoustic_fem.save(nominal(), tmp_path / "last.nc")
-    frames = touches(truth(), 160)[0]
-    files = [recording(tmp_path / f"{k}.npz", part) for k, part in enumerate(np.split(frames, [70]))]
+    files = [recording(tmp_path / f"{k}.npz", part) for k, part in enumerate(np.split(heard(), [70]))]
     assert run(monkeypatch, tmp_path / "last.nc", *files, "--out", tmp_path / "now.nc") == 0
-    assert "from 160 frames with touches" in capsys.readouterr().out
+    said = capsys.readouterr().out
+    assert "from 160 frames with touches" in said
+    assert "no touch was named point 7:" in said
     made = acoustic_fem.load(tmp_path / "now.nc")
     assert made.provenance["self_calibration"] == calibrated().summary()
     assert np.array_equal(made.transfer_function.values, calibrated().library().transfer_function.values)
@@ -181,6 +211,107 @@ def test_touches_of_another_sensor_are_refused() -> None:
     found = self_calibrate(nominal(), touches(replace(truth(), transfer_function=h), 110)[0], NOISE)
     assert found.objection is not None
     assert found.library() is nominal()
+
+
+def made() -> Library:
+    """The library of the made sensor, as if it had been measured."""
+    return replace(nominal(), transfer_function=nominal().transfer_function.copy(data=truth().transfer_function))
+
+
+def test_the_likeliest_order_of_channels_is_that_they_were_recorded_in() -> None:
+    frames, _ = touches(truth(), 60)
+    right, wrong = (MarginalLikelihood(GRID, each, 0.01) for each in (frames, frames[:, ::-1]))
+    order = likeliest_order(right, truth().transfer_function, ("A", "B"))
+    assert (order.heard, order.gain, order.differs) == (("A", "B"), 0.0, False)
+    order = likeliest_order(wrong, truth().transfer_function, ("A", "B"))
+    assert (order.heard, order.differs) == (("B", "A"), True)
+    # a nominal array is its own mirror image
+    order = likeliest_order(wrong, nominal().transfer_function.values, ("A", "B"))
+    assert abs(order.gain) < 1e-6
+    assert not order.differs
+
+
+def test_three_channels_in_turn_are_put_back() -> None:
+    design = geometry.prototype("glove")
+    library = acoustic_fem.solve(design, GRID, "lumped")
+    h = Rig(design, 3).transfer_function(GRID)
+    response = replace(response_of(library), transfer_function=h)
+    frames, _ = touches(response, 60)
+    order = likeliest_order(MarginalLikelihood(GRID, frames[:, [2, 0, 1]], 0.01), h, response.microphones)
+    assert order.heard == tuple(response.microphones[k] for k in (2, 0, 1))
+    assert order.differs
+
+
+def test_exchanged_channels_are_refused_by_name() -> None:
+    found = self_calibrate(made(), touches(truth(), 110)[0][:, ::-1], NOISE)
+    assert "the channels look exchanged: A, B are likelier B, A" in str(found.objection)
+    assert found.library() is found.present
+
+
+def test_a_gain_that_is_6_db_higher_is_named() -> None:
+    found = self_calibrate(made(), touches(truth(), 110)[0] * np.array([2.0, 1.0])[:, None], NOISE)
+    assert "the sensor is not one of this tolerance (gain of microphone" in str(found.objection)
+    for name, ratio in (("A", 1.4), ("B", 0.7)):
+        text = str(found.objection).split(f"gain of microphone {name} x ")[1]
+        assert float(text.split(",")[0]) == pytest.approx(ratio, abs=0.05)
+
+
+def test_touches_of_a_part_of_the_points_are_refused() -> None:
+    line = np.repeat([0, 1], [36, 12])
+
+    def refused(*untouched: int) -> str:
+        count = np.full(48, 4)
+        count[list(untouched)] = 0
+        return numbers(gaps(count, line))
+
+    assert refused() == refused(0, 7, 9, 35) == refused(10, 11, 12) == refused(36, 40, 47) == ""
+    assert refused(0, 1) == "1-2"
+    assert refused(34, 35, 36) == "35-36"
+    assert refused(10, 11, 12, 13, 30) == "11-14"
+    assert refused(*range(1, 36, 2)) == ", ".join(map(str, range(2, 37, 2)))
+    assert refused(40, 41) == "41-42"
+    count = np.where(np.arange(12) < 4, 40, 0)
+    found = replace(calibrated(), touches=count)
+    assert "no touch is named point 5-12:" in str(found.objection)
+    assert found.library() is nominal()
+
+
+def test_a_refusal_names_what_touches_look_like() -> None:
+    assert "touches of another kind, such as taps or friction, two at a time, sound from outside" in str(
+        replace(calibrated(), explained=0.5).objection
+    )
+    with pytest.raises(SelfCalibrationError, match=r"Pa rms at their loudest microphone, where .* are the samples pas"):
+        self_calibrate(nominal(), touches(truth(), 120)[0] * 32768, NOISE)
+
+
+def test_help_says_what_touches_are_needed(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(monkeypatch, "--help") == 0
+    said = " ".join(capsys.readouterr().out.split())
+    assert "touches that fill 1 to 100 Hz (multi-sines or noise; no taps and no friction), one at a time" in said
+
+
+@pytest.mark.slow
+def test_a_third_of_a_line_is_refused() -> None:
+    """It looks like touches one place further on a stiffer sensor."""
+    design = DESIGN.with_values(
+        {"lines.0.points": 36, "layout.columns": 18, "membrane.thickness": 1.0, "resonator.cavity_diameter": 8.0,
+         "resonator.cavity_height": 3.0, "tube.inner_diameter": 0.6, "tube.outer_diameter": 1.1,
+         "microphone_tube.inner_diameter": 0.6, "microphone_tube.outer_diameter": 1.1}
+    )  # fmt: skip
+    library = acoustic_fem.solve(design, GRID, "lumped")
+    h = Rig(design, 11, HiddenScatter(modulus=0.85)).transfer_function(GRID)
+    response = replace(response_of(library), transfer_function=h)
+    frames, points = touches(response, 360)
+    found = self_calibrate(library, frames[points < 12], NOISE)
+    assert "no touch is named point" in str(found.objection)
+
+
+@pytest.mark.slow
+def test_two_touches_at_once_are_refused() -> None:
+    frames = touches(truth(), 220)[0]
+    found = self_calibrate(nominal(), frames[:110] + frames[110:], NOISE)
+    assert "two at a time" in str(found.objection)
+    assert "; farthest off: " in str(found.objection)
 
 
 @pytest.mark.slow
