@@ -335,7 +335,9 @@ def _most_probable(model: UpdatedModel, rows: list[int], measured: Complex, trus
         return float(r @ r + u @ u)
 
     value = objective(u)
-    for iteration in range(1, _ITERATIONS + 1):
+    iterations = 0
+    while iterations < _ITERATIONS:
+        iterations += 1
         r = trusted.residuals(model.transfer_function(u[None])[0][rows] - measured)
         j = trusted.residuals(model.jacobian(u)[:, rows])
         step = -np.linalg.solve(j @ j.T + np.eye(model.count), j @ r + u)
@@ -347,4 +349,4 @@ def _most_probable(model: UpdatedModel, rows: list[int], measured: Complex, trus
         gain, value, u = value - smaller, smaller, u + length * step
         if gain < 1e-6 * value + 1e-6:
             break
-    return _Minimum(u, value, iteration)
+    return _Minimum(u, value, iterations)
