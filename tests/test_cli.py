@@ -224,14 +224,6 @@ def test_a_folder_of_parts_never_mixes_two_designs_and_keeps_what_others_put_the
     assert (tmp_path / "precious").read_text() == "mine"
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize(("name", "seconds"), [("array-2x6", 25), ("large-area-64", 90)])
-def test_parts_with_all_reports_are_made_in_time(command: Command, tmp_path: Path, name: str, seconds: float) -> None:
-    started = time.process_time()
-    assert command("parts", name, "--out", tmp_path / "parts").code == 0
-    assert time.process_time() - started < seconds
-
-
 def test_parts_for_an_unknown_process_are_refused(command: Command, row: Path, tmp_path: Path) -> None:
     told = command("parts", row, "--out", tmp_path / "parts", "--process", "sls")
     assert (told.code, not (tmp_path / "parts").exists()) == (1, True)
