@@ -258,10 +258,8 @@ def test_devices_are_chosen_by_number_or_part_of_a_name() -> None:
 
 def test_putting_never_waits_and_a_bounded_queue_holds_what_it_can() -> None:
     queue = BlockQueue(1.0, 1000.0)
-    began = time.perf_counter()
     for first in range(0, 100_000, 100):
-        queue.put(Block(np.zeros((2, 100)), first, 0.0))
-    assert time.perf_counter() - began < 1.0
+        queue.put(Block(np.zeros((2, 100)), first, 0.0))  # one that waited would wait for ever
     held = [queue.get(0.0) for _ in range(11)]
     assert [block.first for block in held if block] == list(range(0, 1000, 100))
     assert held[-1] is None
