@@ -35,7 +35,7 @@ test: $(VENV)/.installed-dev
 	$(BIN)/python -m pytest -n $(WORKERS)
 
 slow-test: $(VENV)/.installed-dev
-	$(BIN)/python -m pytest -n $(WORKERS) -m slow
+	$(BIN)/python -m pytest -n $(WORKERS) --dist loadfile -m slow
 
 # The package is installed in place: changed code needs no new installation, changed dependencies do.
 $(VENV)/.installed: pyproject.toml constraints.txt | $(VENV)/.created
