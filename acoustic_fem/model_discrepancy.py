@@ -10,7 +10,6 @@ frequency, a sum of one that all transfer functions share, one for each micropho
 from __future__ import annotations
 
 import numpy as np
-import scipy.linalg
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
@@ -21,33 +20,39 @@ COMMON, OF_MICROPHONE, OWN = 0.012, 0.008, 0.007
 TOTAL = float(np.hypot(np.hypot(COMMON, OF_MICROPHONE), OWN))
 SMOOTH = 1.0
 """Of the logarithm of frequency, over which it changes."""
+LEAST_NOISE = 1e-4
+"""Relative deviation of the real part, and of the imaginary part, below which no measurement is believed."""
+_NEGLIGIBLE = 1e-6  # share of the variance of a smooth process that is left out
 
 
 class Discrepancy:
     """Residuals in units of what measurement and model together are trusted to, independent of each other.
 
+    The covariance of relative residuals is one block per transfer function (noise and own part), which is factored
+    alone, and a few columns that all share, which the factored residuals are corrected for.
+
     Args:
         frequency: (n_freq,) Hz.
-        about: (n_point, n_microphone, n_freq) Pa/Pa, transfer functions that the discrepancy is relative to. Not the
-            measured ones in the end: what is common to all of them would then be found too small, for that lessens the
-            scatter of the others (Peelle's puzzle; D'Agostini 1994, Nucl. Instrum. Methods A 346, 306).
+        about: (n_point, n_microphone, n_freq) Pa/Pa, not 0: transfer functions that the discrepancy is relative to. Not
+            the measured ones in the end: what is common to all of them would then be found too small, for that lessens
+            the scatter of the others (Peelle's puzzle; D'Agostini 1994, Nucl. Instrum. Methods A 346, 306).
         noise: of the same shape, standard deviation of the real part, and of the imaginary part, of the measurement.
     """
 
     def __init__(self, frequency: Array, about: Complex, noise: Array) -> None:
-        points, microphones, _ = about.shape
-        apart = np.subtract.outer(np.log(frequency), np.log(frequency)) / SMOOTH
-        smooth = np.exp(-(apart**2) / 2)
-        of_all, of_one = np.ones((points, points)), np.ones((microphones, microphones))
-        shared = (
-            COMMON**2 * np.kron(of_all, of_one)
-            + OF_MICROPHONE**2 * np.kron(of_all, np.eye(microphones))
-            + OWN**2 * np.eye(points * microphones)
-        )
-        covariance = np.kron(shared, smooth) / 2  # half of it in the real part, half in the imaginary part
-        covariance[np.diag_indices_from(covariance)] += (noise / np.abs(about)).ravel() ** 2
         self._about = about
-        self._root = scipy.linalg.cholesky(covariance, lower=True)
+        own = np.broadcast_to(OWN**2 / 2 * _covariance(frequency), (*about.shape, len(frequency))).copy()
+        diagonal = np.arange(len(frequency))
+        own[..., diagonal, diagonal] += (noise / np.abs(about)) ** 2 + LEAST_NOISE**2
+        self._whiten = np.linalg.inv(np.linalg.cholesky(own))
+        smooth = _columns(frequency)
+        microphones = about.shape[1]
+        shared = np.zeros((microphones, len(frequency), (1 + microphones) * smooth.shape[1]))
+        for number, columns in enumerate(shared):
+            parts = [COMMON * smooth, *[np.zeros_like(smooth)] * microphones]
+            parts[1 + number] = OF_MICROPHONE * smooth
+            columns[:] = np.concatenate(parts, axis=1) / np.sqrt(2)  # half of it in each of real and imaginary part
+        self._q, self._s, _ = np.linalg.svd((self._whiten @ shared).reshape(about.size, -1), full_matrices=False)
 
     def residuals(self, difference: Complex) -> Array:
         """(..., 2 n) independent residuals, or derivatives of them.
@@ -56,8 +61,54 @@ class Discrepancy:
             difference: (..., n_point, n_microphone, n_freq) Pa/Pa, between a sensor and what was measured, or
                 derivatives of that by parameters.
         """
-        relative = (difference / self._about).reshape(-1, self._about.size)
-        both = np.concatenate([relative.real, relative.imag]).T
-        found = scipy.linalg.solve_triangular(self._root, both, lower=True).T
-        stacked = np.concatenate([found[: len(relative)], found[len(relative) :]], axis=1)
-        return np.asarray(stacked.reshape(*difference.shape[:-3], -1))
+        own = self._own(difference)
+        # (1 + V V^T)^(-1/2) with V = Q s R^T
+        found = own + own @ self._q * (1 / np.sqrt(1 + self._s**2) - 1) @ self._q.T
+        return np.concatenate([found.real, found.imag], axis=-1)
+
+    def by_point(self, difference: Complex) -> Array:
+        """(n_point,) sum of squares per residual, without what all points share: about 1 where nothing is wrong."""
+        own = self._own(difference)
+        left = own - own @ self._q * (self._s**2 / (1 + self._s**2)) @ self._q.T
+        return np.asarray((np.abs(left.reshape(len(difference), -1)) ** 2).mean(1) / 2)
+
+    def _own(self, difference: Complex) -> Complex:
+        relative = (difference / self._about)[..., None]
+        return np.asarray((self._whiten @ relative)[..., 0].reshape(*difference.shape[:-3], -1))
+
+
+def draw(random: np.random.Generator, frequency: Array, shape: tuple[int, int, int]) -> Complex:
+    """What made sensors have and the model lacks, relative to their transfer functions.
+
+    Args:
+        random: where the numbers come from.
+        frequency: (n_freq,) Hz.
+        shape: numbers of sensors, points and microphones.
+
+    Returns:
+        (*shape, n_freq) complex128.
+    """
+    columns = _columns(frequency)
+    sensors, points, microphones = shape
+
+    def process(*size: int) -> Complex:
+        parts = random.standard_normal((2, *size, columns.shape[1]))
+        return np.asarray((parts[0] + 1j * parts[1]) / np.sqrt(2) @ columns.T)
+
+    return (
+        COMMON * process(sensors, 1, 1)
+        + OF_MICROPHONE * process(sensors, 1, microphones)
+        + OWN * process(sensors, points, microphones)
+    )
+
+
+def _covariance(frequency: Array) -> Array:
+    apart = np.subtract.outer(np.log(frequency), np.log(frequency)) / SMOOTH
+    return np.asarray(np.exp(-(apart**2) / 2))
+
+
+def _columns(frequency: Array) -> Array:
+    """(n_freq, few) whose product with their transpose is the covariance."""
+    values, vectors = np.linalg.eigh(_covariance(frequency))
+    kept = values > _NEGLIGIBLE * values[-1]
+    return np.asarray(vectors[:, kept] * np.sqrt(values[kept]))

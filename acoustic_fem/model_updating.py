@@ -34,6 +34,8 @@ from geometry.design import ArrayDesign
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
+#: s, standard deviation of what the stated delay of the reference is off by, alike at all points.
+DELAY = 1e-3
 #: Probability below which chi-squared, or the size of the parameters, speaks against the fit.
 _SIGNIFICANCE = 1e-3
 #: A combination of parameters counts as determined where the data say more of it than the prior.
@@ -196,6 +198,17 @@ class Posterior:
         return {name: (float(value), float(deviation)) for name, value, deviation in values}
 
     @property
+    def farthest(self) -> str:
+        """The parameters farthest off, at most three: "gain of microphone A x 1.41, 6.9 deviations"."""
+        order = np.argsort(-np.abs(self.parameters))[:3]
+        names, ratios = self.model.names, self.ratios
+        return "; ".join(
+            f"{names[k]} x {ratios[names[k]][0]:.2f}, {abs(self.parameters[k]):.1f} deviations"
+            for k in order
+            if abs(self.parameters[k]) > abs(self.parameters[order[0]]) / 2
+        )
+
+    @property
     def undetermined(self) -> tuple[str, ...]:
         """Combinations of parameters of which the data say less than the priors, the least known first.
 
@@ -250,6 +263,10 @@ class Update(Posterior):
     """|r|^2 + |u|^2 at the solution."""
     residuals: int
     """Number of residuals, real and imaginary parts."""
+    worst_point: int
+    """Number of the measured point that is farthest from the fit."""
+    delay: float
+    """s that the reference came later than stated."""
     iterations: int
 
     @property
@@ -259,7 +276,7 @@ class Update(Posterior):
         if self.chi_squared > limit:
             return (
                 f"chi-squared = {self.chi_squared:.0f} is above {limit:.0f} for {self.residuals} residuals: no sensor "
-                "of this family is like the measured one"
+                f"of this family is like the measured one; point {self.worst_point} is farthest from the fit"
             )
         size, most = (
             float(self.parameters @ self.parameters),
@@ -268,7 +285,7 @@ class Update(Posterior):
         if size > most:
             return (
                 f"the parameters lie {size:.0f} off their priors, more than {most:.0f} for {self.model.count} of them: "
-                "the sensor is not one of this tolerance"
+                f"the sensor is not one of this tolerance (farthest: {self.farthest})"
             )
         return None
 
@@ -278,6 +295,8 @@ class Update(Posterior):
             "measured_points": list(self.points),
             "chi_squared": self.chi_squared,
             "residuals": self.residuals,
+            "worst_point": self.worst_point,
+            "delay": self.delay,
             "objection": self.objection,
             "iterations": self.iterations,
             **super().summary(),
@@ -292,7 +311,7 @@ def update(model: UpdatedModel, estimates: Mapping[int, TransferEstimate]) -> Up
         estimates: by number of the point, from 1.
 
     Raises:
-        ValueError: no estimate, one of a point that the design does not have, or on other frequencies.
+        ValueError: no estimate, one of a point that the design does not have, on other frequencies, of 0 or not finite.
     """
     points = sorted(estimates)
     if not points:
@@ -303,50 +322,88 @@ def update(model: UpdatedModel, estimates: Mapping[int, TransferEstimate]) -> Up
         found = estimates[number].transfer_function.shape
         if found != shape[1:]:
             raise ValueError(f"point {number} has an estimate of shape {found}; it must be {shape[1:]}")
+        _check_estimate(number, estimates[number])
     rows = [number - 1 for number in points]
     measured = np.stack([estimates[number].transfer_function for number in points])
     noise = np.stack([estimates[number].deviation for number in points])
-    first = _most_probable(model, rows, measured, Discrepancy(model.frequency, measured, noise), np.zeros(model.count))
-    trusted = Discrepancy(model.frequency, model.transfer_function(first.u[None])[0][rows], noise)
-    found = _most_probable(model, rows, measured, trusted, first.u)
-    j = trusted.residuals(model.jacobian(found.u)[:, rows])
+    fitted = _Fitted(model, rows, measured)
+    first = fitted.most_probable(Discrepancy(model.frequency, measured, noise), np.zeros(model.count + 1))
+    trusted = Discrepancy(model.frequency, fitted.expected(first.v), noise)
+    found = fitted.most_probable(trusted, first.v)
+    j = trusted.residuals(fitted.jacobian(found.v))
+    # nobody asks for the delay: what it takes of the information is taken out
+    by_parameters, by_delay = j[:-1], j[-1]
+    with_delay = by_parameters @ by_delay
+    information = by_parameters @ by_parameters.T - np.outer(with_delay, with_delay) / (1 + by_delay @ by_delay)
     return Update.of(
         model,
-        found.u,
-        j @ j.T,
+        found.v[:-1],
+        information,
         points=tuple(points),
         chi_squared=found.value,
         residuals=j.shape[1],
+        worst_point=points[int(trusted.by_point(fitted.expected(found.v) - measured).argmax())],
+        delay=float(DELAY * found.v[-1]),
         iterations=first.iterations + found.iterations,
     )
 
 
+def _check_estimate(number: int, estimate: TransferEstimate) -> None:
+    h, deviation = np.abs(estimate.transfer_function), estimate.deviation
+    if not (np.isfinite(h).all() and h.min() > 0):
+        raise ValueError(f"point {number} has a transfer function of {h.min()} Pa/Pa; it must be finite and not 0")
+    if not (np.isfinite(deviation).all() and deviation.min() >= 0):
+        raise ValueError(f"point {number} has a deviation of {deviation.min()} Pa/Pa; it must be finite, 0 or above")
+
+
 class _Minimum(NamedTuple):
-    u: Array
+    v: Array
     value: float
     iterations: int
 
 
-def _most_probable(model: UpdatedModel, rows: list[int], measured: Complex, trusted: Discrepancy, u: Array) -> _Minimum:
-    """Minimum of |r|^2 + |u|^2 near u (count,), by Gauss-Newton with step halving."""
+class _Fitted:
+    """What would be measured of some points: parameters v (count + 1,), the last one the delay of the reference.
 
-    def objective(u: Array) -> float:
-        r = trusted.residuals(model.transfer_function(u[None])[0][rows] - measured)
-        return float(r @ r + u @ u)
+    Args:
+        model: the family.
+        rows: of the points.
+        measured: (n_point, n_microphone, n_freq) Pa/Pa.
+    """
 
-    value = objective(u)
-    iterations = 0
-    while iterations < _ITERATIONS:
-        iterations += 1
-        r = trusted.residuals(model.transfer_function(u[None])[0][rows] - measured)
-        j = trusted.residuals(model.jacobian(u)[:, rows])
-        step = -np.linalg.solve(j @ j.T + np.eye(model.count), j @ r + u)
-        length = min(1.0, _LONGEST / float(np.abs(step).max()))
-        while (smaller := objective(u + length * step)) > value and length > 1e-4:
-            length /= 2
-        if smaller >= value:
-            break
-        gain, value, u = value - smaller, smaller, u + length * step
-        if gain < 1e-6 * value + 1e-6:
-            break
-    return _Minimum(u, value, iterations)
+    def __init__(self, model: UpdatedModel, rows: list[int], measured: Complex) -> None:
+        self.model, self.rows, self.measured = model, rows, measured
+        self._turn = -2j * np.pi * model.frequency * DELAY
+
+    def expected(self, v: Array) -> Complex:
+        h = self.model.transfer_function(v[None, :-1])[0][self.rows]
+        return np.asarray(h * np.exp(self._turn * v[-1]))
+
+    def jacobian(self, v: Array) -> Complex:
+        """(count + 1, n_point, n_microphone, n_freq)."""
+        by_parameters = self.model.jacobian(v[:-1])[:, self.rows] * np.exp(self._turn * v[-1])
+        return np.concatenate([by_parameters, (self._turn * self.expected(v))[None]])
+
+    def most_probable(self, trusted: Discrepancy, v: Array) -> _Minimum:
+        """Minimum of |r|^2 + |v|^2 near v, by Gauss-Newton with step halving."""
+
+        def objective(v: Array) -> float:
+            r = trusted.residuals(self.expected(v) - self.measured)
+            return float(r @ r + v @ v)
+
+        value = objective(v)
+        iterations = 0
+        while iterations < _ITERATIONS:
+            iterations += 1
+            r = trusted.residuals(self.expected(v) - self.measured)
+            j = trusted.residuals(self.jacobian(v))
+            step = -np.linalg.solve(j @ j.T + np.eye(len(v)), j @ r + v)
+            length = min(1.0, _LONGEST / float(np.abs(step).max()))
+            while (smaller := objective(v + length * step)) > value and length > 1e-4:
+                length /= 2
+            if smaller >= value:
+                break
+            gain, value, v = value - smaller, smaller, v + length * step
+            if gain < 1e-6 * value + 1e-6:
+                break
+        return _Minimum(v, value, iterations)

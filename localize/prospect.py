@@ -1,8 +1,8 @@
 """What a fitted library is worth before anything more is measured: the accuracy to be expected on the made sensor.
 
 A fit to a few points leaves sensors that differ and agree with the measurement equally well. The made one is a draw
-from that posterior; the decoder knows its mean only. How often it names touches of such draws right says whether
-another point should be measured.
+from that posterior, with what the model lacks; the decoder knows its mean only. How often it names touches of such
+draws right says whether another point should be measured.
 """
 
 from __future__ import annotations
@@ -12,6 +12,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from acoustic_fem.model_discrepancy import draw
 from acoustic_fem.model_updating import Posterior
 from localize.bayes import BayesDecoder
 from localize.dataset import response_of
@@ -22,7 +23,7 @@ DRAWS, TOUCHES = 20, 5
 """Sensors, and touches of each of their points."""
 ENOUGH = 0.95
 """Of touches named right: where the worst of these sensors is below, another point should be measured. One in ten would
-be fairer, were there not also what the family of sensors lacks."""
+be fairer, were the posterior exact."""
 
 
 def expected_accuracy(
@@ -42,10 +43,12 @@ def expected_accuracy(
         ValueError: frequencies that do not cover 1 to 100 Hz, or a noise out of range.
     """
     response = response_of(posterior.model.library)
-    random = np.random.default_rng(seed).standard_normal((DRAWS, posterior.model.count))
-    drawn = posterior.parameters + random / np.sqrt(1 + posterior.eigenvalues) @ posterior.directions.T
+    random = np.random.default_rng(seed)
+    apart = random.standard_normal((DRAWS, posterior.model.count)) / np.sqrt(1 + posterior.eigenvalues)
+    drawn = posterior.parameters + apart @ posterior.directions.T
     decoder = BayesDecoder(replace(response, transfer_function=posterior.transfer_function), microphone_noise)
     sensors = np.asarray(posterior.model.transfer_function(drawn))
+    sensors = sensors * (1 + draw(random, posterior.model.frequency, sensors.shape[:3]))
     shares = [
         evaluate(decoder, replace(response, transfer_function=h), TOUCHES, microphone_noise, seed=seed).top1
         for h in sensors

@@ -15,6 +15,8 @@ if TYPE_CHECKING:
 
 #: The manifest of a folder of recordings.
 MANIFEST = "calibration.toml"
+#: s, from which on a delay that the fit found is told.
+_NOTED_DELAY = 3e-4
 
 
 def calibrate(
@@ -87,6 +89,14 @@ def calibrate(
             f"{len(fit.parameters)} combinations of parameters determined"
         )
         print(f"fit not used: {fit.objection}" if fit.objection else _prospect(fit))
+        if abs(fit.delay) > _NOTED_DELAY and not fit.objection:
+            print(f"the calibration microphone came {1e3 * fit.delay:.1f} ms later than stated; the fit allows for it")
+        if fit.objection:
+            print(
+                "warning: measured and designed points beside each other may decode worse than the design's own "
+                f"library; measure point {', '.join(map(str, calibration.missing))} too, or find what is wrong with point "
+                f"{fit.worst_point}"
+            )
     source = "of the design" if fit is not None and fit.objection else "fitted"
     rest = f", {len(calibration.missing)} {source}" if calibration.missing else ""
     print(f"{out}: {len(calibration.estimates)} of {manifest.design.point_count} points measured{rest}")
