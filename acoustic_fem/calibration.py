@@ -13,10 +13,10 @@ from numpy.typing import NDArray
 
 from acoustic_fem.calibration_checks import (
     RecordingFault,
-    can_be_halved,
     check_against_model,
     check_estimate,
     check_signals,
+    check_steady,
 )
 from acoustic_fem.calibration_manifest import REFERENCE, Manifest
 from acoustic_fem.library import MEASURED, Library, labelled
@@ -193,18 +193,11 @@ def _point(
     signals, notes = _without_hum(signals, rate)
     late = np.array([manifest.started_late[name] for name in channels])
     turn = np.exp(-2j * np.pi * frequency * (late[1:] - late[0])[:, None])
-
-    def estimated(part: slice) -> TransferEstimate:
-        found = transfer_estimate(signals[0, part], signals[1:, part], rate, frequency, manifest.estimator)
-        return TransferEstimate(found.transfer_function * turn, found.deviation, found.coherence, found.segments)
-
-    whole = estimated(slice(None))
-    middle = samples // 2
-    halves = None
-    if can_be_halved(samples, rate):
-        halves = estimated(slice(middle)), estimated(slice(middle, None))
     microphones = tuple(manifest.design.microphones)
-    check_estimate(whole, halves, frequency, microphones, manifest.least_coherence)
+    check_steady(signals, rate, frequency, microphones)
+    found = transfer_estimate(signals[0], signals[1:], rate, frequency, manifest.estimator)
+    whole = TransferEstimate(found.transfer_function * turn, found.deviation, found.coherence, found.segments)
+    check_estimate(whole, microphones, manifest.least_coherence)
     notes += check_against_model(whole, expected, number - 1, frequency, microphones, tuple(manifest.pascals.values()))
     weak = [name for name, row in zip(microphones, whole.coherence, strict=True) if np.median(row) < 0.5]
     if weak:
@@ -216,12 +209,17 @@ def read_point(manifest: Manifest, number: int) -> tuple[dict[str, Array], float
     """Channels of a point as they are in its files, their rate in Hz, and the largest values of their formats.
 
     Raises:
-        RecordingFault: a channel that is not there, or files of different rates or lengths.
+        RecordingFault: a channel that is not there, a file of one channel given for two, or files of different rates
+            or lengths.
         SoundFileError: a file that cannot be read.
     """
     files = manifest.points[number]
     sounds: dict[Path, Sound] = {file: read_sound(file) for file in dict.fromkeys(files.values())}
     alone = len(sounds) > 1
+    for file, sound in sounds.items():
+        given = [f"points.{number}.{name}" for name, one in files.items() if one == file]
+        if alone and len(sound.channels) == 1 and len(given) > 1:
+            raise RecordingFault(f"{' and '.join(given)} are {file.name}, which has one channel; each must be its own")
     channels = {
         name: _channel(file, sounds[file], name, manifest.channels[name], alone) for name, file in files.items()
     }

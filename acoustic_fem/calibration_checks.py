@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acoustic_fem.calibration_manifest import REFERENCE
-from acoustic_fem.transfer_estimate import SEGMENT, TransferEstimate, shortest_record
+from acoustic_fem.calibration_steadiness import largest_changes
+from acoustic_fem.transfer_estimate import TransferEstimate, shortest_record
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -27,10 +28,16 @@ MISFIT = 6.0
 BETTER = 0.4
 #: Coherence at the quarter of frequencies with the largest transfer function, below which a microphone is deaf.
 DEAF = 0.2
-#: Largest delay between two recorders that goes without saying, s; and the largest change of it in a recording.
-DELAY, DRIFT = 2e-3, 5e-4
-#: Largest change of level in a recording, dB.
-LEVEL_CHANGE = 1.0
+#: Largest delay between two recorders that goes without saying, s.
+DELAY = 2e-3
+#: Largest changes between two parts of a recording: of the delay, s, less than a sample at 1 kHz, and of the level, dB.
+#: Good recordings of the virtual rig, with ten times its hum and drift too, change by less than 0.25 ms and 0.1 dB.
+DRIFT, LEVEL_CHANGE = 8e-4, 1.0
+#: Share of a channel that is not another one, below which both are the same signal; beside what rounding adds. On the
+#: virtual rig it is 9 % and more.
+SAME = 1e-3
+#: Largest value of a channel, in units of its file.
+SMALLEST, LARGEST = 1e-12, 1e12
 
 
 class RecordingFault(ValueError):
@@ -49,8 +56,8 @@ def check_signals(
         highest: highest frequency that is wanted, Hz.
 
     Raises:
-        RecordingFault: a rate too low, a record too short, or a channel that is not finite, silent, coarse, clipped
-            or interrupted.
+        RecordingFault: a rate too low, a record too short, a channel that is not finite, out of range, silent, coarse,
+            clipped or interrupted, or two that are the same.
     """
     if rate < 2.5 * highest:
         raise RecordingFault(f"sample rate = {rate:g} Hz must be at least {2.5 * highest:g} Hz, 2.5 x {highest:g} Hz")
@@ -61,6 +68,11 @@ def check_signals(
         bad = np.flatnonzero(~np.isfinite(values))
         if len(bad):
             raise RecordingFault(f"channel {name} is not finite at {bad[0] / rate:.3f} s")
+        largest = float(np.abs(values).max())
+        if largest > LARGEST or 0 < largest < SMALLEST:
+            raise RecordingFault(
+                f"largest value of channel {name} = {largest:g} must be between {SMALLEST:g} and {LARGEST:g}"
+            )
         if values.max() == values.min():
             raise RecordingFault(f"channel {name} is silent: its value never changes")
         levels = len(np.unique(values))
@@ -74,47 +86,48 @@ def check_signals(
             raise RecordingFault(
                 f"channel {name} is interrupted for {held[1] / rate:.3f} s from {held[0] / rate:.3f} s on"
             )
+    for one, other in combinations(channels, 2):
+        if _are_same(channels[one], channels[other]):
+            raise RecordingFault(f"channels {one} and {other} are the same signal: one was recorded or copied twice")
 
 
-def check_estimate(
-    estimate: TransferEstimate,
-    halves: tuple[TransferEstimate, TransferEstimate] | None,
-    frequency: Array,
-    microphones: tuple[str, ...],
-    least_coherence: float,
-) -> None:
-    """Refuse what does not hang together: the reference and the microphones, the first half and the second.
+def check_steady(signals: Array, rate: float, frequency: Array, microphones: tuple[str, ...]) -> None:
+    """Refuse what is not of one piece: each microphone against the reference, in all parts of the recording.
+
+    Args:
+        signals: (1 + n_microphone, n_sample), the reference first.
+        rate: Hz.
+        frequency: (n_freq,) Hz.
+        microphones: their names.
 
     Raises:
-        RecordingFault: says which.
+        RecordingFault: a level or a delay that changes.
+    """
+    levels, delays = largest_changes(signals, rate, frequency)
+    for name, level, delay in zip(microphones, levels, delays, strict=True):
+        if delay > DRIFT:
+            raise RecordingFault(
+                f"microphone {name} and the reference drift apart by {1e3 * delay:.1f} ms in the recording: samples "
+                "were lost, or their recorders' clocks differ"
+            )
+        if level > LEVEL_CHANGE:
+            raise RecordingFault(
+                f"level of microphone {name} against the reference changes by {level:.1f} dB in the recording"
+            )
+
+
+def check_estimate(estimate: TransferEstimate, microphones: tuple[str, ...], least_coherence: float) -> None:
+    """Refuse a reference that none of the microphones follows.
+
+    Raises:
+        RecordingFault: with the coherence of the best.
     """
     median = np.median(np.nan_to_num(estimate.coherence), axis=1)
     best = int(np.argmax(median))
-    if halves is not None:
-        _check_halves(halves, best, frequency, microphones[best])
     if median[best] < least_coherence:
         raise RecordingFault(
             f"coherence of microphone {microphones[best]}, the best, is {median[best]:.2f} (median over frequency); it "
             f"must be at least {least_coherence:g}: not driven, too much noise, or not recorded together"
-        )
-
-
-def _check_halves(halves: tuple[TransferEstimate, TransferEstimate], best: int, frequency: Array, name: str) -> None:
-    first, second = (half.transfer_function[best] for half in halves)
-    weight = np.minimum(halves[0].coherence[best], halves[1].coherence[best]) > 0.9
-    if weight.sum() < len(frequency) / 4:
-        return  # a single slow sweep, of which each half holds other frequencies, or no signal at all
-    change = 20 * np.log10(np.median(np.abs(second[weight] / first[weight])))
-    if abs(change) > LEVEL_CHANGE:
-        raise RecordingFault(
-            f"level of microphone {name} against the reference changes by {change:.1f} dB from the first half to the "
-            "second"
-        )
-    drift = common_delay(second[None, weight], first[None, weight], frequency[weight])
-    if abs(drift) > DRIFT:
-        raise RecordingFault(
-            f"microphone {name} and the reference drift apart by {1e3 * drift:.1f} ms from the first half to the "
-            "second: their recorders' clocks differ"
         )
 
 
@@ -157,8 +170,12 @@ def check_against_model(
         for text, changed, other in _explanations(measured, model, point, microphones, pascals):
             if _misfit(changed, other, known) < BETTER * misfit:
                 raise RecordingFault(f"is {misfit:.0f} dB off the design; {text} would explain it")
+    delay = common_delay(measured, model[point], frequency)
+    # a late reference turns phases; polarity is what turns them alike at all frequencies
+    late = delay if abs(delay) > DELAY else 0.0
     low = frequency <= max(10.0, float(frequency[0]))
-    turned = (measured * model[point].conj())[:, low].sum(1).real < 0
+    in_phase = measured * model[point].conj() * np.exp(2j * np.pi * frequency * late)
+    turned = in_phase[:, low].sum(1).real < 0
     if turned.any() and not turned.all():
         names = ", ".join(name for name, is_turned in zip(microphones, turned, strict=True) if is_turned)
         raise RecordingFault(f"polarity of microphone {names} is reversed against the others")
@@ -167,8 +184,7 @@ def check_against_model(
     notes = []
     if misfit > MISFIT:
         notes.append(f"is {misfit:.0f} dB off the design: another sensitivity, or a sensor far from it")
-    delay = common_delay(measured, model[point], frequency)
-    if abs(delay) > DELAY:
+    if late:
         notes.append(
             f"microphones lag by {1e3 * delay:.1f} ms against the design: were the recorders started together? "
             "started_late corrects it"
@@ -177,11 +193,13 @@ def check_against_model(
 
 
 def common_delay(measured: Complex, model: Complex, frequency: Array) -> float:
-    """Delay tau, s, within 0.25 s, that turns the model best into what was measured: H = model exp(-2 pi j f tau)."""
+    """Delay tau, s, within 0.25 s, that turns the model best into what was measured, whatever the polarity of each
+    microphone: H = +- model exp(-2 pi j f tau).
+    """
     ratio = measured * model.conj()
-    unit = (ratio / np.maximum(np.abs(ratio), 1e-300)).sum(0)
+    unit = ratio / np.maximum(np.abs(ratio), 1e-300)
     delays = np.linspace(-0.25, 0.25, 5001)
-    fit = (unit * np.exp(2j * np.pi * delays[:, None] * frequency)).sum(1).real
+    fit = np.abs((unit @ np.exp(2j * np.pi * delays * frequency[:, None])).real).sum(0)
     return float(delays[np.argmax(fit)])
 
 
@@ -236,6 +254,11 @@ def _longest_hold(values: Array) -> tuple[int, int]:
     return int(ends[longest]), int(runs[longest])
 
 
-def can_be_halved(samples: int, rate: float) -> bool:
-    """Whether each half of a record is long enough for an estimate of its own."""
-    return samples / rate >= 2 * shortest_record() + SEGMENT
+def _are_same(one: Array, other: Array) -> bool:
+    """Whether two channels are one signal at two gains, each rounded."""
+    count = min(len(one), len(other))
+    a, b = one[:count] - one[:count].mean(), other[:count] - other[:count].mean()
+    gain = float(a @ b / (a @ a))
+    steps = [float(np.diff(np.unique(values)).min()) for values in (one, other)]
+    rounding = np.hypot(gain * steps[0], steps[1]) / np.sqrt(12)
+    return bool(np.std(b - gain * a) < 2 * rounding + SAME * np.std(b))

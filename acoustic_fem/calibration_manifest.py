@@ -47,7 +47,7 @@ class _File(BaseModel):
     design: str
     points: dict[str, str | dict[str, str]] = Field(min_length=1)
     channels: dict[str, Annotated[int, Field(ge=1, le=1024)]] | None = None
-    pascals: dict[str, Annotated[_Number, Field(gt=0)]] = {}
+    pascals: dict[str, Annotated[_Number, Field(ge=1e-12, le=1e12)]] = {}
     started_late: dict[str, Annotated[_Number, Field(ge=-60, le=60)]] = {}
     estimator: Estimator = "H1"
     least_coherence: Annotated[_Number, Field(ge=0, lt=1)] = 0.9

@@ -89,7 +89,7 @@ def transfer_estimate(
             f"frequency = {frequency.min():g} to {frequency.max():g} Hz must be between 1 and {rate / 2.5:g} Hz, "
             f"the sample rate over 2.5"
         )
-    amplitude = _amplitudes(np.concatenate([reference[None], outputs]), rate, frequency)
+    amplitude = amplitudes(np.concatenate([reference[None], outputs]), rate, frequency)
     count = amplitude.shape[1]
     if count < LEAST_SEGMENTS:
         raise ValueError(
@@ -118,15 +118,22 @@ def transfer_estimate(
     return TransferEstimate(first * scale, deviation * scale, coherence, count)
 
 
-def _amplitudes(signals: Array, rate: float, frequency: Array) -> Complex:
-    """(n_signal, n_segment, n_freq) complex amplitudes, their phases counted from the beginning of the record."""
+def amplitudes(signals: Array, rate: float, frequency: Array, segment: float = SEGMENT) -> Complex:
+    """(n_signal, n_segment, n_freq) complex amplitudes, their phases counted from the beginning of the record.
+
+    Args:
+        signals: (n_signal, n_sample).
+        rate: Hz.
+        frequency: (n_freq,) Hz.
+        segment: s; neighbours overlap by three quarters.
+    """
     import scipy.signal
 
     step = max(1, math.floor(rate / (_OVERSAMPLING * frequency.max())))
     if step > 1:
         # the same filter for all channels leaves their ratios alone
         signals, rate = scipy.signal.resample_poly(signals, 1, step, axis=1, padtype="line"), rate / step
-    size = round(SEGMENT * rate / _PER_SEGMENT) * _PER_SEGMENT
+    size = round(segment * rate / _PER_SEGMENT) * _PER_SEGMENT
     pieces = np.lib.stride_tricks.sliding_window_view(signals, size, axis=1)[:, :: size // _PER_SEGMENT]
     pieces = scipy.signal.detrend(pieces, axis=2, type="linear")
     time = np.arange(size) / rate

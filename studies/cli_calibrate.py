@@ -50,7 +50,7 @@ def calibrate(
     from studies.folders import check_new_file
 
     picture = out.with_suffix(".png")
-    if picture == out:
+    if out.suffix.lower() != ".nc":
         raise ValueError(f"{out}: --out must be a library, .nc; its figure goes beside it as .png")
     check_new_file(out, kept="a measured library")
     check_new_file(picture, kept="the figure of one")

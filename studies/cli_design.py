@@ -81,7 +81,9 @@ def check(
 
 def solve(
     design: Design,
-    out: Annotated[Path, typer.Option(help="The library to write, netCDF.", show_default=False)],
+    out: Annotated[
+        Path, typer.Option(help="The library to write, netCDF (.nc); a measured one is kept.", show_default=False)
+    ],
     fidelity: Annotated[
         Fidelity,
         typer.Option(
@@ -101,10 +103,10 @@ def solve(
     grid = frequency_option(frequencies)
     import acoustic_fem
     from geometry import resolve_design
-    from studies.folders import check_new_file
+    from studies.folders import check_new_library
     from studies.run import cell_lines
 
-    check_new_file(out)
+    check_new_library(out, (".nc",))
     resolved = resolve_design(design)
     with display_on_stderr() as display:
         with display.stage("Cells") as report, named(frequency="--frequencies"):

@@ -72,7 +72,8 @@ def live(
         Path | None,
         typer.Option(
             metavar="FILE.wav",
-            help="Record what comes in, at the rate at which it does; readable even if the program is killed.",
+            help="Record what comes in, at the rate at which it does, to a new file; readable even if the program is "
+            "killed.",
             show_default=False,
         ),
     ] = None,
@@ -97,11 +98,11 @@ def live(
     from studies.folders import check_new_file
 
     check_new_file(out)
-    check_new_file(record)
     if device is not None and replay is not None:
         raise typer.BadParameter("--device must not be given beside --replay")
     if record is not None and replay is not None and record.exists() and record.samefile(replay):
         raise ValueError(f"--record {record} is the file that --replay plays")
+    check_new_file(record, kept="a recording", option="--record")
     from localize.live import LiveListener
     from localize.live_recorder import LiveRecorder
     from localize.recording import check_full_scale

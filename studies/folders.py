@@ -6,7 +6,7 @@ import json
 import os
 import shutil
 import tempfile
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -53,13 +53,14 @@ def claim_folder(out: str | os.PathLike[str], design: str) -> Path:
     return folder
 
 
-def check_new_file(path: Path | None, kept: str | None = None) -> None:
+def check_new_file(path: Path | None, kept: str | None = None, option: str = "--out") -> None:
     """Refuse a file that cannot be written, before any work is done for it.
 
     Args:
         path: of the file; none is nothing to write.
         kept: what it is, where such a file is never overwritten: a design that somebody may have changed, a library
             that nobody can compute again. By default an earlier file is replaced.
+        option: by which it was given.
 
     Raises:
         ValueError: it is a folder, exists and is kept, or its own folder does not exist or cannot be written to.
@@ -67,12 +68,38 @@ def check_new_file(path: Path | None, kept: str | None = None) -> None:
     if path is None:
         return
     if path.is_dir():
-        raise ValueError(f"{path}: is a folder; --out must be a file")
+        raise ValueError(f"{path}: is a folder; {option} must be a file")
     if kept is not None and path.exists():
         raise ValueError(f"{path}: exists, and {kept} is never overwritten; name another file, or remove this one")
     if not path.parent.is_dir():
-        raise ValueError(f"{path}: --out must lie in a folder that exists; there is no {path.parent}")
-    _check_writable(path, path.parent)
+        raise ValueError(f"{path}: {option} must lie in a folder that exists; there is no {path.parent}")
+    _check_writable(path, path.parent, option)
+
+
+def check_new_library(path: Path, formats: Sequence[str]) -> None:
+    """As :func:`check_new_file`, of a library: what can be computed again is replaced, what was measured is kept.
+
+    Args:
+        path: of the file.
+        formats: suffixes that its name may have.
+
+    Raises:
+        ValueError: another suffix, a measured library, or a file that cannot be written.
+    """
+    if path.suffix.lower() not in formats and not path.is_dir():
+        raise ValueError(f"{path}: --out must be a library, {' or '.join(formats)}")
+    check_new_file(path, kept="a measured library" if _is_measured(path) else None)
+
+
+def _is_measured(path: Path) -> bool:
+    from acoustic_fem.exchange import load_exchanged
+    from acoustic_fem.library import MEASURED
+    from acoustic_fem.library_file import LibraryError
+
+    try:
+        return load_exchanged(path).fidelity == MEASURED
+    except LibraryError:  # no file, or no library
+        return False
 
 
 def check_folder(path: Path) -> None:
@@ -84,7 +111,7 @@ def check_folder(path: Path) -> None:
     place = next(folder for folder in (path, *path.absolute().parents) if folder.exists())
     if not place.is_dir():
         raise ValueError(f"{path}: --out must be a folder; {place} is a file")
-    _check_writable(path, place)
+    _check_writable(path, place, "--out")
 
 
 @contextmanager
@@ -147,14 +174,14 @@ def _write_list(path: Path, names: set[str]) -> None:
     write_text(path, "".join(f"{name}\n" for name in sorted(names)))
 
 
-def _check_writable(path: Path, place: Path) -> None:
+def _check_writable(path: Path, place: Path, option: str) -> None:
     # A file without a name is tried: the permission bits say nothing of /proc or of a full or read-only disk.
     try:
         with tempfile.TemporaryFile(dir=place):
             pass
     except OSError as error:
         reason = error.strerror or str(error)
-        raise ValueError(f"{path}: --out cannot be written: {reason}: {place}") from None
+        raise ValueError(f"{path}: {option} cannot be written: {reason}: {place}") from None
 
 
 def _remove(path: Path) -> None:

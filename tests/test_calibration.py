@@ -217,6 +217,7 @@ def test_the_verb_writes_library_and_figure_and_names_what_it_left_out(tmp_path:
     [
         ("made.nc", "made.nc", "made.nc: exists, and a measured library is never overwritten; name another file"),
         ("made.png", "made.nc", "made.png: exists, and the figure of one is never overwritten; name another file"),
+        ("other.nc", "made.txt", "made.txt: --out must be a library, .nc; its figure goes beside it as .png"),
         ("other.nc", "made.png", "made.png: --out must be a library, .nc; its figure goes beside it as .png"),
     ],
 )

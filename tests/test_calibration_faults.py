@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import shutil
+import warnings
 from collections.abc import Callable
 from pathlib import Path
 
@@ -16,6 +17,7 @@ import acoustic_fem
 import geometry
 from acoustic_fem.calibration import Calibration, CalibrationError, calibrate
 from acoustic_fem.calibration_manifest import ManifestError, read_manifest
+from acoustic_fem.calibration_steadiness import largest_changes
 from acoustic_fem.library import Library
 from acoustic_fem.sound_file import Sound, read_sound, write_wav
 from studies.rig import Recorder, Rig
@@ -84,6 +86,14 @@ def fading(row: Signals) -> Signals:
     return row * np.linspace(1.0, 0.4, len(row))
 
 
+def losing(row: Signals) -> Signals:
+    return np.concatenate([row[:22_000], row[22_020:], row[-20:]])
+
+
+def quieter(row: Signals) -> Signals:
+    return row * np.where(np.arange(len(row)) < 22_000, 1.0, 1 / 1.5)
+
+
 def noise(row: Signals) -> Signals:
     return 0.1 * np.random.default_rng(0).standard_normal(len(row))
 
@@ -103,6 +113,16 @@ SIGNAL_FAULTS: dict[str, tuple[Callable[[Signals], Signals], str]] = {
     "one deaf": (with_channel(2, noise), "microphone B has nothing in common with the reference"),
     "clocks": (with_channel(0, drifting), "drift apart by"),
     "fading": (with_channel(0, fading), "changes by"),
+    "one loses samples": (with_channel(1, losing), "microphone A and the reference drift apart by 20.0 ms"),
+    "the other loses samples": (with_channel(2, losing), "microphone B and the reference drift apart by 20.0 ms"),
+    "one grows quieter": (with_channel(1, quieter), "level of microphone A against the reference changes by 3.5 dB"),
+    "the other grows quieter": (with_channel(2, quieter), "level of microphone B against the reference changes by 3.5"),
+    "one channel twice": (lambda signals: signals[[0, 1, 1]], "channels A and B are the same signal"),
+    "one channel at two gains": (
+        lambda signals: np.stack([signals[0], -0.3 * signals[2], signals[2]]),
+        "channels A and B are the same signal",
+    ),
+    "the reference twice": (lambda signals: signals[[0, 0, 2]], "channels reference and A are the same signal"),
     "a channel missing": (lambda signals: signals[:2], "has no channel 3 for B, but 1, 2"),
 }
 
@@ -114,6 +134,80 @@ def test_a_fault_in_the_signals_is_named_and_the_good_point_survives(
     change, message = SIGNAL_FAULTS[fault]
     _, text = judged(spoilt(recorded, tmp_path, change), model)
     assert message in text
+
+
+@pytest.mark.parametrize("seconds", [24.0, 40.0])
+def test_losses_and_changes_are_found_wherever_they_are_and_good_recordings_have_none(seconds: float) -> None:
+    recorder = Recorder(seconds=seconds, hum=2e-2, drift=5e-2)
+    for seed, point in ((1, 1), (2, 7)):
+        good = Rig(DESIGN, seed).signals(point, recorder)
+        levels, delays = largest_changes(good, RATE, GRID)
+        assert levels.max() < 0.2
+        assert delays.max() < 2.5e-4
+        for share in (0.25, 0.7):
+            at = int(share * good.shape[1])
+            for microphone in (0, 1):
+                changed = good.copy()
+                row = good[1 + microphone]
+                changed[1 + microphone] = np.concatenate([row[:at], row[at + 2 :], row[-2:]])
+                _, delays = largest_changes(changed, RATE, GRID)
+                assert delays[microphone] == pytest.approx(2e-3, abs=3e-4)
+                assert delays[1 - microphone] < 2.5e-4
+                changed[1 + microphone] = row * np.where(np.arange(len(row)) < at, 1.0, 1.5)
+                levels, _ = largest_changes(changed, RATE, GRID)
+                assert levels[microphone] == pytest.approx(20 * np.log10(1.5), abs=0.3)
+                assert levels[1 - microphone] < 0.2
+
+
+@pytest.mark.parametrize("late", [-60, 100, 200])
+def test_a_late_reference_is_no_reversed_one(late: int, recorded: Path, model: Library, tmp_path: Path) -> None:
+    def shifted(signals: Signals) -> Signals:
+        return np.stack([np.roll(signals[0], late), *signals[1:]])
+
+    found = calibrate(read_manifest(spoilt(recorded, tmp_path / "late", shifted)), model)
+    assert list(found.estimates) == [BAD, GOOD]
+    (note,) = [finding for finding in found.findings if "lag by" in finding.text]
+    assert note.point == BAD
+    lag = float(note.text.split("lag by ")[1].split(" ms")[0])
+    assert lag == pytest.approx(-late, abs=2.0)
+
+    def reversed_too(signals: Signals) -> Signals:
+        return shifted(signals) * np.array([[1.0], [1.0], [-1.0]])
+
+    _, text = judged(spoilt(recorded, tmp_path / "both", reversed_too), model)
+    assert text == "polarity of microphone B is reversed against the others"
+
+
+@pytest.mark.parametrize("scale", [1e200, 1e-200])
+def test_values_out_of_range_are_named_without_a_warning(
+    scale: float, recorded: Path, model: Library, tmp_path: Path
+) -> None:
+    shutil.copytree(recorded, tmp_path, dirs_exist_ok=True)
+    signals = np.stack(list(read_sound(tmp_path / f"point-{BAD}.wav").channels.values()))
+    np.savez(tmp_path / "a.npz", signals=signals * np.array([[scale], [1.0], [1.0]]), sample_rate=float(RATE))
+    path = tmp_path / "calibration.toml"
+    manifest = tomlkit.parse(path.read_text(encoding="utf-8"))
+    manifest["points"] = {str(GOOD): f"point-{GOOD}.wav", str(BAD): "a.npz"}
+    path.write_text(tomlkit.dumps(manifest), encoding="utf-8")
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        _, text = judged(path, model)
+    assert text.startswith("largest value of channel reference = ")
+    assert text.endswith(" must be between 1e-12 and 1e+12")
+
+
+def test_one_file_of_one_channel_given_for_two_is_named(recorded: Path, model: Library, tmp_path: Path) -> None:
+    shutil.copytree(recorded, tmp_path, dirs_exist_ok=True)
+    signals = np.stack(list(read_sound(tmp_path / f"point-{BAD}.wav").channels.values()))
+    for name, row in zip(("cavity", "a"), signals, strict=False):
+        write_wav(tmp_path / f"{name}.wav", row[None], RATE)
+    path = tmp_path / "calibration.toml"
+    manifest = tomlkit.parse(path.read_text(encoding="utf-8"))
+    twice = {"reference": "cavity.wav", "A": "a.wav", "B": "a.wav"}
+    manifest["points"] = {str(GOOD): f"point-{GOOD}.wav", str(BAD): twice}
+    path.write_text(tomlkit.dumps(manifest), encoding="utf-8")
+    _, text = judged(path, model)
+    assert text == f"points.{BAD}.A and points.{BAD}.B are a.wav, which has one channel; each must be its own"
 
 
 def test_the_recording_of_another_point_is_named(recorded: Path, model: Library, tmp_path: Path) -> None:
@@ -204,6 +298,7 @@ def test_a_fault_in_another_kind_of_file_is_named(fault: str, recorded: Path, mo
         ({"channels": {"reference": 1, "A": 1, "B": 2}}, "all different"),
         ({"pascals": {"C": 1.0}}, "pascals.C must be one of: reference, A, B"),
         ({"pascals": {"A": -1.0}}, "pascals.A = -1.0"),
+        ({"pascals": {"A": 1e300}}, "pascals.A = 1e+300"),
         ({"started_late": {"A": 1e9}}, "started_late.A = 1000000000.0"),
         ({"estimator": "H7"}, "estimator = 'H7'"),
         ({"colour": "blue"}, "colour: extra inputs are not permitted"),

@@ -454,6 +454,7 @@ def places(tmp_path: Path) -> dict[str, Path]:
         ("check array-2x6 --out <none/out.nc>", "must lie in a folder that exists"),
         ("prototypes array", "no prototype is named 'array'"),
         ("solve array-2x6 --out <folder> --fidelity lumped", "is a folder; --out must be a file"),
+        ("solve array-2x6 --out <text.wav>", "text.wav: --out must be a library, .nc"),
         ("solve array-2x6 --out <none/out.nc>", "must lie in a folder that exists"),
         ("solve array-2x6 --out <out.nc> --frequencies 0:100:64", "--frequencies = 0 Hz must be between 0.001 and"),
         ("solve array-2x6 --out <out.nc> --frequencies 1:3000:64", "must be between 0.001 and 2000 Hz"),

@@ -182,6 +182,15 @@ def test_lines_into_a_program_that_ends_are_no_error(folder):
         (("--replay", "{folder}/play.wav", "--full-scale", "0"), "--full-scale = 0.0 Pa must be finite and above 0"),
         (("--replay", "{folder}/model.onnx"), "cut short or not a WAV file"),
         (("--replay", "{folder}/play.wav", "--record", "{folder}/play.wav"), "is the file that --replay plays"),
+        (
+            ("--replay", "{folder}/play.wav", "--record", "{folder}/model.onnx"),
+            "exists, and a recording is never overwritten; name another file, or remove this one",
+        ),
+        (("--replay", "{folder}/play.wav", "--record", "{folder}"), "is a folder; --record must be a file"),
+        (
+            ("--replay", "{folder}/play.wav", "--record", "{folder}/no/x.wav"),
+            "--record must lie in a folder that exists",
+        ),
         (("--replay", "{folder}/play.wav", "--noise", "1"), "--noise = 1.0 is for a library"),
     ],
 )

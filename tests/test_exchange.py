@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -13,7 +14,7 @@ from typer.testing import CliRunner
 import acoustic_fem
 import geometry
 from acoustic_fem.exchange import export, load_exchanged
-from acoustic_fem.library import DEVIATION, VARIABLES, Library, labelled
+from acoustic_fem.library import DEVIATION, MEASURED, VARIABLES, Library, labelled
 from acoustic_fem.library_file import LibraryError
 from geometry.layout import place
 from studies.cli import app
@@ -109,6 +110,27 @@ def test_the_verb_converts_there_and_back(library: Library, tmp_path: Path) -> N
         assert result.exit_code == 0, result.output
         assert "3 points, 2 microphones, 7 frequencies" in result.output
     assert_same(acoustic_fem.load(tmp_path / "again.nc"), library)
+
+
+@pytest.mark.parametrize("suffix", [".nc", ".sofa", ".npz", ".csv"])
+def test_a_measured_library_is_not_replaced_but_a_computed_one_is(
+    library: Library, tmp_path: Path, suffix: str
+) -> None:
+    source, target = tmp_path / "source.npz", tmp_path / f"target{suffix}"
+    export(library, source)
+    verbs = [["convert", str(source)]]
+    if suffix == ".nc":
+        verbs.append(["solve", "array-2x6", "--fidelity", "lumped", "--frequencies", "1:100:4"])
+    for verb in verbs:
+        export(replace(library, fidelity=MEASURED), target)
+        before = target.read_bytes()
+        refused = CliRunner().invoke(app, [*verb, "--out", str(target)])
+        assert str(refused.exception).startswith(f"{target}: exists, and a measured library is never overwritten;")
+        assert target.read_bytes() == before
+        target.unlink()
+        export(library, target)
+        result = CliRunner().invoke(app, [*verb, "--out", str(target)])
+        assert result.exit_code == 0, result.output
 
 
 def test_files_that_are_no_library_are_refused_in_one_line(library: Library, tmp_path: Path) -> None:
