@@ -7,6 +7,9 @@ transfer functions; from there to the parameters of a sensor it is left to torch
 
 The noise that is assumed is white and stands for what a model does not know as well. Where it is high, neighbouring
 points blur into each other and the likelihood has one maximum; the lower, the sharper it is.
+
+Powers are counted from the loudness of the frames, so that louder touches say the same of a sensor, where the noise
+that is assumed is as much louder.
 """
 
 from __future__ import annotations
@@ -33,7 +36,7 @@ COARSE = 2
 NEAR = 25.0
 """Nats: points this far behind the best one of a frame add nothing to it."""
 HELD = 1e-2
-"""Share of the noise that an eigenvector holds at least to count in the information."""
+"""Share of the noise that an eigenvector holds at least, at the loudest touch, to count in the information."""
 UNMOVED = 1e-4
 """Share of the noise that a touch of power 1 must reach in a direction for it to count, where H = 1."""
 _NEWTON_STEPS = 4
@@ -85,11 +88,14 @@ class MarginalLikelihood:
         turn, gain = sampled_waves(fine)
         whiten = whitening(noise)
         waves = (np.sqrt(source_density(fine) * STEP) * gain)[:, None] * (turn @ whiten.T)
+        white = frames @ (whiten @ low_pass()).T
+        # power 1 is that of half of the frames, at their loudest microphone and where H = 1
+        waves *= np.sqrt(np.median((white**2).sum(2).max(1)) / (np.abs(waves) ** 2).sum())
         # directions that no touch moves hold noise alone, whatever the sensor
         _, size, basis = np.linalg.svd(np.concatenate([waves.real, waves.imag]), full_matrices=False)
         basis = basis[size**2 > UNMOVED]
         self._waves = waves @ basis.T
-        self._x = (frames @ (basis @ whiten @ low_pass()).T).reshape(len(frames), -1)
+        self._x = (white @ basis.T).reshape(len(frames), -1)
         self._even, self._odd = interpolation(frequency, fine)
 
     @one_thread()
@@ -127,12 +133,13 @@ class MarginalLikelihood:
 
     @one_thread()
     def information(self, h: Complex, jacobian: Complex) -> Array:
-        """What as many touches, evenly spread, at power 1 and of known points, say of parameters (Fisher).
+        """What touches as loud as these, at the points that each may be of, say of parameters (Fisher).
 
         For a Gaussian of covariance S it is tr(S^-1 dS_a S^-1 dS_b) / 2 per frame. The power of a touch is fitted with
         the parameters (its derivative is dS = C), so that its share is taken out (Schur complement): whatever makes
         all of a point louder, such as the level that the microphones have in common, is not told by touches of
-        unknown loudness.
+        unknown loudness. Each point of a frame counts by its probability, as if it were known; a point that no frame
+        may be of, or none that is above the noise, tells nothing.
 
         Args:
             h: as :meth:`evidence`.
@@ -142,24 +149,36 @@ class MarginalLikelihood:
             (count, count) nats.
         """
         total = np.zeros((len(jacobian), len(jacobian)))
+        found = self._score(self._eigen(h))
         eigen = self._eigen(h, COARSE)
+        share, energy = found.evidence.share[found.frame, found.point], (self._x**2).sum(1)
         for point, (b, values, vectors) in enumerate(zip(eigen.b, eigen.values, eigen.vectors, strict=True)):
-            scaled = vectors / np.sqrt(1 + values)
-            held = values > HELD
+            chosen = (found.point == point) & (share > 0)
+            if not chosen.any():
+                continue
+            weight = share[chosen]
+            # with a wrong sensor the likeliest power may be thousands of times that which is in the frame
+            power = np.minimum(found.power[chosen], energy[found.frame[chosen]] / values.sum())[:, None]
+            held = power.max() * values > HELD
+            if not held.any():
+                continue
             # single precision halves the time, and what comes of it only steers and weighs
-            along = (b @ scaled[:, held]).astype(np.float32)
+            along = (b @ vectors[:, held]).astype(np.float32)
             change = along.T @ (
-                self._sources(jacobian[:, point], COARSE).astype(np.float32) @ scaled.astype(np.float32)
+                self._sources(jacobian[:, point], COARSE).astype(np.float32) @ vectors.astype(np.float32)
             )
+            # of each touch: g / (1 + g value), of S^-1 along the eigenvectors; C is diagonal along them too
+            inverse = power / (1 + power * values)
+            seen = np.sqrt((inverse[:, held] * weight[:, None]).T @ inverse).astype(np.float32)
             inside = change[..., held]
-            both = (inside + inside.transpose(0, 2, 1)).reshape(len(jacobian), -1)
-            rest = change[..., ~held].reshape(len(jacobian), -1)
-            told = 0.5 * (both @ both.T) + rest @ rest.T
-            # C is diagonal along its eigenvectors
-            louder = (values / (1 + values))[held]
-            with_louder = 0.5 * np.einsum("akk,k->a", both.reshape(inside.shape), louder)
-            total += told - 2 * np.outer(with_louder, with_louder) / (louder @ louder)
-        return total * (len(self._x) / (len(h) * TEMPERATURE))
+            both = inside + inside.transpose(0, 2, 1)
+            louder = (inverse * values)[:, held]
+            with_louder = 0.5 * np.einsum("akk->ak", both) @ (inverse[:, held] * louder).T
+            both = (both * seen[:, held]).reshape(len(jacobian), -1)
+            rest = (change * seen)[..., ~held].reshape(len(jacobian), -1)
+            total += 0.5 * (both @ both.T) + rest @ rest.T
+            total -= 2 * (with_louder * (weight / (louder**2).sum(1))) @ with_louder.T
+        return total / TEMPERATURE
 
     def _sources(self, h: Complex, every: int = 1) -> Array:
         """B of (..., n_microphone, n_freq) transfer functions, (..., 2 n_step, size)."""

@@ -11,6 +11,7 @@ import hashlib
 import warnings
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from itertools import combinations
 from typing import Any
 
 import numpy as np
@@ -38,6 +39,9 @@ STAGES = (0.25, 0.12, 0.03)
 """Noise that is assumed, over the level of the touches: half of the frames are louder at their loudest microphone."""
 QUIET = 4.0
 """Times the microphones' noise: frames that are nowhere louder hold no touch."""
+ONE_SIGNAL = 1e-2
+"""Share of a channel's energy that another one, at the best gain, must leave unexplained to be another microphone.
+Copies differ by rounding and by the noise of two inputs; microphones of arrays and of a glove leave 0.36 or more."""
 SEARCHED = 300
 """Frames that a search is made with at most; the last ascent takes all."""
 HELD_OUT = 0.25
@@ -132,14 +136,16 @@ def self_calibrate(
         progress: called with what is being done and the fraction done.
 
     Raises:
-        SelfCalibrationError: fewer than 100 frames with a touch, or touches of a level that is none in pascals.
+        SelfCalibrationError: fewer than 100 frames with a touch, or touches of a level that is none in pascals; a frame
+            given twice, which could lie on both sides of the hold-out; two channels of one signal.
         ValueError: frames of a wrong shape, a silent channel, values that are not finite; a noise out of range; a
             library without the band, or of a design that the lumped batch does not take.
     """
     if not 1e-9 <= microphone_noise <= 10:
         raise ValueError(f"microphone_noise = {microphone_noise} Pa must be between 1e-9 and 10 Pa")
     response = response_of(library)
-    heard = _touched(np.asarray(frames, np.float64), response, microphone_noise)
+    heard = _usable(np.asarray(frames, np.float64), response, microphone_noise)
+    _check_channels(heard, response.microphones)
     level = float(np.median(heard.std(2).max(1)))
     if not LEVELS[0] <= level <= LEVELS[1]:
         raise SelfCalibrationError(
@@ -158,20 +164,53 @@ def self_calibrate(
         )
 
 
-def _touched(frames: Array, response: ArrayResponse, noise: float) -> Array:
-    """Frames that hold a touch."""
+def touched(frames: Array, noise: float) -> NDArray[np.bool_]:
+    """(n,) which frames, (n, n_microphone, 250), hold a touch; one that is not finite is no quiet one."""
+    return np.asarray(~(frames.std(2).max(1, initial=0) <= QUIET * noise))
+
+
+def _usable(frames: Array, response: ArrayResponse, noise: float) -> Array:
+    """Frames that hold a touch, each once."""
     if frames.ndim != 3 or frames.shape[2] != FRAME:
         raise ValueError(f"frames have shape {frames.shape}, must be (n, n_microphone, {FRAME})")
-    # one that is not finite is no quiet one
-    heard = frames[~(frames.std(2).max(1, initial=0) <= QUIET * noise)]
+    number = np.flatnonzero(touched(frames, noise))
+    heard = frames[number]
     if len(heard):
         checked_signals(heard, response.microphones)
+        _check_copies(heard, number)
     if len(heard) < FEWEST:
         raise SelfCalibrationError(
             f"{len(heard)} of {len(frames)} frames hold a touch; a calibration needs at least {FEWEST} "
             f"({FEWEST * FRAME / SAMPLE_RATE:g} s of touches)"
         )
     return heard
+
+
+def _check_copies(frames: Array, number: NDArray[np.int64]) -> None:
+    """Refuse frames, of these numbers, that are there twice."""
+    seen: dict[bytes, int] = {}
+    earlier = [seen.setdefault(frame.tobytes(), k) for k, frame in zip(number.tolist(), frames, strict=True)]
+    copies = np.flatnonzero(earlier != number)
+    if len(copies):
+        raise SelfCalibrationError(
+            f"{len(copies)} of {len(frames)} frames with a touch are copies of others, such as frame "
+            f"{number[copies[0]]} of frame {earlier[copies[0]]} (from 0): a copy of what the search saw judges "
+            "nothing; give each touch once"
+        )
+
+
+def _check_channels(frames: Array, microphones: tuple[str, ...]) -> None:
+    """Refuse channels that hold one signal, at whatever gain and sign."""
+    channels = (frames - frames.mean(2, keepdims=True)).transpose(1, 0, 2).reshape(len(microphones), -1)
+    product = channels @ channels.T
+    for one, other in combinations(range(len(microphones)), 2):
+        correlation = product[one, other] / np.sqrt(product[one, one] * product[other, other])
+        if 1 - correlation**2 < ONE_SIGNAL:
+            raise SelfCalibrationError(
+                f"channels {microphones[one]} and {microphones[other]} hold one signal: in the frames with a touch "
+                f"{microphones[other]} is {product[one, other] / product[one, one]:.3g} times {microphones[one]}, "
+                f"their correlation {correlation:.4f}; each microphone needs a channel of its own"
+            )
 
 
 def _silent(message: str, fraction: float) -> None:

@@ -51,18 +51,32 @@ def recalibrate(
     from localize import SelfCalibrationError, read_recording, self_calibrate
     from localize.array_response import response_of
     from localize.calibration_objections import numbers
-    from localize.frames import cut_frames
+    from localize.frames import FRAME, cut_frames
     from localize.noise import NoiseSpectrum
+    from localize.same_take import find_same_take
+    from localize.self_calibration import touched
 
     present = acoustic_fem.load(library)
     response = response_of(present)
     with named(full_scale="--full-scale"):
         heard = [read_recording(path, response.microphones, full_scale).signals for path in recordings]
-    frames = np.concatenate([cut_frames(torch.from_numpy(signals)[None])[0].numpy() for signals in heard])
+    frames = [cut_frames(torch.from_numpy(signals)[None])[0].numpy() for signals in heard]
     of_microphones = response.noise("design" if noise is None else noise)
     level = of_microphones.rms if isinstance(of_microphones, NoiseSpectrum) else of_microphones
+    # a copy of what the search saw would judge it; the last frame ends with its recording
+    first = [
+        signals.shape[1] % FRAME + FRAME * np.flatnonzero(touched(own, level))
+        for signals, own in zip(heard, frames, strict=True)
+    ]
+    loud = [number for number, own in enumerate(first) if len(own)]
+    same = find_same_take([heard[number].astype(np.float32) for number in loud], [first[number] for number in loud])
+    if same is not None:
+        raise SelfCalibrationError(
+            f"{recordings[loud[same.second]]} is the same take as {recordings[loud[same.first]]}: the correlation of a "
+            f"stretch of them is {same.correlation:.4f}; give each take once"
+        )
     with display_on_stderr() as display, display.stage("Touches") as report, named(microphone_noise="--noise"):
-        found = self_calibrate(present, frames, level, seed=seed, progress=report)
+        found = self_calibrate(present, np.concatenate(frames), level, seed=seed, progress=report)
     if not found.accepted:
         raise SelfCalibrationError(f"refused, {out} is not written and {library} stays: {found.objection}")
     acoustic_fem.save(found.library(), out)

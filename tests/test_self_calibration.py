@@ -14,7 +14,7 @@ import acoustic_fem
 import geometry
 import localize
 from acoustic_fem.library import Library
-from acoustic_fem.model_updating import UpdatedModel
+from acoustic_fem.model_updating import Posterior, UpdatedModel
 from localize.array_response import response_of
 from localize.bayes import NOISE_SHARE
 from localize.calibration_objections import gaps, likeliest_order, numbers
@@ -99,7 +99,25 @@ def test_information_is_symmetric_never_negative_and_grows_with_the_frames() -> 
     assert np.allclose(information, information.T)
     assert np.linalg.eigvalsh(information)[0] > -1e-4 * np.linalg.eigvalsh(information)[-1]
     twice = MarginalLikelihood(GRID, np.tile(touches(truth(), 24)[0], (2, 1, 1)), 0.01)
-    assert np.allclose(twice.information(h, model.jacobian(np.zeros(model.count))), 2 * information, rtol=1e-6)
+    # products are of single precision
+    assert np.allclose(
+        twice.information(h, model.jacobian(np.zeros(model.count))), 2 * information, 1e-6, 1e-6 * information.max()
+    )
+
+
+def test_information_of_touches_adds_up() -> None:
+    """Whatever points they are of, and loud ones and quiet ones: each says what it says."""
+    model = UpdatedModel(nominal())
+    h, jacobian = truth().transfer_function, model.jacobian(np.zeros(model.count))
+    frames, points = touches(truth(), 72)
+    frames[::5] *= 0.1
+
+    def told(chosen: NDArray[np.bool_]) -> Array:
+        return MarginalLikelihood(GRID, frames[chosen], 0.01).information(h, jacobian)
+
+    begin = points < 4
+    both = told(points >= 0)
+    assert np.allclose(told(begin) + told(~begin), both, rtol=1e-4, atol=1e-4 * both.max())
 
 
 def test_touches_of_unknown_loudness_do_not_tell_the_level_that_microphones_have_in_common() -> None:
@@ -111,6 +129,30 @@ def test_touches_of_unknown_loudness_do_not_tell_the_level_that_microphones_have
     against = gain * np.where([name.endswith("A") for name in model.names], 1, -1)
     assert abs(gain @ information @ gain) < 1e-3
     assert against @ information @ against > 10
+
+
+@pytest.mark.parametrize("louder", [0.1, 10.0])
+def test_louder_touches_in_as_much_louder_noise_say_the_same(louder: float) -> None:
+    model = UpdatedModel(nominal())
+    u = calibrated().posterior.parameters
+    h, jacobian = calibrated().posterior.transfer_function, model.jacobian(u)
+    likelihoods = [MarginalLikelihood(GRID, k * heard(), k * calibrated().noise) for k in (1.0, louder)]
+    one, other = (each.information(h, jacobian) for each in likelihoods)
+    assert np.allclose(other, one, rtol=0.01, atol=0.01 * np.abs(one).max())
+    one, other = (Posterior.of(model, u, each).deviation for each in (one, other))
+    assert np.allclose(other, one, rtol=0.01)
+    one, other = (each.evidence(h).frames for each in likelihoods)
+    assert np.allclose(other, one, atol=0.01)
+
+
+def test_the_stated_uncertainty_of_ratios_is_about_what_they_are_off() -> None:
+    """What the model is trusted to is left out."""
+    found, true = calibrated().posterior, truth().transfer_function
+    h, jacobian = found.transfer_function, found.model.jacobian(found.parameters)
+    by_parameters = jacobian[:, :, 0] / h[:, 0] - jacobian[:, :, 1] / h[:, 1]
+    spread = np.einsum("apf,ab,bpf->pf", by_parameters.conj(), found.covariance, by_parameters).real
+    error = np.log(h[:, 0] / h[:, 1] * true[:, 1] / true[:, 0])
+    assert 0.2 < np.sqrt(np.mean(np.abs(error) ** 2 / spread)) < 1.5
 
 
 def test_the_stated_uncertainty_holds_the_level() -> None:
@@ -191,6 +233,22 @@ def test_the_command_writes_nothing_when_it_refuses(
         assert run(monkeypatch, last, tmp_path / "none.npz", "--out", out) == 1
     assert last.read_bytes() == before
     assert not out.exists()
+
+
+def test_one_take_given_twice_is_refused_by_the_names_of_its_files(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Cut elsewhere and at another gain, it holds no frame that is a copy of another one."""
+    acoustic_fem.save(nominal(), tmp_path / "last.nc")
+    take = recording(tmp_path / "monday.npz", heard()[:70])
+    other = recording(tmp_path / "tuesday.npz", heard()[70:])
+    silent = tmp_path / "silent.npz"
+    np.savez(silent, signals=1e-4 * np.random.default_rng(4).standard_normal((2, 4100)))
+    again = tmp_path / "again.npz"
+    np.savez(again, signals=0.9 * np.load(take)["signals"][:, 1111:])
+    assert run(monkeypatch, tmp_path / "last.nc", silent, take, other, again, "--out", tmp_path / "now.nc") == 1
+    assert f"{again} is the same take as {take}: the correlation" in " ".join(capsys.readouterr().err.split())
+    assert not (tmp_path / "now.nc").exists()
 
 
 def test_the_command_never_overwrites_a_library_its_own_least_of_all(
@@ -336,5 +394,13 @@ def test_frames_that_cannot_be_used_are_refused() -> None:
         self_calibrate(nominal(), np.pad(frames, ((0, 0), (0, 0), (0, 50))))
     with pytest.raises(ValueError, match="channel B of signal 0 is silent"):
         self_calibrate(nominal(), frames * np.array([1.0, 0.0])[:, None])
+    with pytest.raises(
+        SelfCalibrationError, match="2 of 122 frames with a touch are copies of others, such as frame 121 of frame 3 "
+    ):
+        self_calibrate(nominal(), np.concatenate([frames, np.zeros((1, 2, 250)), frames[[3, 5]]]), NOISE)
+    for gain in (1.0, -0.3):
+        same = frames[:, :1] * np.array([1.0, gain])[:, None]
+        with pytest.raises(SelfCalibrationError, match=f"channels A and B hold one signal: .* B is {gain:g} times A"):
+            self_calibrate(nominal(), same + 1e-5 * np.random.default_rng(2).standard_normal(same.shape), NOISE)
     with pytest.raises(ValueError, match="microphone_noise = 0 Pa must be between"):
         self_calibrate(nominal(), frames, 0)
