@@ -94,8 +94,8 @@ def calibrate(
         if fit.objection:
             print(
                 "warning: measured and designed points beside each other may decode worse than the design's own "
-                f"library; measure point {', '.join(map(str, calibration.missing))} too, or find what is wrong with point "
-                f"{fit.worst_point}"
+                f"library; measure point {', '.join(map(str, calibration.missing))} too, or find what is wrong with "
+                f"point {fit.worst_point}"
             )
     source = "of the design" if fit is not None and fit.objection else "fitted"
     rest = f", {len(calibration.missing)} {source}" if calibration.missing else ""

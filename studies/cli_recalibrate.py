@@ -41,8 +41,9 @@ def recalibrate(
 
     Example: [bold]acoustic-fem recalibrate made.nc monday.wav tuesday.wav --out now.nc[/bold]
     """
-    from studies.folders import check_new_file
+    from studies.folders import check_new_file, check_new_library
 
+    check_new_library(out, (".nc",))
     check_new_file(out, kept="a calibrated library")
     import numpy as np
     import torch

@@ -53,7 +53,7 @@ def test_more_points_promise_more_and_the_point_farthest_from_them_is_the_least_
     one, three = fitted(model, u, (2,)), fitted(model, u, (2, 12, 22))
     low = [expected_accuracy(fit, NOISE)[0] for fit in (one, three)]
     assert low[0] < low[1]
-    assert low[1] > 0.95
+    assert low[1] > 0.9
     assert least_known(one) > 8
 
 
