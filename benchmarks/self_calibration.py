@@ -43,6 +43,7 @@ KINDS = {
     "2 x 36": Kind("2 x 36"),
     "2 x 36, modulus x 0.85": Kind("2 x 36", 0.85),
     "2 x 36, drifted": Kind("2 x 36", drift=True),
+    "2 x 36, bores of 0.8 mm": Kind("2 x 36, bores of 0.8 mm"),
     "2 x 36, bores of 0.8 mm, modulus x 0.85": Kind("2 x 36, bores of 0.8 mm", 0.85),
     "2 x 36, bores of 0.8 mm, drifted": Kind("2 x 36, bores of 0.8 mm", drift=True),
 }
