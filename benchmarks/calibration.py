@@ -25,7 +25,7 @@ from acoustic_fem.model_updating import Update, UpdatedModel, update
 from geometry.design import ArrayDesign
 from geometry.whole_file import replace_section
 from localize.dataset import response_of
-from localize.prospect import ENOUGH, expected_accuracy
+from localize.prospect import ENOUGH, expected_accuracy, is_enough
 from studies.calibration_priors import fit_priors
 from studies.rig import HiddenScatter, Recorder, Rig
 from studies.rig_parameters import hidden_parameters, rig_tolerances
@@ -112,7 +112,7 @@ def row(name: str, design: ArrayDesign, modulus: float, rigs: int) -> tuple[str,
         known += [fit.transfer_function for fit in fits]
         accuracies.append([accuracy(replace(nominal, transfer_function=h), touched) for h in known])
         low = [fit for fit, share in zip(fits, accuracies[-1][-len(fits) :], strict=True) if share < ENOUGH]
-        unwarned += sum(expected_accuracy(fit)[0] >= ENOUGH for fit in low)
+        unwarned += sum(is_enough(fit, expected_accuracy(fit)) for fit in low)
         print(name, modulus, seed, np.round(100 * np.array(accuracies[-1]), 1), file=sys.stderr, flush=True)
     shares = 100 * np.array(accuracies)
     cells = (f"{mean:.1f} ({worst:.1f})" for mean, worst in zip(shares.mean(0), shares.min(0), strict=True))

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acoustic_fem.model_discrepancy import draw
-from acoustic_fem.model_updating import Posterior
+from acoustic_fem.model_updating import Posterior, Update
 from localize.bayes import BayesDecoder
 from localize.dataset import response_of
 from localize.evaluation import evaluate
@@ -24,6 +24,8 @@ DRAWS, TOUCHES = 20, 5
 ENOUGH = 0.95
 """Of touches named right: where the worst of these sensors is below, another point should be measured. One in ten would
 be fairer, were the posterior exact."""
+FEWEST = 2
+"""Measured points: what fewer of them say of all others rests on the priors, and so does what is expected of them."""
 
 
 def expected_accuracy(
@@ -54,6 +56,16 @@ def expected_accuracy(
         for h in sensors
     ]
     return np.sort(shares)
+
+
+def is_enough(fit: Update, shares: NDArray[np.float64]) -> bool:
+    """Whether no other point needs to be measured.
+
+    Args:
+        fit: to some points.
+        shares: of :func:`expected_accuracy`.
+    """
+    return len(fit.points) >= FEWEST and bool(shares.min() >= ENOUGH)
 
 
 def least_known(posterior: Posterior) -> int:

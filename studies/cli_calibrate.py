@@ -105,7 +105,7 @@ def calibrate(
 
 def _prospect(fit: Update) -> str:
     """What is to be expected of the fitted library, and what to measure next."""
-    from localize.prospect import DRAWS, ENOUGH, expected_accuracy, least_known
+    from localize.prospect import DRAWS, expected_accuracy, is_enough, least_known
     from localize.stimulus import BAND
 
     if fit.model.frequency[0] > BAND[0] or fit.model.frequency[-1] < BAND[1]:
@@ -115,4 +115,4 @@ def _prospect(fit: Update) -> str:
         f"to expect: {100 * shares.mean():.1f} % of touches named right, {100 * shares[0]:.1f} % in the worst of "
         f"{DRAWS} cases"
     )
-    return text if shares[0] >= ENOUGH else f"{text}; warning: measure another point, best point {least_known(fit)}"
+    return text if is_enough(fit, shares) else f"{text}; warning: measure another point, best point {least_known(fit)}"

@@ -10,10 +10,10 @@ import pytest
 import acoustic_fem
 import geometry
 import localize
-from acoustic_fem.model_updating import Posterior, UpdatedModel, update
+from acoustic_fem.model_updating import Posterior, Update, UpdatedModel, update
 from acoustic_fem.transfer_estimate import TransferEstimate
 from localize.dataset import response_of
-from localize.prospect import expected_accuracy, least_known
+from localize.prospect import expected_accuracy, is_enough, least_known
 
 NOISE = 1e-3
 DESIGN = geometry.prototype("array-2x6").with_values({"lines.0.points": 24, "layout.columns": 12})
@@ -24,7 +24,7 @@ def model() -> UpdatedModel:
     return UpdatedModel(acoustic_fem.solve(DESIGN, np.linspace(1.0, 100.0, 20), "lumped"))
 
 
-def fitted(model: UpdatedModel, u: np.ndarray, points: tuple[int, ...]) -> Posterior:
+def fitted(model: UpdatedModel, u: np.ndarray, points: tuple[int, ...]) -> Update:
     h = model.transfer_function(u[None])[0]
     deviation = 0.002 * np.abs(h) + 1e-5
     one = np.ones(h.shape[1:])
@@ -55,6 +55,8 @@ def test_more_points_promise_more_and_the_point_farthest_from_them_is_the_least_
     assert low[0] < low[1]
     assert low[1] > 0.9
     assert least_known(one) > 8
+    sure = np.ones(20)
+    assert (is_enough(one, sure), is_enough(three, sure), is_enough(three, sure - 0.06)) == (False, True, False)
 
 
 def test_frequencies_that_do_not_reach_100_hz_are_refused() -> None:

@@ -263,6 +263,7 @@ def test_the_command_never_overwrites_a_library_its_own_least_of_all(
     assert (tmp_path / "last.nc").read_bytes() == b"the last calibration"
 
 
+@pytest.mark.slow
 def test_touches_of_another_sensor_are_refused() -> None:
     other = DESIGN.with_values({"tube.inner_diameter": 0.6 * DESIGN.tube.inner_diameter})
     h = acoustic_fem.solve(other, GRID, "lumped").transfer_function.values
