@@ -15,7 +15,6 @@ import scipy.stats
 from numpy.typing import NDArray
 
 from acoustic_fem.model_updating import Posterior
-from localize.calibration_search import FARTHEST
 from localize.marginal_likelihood import MarginalLikelihood
 
 Array = NDArray[np.float64]
@@ -48,7 +47,6 @@ GAP = 1 / 12
 at each end, from where a shift of all points by one place begins."""
 UNTOUCHED = 1 / 4
 """Share of the points of a line that may be without a touch."""
-_NAMED = 3  # parameters at most
 
 
 @dataclass(frozen=True)
@@ -172,19 +170,6 @@ class Judged:
         return np.flatnonzero(self.touches == 0)
 
     @property
-    def farthest(self) -> str:
-        """The parameters farthest off, at most three: "gain of microphone A x 1.41, 6.9 deviations"."""
-        u = self.posterior.parameters
-        order = np.argsort(-np.abs(u))[:_NAMED]
-        names, ratios = self.posterior.model.names, self.posterior.ratios
-        return "; ".join(
-            f"{names[k]} x {ratios[names[k]][0]:.2f}, {abs(u[k]):.1f} deviations"
-            + (" or more" if abs(u[k]) >= FARTHEST else "")
-            for k in order
-            if abs(u[k]) > abs(u[order[0]]) / 2
-        )
-
-    @property
     def objection(self) -> str | None:
         """Why it is refused; None where it is accepted."""
         untouched = gaps(self.touches, self.line)
@@ -196,7 +181,7 @@ class Judged:
                 "frame; or it is another sensor"
             )
         if self.explained < EXPLAINED:
-            found = f"; farthest off: {self.farthest}" if self.size > self.largest_size else ""
+            found = f"; farthest off: {self.posterior.farthest}" if self.size > self.largest_size else ""
             if len(untouched):
                 found += f"; no touch is named point {numbers(untouched)}"
             return (
@@ -208,7 +193,7 @@ class Judged:
         if self.size > self.largest_size:
             return (
                 f"the parameters lie {self.size:.0f} off their priors, more than {self.largest_size:.0f}: the sensor "
-                f"is not one of this tolerance ({self.farthest})"
+                f"is not one of this tolerance ({self.posterior.farthest})"
             )
         if len(untouched):
             return (
