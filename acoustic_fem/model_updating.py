@@ -266,7 +266,7 @@ class Update(Posterior):
     worst_point: int
     """Number of the measured point that is farthest from the fit."""
     delay: float
-    """s that the reference came later than stated."""
+    """s that the array's microphones came later than stated, against the reference."""
     iterations: int
 
     @property

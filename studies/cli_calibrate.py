@@ -90,7 +90,8 @@ def calibrate(
         )
         print(f"fit not used: {fit.objection}" if fit.objection else _prospect(fit))
         if abs(fit.delay) > _NOTED_DELAY and not fit.objection:
-            print(f"the calibration microphone came {1e3 * fit.delay:.1f} ms later than stated; the fit allows for it")
+            when = f"{1e3 * abs(fit.delay):.1f} ms {'later' if fit.delay > 0 else 'earlier'}"
+            print(f"the array's microphones came {when} than stated, against the reference; the fit allows for it")
         if fit.objection:
             print(
                 "warning: measured and designed points beside each other may decode worse than the design's own "
