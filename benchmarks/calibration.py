@@ -28,7 +28,7 @@ from localize.dataset import response_of
 from localize.prospect import ENOUGH, expected_accuracy, is_enough
 from studies.calibration_priors import fit_priors
 from studies.rig import HiddenScatter, Recorder, Rig
-from studies.rig_parameters import hidden_parameters, rig_tolerances
+from studies.rig_parameters import rig_tolerances, within_95
 
 PAGE = Path(__file__).parents[1] / "docs" / "calibration.md"
 BEGIN, END = "<!-- rigs: made by benchmarks/calibration.py -->", "<!-- end -->"
@@ -74,10 +74,8 @@ class Kept:
 
     def count(self, fit: Update, rig: Rig, truth: np.ndarray) -> None:
         """What a fit states of the parameters and of the responses of all points."""
-        for name, (value, row) in hidden_parameters(rig, fit.model).items():
-            away = np.log(value) - row @ fit.parameters
-            inside = bool(np.abs(away) < 1.96 * np.sqrt(row @ fit.covariance @ row))
-            self.parameters[name.split(" of ")[0]].append(inside)
+        for part, is_inside in within_95(rig, fit):
+            self.parameters[part].append(is_inside)
         inside = np.abs(fit.transfer_function - truth) < np.sqrt(-2 * np.log(0.05)) * fit.deviation
         self.responses.append(float(inside.mean()))
 

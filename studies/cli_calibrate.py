@@ -88,16 +88,17 @@ def calibrate(
             f"fit: chi-squared {fit.chi_squared:.0f} for {fit.residuals} residuals; {determined} of "
             f"{len(fit.parameters)} combinations of parameters determined"
         )
-        print(f"fit not used: {fit.objection}" if fit.objection else _prospect(fit))
-        if abs(fit.delay) > _NOTED_DELAY and not fit.objection:
-            when = f"{1e3 * abs(fit.delay):.1f} ms {'later' if fit.delay > 0 else 'earlier'}"
-            print(f"the array's microphones came {when} than stated, against the reference; the fit allows for it")
         if fit.objection:
             print(
-                "warning: measured and designed points beside each other may decode worse than the design's own "
-                f"library; measure point {', '.join(map(str, calibration.missing))} too, or find what is wrong with "
-                f"point {fit.worst_point}"
+                f"fit not used: {fit.objection}\nwarning: measured and designed points beside each other may decode "
+                "worse than the design's own library; measure point "
+                f"{', '.join(map(str, calibration.missing))} too, or find what is wrong with point {fit.worst_point}"
             )
+        else:
+            print(_prospect(fit))
+            if abs(fit.delay) > _NOTED_DELAY:
+                when = f"{1e3 * abs(fit.delay):.1f} ms {'later' if fit.delay > 0 else 'earlier'}"
+                print(f"the array's microphones came {when} than stated, against the reference; the fit allows for it")
     source = "of the design" if fit is not None and fit.objection else "fitted"
     rest = f", {len(calibration.missing)} {source}" if calibration.missing else ""
     print(f"{out}: {len(calibration.estimates)} of {manifest.design.point_count} points measured{rest}")

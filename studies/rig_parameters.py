@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acoustic_fem.batch_parameters import ArrayParameters
-from acoustic_fem.model_updating import UpdatedModel
+from acoustic_fem.model_updating import Posterior, UpdatedModel
 from studies.rig import HiddenScatter, Rig
 from studies.scatter import Tolerance
 
@@ -69,3 +69,12 @@ def hidden_parameters(rig: Rig, model: UpdatedModel) -> dict[str, tuple[float, A
     rows[own, common] = -model.scale[common]
     stated = [n for n, name in enumerate(model.names) if not name.endswith("all membranes")]
     return {model.names[n]: (float(value), rows[n]) for n, value in zip(stated, values, strict=True)}
+
+
+def within_95(rig: Rig, fit: Posterior) -> list[tuple[str, bool]]:
+    """Of each true value: what it is of, such as ``bore``, and whether it lies in the 95 % band that the fit states."""
+    found = []
+    for name, (value, row) in hidden_parameters(rig, fit.model).items():
+        away = np.log(value) - row @ fit.parameters
+        found.append((name.split(" of ")[0], bool(abs(away) < 1.96 * np.sqrt(row @ fit.covariance @ row))))
+    return found
