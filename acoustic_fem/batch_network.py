@@ -87,7 +87,7 @@ def batch_response(
         medium: the air of all, or of each design.
 
     Raises:
-        ValueError: a bad frequency grid, or parameters that do not fit the topology or are out of range.
+        Refusal: a bad frequency grid, or parameters that do not fit the topology or are out of range.
     """
     grid = frequency_grid(frequency)
     check_parameters(parameters, topology)

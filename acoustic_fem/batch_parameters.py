@@ -21,6 +21,7 @@ from acoustic_fem.microphone import _elements as elements
 from acoustic_fem.units import cubic_metres, metres
 from geometry.design import ArrayDesign
 from geometry.design_parts import Tube
+from geometry.refusal import Refusal
 
 
 @dataclass(frozen=True)
@@ -59,11 +60,11 @@ class Topology:
         reached = {0}
         for number, line in enumerate(self.lines):
             if not (0 <= line.first < count and 0 <= line.last < count) or line.first == line.last:
-                raise ValueError(
+                raise Refusal(
                     f"lines.{number} joins microphones {line.first} and {line.last}; must be two of 0 to {count - 1}"
                 )
             if not line.points or len(line.tubes) != len(line.points) + 1:
-                raise ValueError(
+                raise Refusal(
                     f"lines.{number} has {len(line.points)} points and {len(line.tubes)} tubes; "
                     f"it must have at least one point and one tube more than points"
                 )
@@ -72,7 +73,7 @@ class Topology:
                 end for line in self.lines if reached & {line.first, line.last} for end in (line.first, line.last)
             }
         if len(reached) < count:
-            raise ValueError(f"microphone {min(set(range(count)) - reached)} is not joined to microphone 0 by lines")
+            raise Refusal(f"microphone {min(set(range(count)) - reached)} is not joined to microphone 0 by lines")
 
     @classmethod
     def of(cls, design: ArrayDesign) -> Topology:
@@ -162,15 +163,15 @@ class ArrayParameters:
         """The same for several designs of one topology.
 
         Raises:
-            ValueError: no design, designs that are wired in different ways, a cavity that is no cylinder, or a
+            Refusal: no design, designs that are wired in different ways, a cavity that is no cylinder, or a
                 pre-stretched membrane with loss.
         """
         if not designs:
-            raise ValueError("designs is empty; a batch needs at least one")
+            raise Refusal("designs is empty; a batch needs at least one")
         topology = Topology.of(designs[0])
         for number, design in enumerate(designs):
             if Topology.of(design) != topology:
-                raise ValueError(f"designs.{number} ({design.name}) is not wired as designs.0 ({designs[0].name})")
+                raise Refusal(f"designs.{number} ({design.name}) is not wired as designs.0 ({designs[0].name})")
         rows = [_row(design, medium or design_air(design)) for design in designs]
         return cls(**{name: np.array([row[name] for row in rows], dtype=np.float64) for name in rows[0]})
 
@@ -239,7 +240,7 @@ def check_parameters(parameters: ArrayParameters, topology: Topology) -> None:
     """Shapes, kinds and ranges of the numbers against the topology.
 
     Raises:
-        ValueError: with the field, what it is and what it must be.
+        Refusal: with the field, what it is and what it must be.
     """
     columns = {
         "tube": 1 + max(column for line in topology.lines for column in line.tubes),
@@ -250,23 +251,23 @@ def check_parameters(parameters: ArrayParameters, topology: Topology) -> None:
     for field in fields(parameters):
         values = getattr(parameters, field.name)
         if namespace(values) is not xp:
-            raise ValueError(f"{field.name} is a {type(values).__name__}; all fields must be arrays of {xp.__name__}")
+            raise Refusal(f"{field.name} is a {type(values).__name__}; all fields must be arrays of {xp.__name__}")
         if values.dtype != xp.float64:
-            raise ValueError(f"{field.name} is {values.dtype}; it must be float64")
+            raise Refusal(f"{field.name} is {values.dtype}; it must be float64")
         shape, needed = tuple(values.shape), columns[PART[field.name]]
         more = ", n_mode" if field.name in ("membrane_share", "membrane_frequency") else ""
         if len(shape) != (3 if more else 2) or shape[0] not in (1, count) or shape[1] != needed:
-            raise ValueError(
+            raise Refusal(
                 f"{field.name} has shape {shape}; it must be ({count}, {needed}{more}) or (1, {needed}{more})"
             )
         may_vanish = field.name in ("membrane_loss", "membrane_share")
         fits = xp.isfinite(values) & ((values >= 0) if may_vanish else (values > 0))
         if not bool(fits.all()):
             bound = "at least 0" if may_vanish else "above 0"
-            raise ValueError(f"{field.name} = {float(values[~fits].flatten()[0]):g} must be finite and {bound}")
+            raise Refusal(f"{field.name} = {float(values[~fits].flatten()[0]):g} must be finite and {bound}")
     modes = tuple(parameters.membrane_share.shape)[2], tuple(parameters.membrane_frequency.shape)[2]
     if modes[0] != modes[1] or modes[0] == 0:
-        raise ValueError(
+        raise Refusal(
             f"membrane_share has {modes[0]} modes and membrane_frequency {modes[1]}; both need the same, >= 1"
         )
 
@@ -275,18 +276,18 @@ def check_medium(medium: MediumParameters, count: int, xp: ModuleType) -> int:
     """Shapes and kinds of a gas for each design; returns the number of designs.
 
     Raises:
-        ValueError: with the field, what it is and what it must be.
+        Refusal: with the field, what it is and what it must be.
     """
     sizes = {tuple(getattr(medium, field.name).shape) for field in fields(medium)}
     rows = max(max(size, default=0) for size in sizes)
     for field in fields(medium):
         values = getattr(medium, field.name)
         if namespace(values) is not xp or values.dtype != xp.float64:
-            raise ValueError(f"medium.{field.name} must be a float64 array of {xp.__name__}, as the parameters are")
+            raise Refusal(f"medium.{field.name} must be a float64 array of {xp.__name__}, as the parameters are")
         if tuple(values.shape) not in ((1,), (rows,)) or (count > 1 and rows not in (1, count)):
-            raise ValueError(f"medium.{field.name} has shape {tuple(values.shape)}; it must be ({count},) or (1,)")
+            raise Refusal(f"medium.{field.name} has shape {tuple(values.shape)}; it must be ({count},) or (1,)")
         if not bool((xp.isfinite(values) & (values > 0)).all()):
-            raise ValueError(f"medium.{field.name} must be finite and above 0")
+            raise Refusal(f"medium.{field.name} must be finite and above 0")
     return max(rows, count)
 
 
@@ -300,12 +301,12 @@ def _row(design: ArrayDesign, medium: Medium) -> dict[str, list[Any]]:
     disc = design_disc(design)
     loss = design.material(design.membrane.material).loss_factor
     if np.any(disc.model.geometric) and loss > 0:
-        raise ValueError(
+        raise Refusal(
             f"membrane.stretch = {design.membrane.stretch:g} must be 1 in a batch: the tension has no loss, so the "
             f"modes do not share the loss factor {loss:g} of {design.membrane.material!r}; solve() takes it"
         )
     if design.resonator.shape != "cylinder":
-        raise ValueError(
+        raise Refusal(
             f"resonator.shape = {design.resonator.shape!r} must be 'cylinder' in a batch, which has closed forms only; "
             "solve() takes it at every fidelity"
         )

@@ -27,6 +27,7 @@ from acoustic_fem.condensed import Physics, condense
 from acoustic_fem.medium import Medium
 from acoustic_fem.section import MeshedSection
 from acoustic_fem.units import metres
+from geometry.refusal import Refusal
 from geometry.wound_tube import FIRST, LAST, Winding, swept_mesh
 
 #: Length of the piece that is solved, in bore radii.
@@ -88,7 +89,7 @@ def solve_bent_bores(
         One line per winding.
 
     Raises:
-        ValueError: a bore as wide as the bend, frequencies at which the mesh does not resolve the layer at the
+        Refusal: a bore as wide as the bend, frequencies at which the mesh does not resolve the layer at the
             wall, or another bad value, by name.
         LinearSolverError: a solve misses its residual limit.
         SweepError: the sweep does not reach its tolerance.
@@ -118,16 +119,16 @@ def check_bent_bore(
     """What :func:`solve_bent_bores` refuses, without solving; returns the frequencies as an array.
 
     Raises:
-        ValueError: as there.
+        Refusal: as there.
     """
     bore = float(positive("radius", radius, "m"))
     for winding in windings:
         if not bore * winding.curvature < metres(1.0):
-            raise ValueError(f"radius = {bore:g} m must be below the bend's radius {metres(1 / winding.curvature):g} m")
+            raise Refusal(f"radius = {bore:g} m must be below the bend's radius {metres(1 / winding.curvature):g} m")
     grid = frequency_grid(frequency)
     highest = LARGEST_SHEAR_NUMBER**2 * medium.kinematic_viscosity / (2 * np.pi * bore**2)
     if grid[-1] > highest:
-        raise ValueError(
+        raise Refusal(
             f"frequency = {grid[-1]:g} Hz must be at most {highest:.4g} Hz for a bore of radius {bore:g} m: above, "
             "the viscous layer is thinner than the elements"
         )

@@ -25,6 +25,7 @@ from acoustic_fem.provenance import versions
 from acoustic_fem.sound_file import Sound, SoundFileError, read_sound
 from acoustic_fem.transfer_estimate import TransferEstimate, transfer_estimate
 from geometry.layout import place
+from geometry.refusal import Refusal
 
 Array = NDArray[np.float64]
 
@@ -36,7 +37,7 @@ _HUM = 15.0
 _HUM_WIDTH = 0.1
 
 
-class CalibrationError(ValueError):
+class CalibrationError(Refusal):
     """Recordings of which none can be used."""
 
 
@@ -83,21 +84,21 @@ class Calibration:
             fit: of :func:`acoustic_fem.model_updating.update`, on the estimates of this calibration.
 
         Raises:
-            ValueError: a model of another design or other frequencies, a fit with an objection, or points without a
+            Refusal: a model of another design or other frequencies, a fit with an objection, or points without a
                 recording, a fit and a deviation.
         """
         _check_model(model, self.manifest, self.frequency)
         if fit is not None and fit.objection is not None:
-            raise ValueError(f"fit must have no objection: {fit.objection}")
+            raise Refusal(f"fit must have no objection: {fit.objection}")
         h = model.transfer_function.transpose("point", "microphone", "frequency").values.copy()
         if fit is not None:
             h, deviation = fit.transfer_function.copy(), fit.deviation.copy()
         elif model_deviation is not None:
             deviation = np.array(model_deviation, dtype=np.float64)
             if deviation.shape != h.shape:
-                raise ValueError(f"model_deviation has shape {deviation.shape}; it must be {h.shape}")
+                raise Refusal(f"model_deviation has shape {deviation.shape}; it must be {h.shape}")
         elif self.missing:
-            raise ValueError(f"model_deviation must be given: point {self.missing[0]} has no recording")
+            raise Refusal(f"model_deviation must be given: point {self.missing[0]} has no recording")
         else:
             deviation = np.empty(h.shape)
         if fit is None:
@@ -144,7 +145,7 @@ def calibrate(manifest: Manifest, model: Library, progress: Callable[[str, float
         progress: called with what is being done and the fraction done.
 
     Raises:
-        ValueError: a model of another design.
+        Refusal: a model of another design.
         CalibrationError: no recording can be used; says why the first cannot.
     """
     frequency = model.frequency
@@ -268,9 +269,9 @@ def _without_hum(signals: Array, rate: float) -> tuple[Array, tuple[str, ...]]:
 def _check_model(model: Library, manifest: Manifest, frequency: Array) -> None:
     design = manifest.design
     if (model.design.point_count, model.design.microphones) != (design.point_count, design.microphones):
-        raise ValueError(
+        raise Refusal(
             f"model of {model.design.name} with {model.design.point_count} points must be of {design.name} with "
             f"{design.point_count}"
         )
     if not np.array_equal(model.frequency, frequency):
-        raise ValueError("model must have the frequencies of the calibration")
+        raise Refusal("model must have the frequencies of the calibration")

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from acoustic_fem.calibration_manifest import REFERENCE
 from acoustic_fem.calibration_steadiness import largest_changes
 from acoustic_fem.transfer_estimate import TransferEstimate, shortest_record
+from geometry.refusal import Refusal
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -40,7 +41,7 @@ SAME = 1e-3
 SMALLEST, LARGEST = 1e-12, 1e12
 
 
-class RecordingFault(ValueError):
+class RecordingFault(Refusal):
     """A recording that cannot be used: the reason, without its file."""
 
 

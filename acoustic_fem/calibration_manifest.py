@@ -29,6 +29,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from acoustic_fem.transfer_estimate import Estimator
 from geometry.design import ArrayDesign
 from geometry.design_file import prototype_names, resolve_design
+from geometry.refusal import Refusal
 from geometry.text_file import read_text
 
 #: The channel of the calibration microphone.
@@ -37,7 +38,7 @@ REFERENCE = "reference"
 _Number = Annotated[float, Field(allow_inf_nan=False)]
 
 
-class ManifestError(ValueError):
+class ManifestError(Refusal):
     """A manifest that cannot be used: one line that names the file, the field and the reason."""
 
 

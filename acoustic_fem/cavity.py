@@ -31,7 +31,7 @@ def closed_cylinder_compliance(
         Shape of frequency, complex128; series with summed tail, relative error below 1e-8.
 
     Raises:
-        ValueError: a radius, height or frequency that is not finite and positive.
+        Refusal: a radius, height or frequency that is not finite and positive.
     """
     positive("radius", radius, "m")
     positive("height", height, "m")

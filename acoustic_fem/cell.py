@@ -19,6 +19,7 @@ from acoustic_fem.checks import frequency_grid, in_range, numbers, port_points
 from acoustic_fem.medium import Medium
 from acoustic_fem.refinement import BEST_ORDER, Refinement, refined
 from acoustic_fem.units import metres
+from geometry.refusal import Refusal
 
 if TYPE_CHECKING:
     import cadquery
@@ -88,7 +89,7 @@ def port_admittance(
         pressure, ports in the order given; (n_port, n_port) at one frequency. Symmetric.
 
     Raises:
-        ValueError: bad frequencies, ports, fidelity or accuracy, with the value and what is allowed.
+        Refusal: bad frequencies, ports, fidelity or accuracy, with the value and what is allowed.
         MeshError: the solid cannot be meshed, or a port lies on no flat face.
         LinearSolverError: a solve misses its residual limit.
         ConvergenceError: three refinements do not reach the accuracy.
@@ -131,7 +132,7 @@ def solve_solid(
     physics = checked_physics(fidelity)
     ports = port_points(ports)
     if not isinstance(medium, Medium):
-        raise ValueError(f"medium must be a Medium, not a {type(medium).__name__}")
+        raise Refusal(f"medium must be a Medium, not a {type(medium).__name__}")
     shape = as_shape(solid)
     box = shape.BoundingBox()
     solids = shape.Solids()
@@ -257,35 +258,35 @@ def checked_physics(fidelity: str) -> Physics:
     """The fidelity as a 3-D model.
 
     Raises:
-        ValueError: another name.
+        Refusal: another name.
     """
     if fidelity == "navier-stokes":
         return "navier-stokes"
     if fidelity == "helmholtz":
         return "helmholtz"
-    raise ValueError(f"fidelity = {fidelity!r} must be one of {', '.join(PHYSICS)} for a 3-D cell")
+    raise Refusal(f"fidelity = {fidelity!r} must be one of {', '.join(PHYSICS)} for a 3-D cell")
 
 
 def as_shape(solid: cadquery.Shape | cadquery.Workplane | str | PathLike[str]) -> cadquery.Shape:
     """The one shape that was given, read from a STEP file where a path was.
 
     Raises:
-        ValueError: no such file, no STEP file, or not one shape.
+        Refusal: no such file, no STEP file, or not one shape.
     """
     import cadquery as cq
 
     if isinstance(solid, str | PathLike):
         path = Path(solid)
         if not path.is_file():
-            raise ValueError(f"solid = {str(path)!r} must be the path of a STEP file; there is no such file")
+            raise Refusal(f"solid = {str(path)!r} must be the path of a STEP file; there is no such file")
         try:
             solid = cq.importers.importStep(str(path))
         except Exception as error:
-            raise ValueError(f"{path}: no STEP file that can be read ({error})") from error
+            raise Refusal(f"{path}: no STEP file that can be read ({error})") from error
     shapes = solid.vals() if isinstance(solid, cq.Workplane) else [solid]
     if len(shapes) != 1 or not isinstance(shapes[0], cq.Shape):
         held = ", ".join(type(shape).__name__ for shape in shapes) or "nothing"
-        raise ValueError(f"solid must be one CadQuery shape, it holds {held}")
+        raise Refusal(f"solid must be one CadQuery shape, it holds {held}")
     return shapes[0]
 
 

@@ -7,21 +7,23 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from geometry.refusal import Refusal
+
 
 def numbers(name: str, values: ArrayLike) -> NDArray[np.float64]:
     """The values as a float64 array.
 
     Raises:
-        ValueError: naming the field and what it holds instead: complex numbers, texts, rows of unequal length.
+        Refusal: naming the field and what it holds instead: complex numbers, texts, rows of unequal length.
     """
     rule = f"{name} must be a real number or an array of them"
     try:
         array = np.asarray(values)
     except ValueError:
-        raise ValueError(f"{rule}; its rows have different lengths") from None
+        raise Refusal(f"{rule}; its rows have different lengths") from None
     if array.dtype.kind not in "biuf":
         kind = {"c": "complex", "U": "text", "S": "text"}.get(array.dtype.kind, f"{array.dtype}")
-        raise ValueError(f"{rule}; it is {kind}: {values!r:.60}")
+        raise Refusal(f"{rule}; it is {kind}: {values!r:.60}")
     return np.asarray(array, dtype=np.float64)
 
 
@@ -29,20 +31,20 @@ def port_points(ports: Mapping[str, ArrayLike]) -> dict[str, tuple[float, float,
     """Names of ports and a point (x, y, z) in mm on each.
 
     Raises:
-        ValueError: no mapping, no port, a name that is no text, empty or ``wall`` (every face that is no port), or
+        Refusal: no mapping, no port, a name that is no text, empty or ``wall`` (every face that is no port), or
             a point that is not three finite numbers.
     """
     if not isinstance(ports, Mapping):
-        raise ValueError(f"ports must map names to points, not be a {type(ports).__name__}")
+        raise Refusal(f"ports must map names to points, not be a {type(ports).__name__}")
     if not ports:
-        raise ValueError("ports must name at least one port")
+        raise Refusal("ports must name at least one port")
     points = {}
     for name, place in ports.items():
         if not isinstance(name, str) or name in ("", "wall"):
-            raise ValueError(f"ports has the name {name!r}; it must be a text, not empty and not 'wall'")
+            raise Refusal(f"ports has the name {name!r}; it must be a text, not empty and not 'wall'")
         point = numbers(f"port {name!r}", place)
         if point.shape != (3,) or not np.isfinite(point).all():
-            raise ValueError(f"port {name!r} = {place!r:.60} must be a point of three finite numbers, mm")
+            raise Refusal(f"port {name!r} = {place!r:.60} must be a point of three finite numbers, mm")
         points[name] = (float(point[0]), float(point[1]), float(point[2]))
     return points
 
@@ -51,13 +53,13 @@ def in_range(name: str, value: float, low: float, high: float, unit: str = "") -
     """The value as a float if it is finite and within [low, high].
 
     Raises:
-        ValueError: naming the field, the value and the range.
+        Refusal: naming the field, the value and the range.
     """
     unit = f" {unit}" if unit else ""
     if numbers(name, value).ndim:
-        raise ValueError(f"{name} = {value!r:.60} must be one number")
+        raise Refusal(f"{name} = {value!r:.60} must be one number")
     if not low <= float(value) <= high:
-        raise ValueError(f"{name} = {float(value):g}{unit} must be between {low:g} and {high:g}{unit}")
+        raise Refusal(f"{name} = {float(value):g}{unit} must be between {low:g} and {high:g}{unit}")
     return float(value)
 
 
@@ -65,12 +67,12 @@ def positive(name: str, values: ArrayLike, unit: str) -> NDArray[np.float64]:
     """The values as a float64 array if all are finite and above 0.
 
     Raises:
-        ValueError: naming the field, the first bad value and the range.
+        Refusal: naming the field, the first bad value and the range.
     """
     array = numbers(name, values)
     bad = ~(np.isfinite(array) & (array > 0))
     if bad.any():
-        raise ValueError(f"{name} = {array[bad].flat[0]:g} {unit} must be finite and above 0 {unit}")
+        raise Refusal(f"{name} = {array[bad].flat[0]:g} {unit} must be finite and above 0 {unit}")
     return array
 
 
@@ -81,7 +83,7 @@ def stated_grid(text: str) -> NDArray[np.float64]:
         (n_freq,) float64, Hz.
 
     Raises:
-        ValueError: not two numbers and a count.
+        Refusal: not two numbers and a count.
     """
     try:
         first, last, count = text.split(":")
@@ -89,7 +91,7 @@ def stated_grid(text: str) -> NDArray[np.float64]:
             raise ValueError
         return np.linspace(float(first), float(last), int(count))
     except ValueError:
-        raise ValueError(
+        raise Refusal(
             f"{text!r} must be FIRST:LAST:COUNT in Hz, such as 1:100:64, with COUNT from 1 to 100000"
         ) from None
 
@@ -101,16 +103,16 @@ def frequency_grid(frequency: ArrayLike, low: float = 1e-3, high: float = 2e3) -
     frequency falls.
 
     Raises:
-        ValueError: not real numbers, empty, not 1-D, not ascending, not finite or out of range, with the value.
+        Refusal: not real numbers, empty, not 1-D, not ascending, not finite or out of range, with the value.
     """
     grid = numbers("frequency", frequency)
     if grid.ndim != 1 or grid.size == 0:
-        raise ValueError(f"frequency has shape {grid.shape}; it must be a 1-D array of at least one value in Hz")
+        raise Refusal(f"frequency has shape {grid.shape}; it must be a 1-D array of at least one value in Hz")
     bad = ~((grid >= low) & (grid <= high))
     if bad.any():
-        raise ValueError(f"frequency = {grid[bad][0]:g} Hz must be between {low:g} and {high:g} Hz")
+        raise Refusal(f"frequency = {grid[bad][0]:g} Hz must be between {low:g} and {high:g} Hz")
     falling = np.flatnonzero(np.diff(grid) <= 0)
     if falling.size:
         first = falling[0]
-        raise ValueError(f"frequency must ascend: {grid[first + 1]:g} Hz follows {grid[first]:g} Hz")
+        raise Refusal(f"frequency must ascend: {grid[first + 1]:g} Hz follows {grid[first]:g} Hz")
     return grid

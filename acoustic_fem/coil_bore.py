@@ -31,6 +31,7 @@ from acoustic_fem.checks import positive
 from acoustic_fem.duct import Line, diffusion_rate
 from acoustic_fem.frequency import reduce_system
 from acoustic_fem.medium import Medium
+from geometry.refusal import Refusal
 
 #: Columns of elements over a quarter of the wire; see tests/test_coil_bore.py for the error.
 REFINEMENT = 12
@@ -60,11 +61,11 @@ class CoilBore(Line):
         outer = float(positive("outer_diameter", self.outer_diameter, "m"))
         wire = float(positive("wire_diameter", self.wire_diameter, "m"))
         if wire >= outer / 4:
-            raise ValueError(f"wire_diameter = {wire:g} m must be below a quarter of outer_diameter = {outer:g} m")
+            raise Refusal(f"wire_diameter = {wire:g} m must be below a quarter of outer_diameter = {outer:g} m")
         if int(self.refinement) != self.refinement or self.refinement < 2:
-            raise ValueError(f"refinement = {self.refinement} must be a whole number of at least 2")
+            raise Refusal(f"refinement = {self.refinement} must be a whole number of at least 2")
         if not 0.02 <= self.cusp <= 0.5:
-            raise ValueError(f"cusp = {self.cusp:g} rad must be between 0.02 and 0.5 rad")
+            raise Refusal(f"cusp = {self.cusp:g} rad must be between 0.02 and 0.5 rad")
 
     @property
     def crest_radius(self) -> float:

@@ -21,6 +21,7 @@ from acoustic_fem.medium import Medium
 from acoustic_fem.navier_stokes import WallMotion, cell_system, compliance_mass
 from acoustic_fem.units import metres
 from geometry.mesh import SolidMesh
+from geometry.refusal import Refusal
 
 Array = NDArray[np.complex128]
 Physics = Literal["navier-stokes", "helmholtz"]
@@ -66,12 +67,12 @@ class CondensedBody:
             (n_freq, m, m) complex128, m^3/(Pa s): ports first, then wall motions.
 
         Raises:
-            ValueError: a frequency outside the band the body was solved for.
+            Refusal: a frequency outside the band the body was solved for.
         """
         low, high = self.flow.lowest, self.flow.highest
         outside = frequency[(frequency < low * (1 - 1e-9)) | (frequency > high * (1 + 1e-9))]
         if outside.size:
-            raise ValueError(f"frequency = {outside[0]:g} Hz must be between {low:g} and {high:g} Hz, the band solved")
+            raise Refusal(f"frequency = {outside[0]:g} Hz must be between {low:g} and {high:g} Hz, the band solved")
         if self.physics == "navier-stokes":
             return self.copies * _navier_stokes_response(self, frequency)
         return self.copies * _helmholtz_response(self, frequency)

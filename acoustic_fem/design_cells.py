@@ -25,6 +25,7 @@ from acoustic_fem.checks import frequency_grid
 from acoustic_fem.medium import Medium
 from geometry.cavity_shapes import Box, Dome
 from geometry.cells import Cell, CellPort
+from geometry.refusal import Refusal
 
 #: Cells of a design are solved over at least this band (Hz), so that another grid finds them in the cache.
 DESIGN_BAND = (1.0, 500.0)
@@ -50,7 +51,7 @@ _NOT_SOLVED, _TRACEBACK = 3, 1
 _Record: TypeAlias = tuple[dict[str, NDArray[Any]], dict[str, Any]]
 
 
-class CellError(RuntimeError):
+class CellError(Refusal):
     """A cell could not be solved; the message says which and why."""
 
 
@@ -151,7 +152,7 @@ def solve_cells(
         Per cell its solution.
 
     Raises:
-        ValueError: bad frequencies or fidelity.
+        Refusal: bad frequencies or fidelity.
         CellError: a cell could not be meshed or solved.
         CellFault: the program failed in a process of its own; the traceback is on stderr.
     """

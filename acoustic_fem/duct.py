@@ -24,6 +24,7 @@ from scipy.special import jve, zeta
 
 from acoustic_fem.checks import in_range, positive
 from acoustic_fem.medium import Medium
+from geometry.refusal import Refusal
 
 #: A complex quantity over frequency: values that broadcast with the frequencies, or a function of Hz.
 Spectrum = ArrayLike | Callable[[NDArray[np.float64]], ArrayLike]
@@ -44,7 +45,7 @@ def series_impedance(radius: ArrayLike, frequency: ArrayLike, medium: Medium) ->
         Broadcast shape, complex128.
 
     Raises:
-        ValueError: a radius or frequency that is not finite and positive.
+        Refusal: a radius or frequency that is not finite and positive.
     """
     radius = positive("radius", radius, "m")
     mean = round_mean(2, radius, diffusion_rate(frequency, medium.kinematic_viscosity))
@@ -76,7 +77,7 @@ def port_admittance(
         As :func:`two_port`: (n_freq, 2, 2) for one duct at n_freq frequencies.
 
     Raises:
-        ValueError: a radius, length or frequency that is not finite and positive.
+        Refusal: a radius, length or frequency that is not finite and positive.
     """
     length = positive("length", length, "m")
     return two_port(series_impedance(radius, frequency, medium), shunt_admittance(radius, frequency, medium), length)
@@ -99,7 +100,7 @@ def two_port(series: ArrayLike, shunt: ArrayLike, length: ArrayLike) -> NDArray[
         Broadcast shape + (2, 2), complex128.
 
     Raises:
-        ValueError: a length that is not finite and positive, a value that is not finite, Z' = 0.
+        Refusal: a length that is not finite and positive, a value that is not finite, Z' = 0.
     """
     length = positive("length", length, "m")
     total, square = _line_values(series, shunt, length)
@@ -151,7 +152,7 @@ class UserLine(Line):
         """Z' = Gamma Zc in Pa s/m^4.
 
         Raises:
-            ValueError: gamma or zc is not finite, has a negative real part or does not fit the frequencies.
+            Refusal: gamma or zc is not finite, has a negative real part or does not fit the frequencies.
         """
         return self._at("gamma", frequency) * self._at("zc", frequency)
 
@@ -166,10 +167,10 @@ class UserLine(Line):
         try:
             values = np.broadcast_to(values, frequency.shape)
         except ValueError:
-            raise ValueError(f"{name} has shape {values.shape}, the frequencies have {frequency.shape}") from None
+            raise Refusal(f"{name} has shape {values.shape}, the frequencies have {frequency.shape}") from None
         bad = ~np.isfinite(values) | (values.real < 0) | (values == 0)
         if bad.any():
-            raise ValueError(f"{name} = {values[bad][0]:g} must be finite, not 0, and its real part not negative")
+            raise Refusal(f"{name} = {values[bad][0]:g} must be finite, not 0, and its real part not negative")
         return values
 
 
@@ -190,7 +191,7 @@ class CompliantWall(Line):
     def __post_init__(self) -> None:
         value = complex(self.compliance)
         if not (np.isfinite(value) and value.real >= 0 and value.imag <= 0):
-            raise ValueError(f"compliance = {value:g} m^2/Pa must be finite, with real part >= 0 and imaginary <= 0")
+            raise Refusal(f"compliance = {value:g} m^2/Pa must be finite, with real part >= 0 and imaginary <= 0")
 
     def series_impedance(self, frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
         """Z' of the line, Pa s/m^4."""
@@ -227,20 +228,20 @@ def tube_compliance(
         axial: ``"held"`` or ``"free"``.
 
     Raises:
-        ValueError: a value outside its range, by name.
+        Refusal: a value outside its range, by name.
     """
     a, b = float(positive("inner_radius", inner_radius, "m")), float(positive("outer_radius", outer_radius, "m"))
     modulus = float(positive("youngs_modulus", youngs_modulus, "Pa"))
     nu, eta = in_range("poisson_ratio", poisson_ratio, 0.0, 0.5), in_range("loss_factor", loss_factor, 0.0, 2.0)
     if b <= a:
-        raise ValueError(f"outer_radius = {b:g} m must be above inner_radius = {a:g} m")
+        raise Refusal(f"outer_radius = {b:g} m must be above inner_radius = {a:g} m")
     wall = (b - a) * (b + a)
     if axial == "held":
         displacement = (1 + nu) * a * ((1 - 2 * nu) * a**2 + b**2) / wall
     elif axial == "free":
         displacement = a * ((b**2 + a**2) / wall + nu)
     else:
-        raise ValueError(f"axial = {axial!r} must be 'held' or 'free'")
+        raise Refusal(f"axial = {axial!r} must be 'held' or 'free'")
     return 2 * np.pi * a * displacement / (modulus * (1 + 1j * eta))
 
 
@@ -298,7 +299,7 @@ def _line_values(
     for name, values, bad in (("series", z, ~np.isfinite(z) | (z == 0)), ("shunt", y, ~np.isfinite(y))):
         if bad.any():
             rule = "finite and not 0" if name == "series" else "finite"
-            raise ValueError(f"{name} = {values[bad].flat[0]:g} must be {rule}")
+            raise Refusal(f"{name} = {values[bad].flat[0]:g} must be {rule}")
     total, square = np.broadcast_arrays(z * length, (z * length) * (y * length))
     return total, square
 

@@ -31,6 +31,7 @@ from acoustic_fem.units import metres
 from geometry.design import ArrayDesign
 from geometry.design_file import read_design
 from geometry.layout import place
+from geometry.refusal import Refusal
 from geometry.whole_file import whole_file
 
 FORMATS = (".nc", ".sofa", ".npz", ".csv")
@@ -92,11 +93,11 @@ def _dataset(
     """Variables shaped as :data:`VARIABLES` lists them, as :func:`library_of` takes them.
 
     Raises:
-        ValueError: an attribute is missing or the design is not valid.
+        Refusal: an attribute is missing or the design is not valid.
     """
     missing = [name for name in ATTRIBUTES if not isinstance(attributes.get(name), str)]
     if missing:
-        raise ValueError(f"was not written by this program: it has no {missing[0]}")
+        raise Refusal(f"was not written by this program: it has no {missing[0]}")
     design = read_design(attributes["design_toml"], "design_toml")
     points = place(design).points
     coordinates: dict[str, tuple[str, Any]] = {
@@ -112,7 +113,7 @@ def _dataset(
     for name, values in variables.items():
         shape = tuple(sizes[dimension] for dimension in dimensions[name])
         if values.shape != shape:
-            raise ValueError(f"{name} has shape {values.shape}; it must be {shape} for its design and frequencies")
+            raise Refusal(f"{name} has shape {values.shape}; it must be {shape} for its design and frequencies")
     return xr.Dataset({name: (dimensions[name], values) for name, values in variables.items()}, coordinates, attributes)
 
 
@@ -210,7 +211,7 @@ def _read_npz(path: Path) -> xr.Dataset:
     except (zipfile.BadZipFile, zlib.error, EOFError, OSError, ValueError) as error:
         raise LibraryError(f"{path}: is no NPZ file or is cut short ({' '.join(str(error).split())})") from None
     if "frequency" not in arrays:
-        raise ValueError("was not written by this program: it has no frequency")
+        raise Refusal("was not written by this program: it has no frequency")
     attributes = {name: str(arrays[name]) for name in ATTRIBUTES if name in arrays}
     variables = {name: arrays[name] for name in _variables() if name in arrays}
     return _dataset(attributes, arrays["frequency"], variables)
@@ -250,14 +251,14 @@ def _read_csv(path: Path) -> xr.Dataset:
     order, names = ("point", "microphone", "frequency"), head[3:]
     known = [name for name, dimensions in _variables().items() if "microphone_2" not in dimensions]
     if tuple(head[:3]) != order or not set(names) <= set(known):
-        raise ValueError(f"its columns are {', '.join(head) or 'none'}; they must be {', '.join((*order, *known))}")
+        raise Refusal(f"its columns are {', '.join(head) or 'none'}; they must be {', '.join((*order, *known))}")
     short = [number for number, row in enumerate(rows) if len(row) != len(head)]
     if short:
-        raise ValueError(f"row {short[0] + 1} has {len(rows[short[0]])} values, must have {len(head)}; cut short?")
+        raise Refusal(f"row {short[0] + 1} has {len(rows[short[0]])} values, must have {len(head)}; cut short?")
     points, microphones = (list(dict.fromkeys(row[k] for row in rows)) for k in (0, 1))
     shape = (len(points), len(microphones), -1)
     if not rows or len(rows) % (len(points) * len(microphones)):
-        raise ValueError(f"has {len(rows)} rows, not a multiple of its points and microphones; cut short?")
+        raise Refusal(f"has {len(rows)} rows, not a multiple of its points and microphones; cut short?")
     values = np.array([[float(text) for text in row[2:]] for row in rows]).T.reshape(len(names) + 1, *shape)
     dimensions = _variables()
     # what does not depend on the microphone stands in the rows of each

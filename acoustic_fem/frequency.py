@@ -19,6 +19,7 @@ import scipy.sparse as sp
 from numpy.typing import NDArray
 
 from acoustic_fem.linear_solver import SymmetricSolver
+from geometry.refusal import Refusal
 
 #: Frequency (n_freq,) in Hz -> coefficients (n_freq, n_term) complex. They are analytic functions of s = j 2 pi f,
 #: real where s is real and positive, and are asked for there as well, at f = -j s / (2 pi).
@@ -36,7 +37,7 @@ _ON_CIRCLE = 32
 PASSIVITY_TOLERANCE = 1e-9
 
 
-class SweepError(RuntimeError):
+class SweepError(Refusal):
     """The reduced model did not reach its tolerance, or gives energy."""
 
 
@@ -215,7 +216,7 @@ def passivity_margin(admittance: NDArray[np.complex128]) -> NDArray[np.float64]:
     """
     values = np.asarray(admittance, dtype=np.complex128)
     if values.ndim != 3 or values.shape[1] != values.shape[2] or values.shape[1] == 0:
-        raise ValueError(f"admittance has shape {values.shape}; it must be (n_freq, m, m)")
+        raise Refusal(f"admittance has shape {values.shape}; it must be (n_freq, m, m)")
     finite = np.isfinite(values).all(axis=(1, 2))
     hermitian = (values + values.conj().transpose(0, 2, 1))[finite] / 2
     diagonal = np.abs(np.einsum("fii->fi", values[finite]))

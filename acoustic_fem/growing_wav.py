@@ -18,6 +18,8 @@ from typing import Self
 import numpy as np
 from numpy.typing import NDArray
 
+from geometry.refusal import Refusal
+
 LARGEST = 2**31
 """Bytes of samples in a file; WAV can state twice that, and many readers no more than this."""
 _HEAD = "<4sI4s4sIHHIIHHH4sII4sI"
@@ -35,13 +37,13 @@ class GrowingWav:
 
     Raises:
         OSError: it cannot be written.
-        ValueError: no channel, or a rate that a WAV file cannot state.
+        Refusal: no channel, or a rate that a WAV file cannot state.
     """
 
     def __init__(self, path: str | os.PathLike[str], rate: int, channels: int) -> None:
         for name, value, most in (("rate", rate, 2**31), ("channels", channels, 1024)):
             if not 1 <= value <= most:
-                raise ValueError(f"{name} = {value} must be between 1 and {most}")
+                raise Refusal(f"{name} = {value} must be between 1 and {most}")
         self.path, self.rate, self.channels = Path(path), rate, channels
         self.samples = 0
         """Written per channel."""
@@ -57,13 +59,13 @@ class GrowingWav:
         """Append (n_channel, n).
 
         Raises:
-            ValueError: another number of channels, or more than the file can hold.
+            Refusal: another number of channels, or more than the file can hold.
             OSError: it cannot be written: the disk is full.
         """
         if samples.ndim != 2 or len(samples) != self.channels:
-            raise ValueError(f"samples have shape {samples.shape}, must be (n_channel, n) = ({self.channels}, n)")
+            raise Refusal(f"samples have shape {samples.shape}, must be (n_channel, n) = ({self.channels}, n)")
         if 4 * self.channels * (self.samples + samples.shape[1]) > 2 * LARGEST - _HEAD_BYTES:
-            raise ValueError(f"{self.path}: a WAV file cannot hold {self.samples + samples.shape[1]} samples")
+            raise Refusal(f"{self.path}: a WAV file cannot hold {self.samples + samples.shape[1]} samples")
         self._file.seek(_HEAD_BYTES + 4 * self.channels * self.samples)
         rest = memoryview(np.ascontiguousarray(samples.T, "<f4").tobytes())
         while rest:

@@ -17,6 +17,7 @@ from acoustic_fem.provenance import versions
 from geometry.cells import Cell, cell_catalogue
 from geometry.design import ArrayDesign
 from geometry.layout import ArrayLayout, place
+from geometry.refusal import Refusal
 
 #: What the air of a cell may be computed with; the last is the one to trust.
 FIDELITIES = ("lumped", "helmholtz", "navier-stokes")
@@ -136,11 +137,11 @@ def solve(
         progress: called with what is being done and the fraction done, 0 to 1.
 
     Raises:
-        ValueError: a bad frequency grid or an unknown fidelity.
+        Refusal: a bad frequency grid or an unknown fidelity.
     """
     grid = frequency_grid(frequency)
     if fidelity not in FIDELITIES:
-        raise ValueError(f"fidelity = {fidelity!r} must be one of: {', '.join(FIDELITIES)}")
+        raise Refusal(f"fidelity = {fidelity!r} must be one of: {', '.join(FIDELITIES)}")
     report = progress or (lambda message, fraction: None)
     if medium is None:
         medium = Medium.at(design.air.temperature, design.air.humidity, design.air.pressure)

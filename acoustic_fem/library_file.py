@@ -18,6 +18,7 @@ from acoustic_fem.library import DEVIATION, FIDELITIES, MEASURED, OPTIONAL, VARI
 from acoustic_fem.medium import Medium
 from geometry.design_file import read_design, write_design
 from geometry.layout import place
+from geometry.refusal import Refusal
 from geometry.whole_file import whole_file
 
 #: Global attributes of every library file.
@@ -29,7 +30,7 @@ _DEVIATION = "transfer_function_deviation"
 _COORDINATES = ("point", "line", "place", "microphone", "frequency")
 
 
-class LibraryError(ValueError):
+class LibraryError(Refusal):
     """A library file that cannot be read or written: one line that names the file and the reason."""
 
 
@@ -111,7 +112,7 @@ def library_of(dataset: xr.Dataset) -> Library:
     """The library in a data set.
 
     Raises:
-        ValueError: an attribute or variable is not that of a library; says which.
+        Refusal: an attribute or variable is not that of a library; says which.
     """
     absent = {name for name in OPTIONAL if f"{name}_real" not in dataset and f"{name}_imag" not in dataset}
     present = [name for name in VARIABLES if name not in absent]
@@ -119,14 +120,14 @@ def library_of(dataset: xr.Dataset) -> Library:
     missing = [name for name in (*missing, *_COORDINATES) if name not in dataset.variables]
     missing += [name for name in ATTRIBUTES if name not in dataset.attrs]
     if missing:
-        raise ValueError(f"is no complete library, {missing[0]} is missing")
+        raise Refusal(f"is no complete library, {missing[0]} is missing")
     for name in ATTRIBUTES:
         if not isinstance(dataset.attrs[name], str):
-            raise ValueError(f"attribute {name} must be a text")
+            raise Refusal(f"attribute {name} must be a text")
     fidelity = dataset.attrs["fidelity"]
     known = (*FIDELITIES, MEASURED)
     if fidelity not in known:
-        raise ValueError(f"attribute fidelity = {fidelity!r} must be one of: {', '.join(known)}")
+        raise Refusal(f"attribute fidelity = {fidelity!r} must be one of: {', '.join(known)}")
     design = read_design(dataset.attrs["design_toml"], "attribute design_toml")
     layout = place(design)
     for name, expected in (
@@ -152,15 +153,15 @@ def _check_coordinate(found: xr.DataArray, expected: list[int] | list[str]) -> N
     """A coordinate must be what the design in the same file says."""
     values = found.values.ravel().tolist()
     if len(values) != len(expected):
-        raise ValueError(f"variable {found.name} has {len(values)} values, its design has {len(expected)}")
+        raise Refusal(f"variable {found.name} has {len(values)} values, its design has {len(expected)}")
     for index, (value, wanted) in enumerate(zip(values, expected, strict=True)):
         if value != wanted:
-            raise ValueError(f"variable {found.name}[{index}] = {value!r} must be {wanted!r} as in its design")
+            raise Refusal(f"variable {found.name}[{index}] = {value!r} must be {wanted!r} as in its design")
 
 
 def _frequency(found: xr.DataArray) -> NDArray[np.float64]:
     if found.dtype.kind not in "fiu":
-        raise ValueError(f"variable frequency holds {found.dtype}, not numbers")
+        raise Refusal(f"variable frequency holds {found.dtype}, not numbers")
     return frequency_grid(found.values)
 
 
@@ -175,7 +176,7 @@ def _complex(dataset: xr.Dataset, name: str) -> NDArray[np.complex128]:
 def _deviation(dataset: xr.Dataset) -> NDArray[np.float64]:
     values = _real(dataset, _DEVIATION, DEVIATION[0])
     if (values < 0).any():
-        raise ValueError(f"variable {_DEVIATION} = {values.min():g} must be at least 0")
+        raise Refusal(f"variable {_DEVIATION} = {values.min():g} must be at least 0")
     return values
 
 
@@ -183,14 +184,14 @@ def _real(dataset: xr.Dataset, variable: str, dimensions: tuple[str, ...]) -> ND
     array = dataset[variable]
     if sorted(map(str, array.dims)) != sorted(dimensions):
         found = ", ".join(map(str, array.dims))
-        raise ValueError(f"variable {variable} has the dimensions ({found}), must be ({', '.join(dimensions)})")
+        raise Refusal(f"variable {variable} has the dimensions ({found}), must be ({', '.join(dimensions)})")
     if array.dtype.kind != "f":
-        raise ValueError(f"variable {variable} holds {array.dtype}, not floating-point numbers")
+        raise Refusal(f"variable {variable} holds {array.dtype}, not floating-point numbers")
     array = array.transpose(*dimensions)
     bad = np.argwhere(~np.isfinite(array.values))
     if len(bad):
         where = ", ".join(f"{key} {dataset[key].values[k]}" for key, k in zip(dimensions, bad[0], strict=True))
-        raise ValueError(f"variable {variable} = {array.values[tuple(bad[0])]} at {where}; it must be finite")
+        raise Refusal(f"variable {variable} = {array.values[tuple(bad[0])]} at {where}; it must be finite")
     return np.asarray(array.values, np.float64)
 
 
@@ -199,25 +200,25 @@ def _medium(text: str) -> Medium:
     known = [field.name for field in fields(Medium)]
     for name in known:
         if name not in values:
-            raise ValueError(f"attribute medium: {name} is missing")
+            raise Refusal(f"attribute medium: {name} is missing")
     for name, value in values.items():
         if name not in known:
-            raise ValueError(f"attribute medium: {name!r} is unknown; known: {', '.join(known)}")
+            raise Refusal(f"attribute medium: {name!r} is unknown; known: {', '.join(known)}")
         if not isinstance(value, (int, float)) or isinstance(value, bool):
-            raise ValueError(f"attribute medium: {name} = {value!r} must be a number")
+            raise Refusal(f"attribute medium: {name} = {value!r} must be a number")
     try:
         return Medium(**values)
     except (ValueError, OverflowError) as error:
-        raise ValueError(f"attribute medium: {error}") from None
+        raise Refusal(f"attribute medium: {error}") from None
 
 
 def _json_object(text: str, attribute: str) -> dict[str, Any]:
     try:
         values = json.loads(text)
     except (ValueError, RecursionError) as error:
-        raise ValueError(f"attribute {attribute} is not JSON: {error}") from None
+        raise Refusal(f"attribute {attribute} is not JSON: {error}") from None
     if not isinstance(values, dict):
-        raise ValueError(f"attribute {attribute} must be a JSON object")
+        raise Refusal(f"attribute {attribute} must be a JSON object")
     return values
 
 

@@ -18,6 +18,8 @@ import scipy.sparse as sp
 import scipy.sparse.linalg as spla
 from numpy.typing import NDArray
 
+from geometry.refusal import Refusal
+
 #: A solution whose relative residual is larger is refused, never returned.
 RESIDUAL_LIMIT = 1e-8
 
@@ -26,7 +28,7 @@ _REAL, _COMPLEX = -2, 6
 _ANALYSE, _FACTORISE, _SOLVE, _RELEASE = 11, 22, 33, -1
 
 
-class LinearSolverError(RuntimeError):
+class LinearSolverError(Refusal):
     """A system that could not be solved to the residual limit."""
 
 

@@ -81,7 +81,7 @@ class Medium:
             pressure: 5e4 to 1.2e5 Pa.
 
         Raises:
-            ValueError: outside these ranges, naming the argument, its value and the range.
+            Refusal: outside these ranges, naming the argument, its value and the range.
         """
         celsius = in_range("temperature_c", temperature_c, -20, 60, "degC")
         humidity = in_range("humidity", humidity, 0, 1)

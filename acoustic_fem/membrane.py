@@ -15,6 +15,7 @@ from acoustic_fem.axisymmetric_elasticity import DiscShape, ElasticDisc, solve_d
 from acoustic_fem.checks import in_range, positive
 from acoustic_fem.units import metres, pascals
 from geometry.design import ArrayDesign
+from geometry.refusal import Refusal
 
 #: Radius of the contact patch per radius of the opening, where none is given.
 CONTACT = 0.25
@@ -117,7 +118,7 @@ class DiscSolution:
             loss_factor: eta, 0 to 1, of the modulus E (1 + j eta), the same at all frequencies.
 
         Raises:
-            ValueError: a frequency that is not finite and positive, or a loss factor out of range.
+            Refusal: a frequency that is not finite and positive, or a loss factor out of range.
         """
         frequency = positive("frequency", frequency, "Hz")
         in_range("loss_factor", loss_factor, 0, 1)
@@ -198,7 +199,7 @@ def solve_disc(
         boss_height: of the boss above that face, m, above 0, at most 2 radii.
 
     Raises:
-        ValueError: a value that is not finite or out of range.
+        Refusal: a value that is not finite or out of range.
     """
     for name, value, unit in (
         ("radius", radius, "m"),
@@ -210,9 +211,7 @@ def solve_disc(
     less, more = 1 - 1e-9, 1 + 1e-9
     in_range("stretch", stretch, 1, _LARGEST_STRETCH)
     if stretch != 1 and tension != 0:
-        raise ValueError(
-            f"stretch = {stretch:g} must not be given beside tension = {tension:g} N/m; give one of the two"
-        )
+        raise Refusal(f"stretch = {stretch:g} must not be given beside tension = {tension:g} N/m; give one of the two")
     if stretch != 1:
         in_range("thickness", thickness, 0.01 * radius * less, np.inf, "m")
         tension = thickness * youngs_modulus * (1 - stretch**-6) / 3
@@ -226,10 +225,10 @@ def solve_disc(
         glue = rim_width if glue_width is None else glue_width
         in_range("glue_width", glue, 0.05 * thickness, rim_width, "m")
     elif glue_width is not None:
-        raise ValueError(f"glue_width = {glue_width:g} m needs a rim: rim_width = 0 clamps the lateral face")
+        raise Refusal(f"glue_width = {glue_width:g} m needs a rim: rim_width = 0 clamps the lateral face")
     raised = _raised(radius, rim_width, rim_height, boss_radius, boss_height)
     if raised is not None and tension != 0:
-        raise ValueError(
+        raise Refusal(
             f"rim_height = {rim_height:g} m, boss_height = {boss_height:g} m must be 0 under a tension or a stretch: "
             "only a flat disc is stretched evenly"
         )
@@ -254,12 +253,12 @@ def _raised(
     for name, value in (("rim_height", rim_height), ("boss_height", boss_height)):
         in_range(name, value, 0, 2 * radius, "m")
     if rim_height and boss_height:
-        raise ValueError(f"boss_height = {boss_height:g} m must not be given beside rim_height = {rim_height:g} m")
+        raise Refusal(f"boss_height = {boss_height:g} m must not be given beside rim_height = {rim_height:g} m")
     if bool(boss_radius) != bool(boss_height):
-        raise ValueError(f"boss_radius = {boss_radius:g} m and boss_height = {boss_height:g} m must be given together")
+        raise Refusal(f"boss_radius = {boss_radius:g} m and boss_height = {boss_height:g} m must be given together")
     if rim_height:
         if not rim_width:
-            raise ValueError(f"rim_height = {rim_height:g} m needs a rim: rim_width = 0 clamps the lateral face")
+            raise Refusal(f"rim_height = {rim_height:g} m needs a rim: rim_width = 0 clamps the lateral face")
         return 1.0, 1.0 + round(float(rim_width) / radius, 12), round(float(rim_height) / radius, 12)
     if boss_height:
         in_range("boss_radius", boss_radius, 0.1 * radius * (1 - 1e-9), 0.9 * radius * (1 + 1e-9), "m")
@@ -313,7 +312,7 @@ def design_disc(design: ArrayDesign, *, contact_radius: float | None = None) -> 
         contact_radius: of the patch that takes a force, m, as for :func:`solve_disc`.
 
     Raises:
-        ValueError: proportions outside what :func:`solve_disc` covers.
+        Refusal: proportions outside what :func:`solve_disc` covers.
     """
     membrane = design.membrane
     material = design.material(membrane.material)

@@ -14,6 +14,7 @@ from acoustic_fem.checks import positive
 from acoustic_fem.medium import Medium
 from acoustic_fem.units import cubic_metres
 from geometry.design_parts import Microphone
+from geometry.refusal import Refusal
 
 
 def load_admittance(microphone: Microphone, frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
@@ -29,7 +30,7 @@ def load_admittance(microphone: Microphone, frequency: ArrayLike, medium: Medium
         medium: the gas.
 
     Raises:
-        ValueError: a frequency that is not finite and positive.
+        Refusal: a frequency that is not finite and positive.
     """
     omega = 2 * np.pi * positive("frequency", frequency, "Hz")
     diaphragm, back, leak = _elements(microphone, frequency, medium)
@@ -71,7 +72,7 @@ def noise_density(microphone: Microphone, frequency: ArrayLike) -> NDArray[np.fl
         frequency: Hz, any shape.
 
     Raises:
-        ValueError: a frequency that is not finite and positive.
+        Refusal: a frequency that is not finite and positive.
     """
     ratio = microphone.noise_corner / positive("frequency", frequency, "Hz")
     return microphone.noise_density * np.sqrt(1 + ratio)
@@ -86,11 +87,11 @@ def noise_rms(microphone: Microphone, low: float, high: float) -> float:
         high: upper edge f2, above f1, Hz.
 
     Raises:
-        ValueError: an edge that is not finite and positive, or edges that do not ascend.
+        Refusal: an edge that is not finite and positive, or edges that do not ascend.
     """
     low, high = (float(positive(name, edge, "Hz")) for name, edge in (("low", low), ("high", high)))
     if high <= low:
-        raise ValueError(f"high = {high:g} Hz must be above low = {low:g} Hz")
+        raise Refusal(f"high = {high:g} Hz must be above low = {low:g} Hz")
     return float(microphone.noise_density * np.sqrt(high - low + microphone.noise_corner * np.log(high / low)))
 
 

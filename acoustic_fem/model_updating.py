@@ -30,6 +30,7 @@ from acoustic_fem.microphone import vent_ratio
 from acoustic_fem.model_discrepancy import TOTAL, Discrepancy
 from acoustic_fem.transfer_estimate import TransferEstimate
 from geometry.design import ArrayDesign
+from geometry.refusal import Refusal
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -77,7 +78,7 @@ class UpdatedModel:
         priors: of the parameters.
 
     Raises:
-        ValueError: a design that the lumped batch does not take.
+        Refusal: a design that the lumped batch does not take.
     """
 
     def __init__(self, nominal: Library, priors: Priors | None = None) -> None:
@@ -311,17 +312,17 @@ def update(model: UpdatedModel, estimates: Mapping[int, TransferEstimate]) -> Up
         estimates: by number of the point, from 1.
 
     Raises:
-        ValueError: no estimate, one of a point that the design does not have, on other frequencies, of 0 or not finite.
+        Refusal: no estimate, one of a point that the design does not have, on other frequencies, of 0 or not finite.
     """
     points = sorted(estimates)
     if not points:
-        raise ValueError("estimates is empty; a fit needs at least one measured point")
+        raise Refusal("estimates is empty; a fit needs at least one measured point")
     shape = model._ratio.shape
     for number in points:
         in_range("point", number, 1, shape[0])
         found = estimates[number].transfer_function.shape
         if found != shape[1:]:
-            raise ValueError(f"point {number} has an estimate of shape {found}; it must be {shape[1:]}")
+            raise Refusal(f"point {number} has an estimate of shape {found}; it must be {shape[1:]}")
         _check_estimate(number, estimates[number])
     rows = [number - 1 for number in points]
     measured = np.stack([estimates[number].transfer_function for number in points])
@@ -351,9 +352,9 @@ def update(model: UpdatedModel, estimates: Mapping[int, TransferEstimate]) -> Up
 def _check_estimate(number: int, estimate: TransferEstimate) -> None:
     h, deviation = np.abs(estimate.transfer_function), estimate.deviation
     if not (np.isfinite(h).all() and h.min() > 0):
-        raise ValueError(f"point {number} has a transfer function of {h.min()} Pa/Pa; it must be finite and not 0")
+        raise Refusal(f"point {number} has a transfer function of {h.min()} Pa/Pa; it must be finite and not 0")
     if not (np.isfinite(deviation).all() and deviation.min() >= 0):
-        raise ValueError(f"point {number} has a deviation of {deviation.min()} Pa/Pa; it must be finite, 0 or above")
+        raise Refusal(f"point {number} has a deviation of {deviation.min()} Pa/Pa; it must be finite, 0 or above")
 
 
 class _Minimum(NamedTuple):

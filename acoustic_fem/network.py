@@ -23,6 +23,7 @@ from geometry.cells import Cell, CellUse, cell_catalogue
 from geometry.design import ArrayDesign
 from geometry.design_parts import Tube
 from geometry.layout import ArrayLayout
+from geometry.refusal import Refusal
 
 Array = NDArray[np.complex128]
 
@@ -83,7 +84,7 @@ def solve_network(
         medium: the air.
 
     Raises:
-        ValueError: a cell is missing or its admittance has the wrong shape.
+        Refusal: a cell is missing or its admittance has the wrong shape.
     """
     catalogue = cell_catalogue(design, layout)
     membrane = 2j * np.pi * frequency * design_compliance(design, frequency)
@@ -160,11 +161,11 @@ def _at_place(use: CellUse, admittances: Mapping[Cell, Array], frequency: NDArra
     """Nodal admittance of a cell with its ports in the order of the place's tubes."""
     cell = use.cell
     if cell not in admittances:
-        raise ValueError(f"admittances lack the cell {cell.label}")
+        raise Refusal(f"admittances lack the cell {cell.label}")
     nodal = np.asarray(admittances[cell])
     size = len(cell.ports) + 1
     if nodal.shape != (len(frequency), size, size):
-        raise ValueError(f"admittance of {cell.label} has shape {nodal.shape}, must be {(len(frequency), size, size)}")
+        raise Refusal(f"admittance of {cell.label} has shape {nodal.shape}, must be {(len(frequency), size, size)}")
     nodes = [*use.order, size - 1]
     return nodal[:, nodes][:, :, nodes]
 

@@ -24,6 +24,7 @@ from acoustic_fem.medium import Medium
 from acoustic_fem.membrane import design_disc
 from acoustic_fem.microphone import noise_density as own_noise_density
 from acoustic_fem.microphone import noise_density_behind_vent
+from geometry.refusal import Refusal
 
 #: J/K, exact (SI 2019).
 BOLTZMANN = 1.380649e-23
@@ -55,11 +56,11 @@ def thermal_covariance(impedance: ArrayLike, temperature: float) -> NDArray[np.c
         (..., n, n) complex128, Hermitian; the diagonal is the power density of each port.
 
     Raises:
-        ValueError: matrices that are not square, or a temperature that is not finite and positive.
+        Refusal: matrices that are not square, or a temperature that is not finite and positive.
     """
     matrix = np.asarray(impedance, dtype=np.complex128)
     if matrix.ndim < 2 or matrix.shape[-1] != matrix.shape[-2]:
-        raise ValueError(f"impedance has shape {matrix.shape}; it must be (..., n, n)")
+        raise Refusal(f"impedance has shape {matrix.shape}; it must be (..., n, n)")
     positive("temperature", temperature, "K")
     return 2 * BOLTZMANN * temperature * (matrix + matrix.swapaxes(-1, -2).conj())
 
@@ -77,7 +78,7 @@ def noise_covariance(library: Library, noise_at: NoiseAt = "front") -> NDArray[n
             (:func:`acoustic_fem.microphone.noise_density_behind_vent`).
 
     Raises:
-        ValueError: a library without microphone impedance, or an unknown ``noise_at``.
+        Refusal: a library without microphone impedance, or an unknown ``noise_at``.
     """
     covariance = thermal_covariance(_impedance(library), gas_temperature(library.medium))
     microphones = np.arange(covariance.shape[-1])
@@ -128,10 +129,10 @@ def touch_response(library: Library, touch: str, *, contact_radius: float | None
         (point, microphone, frequency) complex128, Pa per unit of the touch.
 
     Raises:
-        ValueError: an unknown touch, or a contact radius out of range.
+        Refusal: an unknown touch, or a contact radius out of range.
     """
     if touch not in TOUCHES:
-        raise ValueError(f"touch = {touch!r} must be one of: {', '.join(TOUCHES)}")
+        raise Refusal(f"touch = {touch!r} must be one of: {', '.join(TOUCHES)}")
     design, grid = library.design, library.frequency
     disc = design_disc(design, contact_radius=contact_radius)
     vacuum = disc.response(grid, design.material(design.membrane.material).loss_factor)
@@ -176,7 +177,7 @@ def detectable_density(
         (point, frequency) float64.
 
     Raises:
-        ValueError: an unknown touch or microphone, a value out of range, no microphone impedance.
+        Refusal: an unknown touch or microphone, a value out of range, no microphone impedance.
     """
     ratio = 10 ** (in_range("snr_db", snr_db, -100, 200, "dB") / 20)
     density = ratio * _snr_density(library, touch, microphones, noise_at, contact_radius) ** -0.5
@@ -212,7 +213,7 @@ def detection_limits(
         Variables ``displacement`` (m), ``force`` (N) and ``pressure`` (Pa) with dimension (point,).
 
     Raises:
-        ValueError: a band outside the grid; the rest as :func:`detectable_density`.
+        Refusal: a band outside the grid; the rest as :func:`detectable_density`.
     """
     ratio = 10 ** (in_range("snr_db", snr_db, -100, 200, "dB") / 20)
     limits = {}
@@ -254,12 +255,12 @@ def matched_filter_snr(
         (point,) float64; 10 log10 of it is in dB.
 
     Raises:
-        ValueError: a spectrum of another length; the rest as :func:`detection_limits`.
+        Refusal: a spectrum of another length; the rest as :func:`detection_limits`.
     """
     grid = library.frequency
     given = np.asarray(spectrum, dtype=np.complex128)
     if given.shape not in ((), grid.shape) or not np.all(np.isfinite(given)):
-        raise ValueError(f"spectrum has shape {given.shape}; it must be one finite value or {grid.shape} of them")
+        raise Refusal(f"spectrum has shape {given.shape}; it must be one finite value or {grid.shape} of them")
     power = xr.DataArray(np.broadcast_to(np.abs(given) ** 2, grid.shape), dims="frequency")
     density = _snr_density(library, touch, microphones, noise_at, contact_radius)
     snr = 4 * _integrated(density * power, band)
@@ -269,7 +270,7 @@ def matched_filter_snr(
 def _impedance(library: Library) -> NDArray[np.complex128]:
     """(n_freq, n_microphone, n_microphone)."""
     if library.microphone_impedance is None:
-        raise ValueError(
+        raise Refusal(
             "the library has no microphone_impedance, so its thermal noise is unknown: it was measured or saved by "
             "an older version; solve its design again"
         )
@@ -281,7 +282,7 @@ def _own_density(library: Library, noise_at: NoiseAt) -> NDArray[np.float64]:
         return own_noise_density(library.design.microphone, library.frequency)
     if noise_at == "output":
         return noise_density_behind_vent(library.design.microphone, library.frequency, library.medium)
-    raise ValueError(f"noise_at = {noise_at!r} must be one of: front, output")
+    raise Refusal(f"noise_at = {noise_at!r} must be one of: front, output")
 
 
 def _snr_density(
@@ -296,9 +297,9 @@ def _snr_density(
     names = [str(name) for name in response["microphone"].values]
     for name in microphones or ():
         if name not in names:
-            raise ValueError(f"microphones: {name!r} must be one of: {', '.join(names)}")
+            raise Refusal(f"microphones: {name!r} must be one of: {', '.join(names)}")
     if microphones is not None and len(set(microphones)) != max(len(microphones), 1):
-        raise ValueError(f"microphones = {list(microphones)} must name at least one, and none twice")
+        raise Refusal(f"microphones = {list(microphones)} must name at least one, and none twice")
     chosen = [names.index(name) for name in (names if microphones is None else microphones)]
     noise = noise_covariance(library, noise_at)[:, chosen][:, :, chosen]
     signal = response.transpose("frequency", "microphone", "point").values[:, chosen]
@@ -314,7 +315,7 @@ def _integrated(density: xr.DataArray, band: tuple[float, float]) -> xr.DataArra
     grid = density["frequency"].values
     low, high = (float(positive("band", edge, "Hz")) for edge in band)
     if not grid[0] <= low < high <= grid[-1]:
-        raise ValueError(
+        raise Refusal(
             f"band = ({low:g}, {high:g}) Hz must ascend and lie within the library's grid, "
             f"{grid[0]:g} to {grid[-1]:g} Hz"
         )

@@ -41,7 +41,7 @@ def entrance_impedance(radius: ArrayLike, frequency: ArrayLike, medium: Medium) 
         Broadcast shape, complex128.
 
     Raises:
-        ValueError: a radius or frequency that is not finite and positive.
+        Refusal: a radius or frequency that is not finite and positive.
     """
     radius, omega = positive("radius", radius, "m"), 2 * np.pi * positive("frequency", frequency, "Hz")
     shear = float(np.max(radius * np.sqrt(omega / medium.kinematic_viscosity)))

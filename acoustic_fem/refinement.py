@@ -9,6 +9,8 @@ from typing import TypeVar
 
 import numpy as np
 
+from geometry.refusal import Refusal
+
 #: What is solved on a mesh.
 Solution = TypeVar("Solution")
 
@@ -20,7 +22,7 @@ _LEAST_ORDER, BEST_ORDER = 2.0, 3.5
 _MOST_REFINEMENTS = 3
 
 
-class ConvergenceError(RuntimeError):
+class ConvergenceError(Refusal):
     """The meshes did not reach the accuracy asked for."""
 
 

@@ -26,6 +26,7 @@ from acoustic_fem.checks import positive
 from acoustic_fem.duct import Line, diffusion_rate, round_mean, series_from_mean, shunt_from_mean
 from acoustic_fem.frequency import reduce_system
 from acoustic_fem.medium import Medium
+from geometry.refusal import Refusal
 
 
 class Section(Line):
@@ -196,11 +197,11 @@ class MeshedSection(Section):
     def __post_init__(self) -> None:
         points, triangles = np.asarray(self.points, dtype=np.float64), np.asarray(self.triangles)
         if points.ndim != 2 or points.shape[1] != 2 or not np.isfinite(points).all():
-            raise ValueError(f"points has shape {points.shape}; it must be (n, 2) and finite")
+            raise Refusal(f"points has shape {points.shape}; it must be (n, 2) and finite")
         if triangles.ndim != 2 or triangles.shape[1] != 6 or not len(triangles):
-            raise ValueError(f"triangles has shape {triangles.shape}; it must be (m, 6) with at least one row")
+            raise Refusal(f"triangles has shape {triangles.shape}; it must be (m, 6) with at least one row")
         if triangles.dtype.kind not in "iu" or triangles.min() < 0 or triangles.max() >= len(points):
-            raise ValueError(f"triangles must hold integers from 0 to {len(points) - 1}")
+            raise Refusal(f"triangles must hold integers from 0 to {len(points) - 1}")
         clockwise = _corner_areas(points[triangles]) < 0
         triangles = np.where(clockwise[:, None], triangles[:, [0, 2, 1, 5, 4, 3]], triangles).astype(np.int64)
         # counter-clockwise neighbours run along their common edge in opposite directions unless they overlap
@@ -211,7 +212,7 @@ class MeshedSection(Section):
         if bad.any():
             k = int(np.argmax(bad))
             x, y = points[triangles[k, :3]].mean(axis=0)
-            raise ValueError(f"triangle {k} at ({x:g}, {y:g}) m is inverted, overlaps a neighbour or has no area")
+            raise Refusal(f"triangle {k} at ({x:g}, {y:g}) m is inverted, overlaps a neighbour or has no area")
         object.__setattr__(self, "points", points)
         object.__setattr__(self, "triangles", triangles)
 
@@ -241,7 +242,7 @@ class MeshedSection(Section):
         """A triangle with the given corners, (3, 2) in m, of divisions^2 triangles."""
         places = np.asarray(corners, dtype=np.float64)
         if places.shape != (3, 2):
-            raise ValueError(f"corners has shape {places.shape}; it must be (3, 2)")
+            raise Refusal(f"corners has shape {places.shape}; it must be (3, 2)")
         edges = np.stack([places[1] - places[0], places[2] - places[0]])
         return _from_map(_triangle_grid(_whole("divisions", divisions)), lambda unit: places[0] + unit @ edges)
 
@@ -388,5 +389,5 @@ def _disc(points: NDArray[np.float64], radius: float) -> NDArray[np.float64]:
 
 def _whole(name: str, count: int) -> int:
     if int(count) != count or count < 1:
-        raise ValueError(f"{name} = {count} must be a whole number of at least 1")
+        raise Refusal(f"{name} = {count} must be a whole number of at least 1")
     return int(count)

@@ -44,7 +44,7 @@ def shaped_cavity_compliance(
         Shape of frequency, complex128; estimated relative error below 1e-3.
 
     Raises:
-        ValueError: a radius, height or frequency that is not finite and positive.
+        Refusal: a radius, height or frequency that is not finite and positive.
         MeshError, ConvergenceError: the cavity cannot be meshed, or the meshes do not reach the accuracy.
     """
     positive("radius", radius, "m")

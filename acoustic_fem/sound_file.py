@@ -16,6 +16,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from geometry.refusal import Refusal
+
 Array = NDArray[np.float64]
 
 FORMATS = (".wav", ".csv", ".npz", ".mat")
@@ -25,7 +27,7 @@ TIME, RATE = "time", "sample_rate"
 MATRIX = "signals"
 
 
-class SoundFileError(ValueError):
+class SoundFileError(Refusal):
     """A recording that cannot be read: one line that names the file and the reason."""
 
 
@@ -88,14 +90,14 @@ def write_wav(path: str | os.PathLike[str], samples: Array, rate: int, bits: int
         bits: 16, 24 (in the upper bits of 32) or 32.
 
     Raises:
-        ValueError: another number of bits.
+        Refusal: another number of bits.
     """
     import scipy.io.wavfile
 
     from geometry.whole_file import whole_file
 
     if bits not in (16, 24, 32):
-        raise ValueError(f"bits = {bits} must be 16, 24 or 32")
+        raise Refusal(f"bits = {bits} must be 16, 24 or 32")
     steps = 2.0 ** (bits - 1)
     levels = np.clip(np.rint(samples * steps), -steps, steps - 1)
     if bits == 24:

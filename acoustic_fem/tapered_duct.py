@@ -19,6 +19,7 @@ from numpy.typing import ArrayLike, NDArray
 from acoustic_fem.checks import positive
 from acoustic_fem.duct import Line
 from acoustic_fem.medium import Medium
+from geometry.refusal import Refusal
 
 #: Polynomial degree of the elements; the two-port converges with twice that order.
 DEGREE = 4
@@ -26,7 +27,7 @@ DEGREE = 4
 _MAX_ELEMENTS = 4096
 
 
-class TaperError(RuntimeError):
+class TaperError(Refusal):
     """The two-port did not settle to the accuracy asked for."""
 
 
@@ -79,18 +80,18 @@ def solve(
         accuracy: of Y12 and of the row sums of the two-port; 1e-12 to 0.1.
 
     Raises:
-        ValueError: length, a frequency, a break or the accuracy out of range.
+        Refusal: length, a frequency, a break or the accuracy out of range.
         TaperError: 4096 elements do not reach the accuracy (a break may be missing).
     """
     whole = float(positive("length", length, "m"))
     grid = np.atleast_1d(positive("frequency", frequency, "Hz"))
     if grid.ndim != 1:
-        raise ValueError(f"frequency has shape {grid.shape}; it must be 1-D")
+        raise Refusal(f"frequency has shape {grid.shape}; it must be 1-D")
     if not 1e-12 <= accuracy <= 0.1:
-        raise ValueError(f"accuracy = {accuracy:g} must be between 1e-12 and 0.1")
+        raise Refusal(f"accuracy = {accuracy:g} must be between 1e-12 and 0.1")
     nodes = np.array([0.0, *breaks, whole])
     if not (np.diff(nodes) > 0).all():
-        raise ValueError(f"breaks = {list(breaks)} m must ascend between 0 and {whole:g} m")
+        raise Refusal(f"breaks = {list(breaks)} m must ascend between 0 and {whole:g} m")
     nodes = _halved(_halved(nodes))
     previous, error = None, np.inf
     while len(nodes) - 1 <= _MAX_ELEMENTS:

@@ -20,6 +20,8 @@ from typing import Literal, get_args
 import numpy as np
 from numpy.typing import NDArray
 
+from geometry.refusal import Refusal
+
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Estimator = Literal["H1", "H2", "Hv"]
@@ -78,21 +80,21 @@ def transfer_estimate(
         estimator: ``H1``, ``H2`` or ``Hv``.
 
     Raises:
-        ValueError: an unknown estimator, records of different lengths or too short, or a frequency out of range.
+        Refusal: an unknown estimator, records of different lengths or too short, or a frequency out of range.
     """
     if estimator not in get_args(Estimator):
-        raise ValueError(f"estimator = {estimator!r} must be one of: {', '.join(get_args(Estimator))}")
+        raise Refusal(f"estimator = {estimator!r} must be one of: {', '.join(get_args(Estimator))}")
     if outputs.ndim != 2 or outputs.shape[1:] != reference.shape:
-        raise ValueError(f"outputs has shape {outputs.shape}; it must be (n_output, {len(reference)})")
+        raise Refusal(f"outputs has shape {outputs.shape}; it must be (n_output, {len(reference)})")
     if not (frequency.min() >= 1.0 and 2.5 * frequency.max() <= rate):
-        raise ValueError(
+        raise Refusal(
             f"frequency = {frequency.min():g} to {frequency.max():g} Hz must be between 1 and {rate / 2.5:g} Hz, "
             f"the sample rate over 2.5"
         )
     amplitude = amplitudes(np.concatenate([reference[None], outputs]), rate, frequency)
     count = amplitude.shape[1]
     if count < LEAST_SEGMENTS:
-        raise ValueError(
+        raise Refusal(
             f"record of {len(reference) / rate:.3g} s has {count} segments of {SEGMENT:g} s; it must have at least "
             f"{LEAST_SEGMENTS} ({shortest_record():g} s)"
         )

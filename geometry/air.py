@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from geometry.cavity_shapes import draw_cavity, separation
 from geometry.cells import Cell, CellPort
+from geometry.refusal import Refusal
 
 if TYPE_CHECKING:
     import cadquery
@@ -48,7 +49,7 @@ def air_solid(cell: Cell) -> cadquery.Solid:
     of the cavity, where the tube's axis meets the wall of a cylinder.
 
     Raises:
-        ValueError: no port, two ports overlap, or the drawn solid is not one valid solid.
+        Refusal: no port, two ports overlap, or the drawn solid is not one valid solid.
     """
     return _checked(_drawn(cell), cell)
 
@@ -59,7 +60,7 @@ def air_volume(cell: Cell) -> AirVolume:
     Where every tube lies in the plane y = 0 the cell is its own mirror image and one half is drawn.
 
     Raises:
-        ValueError: no port, two ports overlap, or the drawn solid is not one valid solid.
+        Refusal: no port, two ports overlap, or the drawn solid is not one valid solid.
     """
     import cadquery as cq
 
@@ -86,15 +87,13 @@ def _drawn(cell: Cell) -> cadquery.Shape:
     import cadquery as cq
 
     if not cell.ports:
-        raise ValueError(f"the air of {cell.label} has no port; it needs at least one tube")
+        raise Refusal(f"the air of {cell.label} has no port; it needs at least one tube")
     radius = cell.diameter / 2
     for first, second in combinations(cell.ports, 2):
         near = min(cell.mouth_of(first), cell.mouth_of(second))
         apart = separation(near, first.angle - second.angle, cell.height_of(first) - cell.height_of(second))
         if apart <= (first.bore_diameter + second.bore_diameter) / 2:
-            raise ValueError(
-                f"the air of {cell.label} has overlapping ports at {first.angle:g} and {second.angle:g} deg"
-            )
+            raise Refusal(f"the air of {cell.label} has overlapping ports at {first.angle:g} and {second.angle:g} deg")
     air: cq.Shape = draw_cavity(cell.shape, radius, cell.height)
     for port in cell.ports:
         direction, middle = _direction(port), cq.Vector(0, 0, cell.height_of(port))
@@ -117,5 +116,5 @@ def _direction(port: CellPort) -> cadquery.Vector:
 def _checked(air: cadquery.Shape, cell: Cell) -> cadquery.Solid:
     solids = air.Solids()
     if len(solids) != 1 or not solids[0].isValid():
-        raise ValueError(f"the air of {cell.label} is not one valid solid")
+        raise Refusal(f"the air of {cell.label} is not one valid solid")
     return solids[0].clean()

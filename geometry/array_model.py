@@ -77,7 +77,7 @@ def array_model(design: ArrayDesign, parts: Mapping[str, cq.Workplane] | None = 
         parts: of :func:`geometry.build_parts`, where they exist already.
 
     Raises:
-        ValueError: a part is not one valid solid.
+        Refusal: a part is not one valid solid.
     """
     parts = build_parts(design) if parts is None else parts
     layout = place(design)

@@ -76,7 +76,7 @@ def build_parts(design: ArrayDesign) -> PartSet:
         the single shells are then spares, needed 0 times.
 
     Raises:
-        ValueError: a part is not one valid solid.
+        Refusal: a part is not one valid solid.
     """
     from geometry.carrier import array_carrier
     from geometry.membrane import build_membrane, membrane_radius

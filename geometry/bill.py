@@ -19,6 +19,7 @@ from geometry.assembly import PartSet, build_parts
 from geometry.design import ArrayDesign
 from geometry.design_parts import BOARD_SEAL
 from geometry.part_files import origin
+from geometry.refusal import Refusal
 from geometry.tube import Cut, cutting_list
 from geometry.whole_file import write_text
 
@@ -66,12 +67,12 @@ class Prices:
         """Refuse prices that are none.
 
         Raises:
-            ValueError: a value is negative or not finite, or a factor below 1.
+            Refusal: a value is negative or not finite, or a factor below 1.
         """
         for field in fields(self):
             value, least = getattr(self, field.name), 1.0 if field.name.endswith("factor") else 0.0
             if isinstance(value, (int, float)) and not least <= value < math.inf:
-                raise ValueError(f"prices.{field.name} = {value:g} must be at least {least:g} and finite")
+                raise Refusal(f"prices.{field.name} = {value:g} must be at least {least:g} and finite")
 
 
 @dataclass(frozen=True)

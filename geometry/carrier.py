@@ -14,6 +14,7 @@ import cadquery as cq
 
 from geometry.design import ArrayDesign, Printing
 from geometry.design_parts import Resonator
+from geometry.refusal import Refusal
 from geometry.shell import build_shell, one_solid
 from geometry.tube import Port
 
@@ -55,7 +56,7 @@ def array_carrier(design: ArrayDesign, ports: Sequence[Sequence[Port]]) -> Carri
         ports: of the shell of each point, in the order of their numbers from 1.
 
     Raises:
-        ValueError: as :func:`geometry.shell.build_shell` and :func:`build_carrier`.
+        Refusal: as :func:`geometry.shell.build_shell` and :func:`build_carrier`.
     """
     numbered = design.shell.label != "none"
     drawn: dict[tuple[object, ...], cq.Workplane] = {}
@@ -78,16 +79,16 @@ def build_carrier(resonator: Resonator, printing: Printing, shells: Sequence[cq.
         shells: at least one, each with its axis at the origin; without feet.
 
     Raises:
-        ValueError: no carrier is asked for, there are no shells, necks thicker than the floor, a shell that reaches
+        Refusal: no carrier is asked for, there are no shells, necks thicker than the floor, a shell that reaches
             beyond its outer diameter, or the drawn carrier is not one valid solid.
     """
     kind, gap, neck = printing.carrier, printing.carrier_gap, printing.carrier_neck
     if kind == "none":
-        raise ValueError("printing.carrier = 'none' must be 'row' or 'sheet' for shells to be joined")
+        raise Refusal("printing.carrier = 'none' must be 'row' or 'sheet' for shells to be joined")
     if not shells:
-        raise ValueError("carrier: there are no shells to join; it must have at least one")
+        raise Refusal("carrier: there are no shells to join; it must have at least one")
     if neck > resonator.floor_thickness:
-        raise ValueError(
+        raise Refusal(
             f"printing.carrier_neck = {neck:g} mm must be at most resonator.floor_thickness "
             f"({resonator.floor_thickness:g} mm)"
         )
@@ -96,7 +97,7 @@ def build_carrier(resonator: Resonator, printing: Printing, shells: Sequence[cq.
         box = shell.val().BoundingBox()
         reach = max(-box.xmin, box.xmax, -box.ymin, box.ymax)
         if reach > outer + (gap - 2 * _NECK_LENGTH) / 2:
-            raise ValueError(
+            raise Refusal(
                 f"carrier: shell {number} reaches {reach:.4g} mm from its axis; it must stay within "
                 f"{outer + (gap - 2 * _NECK_LENGTH) / 2:.4g} mm, half of printing.carrier_gap beyond its wall"
             )

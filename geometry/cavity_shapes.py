@@ -12,6 +12,8 @@ from dataclasses import dataclass, fields, replace
 from itertools import product
 from typing import TYPE_CHECKING
 
+from geometry.refusal import Refusal
+
 if TYPE_CHECKING:
     import cadquery
 
@@ -221,5 +223,5 @@ def port_rank(port: Port | CellPort) -> tuple[float, ...]:
 def _one(shape: cadquery.Shape) -> cadquery.Solid:
     solids = shape.Solids()
     if len(solids) != 1 or not solids[0].isValid():
-        raise ValueError(f"the cavity is drawn as {len(solids)} solids instead of one valid solid")
+        raise Refusal(f"the cavity is drawn as {len(solids)} solids instead of one valid solid")
     return solids[0]

@@ -14,6 +14,8 @@ from pydantic import BaseModel, ConfigDict, Field, TypeAdapter, ValidationError
 from pydantic.fields import FieldInfo
 from pydantic_core import ErrorDetails, PydanticUndefined
 
+from geometry.refusal import Refusal
+
 #: What a file may give in place of a field of a tube, and how the field follows from it.
 DERIVED_FROM = {
     "inner_diameter": ("spring_outer_diameter", "spring_outer_diameter - 2 x wire_diameter"),
@@ -21,7 +23,7 @@ DERIVED_FROM = {
 }
 
 
-class DesignError(ValueError):
+class DesignError(Refusal):
     """A design that is not valid. The message is one line: file, field, value and what is allowed.
 
     Attributes:

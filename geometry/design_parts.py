@@ -11,6 +11,7 @@ from pydantic import Field, model_validator
 from geometry.cavity_shapes import USUAL_BOX, Box, Dome
 from geometry.design_fields import Count, Millimetre, Number, Section
 from geometry.design_rules import SOCKET_COVER
+from geometry.refusal import Refusal
 
 #: Ducts are cut this many bore radii away from a cavity: the stub belongs to the 3-D cell, so that the
 #: entrance flow has decayed to a plane wave where the port is (its slowest mode decays as exp(-5 z/a)).
@@ -199,14 +200,14 @@ class Tube(Section):
                 continue
             value = data.pop(given)
             if derived in data:
-                raise ValueError(f"{given} = {value!r} must not be given beside {derived}; give one of the two")
+                raise Refusal(f"{given} = {value!r} must not be given beside {derived}; give one of the two")
             if not _is_positive(value):
-                raise ValueError(f"{given} = {value!r} must be a number above 0 mm")
+                raise Refusal(f"{given} = {value!r} must be a number above 0 mm")
             if not _is_positive(wire):
                 continue  # said of wire_diameter itself
             if given == "spring_outer_diameter":
                 if value <= 2 * wire:
-                    raise ValueError(f"{given} = {value:g} mm must be above 2 x wire_diameter ({2 * wire:g} mm)")
+                    raise Refusal(f"{given} = {value:g} mm must be above 2 x wire_diameter ({2 * wire:g} mm)")
                 data[derived] = round(value - 2 * wire, 9)
             elif _is_positive(data.get("inner_diameter")):
                 data[derived] = round(data["inner_diameter"] + 2 * wire + 2 * value, 9)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from geometry import hand, ring, shell_rules, wrap
 from geometry.materials import MATERIALS
 from geometry.print_processes import process_of
+from geometry.refusal import Refusal
 
 if TYPE_CHECKING:
     from geometry.design import ArrayDesign
@@ -24,7 +25,7 @@ def check_consistency(design: ArrayDesign) -> None:
     """Refuse a design whose fields, each allowed alone, do not go together.
 
     Raises:
-        ValueError: the first broken rule, with field, value and range.
+        Refusal: the first broken rule, with field, value and range.
     """
     for rule in (
         _materials,
@@ -44,7 +45,7 @@ def check_consistency(design: ArrayDesign) -> None:
         _print_rules,
     ):
         for message in rule(design):
-            raise ValueError(message)
+            raise Refusal(message)
 
 
 def _materials(design: ArrayDesign) -> Iterator[str]:

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from geometry.array_model import ArrayModel, Kind, plane_of
 from geometry.assembly import PlacedPart
+from geometry.refusal import Refusal
 
 if TYPE_CHECKING:
     import cadquery as cq
@@ -112,7 +113,7 @@ def port_fits(model: ArrayModel) -> tuple[PortFit, ...]:
     """Every tube end with the port it is glued in: twice as many as tubes that are not schematic.
 
     Raises:
-        ValueError: a tube ends in no port, or in a port without a bore and a socket.
+        Refusal: a tube ends in no port, or in a port without a bore and a socket.
     """
     joined = _joined(model)
     holes = {name: _cylinders(shape) for name, shape in model.shapes.items()}
@@ -231,7 +232,7 @@ def _port_fit(
     ]
     radii = sorted({round(port.radius, 9) for port in ports})
     if len(radii) < 2:
-        raise ValueError(f"{sheath.label} ends in {body.label} where no bore with a socket is")
+        raise Refusal(f"{sheath.label} ends in {body.label} where no bore with a socket is")
     return PortFit(
         tube=sheath.label,
         part=body.label,

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pydantic import Field
 
 from geometry.design_fields import Number, Section
+from geometry.refusal import Refusal
 
 
 class Material(Section):
@@ -36,10 +37,10 @@ def youngs_modulus_from_shore_a(shore_a: float) -> float:
         Young's modulus in MPa.
 
     Raises:
-        ValueError: hardness outside 0 to 90.
+        Refusal: hardness outside 0 to 90.
     """
     if not 0 <= shore_a <= 90:
-        raise ValueError(f"shore_a = {shore_a:g} must be between 0 and 90")
+        raise Refusal(f"shore_a = {shore_a:g} must be between 0 and 90")
     return 0.0981 * (56 + 7.62336 * shore_a) / (0.137505 * (254 - 2.54 * shore_a))
 
 
@@ -52,7 +53,7 @@ def blend_modulus(first: float, second: float, fraction_of_first: float) -> floa
         fraction_of_first: volume fraction of the first part, 0 to 1.
     """
     if not 0 <= fraction_of_first <= 1:
-        raise ValueError(f"fraction_of_first = {fraction_of_first:g} must be between 0 and 1")
+        raise Refusal(f"fraction_of_first = {fraction_of_first:g} must be between 0 and 1")
     return first**fraction_of_first * second ** (1 - fraction_of_first)
 
 

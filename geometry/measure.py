@@ -19,6 +19,8 @@ from OCP.TopExp import TopExp
 from OCP.TopLoc import TopLoc_Location
 from OCP.TopTools import TopTools_IndexedDataMapOfShapeListOfShape
 
+from geometry.refusal import Refusal
+
 #: Largest angle between neighbouring facets, rad: a round body of such facets lacks angle^2 / 6 = 0.05 % of volume.
 FACET_ANGLE = 0.055
 #: A round face that goes this far round (rad) is a hole or a pin; less is a fillet or a trough.
@@ -56,7 +58,7 @@ def tessellate(solid: cq.Shape, tolerance: float, facet_angle: float = FACET_ANG
         facet_angle: largest angle between neighbouring facets, rad.
 
     Raises:
-        ValueError: a face cannot be tessellated.
+        Refusal: a face cannot be tessellated.
     """
     copy = solid.copy()
     BRepMesh_IncrementalMesh(copy.wrapped, tolerance, False, facet_angle, False)
@@ -66,7 +68,7 @@ def tessellate(solid: cq.Shape, tolerance: float, facet_angle: float = FACET_ANG
         location = TopLoc_Location()
         mesh = BRep_Tool.Triangulation_s(face.wrapped, location)
         if mesh is None:
-            raise ValueError(f"face {index} of the solid cannot be tessellated")
+            raise Refusal(f"face {index} of the solid cannot be tessellated")
         move = location.Transformation()
         nodes = [mesh.Node(k).Transformed(move) for k in range(1, mesh.NbNodes() + 1)]
         corners = np.array([mesh.Triangle(k).Get() for k in range(1, mesh.NbTriangles() + 1)]) - 1

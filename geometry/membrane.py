@@ -48,7 +48,7 @@ def build_membrane(design: ArrayDesign) -> cq.Workplane:
     """Draw the membrane as it is cast: axis z, glued face at z = 0, boss or rim upwards.
 
     Raises:
-        ValueError: the drawn membrane is not one valid solid.
+        Refusal: the drawn membrane is not one valid solid.
     """
     from geometry.shell import one_solid
     from geometry.turned import turned

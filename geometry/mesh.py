@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from geometry.curved_tetrahedra import SOLVER_RULE, VOLUME_RULE, curved_volume, jacobians, split_wall_corners
+from geometry.refusal import Refusal
 
 if TYPE_CHECKING:
     import cadquery
@@ -28,7 +29,7 @@ WALL = "wall"
 _GMSH_TO_SKFEM_NODES = np.array([0, 1, 2, 3, 4, 5, 6, 7, 9, 8])
 
 
-class MeshError(ValueError):
+class MeshError(Refusal):
     """A solid that cannot be meshed as asked; the message says why."""
 
 

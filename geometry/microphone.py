@@ -10,6 +10,7 @@ import cadquery as cq
 from geometry.design import Printing
 from geometry.design_parts import BOARD_SEAL, SEAT_SLOT, Microphone
 from geometry.design_rules import SOCKET_COVER
+from geometry.refusal import Refusal
 from geometry.shell import cut_ports, cylinder, one_solid, refuse_thin_web
 from geometry.tube import Port
 
@@ -22,10 +23,10 @@ def build_housing(microphone: Microphone, printing: Printing, ports: Sequence[Po
     for it surrounds the chamber. Ports are at mid height as in a shell; below the seat the tubes have free way.
 
     Raises:
-        ValueError: no port, two that leave no wall between them, or the drawn housing is not one valid solid.
+        Refusal: no port, two that leave no wall between them, or the drawn housing is not one valid solid.
     """
     if not ports:
-        raise ValueError("microphone housing: has no port; it must have at least 1")
+        raise Refusal("microphone housing: has no port; it must have at least 1")
     radius, wall, top = microphone.chamber_diameter / 2, microphone.wall_thickness, microphone.chamber_height
     for pair in combinations(ports, 2):
         refuse_thin_web("microphone housing", pair, (radius, radius), radius + printing.port_lip, printing.glue_gap)

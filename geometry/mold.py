@@ -53,7 +53,7 @@ def build_mold(design: ArrayDesign) -> Mold:
     """Draw the mold of a design's membranes, two-part or open-face as ``mold.kind`` says.
 
     Raises:
-        ValueError: a part is not one valid solid.
+        Refusal: a part is not one valid solid.
     """
     from geometry.mold_base import base_block, mark, mark_text
     from geometry.open_mold import scraper, with_rails

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from geometry.assembly import PartSet
+from geometry.refusal import Refusal
 from geometry.three_mf import Body, read_3mf, write_3mf
 from geometry.whole_file import whole_file
 
@@ -95,21 +96,21 @@ def export(
         One record per file, parts in their order, formats in the order given.
 
     Raises:
-        ValueError: an unknown format, no parts, a tolerance that is not above 0, a name that cannot be a file
+        Refusal: an unknown format, no parts, a tolerance that is not above 0, a name that cannot be a file
             name, or a file that is not one closed body with the part's bores and volume.
         OSError: the folder cannot be written.
     """
     formats = tuple(dict.fromkeys(formats))
     for format_ in formats:
         if format_ not in FORMATS:
-            raise ValueError(f"formats = {format_!r} must be of: {', '.join(FORMATS)}")
+            raise Refusal(f"formats = {format_!r} must be of: {', '.join(FORMATS)}")
     if not parts or not formats:
-        raise ValueError(f"parts = {sorted(parts)}, formats = {list(formats)} must not be empty")
+        raise Refusal(f"parts = {sorted(parts)}, formats = {list(formats)} must not be empty")
     for name in parts:
         if not re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9._-]*", name):
-            raise ValueError(f"parts: name {name!r} must be of letters, digits, '.', '_' and '-' to name a file")
+            raise Refusal(f"parts: name {name!r} must be of letters, digits, '.', '_' and '-' to name a file")
     if tolerance is not None and not 0 < tolerance < math.inf:
-        raise ValueError(f"tolerance = {tolerance!r} mm must be above 0")
+        raise Refusal(f"tolerance = {tolerance!r} mm must be above 0")
     folder = Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
     shapes = tessellate_distinct(parts, tolerance, progress) if shapes is None else shapes
@@ -160,7 +161,7 @@ def tessellate_distinct(
         progress: called with the part and a fraction that ends at 0.4, when its file is yet to be written.
 
     Raises:
-        ValueError: a part that is not one valid solid.
+        Refusal: a part that is not one valid solid.
     """
     counts = parts.counts if isinstance(parts, PartSet) else {}
     tolerance = tessellation_tolerance(parts) if tolerance is None else tolerance
@@ -170,7 +171,7 @@ def tessellate_distinct(
             progress(f"facets of {name}", 0.4 * index / len(parts))
         shape = _shape(part)
         if len(shape.Solids()) != 1 or not shape.isValid():
-            raise ValueError(f"parts: {name} must be one valid solid; it has {len(shape.Solids())}")
+            raise Refusal(f"parts: {name} must be one valid solid; it has {len(shape.Solids())}")
         facets = _fine_enough(shape, tolerance)
         # Vertices are sorted by their coordinates, so equal shapes get equal numbers.
         corners = np.unique(np.sort(facets.triangles, axis=1), axis=0)
@@ -213,13 +214,13 @@ def _checked_mesh(mesh: trimesh.Trimesh, facets: Tessellation, shape: cq.Shape, 
     from geometry.measure import genus
 
     if not mesh.is_volume or mesh.body_count != 1:
-        raise ValueError(
+        raise Refusal(
             f"{path.name}: is not one closed body (closed: {mesh.is_watertight}, bodies: {mesh.body_count}); "
             "the part has features finer than the tessellation"
         )
     through = genus(shape)
     if mesh.euler_number != 2 - 2 * through:
-        raise ValueError(
+        raise Refusal(
             f"{path.name}: Euler number {mesh.euler_number} must be {2 - 2 * through} for the {through} ways through "
             "the part"
         )
@@ -242,14 +243,14 @@ def _checked_step(shape: cq.Shape, name: str, written: Path, path: Path) -> Expo
     read = cq.importers.importStep(str(written))
     solids = read.solids().vals()
     if len(solids) != 1:
-        raise ValueError(f"{path.name}: holds {len(solids)} solids instead of one")
+        raise Refusal(f"{path.name}: holds {len(solids)} solids instead of one")
     volume = sum(_shape(read.newObject([solid])).Volume() for solid in solids)
     return _checked_volume(ExportedFile(path, name, "step", None, None, shape.Volume(), volume))
 
 
 def _checked_volume(file: ExportedFile) -> ExportedFile:
     if not abs(file.volume_error) <= LARGEST_VOLUME_ERROR:
-        raise ValueError(
+        raise Refusal(
             f"{file.path.name}: volume {file.mesh_volume:.6g} mm^3 must be within {LARGEST_VOLUME_ERROR:.1%} of the "
             f"CAD volume {file.cad_volume:.6g} mm^3"
         )
@@ -273,7 +274,7 @@ def _read_stl(path: Path) -> trimesh.Trimesh:
 def _read_only_body(path: Path, name: str) -> trimesh.Trimesh:
     bodies = read_3mf(path)
     if list(bodies) != [name]:
-        raise ValueError(f"{path.name}: holds {len(bodies)} bodies instead of {name} alone")
+        raise Refusal(f"{path.name}: holds {len(bodies)} bodies instead of {name} alone")
     return bodies[name]
 
 

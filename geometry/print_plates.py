@@ -15,6 +15,7 @@ from geometry.assembly import PartSet
 from geometry.part_files import SharedShape, origin, tessellate_distinct
 from geometry.print_pose import Pose, find_pose
 from geometry.print_processes import PrintProcess
+from geometry.refusal import Refusal
 from geometry.three_mf import Body, write_3mf
 from geometry.whole_file import whole_file
 
@@ -61,7 +62,7 @@ def export_plates(
         shapes: of :func:`geometry.part_files.tessellate_distinct`, where they exist already.
 
     Raises:
-        ValueError: nothing is printed, or nothing fits.
+        Refusal: nothing is printed, or nothing fits.
     """
     counts = parts.counts if isinstance(parts, PartSet) else {}
     parameters = parts.parameters if isinstance(parts, PartSet) else {}
@@ -76,7 +77,7 @@ def export_plates(
             continue
         copies += [(shape, pose)] * sum(counts.get(name, 1) for name in shape.names)
     if not copies:
-        raise ValueError(f"parts: none of {', '.join(parts) or 'none'} can be laid on the plate of {process.name}")
+        raise Refusal(f"parts: none of {', '.join(parts) or 'none'} can be laid on the plate of {process.name}")
     copies.sort(key=lambda copy: -copy[1].size[1])
     plates = []
     for number, placed in enumerate(_packed(copies, process), start=1):

@@ -10,6 +10,8 @@ from dataclasses import dataclass, fields, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
+from geometry.refusal import Refusal
+
 if TYPE_CHECKING:
     from geometry.design import Printing
 
@@ -160,7 +162,7 @@ def find_process(process: str | os.PathLike[str] | PrintProcess) -> PrintProcess
     ``[printing.rules]`` in a design file, and ``name``, ``title`` and ``source``.
 
     Raises:
-        ValueError: no such process, or a file with a key or value that is not allowed.
+        Refusal: no such process, or a file with a key or value that is not allowed.
         OSError: the file cannot be read.
     """
     if isinstance(process, PrintProcess):
@@ -169,25 +171,25 @@ def find_process(process: str | os.PathLike[str] | PrintProcess) -> PrintProcess
         return PROCESSES[process]
     path = Path(process)
     if path.suffix != ".toml":
-        raise ValueError(f"process = {str(process)!r} must be one of: {', '.join(PROCESSES)}; or a .toml file")
+        raise Refusal(f"process = {str(process)!r} must be one of: {', '.join(PROCESSES)}; or a .toml file")
     try:
         given = tomllib.loads(path.read_text(encoding="utf-8"))
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-        raise ValueError(f"{path.name}: is not a TOML file: {error}") from None
+        raise Refusal(f"{path.name}: is not a TOML file: {error}") from None
     base = given.pop("base", "sla-resin")
     if base not in PROCESSES:
-        raise ValueError(f"{path.name}: base = {base!r} must be one of: {', '.join(PROCESSES)}")
+        raise Refusal(f"{path.name}: base = {base!r} must be one of: {', '.join(PROCESSES)}")
     words = {key: given.pop(key) for key in ("name", "title", "source") if key in given}
     for key, value in words.items():
         if not isinstance(value, str) or not value:
-            raise ValueError(f"{path.name}: {key} = {value!r} must be a text")
+            raise Refusal(f"{path.name}: {key} = {value!r} must be a text")
     from geometry.design import PrintRules
     from geometry.design_fields import DesignError
 
     try:
         rules = PrintRules(**given)
     except DesignError as error:
-        raise ValueError(f"{path.name}: {error}") from None
+        raise Refusal(f"{path.name}: {error}") from None
     source = words.pop("source", path.name)
     changed = with_rules(PROCESSES[base], rules.model_dump(exclude_none=True), source)
     return replace(changed, **{"name": path.stem, **words})
@@ -208,16 +210,16 @@ def with_rules(process: PrintProcess, values: Mapping[str, Any], source: str = "
         source: written to every changed figure.
 
     Raises:
-        ValueError: no such key, a value that is no finite number above 0, or advice that breaks its limit.
+        Refusal: no such key, a value that is no finite number above 0, or advice that breaks its limit.
     """
     known = [*RULES, *(f"{rule}_advised" for rule in RULES), *NUMBERS, "build_volume"]
     for key, value in values.items():
         if key not in known:
-            raise ValueError(f"rules: {key!r} must be one of: {', '.join(known)}")
+            raise Refusal(f"rules: {key!r} must be one of: {', '.join(known)}")
         numbers = value if key == "build_volume" and len(value) == 3 else [value]
         for number in numbers:
             if not isinstance(number, int | float) or isinstance(number, bool) or not 0 < number < math.inf:
-                raise ValueError(
+                raise Refusal(
                     f"rules.{key} = {value!r} must be {'three numbers' if len(numbers) > 1 else 'a number'} above 0"
                 )
     changed: dict[str, Any] = {}
@@ -229,7 +231,7 @@ def with_rules(process: PrintProcess, values: Mapping[str, Any], source: str = "
         stricter = max if rule.relation == "at least" else min
         advised = float(values.get(f"{name}_advised", stricter(rule.advised, limit)))
         if stricter(advised, limit) != advised:
-            raise ValueError(f"rules.{name}_advised = {advised:g} must be {rule.relation} {name} ({limit:g})")
+            raise Refusal(f"rules.{name}_advised = {advised:g} must be {rule.relation} {name} ({limit:g})")
         changed[name] = Rule(limit, advised, source, rule.relation)
     changed |= {name: float(values[name]) for name in NUMBERS if name in values}
     if "build_volume" in values:

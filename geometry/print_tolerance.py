@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from functools import partial
 
 from geometry.design import ArrayDesign
+from geometry.refusal import Refusal
 
 #: What small printed lengths are commonly true to, mm: told for every process, so that designs compare.
 USUAL_TOLERANCE = 0.05
@@ -47,10 +48,10 @@ def acoustic_effects(design: ArrayDesign, tolerance: float) -> tuple[AcousticEff
         tolerance: of a printed length, mm.
 
     Raises:
-        ValueError: a tolerance that is not above 0.
+        Refusal: a tolerance that is not above 0.
     """
     if not tolerance > 0:
-        raise ValueError(f"tolerance = {tolerance!r} mm must be above 0")
+        raise Refusal(f"tolerance = {tolerance!r} mm must be above 0")
     lip = design.printing.port_lip
     tubes = [design.tube_of(line) for line in design.lines if line.points > 1]
     tubes += [design.microphone_tube_of(line) for line in design.lines]

@@ -12,6 +12,7 @@ from geometry.part_files import SharedShape, origin, tessellation_tolerance
 from geometry.print_processes import PrintProcess, Verdict, find_process, process_of
 from geometry.print_rules import Finding, judge_cast, judge_printed, judge_shims
 from geometry.print_tolerance import USUAL_TOLERANCE, AcousticEffect, acoustic_effects
+from geometry.refusal import Refusal
 
 if TYPE_CHECKING:
     import cadquery as cq
@@ -67,14 +68,14 @@ def print_report(
         shapes: of :func:`geometry.part_files.tessellate_distinct`, where they exist already.
 
     Raises:
-        ValueError: no such process, or no parts.
+        Refusal: no such process, or no parts.
     """
     if process is None:
         rules = process_of(design.printing) if design is not None else find_process(DEFAULT_PROCESS)
     else:
         rules = find_process(process)
     if not parts:
-        raise ValueError("parts = {} must not be empty")
+        raise Refusal("parts = {} must not be empty")
     from geometry.measure import tessellate
 
     tolerance = tessellation_tolerance(parts)

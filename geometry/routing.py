@@ -7,6 +7,8 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from geometry.refusal import Refusal
+
 #: Chords per arc; the polyline of a half circle is then shorter than the arc by 1e-4.
 _CHORDS = 64
 
@@ -28,11 +30,11 @@ def bow_angle(length: float, distance: float, cavity_radius: float, outer_radius
         The angle t in degrees, 0 for a straight tube.
 
     Raises:
-        ValueError: the tube is shorter than the straight way.
+        Refusal: the tube is shorter than the straight way.
     """
     straight = distance - 2 * cavity_radius
     if length < straight - 1e-9:
-        raise ValueError(f"a tube of {length:g} mm does not reach over {straight:g} mm")
+        raise Refusal(f"a tube of {length:g} mm does not reach over {straight:g} mm")
     if length <= straight + 1e-9:
         return 0.0
     walls = 2 * (outer_radius - cavity_radius)

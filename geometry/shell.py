@@ -12,6 +12,7 @@ from geometry.design import Printing
 from geometry.design_parts import Membrane, Resonator, Shell
 from geometry.design_rules import SOCKET_COVER
 from geometry.measure import pinched_edges
+from geometry.refusal import Refusal
 from geometry.routing import unit
 from geometry.shell_features import add_feet, add_label, cut_groove
 from geometry.shell_rules import cavity_problems, feature_problems
@@ -47,17 +48,17 @@ def build_shell(
         label: digits, drawn where ``features.label`` asks for them.
 
     Raises:
-        ValueError: ports that do not fit, or the drawn shell is not one valid solid.
+        Refusal: ports that do not fit, or the drawn shell is not one valid solid.
     """
     features = features or Shell()
     for problem in cavity_problems(resonator):
-        raise ValueError(f"shell: {problem}")
+        raise Refusal(f"shell: {problem}")
     check_ports(resonator, printing, ports)
     sockets = [(port_height(port, resonator), port.tube_diameter / 2 + printing.glue_gap) for port in ports]
     for problem in feature_problems(features, resonator, membrane.rim_width, sockets):
-        raise ValueError(f"shell: {problem}")
+        raise Refusal(f"shell: {problem}")
     if membrane.rim_width > resonator.wall_thickness:
-        raise ValueError(
+        raise Refusal(
             f"shell: membrane.rim_width = {membrane.rim_width:g} mm must be at most resonator.wall_thickness "
             f"({resonator.wall_thickness:g} mm)"
         )
@@ -85,26 +86,26 @@ def check_ports(resonator: Resonator, printing: Printing, ports: Sequence[Port])
     """Refuse ports that the wall of a shell has no room for.
 
     Raises:
-        ValueError: none or more than six, one that leaves the wall, or two that leave no wall between them.
+        Refusal: none or more than six, one that leaves the wall, or two that leave no wall between them.
     """
     if not 1 <= len(ports) <= MOST_PORTS:
-        raise ValueError(f"shell: has {len(ports)} ports; it must have 1 to {MOST_PORTS}")
+        raise Refusal(f"shell: has {len(ports)} ports; it must have 1 to {MOST_PORTS}")
     radius, outer, lip = resonator.cavity_diameter / 2, resonator.outer_diameter / 2, printing.port_lip
     for port in ports:
         where = f"shell: the port at {port.angle:g} deg"
         height = port_height(port, resonator)
         hole, bore = port.tube_diameter / 2 + printing.glue_gap, port.bore_diameter / 2
         if not 0 < bore < hole:
-            raise ValueError(f"{where} has a bore of {2 * bore:g} mm; it must be above 0 and below {2 * hole:g} mm")
+            raise Refusal(f"{where} has a bore of {2 * bore:g} mm; it must be above 0 and below {2 * hole:g} mm")
         lowest = max(bore, hole + SOCKET_COVER - resonator.floor_thickness)
         highest = resonator.cavity_height - hole - SOCKET_COVER
         if not lowest - 1e-9 <= height <= highest + 1e-9:
-            raise ValueError(f"{where} lies at {height:g} mm; it must lie between {lowest:g} and {highest:g} mm")
+            raise Refusal(f"{where} lies at {height:g} mm; it must lie between {lowest:g} and {highest:g} mm")
         if hole >= outer or (outer**2 - hole**2) ** 0.5 <= radius + lip:
-            raise ValueError(f"{where}: its socket of {2 * hole:g} mm is not wholly in the wall beyond the lip")
+            raise Refusal(f"{where}: its socket of {2 * hole:g} mm is not wholly in the wall beyond the lip")
         problem = resonator.port_problem(height, 2 * bore)
         if problem:
-            raise ValueError(f"{where} {problem}")
+            raise Refusal(f"{where} {problem}")
     for pair in combinations(ports, 2):
         heights = [port_height(port, resonator) for port in pair]
         mouths = tuple(
@@ -122,15 +123,15 @@ def refuse_thin_web(
     Args: see :func:`geometry.cavity_shapes.port_web`; ``name`` is that of the part.
 
     Raises:
-        ValueError: they do.
+        Refusal: they do.
     """
     first, second = ports
     wall = port_web((first, second), (mouths[0], mouths[1]), shoulder, glue_gap, rise)
     where = f"{name}: the ports at {first.angle:g} and {second.angle:g} deg"
     if wall <= 0:
-        raise ValueError(f"{where} overlap")
+        raise Refusal(f"{where} overlap")
     if wall < SOCKET_COVER - 1e-9:
-        raise ValueError(
+        raise Refusal(
             f"{where} leave a wall of {wall:.3g} mm between them; it must be at least {SOCKET_COVER:g} mm: turn them "
             "apart, or widen the cavity or printing.port_lip"
         )
@@ -180,11 +181,11 @@ def one_solid(shape: cq.Shape, name: str) -> cq.Workplane:
     """The shape as a workplane with one solid.
 
     Raises:
-        ValueError: it is not one valid solid.
+        Refusal: it is not one valid solid.
     """
     solids = shape.Solids()
     if len(solids) != 1 or not solids[0].isValid():
-        raise ValueError(f"{name}: drawn as {len(solids)} solids instead of one valid solid; its features cut it apart")
+        raise Refusal(f"{name}: drawn as {len(solids)} solids instead of one valid solid; its features cut it apart")
     if pinched_edges(solids[0]):
-        raise ValueError(f"{name}: drawn as a solid that touches itself along a line; move what meets there")
+        raise Refusal(f"{name}: drawn as a solid that touches itself along a line; move what meets there")
     return cq.Workplane(solids[0])

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 import cadquery as cq
 
 from geometry.design_parts import Shell
+from geometry.refusal import Refusal
 from geometry.shell_rules import FOOT_EDGE
 from geometry.stroke_letters import SPACE, WIDTH, strokes
 
@@ -84,10 +85,10 @@ def add_label(
         features: kind, height and relief of the digits.
 
     Raises:
-        ValueError: the text is no number, or has no room.
+        Refusal: the text is no number, or has no room.
     """
     if not (text.isascii() and text.isdigit() and len(text) <= 4):
-        raise ValueError(f"shell: label {text!r} must be one to four digits")
+        raise Refusal(f"shell: label {text!r} must be one to four digits")
     angle, gap = largest_gap([port for port, _ in ports])
     socket = max(radius for _, radius in ports)
     free = math.radians(gap / 2) - math.asin(min(socket / outer_radius, 1.0))
@@ -96,12 +97,12 @@ def add_label(
     room = min(0.8 * (span[1] - span[0]), widest / width)
     height = min(_USUAL_DIGITS, room) if features.label_height is None else features.label_height
     if height > room + 1e-9 or height < _SMALLEST_DIGITS:
-        raise ValueError(
+        raise Refusal(
             f"shell.label: digits of {height:.3g} mm do not fit on the wall; {text!r} must be {_SMALLEST_DIGITS:g} to "
             f"{room:.3g} mm high"
         )
     if features.label == "engraved" and features.label_relief > wall / 3:
-        raise ValueError(
+        raise Refusal(
             f"shell.label_relief = {features.label_relief:g} mm must be at most {wall / 3:g} mm, a third of "
             "resonator.wall_thickness, where digits are engraved"
         )

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from geometry.array_model import ArrayModel, assembly_of, component_name
+from geometry.refusal import Refusal
 from geometry.whole_file import whole_file
 
 if TYPE_CHECKING:
@@ -47,7 +48,7 @@ def write_step(model: ArrayModel, path: str | os.PathLike[str]) -> Path:
     with whole_file(path) as beside:
         writer.Transfer(document, STEPControl_StepModelType.STEPControl_AsIs)
         if writer.Write(str(beside)) != IFSelect_ReturnStatus.IFSelect_RetDone:
-            raise OSError(f"{path}: the CAD kernel could not write it")
+            raise Refusal(f"{path}: the CAD kernel could not write it")
     return path
 
 

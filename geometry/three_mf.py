@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from geometry.refusal import Refusal
+
 if TYPE_CHECKING:
     import trimesh
 
@@ -63,7 +65,7 @@ def read_3mf(path: Path) -> dict[str, trimesh.Trimesh]:
     """The bodies of a file in mm by name, as written, wherever they are placed.
 
     Raises:
-        ValueError: another unit, or two bodies of one name.
+        Refusal: another unit, or two bodies of one name.
     """
     import lib3mf
     import trimesh
@@ -71,13 +73,13 @@ def read_3mf(path: Path) -> dict[str, trimesh.Trimesh]:
     model = lib3mf.get_wrapper().CreateModel()
     model.QueryReader("3mf").ReadFromFile(str(path))
     if model.GetUnit() != lib3mf.ModelUnit.MilliMeter:
-        raise ValueError(f"{path.name}: is in another unit than mm")
+        raise Refusal(f"{path.name}: is in another unit than mm")
     found: dict[str, trimesh.Trimesh] = {}
     bodies = model.GetMeshObjects()
     while bodies.MoveNext():
         body = bodies.GetCurrentMeshObject()
         if body.GetName() in found:
-            raise ValueError(f"{path.name}: holds two bodies named {body.GetName()}")
+            raise Refusal(f"{path.name}: holds two bodies named {body.GetName()}")
         found[body.GetName()] = trimesh.Trimesh(
             np.array([list(vertex.Coordinates) for vertex in body.GetVertices()]),
             np.array([list(triangle.Indices) for triangle in body.GetTriangleIndices()]),

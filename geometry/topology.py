@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from geometry.refusal import Refusal
+
 
 @dataclass(frozen=True)
 class WiringCounts:
@@ -27,27 +29,25 @@ def check_topology(microphones: Sequence[str], lines: Sequence[tuple[tuple[str, 
         lines: per line the two microphones at its ends and its number of points.
 
     Raises:
-        ValueError: with the field, the value and what is allowed.
+        Refusal: with the field, the value and what is allowed.
     """
     names = list(microphones)
     duplicates = sorted({name for name in names if names.count(name) > 1})
     if duplicates:
-        raise ValueError(f"microphones = {names} must be different names; {duplicates[0]!r} appears twice")
+        raise Refusal(f"microphones = {names} must be different names; {duplicates[0]!r} appears twice")
     most = len(names) * (len(names) - 1) // 2
     if len(lines) > most:
-        raise ValueError(f"lines = {len(lines)} lines must be at most M(M-1)/2 = {most} for {len(names)} microphones")
+        raise Refusal(f"lines = {len(lines)} lines must be at most M(M-1)/2 = {most} for {len(names)} microphones")
     pairs: dict[frozenset[str], int] = {}
     for index, ((first, second), _) in enumerate(lines):
         for name in (first, second):
             if name not in names:
-                raise ValueError(f"lines.{index}.between = {[first, second]} must name microphones of {names}")
+                raise Refusal(f"lines.{index}.between = {[first, second]} must name microphones of {names}")
         if first == second:
-            raise ValueError(
-                f"lines.{index}.between = {[first, second]} must name two different microphones of {names}"
-            )
+            raise Refusal(f"lines.{index}.between = {[first, second]} must name two different microphones of {names}")
         pair = frozenset((first, second))
         if pair in pairs:
-            raise ValueError(
+            raise Refusal(
                 f"lines.{index}.between = {[first, second]} must be a pair of its own; "
                 f"lines.{pairs[pair]} joins the same two microphones"
             )
@@ -61,7 +61,7 @@ def check_topology(microphones: Sequence[str], lines: Sequence[tuple[tuple[str, 
     for name in names:
         if name not in reached:
             on_line = any(name in pair for pair in pairs)
-            raise ValueError(
+            raise Refusal(
                 f"microphones: {name!r} "
                 + (
                     f"cannot be reached from {names[0]!r}; the lines must connect all of {names}"
@@ -84,18 +84,18 @@ def wiring_counts(microphones: int, points_per_line: Sequence[int]) -> WiringCou
             M(M-1)/2, one for every pair.
 
     Raises:
-        ValueError: a number out of range.
+        Refusal: a number out of range.
     """
     if microphones < 2:
-        raise ValueError(f"microphones = {microphones} must be at least 2")
+        raise Refusal(f"microphones = {microphones} must be at least 2")
     most = microphones * (microphones - 1) // 2
     if not microphones - 1 <= len(points_per_line) <= most:
-        raise ValueError(
+        raise Refusal(
             f"points_per_line has {len(points_per_line)} lines; it must have M-1 = {microphones - 1} to "
             f"M(M-1)/2 = {most} for {microphones} microphones"
         )
     if min(points_per_line) < 1:
-        raise ValueError(f"points_per_line = {list(points_per_line)} must be at least 1 each")
+        raise Refusal(f"points_per_line = {list(points_per_line)} must be at least 1 each")
     points = sum(points_per_line)
     per_line = points / len(points_per_line)
     per_microphone = points / microphones

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from geometry.design_parts import Tube
+from geometry.refusal import Refusal
 from geometry.routing import path_length, tightest_bend, trimmed
 
 if TYPE_CHECKING:
@@ -70,7 +71,7 @@ def build_tube(piece: TubePiece) -> tuple[cq.Workplane, cq.Workplane]:
     """Draw the spring and the sheath of a piece of tube.
 
     Raises:
-        ValueError: the drawn tube is not one valid solid, as where it bends more tightly than it is wide.
+        Refusal: the drawn tube is not one valid solid, as where it bends more tightly than it is wide.
     """
     tube, points = piece.tube, np.array(piece.path)
     spring = tube.spring_outer_diameter / 2
@@ -88,7 +89,7 @@ def _sleeve(points: NDArray[np.float64], inner: float, outer: float, name: str) 
     from geometry.shell import one_solid
 
     if tightest_bend(points) <= outer:
-        raise ValueError(f"{name}: bends to a radius of {tightest_bend(points):.3g} mm, below its own {outer:g} mm")
+        raise Refusal(f"{name}: bends to a radius of {tightest_bend(points):.3g} mm, below its own {outer:g} mm")
     start, along = cq.Vector(*points[0]), cq.Vector(*(points[1] - points[0]))
     circles = [cq.Wire.makeCircle(radius, start, along) for radius in (outer, inner)]
     section = cq.Face.makeFromWires(circles[0], circles[1:])

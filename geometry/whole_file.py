@@ -7,6 +7,8 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
+from geometry.refusal import Refusal
+
 
 @contextmanager
 def whole_file(path: str | os.PathLike[str]) -> Iterator[Path]:
@@ -40,11 +42,11 @@ def replace_section(path: str | os.PathLike[str], begin: str, end: str, lines: S
     """Put lines between two marks of a text, in place of what stands there; the marks stay.
 
     Raises:
-        ValueError: the marks do not stand in the text once each, in this order.
+        Refusal: the marks do not stand in the text once each, in this order.
     """
     text = Path(path).read_text(encoding="utf-8")
     before, found, rest = text.partition(begin)
     _, closed, after = rest.partition(end)
     if not found or not closed or begin in rest:
-        raise ValueError(f"{path}: {begin!r} and then {end!r} must each stand in it once")
+        raise Refusal(f"{path}: {begin!r} and then {end!r} must each stand in it once")
     write_text(path, "\n".join([before + begin, *lines, end + after]))

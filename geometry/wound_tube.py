@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from geometry.curved_tetrahedra import EDGES
 from geometry.mesh import WALL, SolidMesh, checked_mesh
+from geometry.refusal import Refusal
 
 #: Names of the ends of a swept mesh.
 FIRST, LAST = "first", "last"
@@ -82,11 +83,11 @@ def closest_pitch(diameter: float, outside: float) -> float:
     The distance of neighbouring turns is the pitch times the cosine of the lead angle.
 
     Raises:
-        ValueError: the tube is as wide as the circumference of its cylinder.
+        Refusal: the tube is as wide as the circumference of its cylinder.
     """
     share = outside / (math.pi * diameter)
     if not share < 1:
-        raise ValueError(f"outside = {outside:g} mm must be below the circumference {math.pi * diameter:g} mm")
+        raise Refusal(f"outside = {outside:g} mm must be below the circumference {math.pi * diameter:g} mm")
     return outside / math.sqrt((1 - share) * (1 + share))
 
 

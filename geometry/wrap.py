@@ -13,6 +13,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from geometry.refusal import Refusal
+
 if TYPE_CHECKING:
     from geometry.design import ArrayDesign
 
@@ -146,12 +148,12 @@ def wound_turn(length: float, inner: tuple[float, float], outer: tuple[float, fl
         radius: from the cylinder's axis to those of the ports, mm.
 
     Raises:
-        ValueError: the tube does not reach between the walls, or goes more than half around the cylinder.
+        Refusal: the tube does not reach between the walls, or goes more than half around the cylinder.
     """
     low, high = 2 * math.atan(max(outer) / radius), math.pi
     shortest, longest = (wound_length(turn, inner, outer, radius) for turn in (low, high))
     if not shortest <= length <= longest:
-        raise ValueError(f"a tube of {length:g} mm must be between {shortest:.4g} and {longest:.4g} mm long here")
+        raise Refusal(f"a tube of {length:g} mm must be between {shortest:.4g} and {longest:.4g} mm long here")
     for _ in range(100):
         turn = (low + high) / 2
         if wound_length(turn, inner, outer, radius) < length:

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
+from geometry.refusal import Refusal
 from localize.noise import NoiseChoice, NoiseSpectrum, microphone_noise
 from localize.stimulus import BAND
 
@@ -54,31 +55,31 @@ class ArrayResponse:
     def __post_init__(self) -> None:
         h, f = self.transfer_function, self.frequency
         if h.ndim != 3 or h.shape[1:] != (len(self.microphones), len(f)):
-            raise ValueError(
+            raise Refusal(
                 f"transfer_function has shape {h.shape}, must be (n_point, n_microphone, n_freq) = "
                 f"(n, {len(self.microphones)}, {len(f)})"
             )
         if len(self.line) != len(h) or len(self.place) != len(h):
-            raise ValueError(f"line and place must each have one value for each of the {len(h)} points")
+            raise Refusal(f"line and place must each have one value for each of the {len(h)} points")
         if len(h) < 2 or len(self.microphones) < 2:
-            raise ValueError(
+            raise Refusal(
                 f"{len(h)} points and {len(self.microphones)} microphones: localizing needs at least 2 of each"
             )
         if len(f) < 4 or f[0] <= 0 or np.any(np.diff(f) <= 0):
-            raise ValueError("frequency must hold at least 4 increasing values above 0 Hz")
+            raise Refusal("frequency must hold at least 4 increasing values above 0 Hz")
         if f[0] > BAND[0] + 1e-6 or f[-1] < BAND[1] - 1e-6:
-            raise ValueError(
+            raise Refusal(
                 f"frequency runs from {f[0]:g} to {f[-1]:g} Hz; it must cover {BAND[0]:g} to {BAND[1]:g} Hz, "
                 "the band of the stimuli"
             )
         for name, expected in (("ambient_response", h.shape[1:]), ("vent_ratio", f.shape)):
             value = getattr(self, name)
             if value is not None and (value.shape != expected or not np.isfinite(value).all()):
-                raise ValueError(f"{name} must hold finite values of shape {expected}, has shape {value.shape}")
+                raise Refusal(f"{name} must hold finite values of shape {expected}, has shape {value.shape}")
         bad = np.argwhere(~np.isfinite(h))
         if len(bad):
             point, microphone, k = bad[0]
-            raise ValueError(
+            raise Refusal(
                 f"transfer_function of point {point + 1} at microphone {self.microphones[microphone]} is not finite "
                 f"at {f[k]:g} Hz"
             )
@@ -92,14 +93,14 @@ class ArrayResponse:
         """What is added to every microphone: white noise in Pa rms over 0 to 500 Hz, or that of the design.
 
         Raises:
-            ValueError: "design" where there is none, or a number that is not finite or below zero.
+            Refusal: "design" where there is none, or a number that is not finite or below zero.
         """
         if choice == "design":
             if self.own_noise is None:
-                raise ValueError("microphone_noise = 'design' needs a library with a design; else give Pa rms")
+                raise Refusal("microphone_noise = 'design' needs a library with a design; else give Pa rms")
             return self.own_noise
         if not 0 <= choice < np.inf:
-            raise ValueError(f"microphone_noise = {choice} must be 'design' or a finite number, zero or above")
+            raise Refusal(f"microphone_noise = {choice} must be 'design' or a finite number, zero or above")
         return float(choice)
 
     def at(self, frequency: NDArray[np.float64]) -> NDArray[np.complex128]:
@@ -189,7 +190,7 @@ def response_of(library: Library | ArrayResponse) -> ArrayResponse:
     """The plain arrays of a library.
 
     Raises:
-        ValueError: the library's frequencies do not cover 1 to 100 Hz, or a value is not finite.
+        Refusal: the library's frequencies do not cover 1 to 100 Hz, or a value is not finite.
     """
     if isinstance(library, ArrayResponse):
         return library

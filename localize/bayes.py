@@ -24,6 +24,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from torch import Tensor
 
+from geometry.refusal import Refusal
 from localize.dataset import ArrayResponse, response_of
 from localize.frame_covariance import (
     SAMPLES,
@@ -106,7 +107,7 @@ class BayesDecoder:
             there is sound also time, grow with their number. Needs a library with a design.
 
     Raises:
-        ValueError: the library does not cover 1 to 100 Hz, the noise or the sound is outside its range, or sound is
+        Refusal: the library does not cover 1 to 100 Hz, the noise or the sound is outside its range, or sound is
             assumed without a design.
     """
 
@@ -153,7 +154,7 @@ class BayesDecoder:
             (n_point,) or (n, n_point) float64: probability per point.
 
         Raises:
-            ValueError: wrong number of channels, too few samples, a value that is not finite, a silent channel.
+            Refusal: wrong number of channels, too few samples, a value that is not finite, a silent channel.
         """
         batch, batched = checked_signals(signals, self.microphones)
         probability = np.exp(self._log_probability(batch))
@@ -170,7 +171,7 @@ class BayesDecoder:
             (n, n_point) float64, nats.
 
         Raises:
-            ValueError: as :meth:`locate`.
+            Refusal: as :meth:`locate`.
         """
         batch, _ = checked_signals(signals, self.microphones)
         return self._log_probability(batch)
@@ -283,11 +284,11 @@ def checked_levels(response: ArrayResponse, ambient: Ambient) -> tuple[float | N
     """The levels of an ``ambient``, from quiet to loud.
 
     Raises:
-        ValueError: no level, or as :func:`localize.frame_covariance.check_ambient`.
+        Refusal: no level, or as :func:`localize.frame_covariance.check_ambient`.
     """
     levels = tuple(ambient) if isinstance(ambient, Sequence) else (ambient,)
     if not levels:
-        raise ValueError("ambient is empty: it must hold at least one level, or None for quiet")
+        raise Refusal("ambient is empty: it must hold at least one level, or None for quiet")
     for level in levels:
         check_ambient(response, level)
     return tuple(sorted(set(levels), key=lambda level: -1.0 if level is None else level))

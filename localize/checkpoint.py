@@ -17,6 +17,7 @@ from typing import Any
 import torch
 from torch import Tensor, nn
 
+from geometry.refusal import Refusal
 from geometry.whole_file import whole_file
 from localize.dataset import TouchGenerator
 
@@ -25,7 +26,7 @@ _MOMENTS = ("step", "exp_avg", "exp_avg_sq")
 """Of AdamW, per parameter."""
 
 
-class CheckpointError(ValueError):
+class CheckpointError(Refusal):
     """A checkpoint that cannot be gone on from: one line that names the file and the reason."""
 
 

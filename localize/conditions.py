@@ -92,7 +92,7 @@ def evaluate_conditions(
         progress: called with the condition and the fraction done.
 
     Raises:
-        ValueError: as :func:`localize.evaluate`.
+        Refusal: as :func:`localize.evaluate`.
     """
     wanted = conditions(response)
     found = []

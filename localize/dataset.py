@@ -17,6 +17,7 @@ import torch
 from numpy.typing import NDArray
 from torch import Tensor
 
+from geometry.refusal import Refusal
 from localize import disturbances, stimulus
 from localize.array_response import (
     ArrayResponse,
@@ -87,7 +88,7 @@ class TouchGenerator:
             everywhere.
 
     Raises:
-        ValueError: as :meth:`ArrayResponse.noise`; a source that covers less than 1 to 100 Hz, holds other points or
+        Refusal: as :meth:`ArrayResponse.noise`; a source that covers less than 1 to 100 Hz, holds other points or
             microphones than the array, or has none of the sensors asked for; ambient sound or a scatter of vents
             where there is no design to tell what they do; levels out of range; an unknown method.
     """
@@ -108,7 +109,7 @@ class TouchGenerator:
         device: Device = "cpu",
     ) -> None:
         if method not in ("exact", "stft"):
-            raise ValueError(f"method = {method!r} must be one of: exact, stft")
+            raise Refusal(f"method = {method!r} must be one of: exact, stft")
         self.response = response
         self.seed = seed
         self.purpose: Purpose = purpose
@@ -151,7 +152,7 @@ class TouchGenerator:
     def _nominal(self, name: str, values: NDArray[np.complex128] | None) -> Tensor:
         """A response of the nominal array on the lines."""
         if values is None:
-            raise ValueError(f"{name} needs a library with a design: bare transfer functions do not tell what it does")
+            raise Refusal(f"{name} needs a library with a design: bare transfer functions do not tell what it does")
         grid = self.response.frequency
         lines = np.clip(stimulus.line_frequencies()[: self._stop], None, grid[-1])
         return self._on_lines_of(interpolated(values, grid, lines))
@@ -219,15 +220,15 @@ class TouchGenerator:
 def _check_source(source: TransferFunctionSource, response: ArrayResponse, sensors: range) -> None:
     grid = source.frequency
     if grid[0] > BAND[0] + 1e-6 or grid[-1] < BAND[1] - 1e-6:
-        raise ValueError(
+        raise Refusal(
             f"source: frequency runs from {grid[0]:g} to {grid[-1]:g} Hz; it must cover {BAND[0]:g} to {BAND[1]:g} Hz"
         )
     if sensors.step != 1 or not 0 <= sensors.start < sensors.stop <= source.sensor_count:
-        raise ValueError(f"sensors = {sensors} must be consecutive ones of the source's {source.sensor_count}")
+        raise Refusal(f"sensors = {sensors} must be consecutive ones of the source's {source.sensor_count}")
     shape = source.sensors(sensors.start, 1).shape[1:3]
     expected = (response.point_count, len(response.microphones))
     if shape != expected:
-        raise ValueError(
+        raise Refusal(
             f"source: its sensors have {shape[0]} points and {shape[1]} microphones; the array has {expected[0]} and "
             f"{expected[1]}"
         )

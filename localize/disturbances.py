@@ -18,6 +18,7 @@ from dataclasses import dataclass
 import torch
 from torch import Tensor
 
+from geometry.refusal import Refusal
 from localize.random_streams import Purpose, between, complex_normal, random_words, uniform
 from localize.stimulus import SAMPLE_LENGTH, SAMPLE_RATE, Device
 
@@ -34,7 +35,7 @@ class MicrophoneMismatch:
     """How unlike the microphones of an array are; each sample is recorded by microphones of its own.
 
     Raises:
-        ValueError: a figure outside its range.
+        Refusal: a figure outside its range.
     """
 
     gain: float = 0.0
@@ -45,7 +46,7 @@ class MicrophoneMismatch:
     def __post_init__(self) -> None:
         for name, most, unit in (("gain", 20.0, " dB"), ("vent", 1.0, "")):
             if not 0 <= getattr(self, name) <= most:
-                raise ValueError(f"mismatch: {name} = {getattr(self, name)} must be between 0 and {most:g}{unit}")
+                raise Refusal(f"mismatch: {name} = {getattr(self, name)} must be between 0 and {most:g}{unit}")
 
     def factors(
         self, seed: int, purpose: Purpose, start: int, count: int, microphones: int, vent_ratio: Tensor
@@ -75,10 +76,10 @@ def check_ambient(ambient: tuple[float, float]) -> None:
     """Refuse levels that are no range of sound.
 
     Raises:
-        ValueError: levels that do not ascend from -100 to 140 dB SPL.
+        Refusal: levels that do not ascend from -100 to 140 dB SPL.
     """
     if not -100 <= ambient[0] <= ambient[1] <= 140:
-        raise ValueError(
+        raise Refusal(
             f"ambient = ({ambient[0]:g}, {ambient[1]:g}) dB SPL must be lowest and highest level, between -100 and 140"
         )
 

@@ -11,6 +11,7 @@ import numpy as np
 import scipy.stats
 from numpy.typing import ArrayLike, NDArray
 
+from geometry.refusal import Refusal
 from localize.dataset import ArrayResponse, TouchGenerator, response_of
 from localize.frames import FRAME
 from localize.noise import NoiseChoice, NoiseSpectrum
@@ -179,7 +180,7 @@ def evaluate(
         ambient: level of the sound outside, dB SPL, which the library must be of a design for.
 
     Raises:
-        ValueError: points or microphones do not agree, or an argument is outside its range.
+        Refusal: points or microphones do not agree, or an argument is outside its range.
     """
     response = response_of(library)
     check_evaluation(localizer, response, touches_per_point, microphone_noise, samples)
@@ -207,17 +208,17 @@ def check_evaluation(
     """Refuse what :func:`evaluate` would, before any work.
 
     Raises:
-        ValueError: points or microphones do not agree, or an argument is outside its range.
+        Refusal: points or microphones do not agree, or an argument is outside its range.
     """
     if tuple(localizer.microphones) != response.microphones or localizer.point_count != response.point_count:
-        raise ValueError(
+        raise Refusal(
             f"the localizer is for {localizer.point_count} points and microphones {', '.join(localizer.microphones)}; "
             f"the library has {response.point_count} points and microphones {', '.join(response.microphones)}"
         )
     if touches_per_point < 1:
-        raise ValueError(f"touches_per_point = {touches_per_point} must be at least 1")
+        raise Refusal(f"touches_per_point = {touches_per_point} must be at least 1")
     if not FRAME <= samples <= SAMPLE_LENGTH:
-        raise ValueError(f"samples = {samples} must be between {FRAME} and {SAMPLE_LENGTH}")
+        raise Refusal(f"samples = {samples} must be between {FRAME} and {SAMPLE_LENGTH}")
     response.noise(microphone_noise)
 
 

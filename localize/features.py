@@ -26,6 +26,7 @@ import torch
 from numpy.typing import NDArray
 from torch import Tensor, nn
 
+from geometry.refusal import Refusal
 from localize.frames import FRAME
 from localize.stimulus import BAND, SAMPLE_RATE
 
@@ -59,10 +60,10 @@ def map_count(microphones: int, choice: FeatureChoice = "phasors") -> int:
     """Number of maps of an array: three for every pair of microphones and one of the power, or the paper's two.
 
     Raises:
-        ValueError: an unknown choice.
+        Refusal: an unknown choice.
     """
     if choice not in MAPS_PER_PAIR:
-        raise ValueError(f"features = {choice!r} must be one of: {', '.join(MAPS_PER_PAIR)}")
+        raise Refusal(f"features = {choice!r} must be one of: {', '.join(MAPS_PER_PAIR)}")
     return MAPS_PER_PAIR[choice] * microphones * (microphones - 1) // 2 + (choice == "phasors")
 
 
@@ -93,7 +94,7 @@ class PairFeatures(nn.Module):
     Nothing but real matrix products and functions of one value: it runs on any device and can be exported.
 
     Raises:
-        ValueError: an unknown choice.
+        Refusal: an unknown choice.
     """
 
     analysis: Tensor

@@ -24,6 +24,7 @@ import numpy as np
 import torch
 from torch import Tensor
 
+from geometry.refusal import Refusal
 from localize.frames import FRAME
 from localize.random_streams import (
     Purpose,
@@ -146,7 +147,7 @@ class RecordedStimulus:
         full_scale: Pa of the largest value the file's format can hold (1.0 for floating point): a WAV has no unit.
 
     Raises:
-        ValueError: a file that cannot be read, has several channels, is too short, silent or not finite; a scale
+        Refusal: a file that cannot be read, has several channels, is too short, silent or not finite; a scale
             that is not above zero.
     """
 
@@ -157,7 +158,7 @@ class RecordedStimulus:
 
     def __post_init__(self) -> None:
         if not 0 < self.full_scale < math.inf:
-            raise ValueError(f"full_scale = {self.full_scale} Pa must be a finite number above zero")
+            raise Refusal(f"full_scale = {self.full_scale} Pa must be a finite number above zero")
         pressure = self.full_scale * _read_wav(Path(self.path))
         object.__setattr__(self, "pressure", torch.from_numpy(pressure.astype(np.float32)))
 
@@ -248,15 +249,15 @@ def _read_wav(path: Path) -> np.ndarray:
     try:
         sound = read_wav(path)
     except OSError as error:
-        raise ValueError(f"{path}: cannot be read: {error.strerror or error}") from None
+        raise Refusal(f"{path}: cannot be read: {error.strerror or error}") from None
     if len(sound.channels) != 1:
-        raise ValueError(f"{path}: has {len(sound.channels)} channels, must have one: the pressure in a cavity")
+        raise Refusal(f"{path}: has {len(sound.channels)} channels, must have one: the pressure in a cavity")
     (pressure,) = sound.channels.values()
     if not np.isfinite(pressure).all():
-        raise ValueError(f"{path}: holds values that are not finite")
+        raise Refusal(f"{path}: holds values that are not finite")
     if not np.ptp(pressure) > 0:
-        raise ValueError(f"{path}: is silent: its value never changes")
+        raise Refusal(f"{path}: is silent: its value never changes")
     resampled = at_one_kilohertz(pressure[None], sound.rate)[0]
     if len(resampled) < SAMPLE_LENGTH:
-        raise ValueError(f"{path}: lasts {len(pressure) / sound.rate:.3g} s, must last at least 1 s")
+        raise Refusal(f"{path}: lasts {len(pressure) / sound.rate:.3g} s, must last at least 1 s")
     return resampled

@@ -15,6 +15,7 @@ import scipy.linalg
 import scipy.signal
 from numpy.typing import NDArray
 
+from geometry.refusal import Refusal
 from localize.array_response import interpolation
 from localize.dataset import ArrayResponse
 from localize.disturbances import LOWEST_SOUND, REFERENCE
@@ -39,10 +40,10 @@ def check_noise(choice: NoiseChoice) -> None:
     """Refuse a noise that nothing can be divided by.
 
     Raises:
-        ValueError: neither "design" nor 1e-9 to 10 Pa.
+        Refusal: neither "design" nor 1e-9 to 10 Pa.
     """
     if choice != "design" and not 1e-9 <= choice <= 10.0:
-        raise ValueError(f"microphone_noise = {choice} Pa must be between 1e-9 and 10 Pa")
+        raise Refusal(f"microphone_noise = {choice} Pa must be between 1e-9 and 10 Pa")
 
 
 def low_pass() -> NDArray[np.float64]:
@@ -87,14 +88,14 @@ def check_ambient(response: ArrayResponse, level: float | None) -> None:
     """Refuse sound that is out of range, or that nobody knows the way of.
 
     Raises:
-        ValueError: a level outside 0 to 140 dB SPL, or an array without a design.
+        Refusal: a level outside 0 to 140 dB SPL, or an array without a design.
     """
     if level is None:
         return
     if not 0 <= level <= 140:
-        raise ValueError(f"ambient = {level} dB SPL must be between 0 and 140, or None for quiet")
+        raise Refusal(f"ambient = {level} dB SPL must be between 0 and 140, or None for quiet")
     if response.ambient_response is None:
-        raise ValueError(f"ambient = {level} dB SPL needs a library with a design, which tells how sound comes in")
+        raise Refusal(f"ambient = {level} dB SPL needs a library with a design, which tells how sound comes in")
 
 
 def ambient_covariance(response: ArrayResponse, level: float) -> NDArray[np.float64]:
@@ -108,7 +109,7 @@ def ambient_covariance(response: ArrayResponse, level: float) -> NDArray[np.floa
         (n, n) float64, n = n_microphone SAMPLES, microphone by microphone, Pa^2: of rank one at each frequency.
     """
     if response.ambient_response is None:
-        raise ValueError("sound needs a library with a design")
+        raise Refusal("sound needs a library with a design")
     top = min(float(response.frequency[-1]), SAMPLE_RATE / 2)
     frequency = np.arange(LOWEST_SOUND, top + 1e-9, INTEGRATION_STEP)
     power = (REFERENCE * 10 ** (level / 20)) ** 2 / frequency / (1 / frequency).sum()

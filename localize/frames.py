@@ -9,6 +9,7 @@ import torch
 from numpy.typing import ArrayLike
 from torch import Tensor
 
+from geometry.refusal import Refusal
 from localize.stimulus import SAMPLE_RATE
 
 FRAME = 250
@@ -40,24 +41,22 @@ def checked_signals(signals: ArrayLike | Tensor, microphones: Sequence[str]) -> 
         (n, n_microphone, n_sample) float64, and whether the batch dimension was there.
 
     Raises:
-        ValueError: wrong number of dimensions or channels, fewer than 250 samples, a value that is not finite, or a
+        Refusal: wrong number of dimensions or channels, fewer than 250 samples, a value that is not finite, or a
             channel that never changes.
     """
     batch = torch.as_tensor(
         signals if isinstance(signals, Tensor) else np.ascontiguousarray(signals), dtype=torch.float64
     )
     if batch.ndim not in (2, 3):
-        raise ValueError(
+        raise Refusal(
             f"signals have shape {tuple(batch.shape)}, must be (n_microphone, n_sample) or (n, n_microphone, n_sample)"
         )
     batched = batch.ndim == 3
     batch = batch if batched else batch[None]
     if batch.shape[1] != len(microphones):
-        raise ValueError(
-            f"signals have {batch.shape[1]} channels, must have {len(microphones)}: {', '.join(microphones)}"
-        )
+        raise Refusal(f"signals have {batch.shape[1]} channels, must have {len(microphones)}: {', '.join(microphones)}")
     if batch.shape[2] < FRAME:
-        raise ValueError(
+        raise Refusal(
             f"signals have {batch.shape[2]} samples, must have at least {FRAME} "
             f"({FRAME / SAMPLE_RATE:g} s at {SAMPLE_RATE:g} Hz)"
         )
@@ -68,7 +67,7 @@ def checked_signals(signals: ArrayLike | Tensor, microphones: Sequence[str]) -> 
         if broken.any():
             sample, channel = (int(k) for k in torch.nonzero(broken)[0])
             where = f" of signal {sample}" if batched else ""
-            raise ValueError(f"channel {microphones[channel]}{where} {what}")
+            raise Refusal(f"channel {microphones[channel]}{where} {what}")
     return batch, batched
 
 

@@ -38,7 +38,7 @@ class FrequencyRatioDecoder:
         microphone_noise: white, Pa rms over 0 to 500 Hz, 1e-9 to 10: residuals below it count as none.
 
     Raises:
-        ValueError: the library does not cover 1 to 100 Hz, or the noise is outside its range.
+        Refusal: the library does not cover 1 to 100 Hz, or the noise is outside its range.
     """
 
     def __init__(self, library: Library | ArrayResponse, microphone_noise: float = 1e-3) -> None:
@@ -72,7 +72,7 @@ class FrequencyRatioDecoder:
             (n_point,) or (n, n_point) float64. The frequencies are not independent: these probabilities are too sure.
 
         Raises:
-            ValueError: wrong number of channels, too few samples, a value that is not finite, a silent channel.
+            Refusal: wrong number of channels, too few samples, a value that is not finite, a silent channel.
         """
         batch, batched = checked_signals(signals, self.microphones)
         frames = cut_frames(batch)

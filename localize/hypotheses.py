@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.special import logsumexp, softmax
 from torch import Tensor
 
+from geometry.refusal import Refusal
 from localize.bayes import CHUNK, BayesDecoder
 from localize.dataset import ArrayResponse
 from localize.frames import checked_signals, cut_frames
@@ -35,7 +36,7 @@ class FamilyDecoder:
         prior: weight of each hypothesis, above 0; by default all alike.
 
     Raises:
-        ValueError: no library, or libraries of different points or microphones; a wrong prior; as
+        Refusal: no library, or libraries of different points or microphones; a wrong prior; as
             :class:`localize.BayesDecoder`.
     """
 
@@ -46,16 +47,16 @@ class FamilyDecoder:
         prior: ArrayLike | None = None,
     ) -> None:
         if not libraries:
-            raise ValueError("libraries is empty: at least one hypothesis is needed")
+            raise Refusal("libraries is empty: at least one hypothesis is needed")
         weight = np.ones(len(libraries)) if prior is None else np.asarray(prior, np.float64)
         if weight.shape != (len(libraries),) or not (np.isfinite(weight) & (weight > 0)).all():
-            raise ValueError(f"prior must hold {len(libraries)} finite values above 0, one per library")
+            raise Refusal(f"prior must hold {len(libraries)} finite values above 0, one per library")
         self.decoders = tuple(BayesDecoder(library, microphone_noise) for library in libraries)
         first = self.decoders[0]
         for k, other in enumerate(self.decoders):
             same = other.point_count == first.point_count and (other.line == first.line).all()
             if not (same and (other.place == first.place).all() and other.microphones == first.microphones):
-                raise ValueError(f"library {k} has other points or microphones than the first one")
+                raise Refusal(f"library {k} has other points or microphones than the first one")
         self.microphones = first.microphones
         self.line = first.line
         self.place = first.place

@@ -18,6 +18,7 @@ import scipy.stats
 from numpy.typing import ArrayLike, NDArray
 from torch import Tensor
 
+from geometry.refusal import Refusal
 from localize.bayes import BayesDecoder
 from localize.dataset import ArrayResponse, response_of
 from localize.frame_covariance import (
@@ -71,7 +72,7 @@ class ResidualTest:
             left to test. Needs a library with a design.
 
     Raises:
-        ValueError: an argument out of range; touches too far above the noise for double precision; or as
+        Refusal: an argument out of range; touches too far above the noise for double precision; or as
             :func:`localize.dataset.response_of`.
     """
 
@@ -84,7 +85,7 @@ class ResidualTest:
         ambient: float | None = None,
     ) -> None:
         if not 1e-3 <= loudest <= 1e3:
-            raise ValueError(f"loudest = {loudest} Pa must be between 1e-3 and 1e3 Pa")
+            raise Refusal(f"loudest = {loudest} Pa must be between 1e-3 and 1e3 Pa")
         check_noise(microphone_noise)
         response = response_of(library)
         check_ambient(response, ambient)
@@ -98,7 +99,7 @@ class ResidualTest:
             covariance += each @ ambient_covariance(response, ambient) @ each.T
         values, vectors = np.linalg.eigh(covariance)
         if values.max() * np.finfo(np.float64).eps > LEAK:
-            raise ValueError(
+            raise Refusal(
                 f"loudest = {loudest} Pa or ambient = {ambient} dB SPL stands too far above microphone_noise = "
                 f"{microphone_noise}: in double precision nothing can be told from rounding; take a lower one, or "
                 "expect more noise"
@@ -123,12 +124,12 @@ class ResidualTest:
             (n,) float64.
 
         Raises:
-            ValueError: as :meth:`localize.BayesDecoder.locate`, or points of another number than signals.
+            Refusal: as :meth:`localize.BayesDecoder.locate`, or points of another number than signals.
         """
         batch, _ = checked_signals(signals, self.microphones)
         points = np.asarray(point, np.int64)
         if points.shape != (len(batch),) or not ((points >= 0) & (points < len(self.freedom))).all():
-            raise ValueError(f"point must hold {len(batch)} values from 0 to {len(self.freedom) - 1}, one per signal")
+            raise Refusal(f"point must hold {len(batch)} values from 0 to {len(self.freedom) - 1}, one per signal")
         frames = cut_frames(batch).numpy()
         x = (frames @ self._reduce).reshape(*frames.shape[:2], -1)
         residual = np.empty(len(x))
@@ -158,12 +159,12 @@ def judge(
         false_alarm: share of true touches that may be called none of these, above 0, below 1.
 
     Raises:
-        ValueError: an argument out of range, or as :meth:`localize.BayesDecoder.locate`.
+        Refusal: an argument out of range, or as :meth:`localize.BayesDecoder.locate`.
     """
     if not 1 <= top <= decoder.point_count:
-        raise ValueError(f"top = {top} must be between 1 and {decoder.point_count}, the number of points")
+        raise Refusal(f"top = {top} must be between 1 and {decoder.point_count}, the number of points")
     if not 0 < false_alarm < 1:
-        raise ValueError(f"false_alarm = {false_alarm} must be between 0 and 1, both excluded")
+        raise Refusal(f"false_alarm = {false_alarm} must be between 0 and 1, both excluded")
     batch, _ = checked_signals(signals, decoder.microphones)
     score = decoder.log_probability(batch)
     order = np.argsort(-score, axis=1, kind="stable")

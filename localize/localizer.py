@@ -15,6 +15,7 @@ import torch
 from numpy.typing import ArrayLike, NDArray
 from torch import Tensor
 
+from geometry.refusal import Refusal
 from geometry.whole_file import whole_file, write_text
 from localize.frames import checked_signals, combined_probability, cut_frames
 from localize.model import NetworkShape, TouchClassifier
@@ -25,7 +26,7 @@ VERSION = 1
 DESCRIPTION_FILE = "localizer.json"
 
 
-class LocalizerError(ValueError):
+class LocalizerError(Refusal):
     """A localizer that cannot be read: one line that names the file and the reason."""
 
 
@@ -73,7 +74,7 @@ class Localizer:
             (n_point,) or (n, n_point) float64: probability per point.
 
         Raises:
-            ValueError: wrong number of channels, too few samples, a value that is not finite, a silent channel.
+            Refusal: wrong number of channels, too few samples, a value that is not finite, a silent channel.
         """
         batch, batched = checked_signals(signals, self.microphones)
         frames = cut_frames(batch.to(torch.float32))
@@ -148,7 +149,7 @@ def load_localizer(folder: str | os.PathLike[str]) -> Localizer:
         classifier = TouchClassifier(len(microphones), shape)
         line, place = (np.asarray(description[name], np.int64) for name in ("line", "place"))
         if line.shape != (shape.points,) or place.shape != (shape.points,):
-            raise ValueError(f"line and place must hold {shape.points} values")
+            raise Refusal(f"line and place must hold {shape.points} values")
         rest = {name: description[name] for name in ("design", "plan", "training", "provenance")}
     except (KeyError, TypeError, ValueError) as error:
         reason = f"{error} is missing" if isinstance(error, KeyError) else str(error)

@@ -17,6 +17,7 @@ from typing import Any
 import torch
 from torch import Tensor, nn
 
+from geometry.refusal import Refusal
 from localize.features import COLUMNS, FREQUENCIES, FeatureChoice, PairFeatures
 
 EXPANSION = 2
@@ -53,13 +54,13 @@ class NetworkShape:
             ("smallest of depths", min(self.depths, default=1), 1),
         ):
             if value < least:
-                raise ValueError(f"network: {name} = {value} must be at least {least}")
+                raise Refusal(f"network: {name} = {value} must be at least {least}")
         if self.width % PARTIAL:
-            raise ValueError(f"network: width = {self.width} must be a multiple of {PARTIAL}")
+            raise Refusal(f"network: width = {self.width} must be a multiple of {PARTIAL}")
         merged = self.mergings
         for name, size, patch in (("rows", FREQUENCIES, self.patch[0]), ("columns", COLUMNS, self.patch[1])):
             if patch < 1 or size % (patch * 2**merged):
-                raise ValueError(
+                raise Refusal(
                     f"network: {size} {name} of a map cannot be cut into patches of {patch} and halved "
                     f"{merged} times; patch x {2**merged} must divide {size}"
                 )
@@ -131,7 +132,7 @@ class TouchClassifier(nn.Module):
         super().__init__()
         self.features = PairFeatures(microphones, shape.features)
         if shape.maps != self.features.map_count:
-            raise ValueError(
+            raise Refusal(
                 f"network: maps = {shape.maps} must be {self.features.map_count} for {microphones} microphones"
             )
         # One mean and one scale per map and frequency, found from the training signals.

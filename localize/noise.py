@@ -54,7 +54,7 @@ def input_density(microphone: Microphone, frequency: ArrayLike, medium: Medium) 
         medium: the gas.
 
     Raises:
-        ValueError: a frequency that is not finite and positive.
+        Refusal: a frequency that is not finite and positive.
     """
     from acoustic_fem.microphone import noise_density, response
 

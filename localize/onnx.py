@@ -111,7 +111,7 @@ class OnnxLocalizer:
             (n_point,) or (n, n_point) float64: probability per point.
 
         Raises:
-            ValueError: wrong number of channels, too few samples, a value that is not finite, a silent channel.
+            Refusal: wrong number of channels, too few samples, a value that is not finite, a silent channel.
         """
         batch, batched = checked_signals(signals, self.microphones)
         frames = cut_frames(batch.to(torch.float32))

@@ -42,7 +42,7 @@ def expected_accuracy(
         (DRAWS,) float64 from 0 to 1, ascending.
 
     Raises:
-        ValueError: frequencies that do not cover 1 to 100 Hz, or a noise out of range.
+        Refusal: frequencies that do not cover 1 to 100 Hz, or a noise out of range.
     """
     response = response_of(posterior.model.library)
     random = np.random.default_rng(seed)

@@ -24,6 +24,7 @@ import scipy.signal
 from numpy.typing import ArrayLike, NDArray
 from torch import Tensor
 
+from geometry.refusal import Refusal
 from localize.dataset import ArrayResponse, response_of
 from localize.frame_covariance import SOURCE_RMS, check_noise, source_density
 from localize.frames import checked_signals
@@ -64,7 +65,7 @@ class Reconstructor:
         source_rms: how loud a touch to assume, Pa rms, 1e-6 to 1e3.
 
     Raises:
-        ValueError: an argument outside its range; the library does not cover 1 to 100 Hz.
+        Refusal: an argument outside its range; the library does not cover 1 to 100 Hz.
     """
 
     def __init__(
@@ -77,11 +78,11 @@ class Reconstructor:
     ) -> None:
         check_noise(microphone_noise)
         if not 2 <= window <= LONGEST:
-            raise ValueError(f"window = {window} must be between 2 and {LONGEST} samples")
+            raise Refusal(f"window = {window} must be between 2 and {LONGEST} samples")
         if not 0 <= latency < window:
-            raise ValueError(f"latency = {latency} must be between 0 and window - 1 = {window - 1} samples")
+            raise Refusal(f"latency = {latency} must be between 0 and window - 1 = {window - 1} samples")
         if not 1e-6 <= source_rms <= 1e3:
-            raise ValueError(f"source_rms = {source_rms} Pa must be between 1e-6 and 1e3 Pa")
+            raise Refusal(f"source_rms = {source_rms} Pa must be between 1e-6 and 1e3 Pa")
         response = response_of(library)
         self.microphones = response.microphones
         self.window = window
@@ -116,13 +117,13 @@ class Reconstructor:
             point: from 0.
 
         Raises:
-            ValueError: no such point, signals shorter than the window, or as :meth:`localize.BayesDecoder.locate`.
+            Refusal: no such point, signals shorter than the window, or as :meth:`localize.BayesDecoder.locate`.
         """
         taps, deviation = self._filter(point)
         batch, _ = checked_signals(signals, self.microphones)
         count = batch.shape[-1]
         if count < self.window:
-            raise ValueError(f"signals have {count} samples, must have at least a window of {self.window}")
+            raise Refusal(f"signals have {count} samples, must have at least a window of {self.window}")
         whole = scipy.signal.fftconvolve(batch.numpy(), taps[None], mode="valid", axes=2).sum(1)
         pressure = np.full((len(batch), count), np.nan)
         pressure[:, self.window - 1 - self.latency : count - self.latency] = whole
@@ -131,7 +132,7 @@ class Reconstructor:
     @one_thread()
     def _filter(self, point: int) -> tuple[NDArray[np.float64], float]:
         if not 0 <= point < self.point_count:
-            raise ValueError(f"point = {point} must be between 0 and {self.point_count - 1}")
+            raise Refusal(f"point = {point} must be between 0 and {self.point_count - 1}")
         if point not in self._made:
             h, taps = self._response[point], self.window
             lag = np.arange(-(taps - 1), taps) / SAMPLE_RATE
@@ -173,13 +174,13 @@ def short_window_waveform(
         (n, n_sample) float64, Pa.
 
     Raises:
-        ValueError: an argument outside its range, or as :meth:`localize.BayesDecoder.locate`.
+        Refusal: an argument outside its range, or as :meth:`localize.BayesDecoder.locate`.
     """
     response = response_of(library)
     if not 0 <= point < response.point_count:
-        raise ValueError(f"point = {point} must be between 0 and {response.point_count - 1}")
+        raise Refusal(f"point = {point} must be between 0 and {response.point_count - 1}")
     if not 4 <= window <= LONGEST or not 1 <= hop <= window // 2:
-        raise ValueError(f"window = {window}, hop = {hop}: must be 4 to {LONGEST} samples and 1 to half the window")
+        raise Refusal(f"window = {window}, hop = {hop}: must be 4 to {LONGEST} samples and 1 to half the window")
     batch, _ = checked_signals(signals, response.microphones)
     transform = scipy.signal.ShortTimeFFT(np.hanning(window + 1)[:window], hop, SAMPLE_RATE)
     spectrum = transform.stft(batch.numpy())

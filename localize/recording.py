@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acoustic_fem.sound_file import MATRIX, Sound, SoundFileError, read_sound
+from geometry.refusal import Refusal
 from localize.frames import FRAME
 from localize.resampling import at_one_kilohertz
 from localize.stimulus import SAMPLE_RATE
@@ -23,7 +24,7 @@ FINE = 2000
 """Flat tops count where the extreme is this many of the channel's smallest steps or more: smaller ones are coarse."""
 
 
-class RecordingError(ValueError):
+class RecordingError(Refusal):
     """A recording that cannot be used: one line that names the file and the reason."""
 
 
@@ -61,7 +62,7 @@ def read_recording(
     Raises:
         RecordingError: the file cannot be read or is cut short; a wrong number of channels, or others; a channel that
             is silent, clipped or not finite; less than one frame; a sample rate outside 250 Hz to 1 MHz.
-        ValueError: a full scale that is not finite and positive.
+        Refusal: a full scale that is not finite and positive.
     """
     path = Path(path)
     check_full_scale(full_scale)
@@ -82,10 +83,10 @@ def check_full_scale(full_scale: float | None) -> None:
     """Refuse what is no pressure.
 
     Raises:
-        ValueError: it is not finite and positive.
+        Refusal: it is not finite and positive.
     """
     if full_scale is not None and not 0 < full_scale < math.inf:
-        raise ValueError(f"full_scale = {full_scale} Pa must be finite and above 0")
+        raise Refusal(f"full_scale = {full_scale} Pa must be finite and above 0")
 
 
 def _in_order(path: Path, sound: Sound, microphones: tuple[str, ...]) -> NDArray[np.float64]:

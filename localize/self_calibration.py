@@ -21,6 +21,7 @@ from acoustic_fem.library import MEASURED, Library, labelled
 from acoustic_fem.model_updating import Posterior, Priors, UpdatedModel
 from acoustic_fem.provenance import versions
 from geometry.layout import place
+from geometry.refusal import Refusal
 from localize.array_response import ArrayResponse, response_of
 from localize.calibration_objections import FALSE_ALARM, NEEDED, Judged, likeliest_order
 from localize.calibration_search import FINE, ascend, distinct, search
@@ -52,7 +53,7 @@ LEVELS = (1e-3 / LOUDEST, 1e3 / LOUDEST)
 """Pa rms at the loudest microphone that half of the touches may be above."""
 
 
-class SelfCalibrationError(ValueError):
+class SelfCalibrationError(Refusal):
     """Touches that nothing can be learned from."""
 
 
@@ -138,11 +139,11 @@ def self_calibrate(
     Raises:
         SelfCalibrationError: fewer than 100 frames with a touch, or touches of a level that is none in pascals; a frame
             given twice, which could lie on both sides of the hold-out; two channels of one signal.
-        ValueError: frames of a wrong shape, a silent channel, values that are not finite; a noise out of range; a
+        Refusal: frames of a wrong shape, a silent channel, values that are not finite; a noise out of range; a
             library without the band, or of a design that the lumped batch does not take.
     """
     if not 1e-9 <= microphone_noise <= 10:
-        raise ValueError(f"microphone_noise = {microphone_noise} Pa must be between 1e-9 and 10 Pa")
+        raise Refusal(f"microphone_noise = {microphone_noise} Pa must be between 1e-9 and 10 Pa")
     response = response_of(library)
     heard = _usable(np.asarray(frames, np.float64), response, microphone_noise)
     _check_channels(heard, response.microphones)
@@ -172,7 +173,7 @@ def touched(frames: Array, noise: float) -> NDArray[np.bool_]:
 def _usable(frames: Array, response: ArrayResponse, noise: float) -> Array:
     """Frames that hold a touch, each once."""
     if frames.ndim != 3 or frames.shape[2] != FRAME:
-        raise ValueError(f"frames have shape {frames.shape}, must be (n, n_microphone, {FRAME})")
+        raise Refusal(f"frames have shape {frames.shape}, must be (n, n_microphone, {FRAME})")
     number = np.flatnonzero(touched(frames, noise))
     heard = frames[number]
     if len(heard):

@@ -14,6 +14,7 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
+from geometry.refusal import Refusal
 from geometry.whole_file import whole_file, write_text
 from localize.dataset import TouchGenerator, TouchSignals
 from localize.noise import NoiseSpectrum
@@ -23,7 +24,7 @@ FORMAT = "acoustic-fem touches 1"
 DESCRIPTION_FILE = "touches.json"
 
 
-class ShardError(ValueError):
+class ShardError(Refusal):
     """A folder of shards that cannot be used: one line that names the file and the reason."""
 
 
@@ -44,14 +45,14 @@ def write_shards(
         progress: called with the shards that are done and their number.
 
     Raises:
-        ValueError: a count that is not positive.
+        Refusal: a count that is not positive.
         ShardError: the folder holds other touches.
     """
     from safetensors.torch import save
 
     for name, value in (("count", count), ("shard", shard)):
         if value < 1:
-            raise ValueError(f"{name} = {value} must be at least 1")
+            raise Refusal(f"{name} = {value} must be at least 1")
     folder = Path(folder)
     description = {**_description(touches), "count": count, "shard": shard}
     if (folder / DESCRIPTION_FILE).exists():

@@ -16,6 +16,7 @@ import scipy.special
 from numpy.typing import ArrayLike, NDArray
 from torch import Tensor
 
+from geometry.refusal import Refusal
 from localize.dataset import ArrayResponse, response_of
 from localize.frame_covariance import ambient_covariance, check_ambient, check_noise, low_pass, whitening
 from localize.frames import checked_signals, cut_frames
@@ -47,7 +48,7 @@ class SoundTest:
             for sound: from 100 dB SPL on all of it.
 
     Raises:
-        ValueError: an argument out of range; a library without a design; sound too far above the noise for double
+        Refusal: an argument out of range; a library without a design; sound too far above the noise for double
             precision; or as :func:`localize.dataset.response_of`.
     """
 
@@ -64,7 +65,7 @@ class SoundTest:
         together = np.kron(each, whiten)
         values, vectors = np.linalg.eigh(together @ ambient_covariance(response, loudest) @ together.T)
         if values.max() * np.finfo(np.float64).eps > LEAK:
-            raise ValueError(
+            raise Refusal(
                 f"loudest = {loudest} dB SPL stands too far above microphone_noise = {microphone_noise}: in double "
                 "precision nothing can be told from rounding; take a lower one, or expect more noise"
             )
@@ -86,7 +87,7 @@ class SoundTest:
             (n,) float64.
 
         Raises:
-            ValueError: as :meth:`localize.BayesDecoder.locate`.
+            Refusal: as :meth:`localize.BayesDecoder.locate`.
         """
         frames = self._frames(signals)
         return np.asarray(scipy.special.chdtrc(self.freedom * frames.shape[1], _energy(frames, self._beside)))
@@ -102,7 +103,7 @@ class SoundTest:
             Two of (n,) float64, energies; the unit is that of the noise in one direction.
 
         Raises:
-            ValueError: as :meth:`p_value`.
+            Refusal: as :meth:`p_value`.
         """
         frames = self._frames(signals)
         count = len(self.microphones)
@@ -130,7 +131,7 @@ class SoundTest:
             (n,) bool; True also of noise alone.
 
         Raises:
-            ValueError: as :meth:`p_value`.
+            Refusal: as :meth:`p_value`.
         """
         found, most = self.beside(signals)
         return found <= most

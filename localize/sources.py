@@ -19,6 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acoustic_fem.sound_file import read_wav
+from geometry.refusal import Refusal
 from localize.recording import HIGHEST_RATE, LOWEST_RATE
 
 Array = NDArray[np.float64]
@@ -29,7 +30,7 @@ QUEUE = 2.0
 """s of samples that wait to be taken; more are dropped."""
 
 
-class SourceError(ValueError):
+class SourceError(Refusal):
     """A source that cannot be listened to: one line with the reason."""
 
 

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Literal, Protocol
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from geometry.refusal import Refusal
 from localize.frames import FRAME
 from localize.stimulus import SAMPLE_RATE
 
@@ -134,7 +135,7 @@ class TouchStream:
         refused: share of the frames of true touches that the residual test may refuse, above 0, below 1.
 
     Raises:
-        ValueError: a threshold that is not finite and positive; a reconstructor or a test for other microphones; a
+        Refusal: a threshold that is not finite and positive; a reconstructor or a test for other microphones; a
             share out of range.
     """
 
@@ -152,12 +153,12 @@ class TouchStream:
             ("reconstructor", reconstructor), ("sound_test", sound_test), ("residual_test", residual_test)
         ):  # fmt: skip
             if part is not None and part.microphones != tuple(locator.microphones):
-                raise ValueError(
+                raise Refusal(
                     f"{name} is for microphones {', '.join(part.microphones)}, the locator for "
                     f"{', '.join(locator.microphones)}"
                 )
         if not 0 < refused < 1:
-            raise ValueError(f"refused = {refused} must be between 0 and 1, both excluded")
+            raise Refusal(f"refused = {refused} must be between 0 and 1, both excluded")
         self.sound_test, self.residual_test, self.refused = sound_test, residual_test, refused
         self.locator = locator
         self.reconstructor = reconstructor
@@ -165,7 +166,7 @@ class TouchStream:
         self.limit = limit
         for name, value in (("silence", self.silence), ("limit", limit)):
             if value is not None and not 0 < value < np.inf:
-                raise ValueError(f"{name} = {value} Pa must be finite and above 0")
+                raise Refusal(f"{name} = {value} Pa must be finite and above 0")
         self._microphones = locator.microphones
         # An estimate needs a window, the 16 of a hop some samples more.
         self._history = max(FRAME, 0 if reconstructor is None else reconstructor.window + HOP - 1)
@@ -188,18 +189,18 @@ class TouchStream:
             Decisions and faults in the order in which they came about.
 
         Raises:
-            ValueError: a chunk of another shape or of complex numbers, or ``first`` is no whole number from 0 to 2^53;
+            Refusal: a chunk of another shape or of complex numbers, or ``first`` is no whole number from 0 to 2^53;
                 nothing has been taken then.
         """
         if first is not None and (
             isinstance(first, bool) or not isinstance(first, (int, np.integer)) or not 0 <= first <= LARGEST_NUMBER
         ):
-            raise ValueError(f"first = {first!r} must be a whole number from 0 to 2^53")
+            raise Refusal(f"first = {first!r} must be a whole number from 0 to 2^53")
         if np.iscomplexobj(chunk):
-            raise ValueError("chunk holds complex numbers, must hold pressures in Pa")
+            raise Refusal("chunk holds complex numbers, must hold pressures in Pa")
         samples = np.asarray(chunk, np.float64)
         if samples.ndim != 2 or len(samples) != len(self._microphones):
-            raise ValueError(
+            raise Refusal(
                 f"chunk has shape {samples.shape}, must be (n_microphone, n) = ({len(self._microphones)}, n): "
                 f"{', '.join(self._microphones)}"
             )

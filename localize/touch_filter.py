@@ -14,6 +14,8 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from geometry.refusal import Refusal
+
 
 class TouchFilter:
     """Exact filtering and smoothing of point likelihoods over time.
@@ -26,7 +28,7 @@ class TouchFilter:
             to the neighbours on the line, or stays where there is none.
 
     Raises:
-        ValueError: probabilities out of range, or line and place of different lengths.
+        Refusal: probabilities out of range, or line and place of different lengths.
     """
 
     def __init__(
@@ -34,10 +36,10 @@ class TouchFilter:
         stay: float = 0.7, jump: float = 0.01,
     ) -> None:  # fmt: skip
         if not (stay > 0 and jump > 0 and stay + jump <= 1):
-            raise ValueError(f"stay = {stay} and jump = {jump} must be above 0, their sum at most 1")
+            raise Refusal(f"stay = {stay} and jump = {jump} must be above 0, their sum at most 1")
         lines, places = np.asarray(line), np.asarray(place)
         if lines.ndim != 1 or lines.shape != places.shape or not len(lines):
-            raise ValueError(f"line and place have shapes {lines.shape} and {places.shape}: must be equal, (n_point,)")
+            raise Refusal(f"line and place have shapes {lines.shape} and {places.shape}: must be equal, (n_point,)")
         neighbour = (lines[:, None] == lines) & (np.abs(places[:, None] - places) == 1)
         count = neighbour.sum(1)
         step = np.divide(neighbour, count[:, None], out=np.zeros(neighbour.shape), where=count[:, None] > 0)
@@ -62,7 +64,7 @@ class TouchFilter:
             (n_point,) float64: probability of each point given this frame and those before it.
 
         Raises:
-            ValueError: a wrong shape, or a value that is not finite.
+            Refusal: a wrong shape, or a value that is not finite.
         """
         frame = self._checked(log_likelihood, 1)
         prior = self._belief @ self.transition if self._started else self._belief
@@ -97,9 +99,9 @@ class TouchFilter:
         points = len(self.transition)
         if values.ndim != dimensions or values.shape[-1] != points or not values.size:
             expected = f"({points},)" if dimensions == 1 else f"(n_frame, {points})"
-            raise ValueError(f"log_likelihood has shape {values.shape}, must be {expected}")
+            raise Refusal(f"log_likelihood has shape {values.shape}, must be {expected}")
         if not np.isfinite(values).all():
-            raise ValueError("log_likelihood holds values that are not finite")
+            raise Refusal("log_likelihood holds values that are not finite")
         return values
 
 

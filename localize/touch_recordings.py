@@ -26,6 +26,7 @@ from typing import Annotated, Any, Literal
 import numpy as np
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
+from geometry.refusal import Refusal
 from geometry.text_file import read_text
 
 Part = Literal["random-1-100", "random-1-10", "friction", "taps"]
@@ -35,7 +36,7 @@ HELD_OUT = 0.2
 """Share of the recordings of a point and part that are kept for judging: 4 to 1, as in the paper."""
 
 
-class TouchManifestError(ValueError):
+class TouchManifestError(Refusal):
     """Recorded touches that cannot be used: one line that names the file, the field and the reason."""
 
 

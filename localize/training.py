@@ -88,7 +88,7 @@ def train(
             share of the touches is taken. A fifth of the recordings is held out and only judged.
 
     Raises:
-        ValueError: the library or the source does not cover 1 to 100 Hz, they hold different points or microphones,
+        Refusal: the library or the source does not cover 1 to 100 Hz, they hold different points or microphones,
             the plan's network does not fit the maps, or it asks for sound where there is no design.
         TouchManifestError, RecordingError: recordings that cannot be used.
         CheckpointError: the checkpoint is damaged, or that of another plan, library, set of recordings or version of

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from geometry.refusal import Refusal
 from localize.disturbances import MicrophoneMismatch, check_ambient
 from localize.features import FeatureChoice, map_count
 from localize.finger_stimuli import STIMULI, Mixture
@@ -17,7 +18,7 @@ class TrainingPlan:
     """How to train. The same plan on the same library and machine gives the same localizer.
 
     Raises:
-        ValueError: a field outside its range, with field, value and range.
+        Refusal: a field outside its range, with field, value and range.
     """
 
     seconds_per_point: int = 200
@@ -65,7 +66,7 @@ class TrainingPlan:
         ):
             value = getattr(self, name)
             if isinstance(value, bool) or not isinstance(value, int) or not least <= value <= most:
-                raise ValueError(f"{name} = {value!r} must be a whole number from {least} to {most}")
+                raise Refusal(f"{name} = {value!r} must be a whole number from {least} to {most}")
         for name, low, high in (
             ("held_out_fraction", 1e-6, 10.0),
             ("learning_rate", 1e-8, 1.0),
@@ -80,14 +81,14 @@ class TrainingPlan:
             if (name, value) in (("time_limit", None), ("microphone_noise", "design")):
                 continue
             if isinstance(value, str) or not low <= value <= high:
-                raise ValueError(f"{name} = {value!r} must be between {low:g} and {high:g}")
+                raise Refusal(f"{name} = {value!r} must be between {low:g} and {high:g}")
         if self.ambient is not None:
             check_ambient(self.ambient)
         for stimuli in self.stimuli or ("",):
             if stimuli not in STIMULI:
-                raise ValueError(f"stimuli = {self.stimuli!r} must name at least one of: {', '.join(STIMULI)}")
+                raise Refusal(f"stimuli = {self.stimuli!r} must name at least one of: {', '.join(STIMULI)}")
         if self.network not in NETWORKS:
-            raise ValueError(f"network = {self.network!r} must be one of: {', '.join(NETWORKS)}")
+            raise Refusal(f"network = {self.network!r} must be one of: {', '.join(NETWORKS)}")
         map_count(2, self.features)
 
     @classmethod

@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from torch import Tensor
 
+from geometry.refusal import Refusal
 from localize.bayes import CHUNK, POWERS, vertex
 from localize.dataset import ArrayResponse, response_of
 from localize.frame_covariance import check_noise, low_pass, touch_covariances, whitening
@@ -63,7 +64,7 @@ class TwoTouchDecoder:
         threshold: nats, see :data:`THRESHOLD`.
 
     Raises:
-        ValueError: too many points, a threshold below 0, or as :class:`localize.BayesDecoder`.
+        Refusal: too many points, a threshold below 0, or as :class:`localize.BayesDecoder`.
     """
 
     @one_thread()
@@ -75,10 +76,10 @@ class TwoTouchDecoder:
     ) -> None:
         check_noise(microphone_noise)
         if not threshold >= 0:
-            raise ValueError(f"threshold = {threshold} must be 0 or above")
+            raise Refusal(f"threshold = {threshold} must be 0 or above")
         response = response_of(library)
         if response.point_count > 64:
-            raise ValueError(f"{response.point_count} points: pairs are searched among at most 64")
+            raise Refusal(f"{response.point_count} points: pairs are searched among at most 64")
         self.microphones = response.microphones
         self.line = response.line
         self.place = response.place
@@ -116,7 +117,7 @@ class TwoTouchDecoder:
                 that are taken as independent observations of the same touches.
 
         Raises:
-            ValueError: wrong number of channels, too few samples, a value that is not finite, a silent channel.
+            Refusal: wrong number of channels, too few samples, a value that is not finite, a silent channel.
         """
         batch, _ = checked_signals(signals, self.microphones)
         frames = cut_frames(batch)

@@ -26,6 +26,7 @@ from acoustic_fem.provenance import versions
 from acoustic_fem.units import metres
 from geometry.design_file import prototype
 from geometry.design_parts import Microphone
+from geometry.refusal import Refusal
 from geometry.wound_tube import Winding, closest_pitch
 
 Array: TypeAlias = NDArray[np.complex128]
@@ -69,25 +70,25 @@ class BendingRig:
         in_range("bore", self.bore, 0.05, 5.0, "mm")
         in_range("diameter", self.diameter, 0.1, 1000.0, "mm")
         if not self.bore < self.diameter:
-            raise ValueError(f"bore = {self.bore:g} mm must be below diameter, the cylinder's {self.diameter:g} mm")
+            raise Refusal(f"bore = {self.bore:g} mm must be below diameter, the cylinder's {self.diameter:g} mm")
         if not self.bore < self.outside < self.diameter:
-            raise ValueError(
+            raise Refusal(
                 f"outside = {self.outside:g} mm must be above bore ({self.bore:g} mm) and below diameter "
                 f"({self.diameter:g} mm)"
             )
         if not 1 <= len(self.angles) <= MOST_ANGLES:
-            raise ValueError(f"angles holds {len(self.angles)} values; it must hold 1 to {MOST_ANGLES}")
+            raise Refusal(f"angles holds {len(self.angles)} values; it must hold 1 to {MOST_ANGLES}")
         for angle in self.angles:
             in_range("angles", angle, 0.0, LARGEST_ANGLE, "degrees")
         if len(set(self.angles)) < len(self.angles):
-            raise ValueError(f"angles = {', '.join(f'{angle:g}' for angle in self.angles)} must differ")
+            raise Refusal(f"angles = {', '.join(f'{angle:g}' for angle in self.angles)} must differ")
         in_range("length", self.length, 1.0, 10000.0, "mm")
         angle = max(self.angles)
         arc = self.winding(angle).arc_length
         if self.length < arc:
-            raise ValueError(f"length = {self.length:g} mm must be at least the arc of {angle:g} degrees, {arc:.4g} mm")
+            raise Refusal(f"length = {self.length:g} mm must be at least the arc of {angle:g} degrees, {arc:.4g} mm")
         if self.end not in get_args(End):
-            raise ValueError(f"end = {self.end!r} must be one of {', '.join(get_args(End))}")
+            raise Refusal(f"end = {self.end!r} must be one of {', '.join(get_args(End))}")
 
     def winding(self, angle: float) -> Winding:
         """Centre line of the part that is wound."""
@@ -165,7 +166,7 @@ def solve_bending(
         progress: called with what is done and the fraction of all.
 
     Raises:
-        ValueError: a bad frequency or fidelity, before any work.
+        Refusal: a bad frequency or fidelity, before any work.
         LinearSolverError, SweepError: as :func:`acoustic_fem.bent_bore.solve_bent_bores`.
     """
     started = time.perf_counter()

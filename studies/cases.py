@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from geometry import ArrayDesign, DesignError
 from geometry.design_file import value_of
+from geometry.refusal import Refusal
 from studies.study import Study
 
 
@@ -62,7 +63,7 @@ def cases_of(study: Study) -> Cases:
     """All cases of a study, in a fixed order: in a grid the last parameter changes fastest.
 
     Raises:
-        ValueError: the constraints leave no case, or one cannot be computed.
+        Refusal: the constraints leave no case, or one cannot be computed.
     """
     if study.sampling == "grid":
         grids = [[parameter.grid() for parameter in axis] for axis in study.axes]
@@ -76,7 +77,7 @@ def cases_of(study: Study) -> Cases:
         return cases
     kept = np.array([_meets(study, cases, number) for number in range(len(cases))])
     if not kept.any():
-        raise ValueError(f"{study.name}: constraints leave none of {len(cases)} cases")
+        raise Refusal(f"{study.name}: constraints leave none of {len(cases)} cases")
     return Cases(cases.base, cases.names, tuple(column[kept] for column in columns), int((~kept).sum()))
 
 

@@ -107,7 +107,7 @@ def check_design(design: ArrayDesign, progress: Callable[[str, float], None] | N
         progress: called with what is being done and the fraction done.
 
     Raises:
-        ValueError: a part cannot be built, or the membrane's proportions are outside what can be solved.
+        Refusal: a part cannot be built, or the membrane's proportions are outside what can be solved.
     """
     import acoustic_fem
     from geometry import build_parts, print_report
@@ -173,7 +173,7 @@ def model_validity(design: ArrayDesign, medium: Medium, weakest_level: float) ->
         weakest_level: of the point that is heard worst, at its second-loudest microphone and 100 Hz, dB.
 
     Raises:
-        ValueError: the membrane's proportions are outside what can be solved.
+        Refusal: the membrane's proportions are outside what can be solved.
     """
     from acoustic_fem.membrane import design_disc
     from acoustic_fem.opening import LARGEST_SHEAR_NUMBER

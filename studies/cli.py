@@ -7,13 +7,12 @@ from __future__ import annotations
 
 import signal
 import sys
-import traceback
 import warnings
-from pathlib import Path
 from typing import Annotated, NoReturn, TextIO
 
 import typer
 
+from geometry.refusal import Refusal
 from studies import (
     cli_bending,
     cli_calibrate,
@@ -76,10 +75,12 @@ def main() -> NoReturn:
         app(prog_name="acoustic-fem")
     except KeyboardInterrupt:
         fail("stopped", 130)
-    except (ValueError, OSError, RuntimeError) as error:
-        if not _is_refusal(error):
+    except Refusal as error:
+        fail(str(error))
+    except OSError as error:
+        if error.filename is None:
             raise  # a mistake of the program: its traceback says where
-        fail(f"{error.filename}: {error.strerror}" if isinstance(error, OSError) else str(error))
+        fail(f"{error.filename}: {error.strerror}")
     sys.exit(0)
 
 
@@ -87,17 +88,6 @@ def _stop(*_: object) -> NoReturn:
     """End in order when told to: child programs are ended and temporary folders removed on the way out."""
     signal.signal(signal.SIGTERM, signal.SIG_IGN)  # a second one would cut that short
     fail("stopped", 143)
-
-
-def _is_refusal(error: Exception) -> bool:
-    """Whether an error tells the user what is wrong: one that our own code raises on purpose, or a file's."""
-    if isinstance(error, OSError):
-        return error.filename is not None
-    if type(error) is RuntimeError:
-        return False
-    last = traceback.extract_tb(error.__traceback__)[-1]
-    rooms = [Path(__file__).resolve().parents[1] / room for room in ("geometry", "acoustic_fem", "localize", "studies")]
-    return Path(last.filename).resolve().parent in rooms and (last.line or "").startswith("raise ")
 
 
 def fail(message: str, code: int = 1) -> NoReturn:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from geometry.refusal import Refusal
 from studies.cli_options import Fidelity, Frequencies, Tolerances, display_on_stderr, frequency_option, named
 from studies.tables import show, table_of
 
@@ -51,7 +52,7 @@ def calibrate(
 
     picture = out.with_suffix(".png")
     if out.suffix.lower() != ".nc":
-        raise ValueError(f"{out}: --out must be a library, .nc; its figure goes beside it as .png")
+        raise Refusal(f"{out}: --out must be a library, .nc; its figure goes beside it as .png")
     check_new_file(out, kept="a measured library")
     check_new_file(picture, kept="the figure of one")
     import acoustic_fem

@@ -7,6 +7,7 @@ from typing import Annotated
 
 import typer
 
+from geometry.refusal import Refusal
 from studies.cli_options import Design, Fidelity, Frequencies, display_on_stderr, frequency_option, named
 from studies.tables import show, show_check, show_fields, show_findings, table_of
 
@@ -74,7 +75,7 @@ def check(
         write_json(out, found.to_dict())
     if found.failures:
         more = len(found.failures) - 1
-        raise ValueError(
+        raise Refusal(
             f"{found.design.name}: cannot be printed: {found.failures[0]}" + (f" (and {more} more)" if more else "")
         )
 

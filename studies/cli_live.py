@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from geometry.refusal import Refusal
 from studies.cli_locate import ArrayLibrary, DecoderAmbient, DecoderNoise, RefusedShare
 from studies.cli_options import named
 from studies.listening import Extras, open_localizer, open_stream
@@ -101,7 +102,7 @@ def live(
     if device is not None and replay is not None:
         raise typer.BadParameter("--device must not be given beside --replay")
     if record is not None and replay is not None and record.exists() and record.samefile(replay):
-        raise ValueError(f"--record {record} is the file that --replay plays")
+        raise Refusal(f"--record {record} is the file that --replay plays")
     check_new_file(record, kept="a recording", option="--record")
     from localize.live import LiveListener
     from localize.live_recorder import LiveRecorder

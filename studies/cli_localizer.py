@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from geometry.refusal import Refusal
 from studies.cli_options import LibraryFile, Noise, display_on_stderr, named, noise_choice
 from studies.tables import show, table_of
 
@@ -87,7 +88,7 @@ def train(
     out.mkdir(parents=True, exist_ok=True)
     checkpoint = out / "checkpoint.safetensors"
     if (out / "localizer.json").exists() and not checkpoint.exists():
-        raise ValueError(f"{out}: holds a finished localizer; remove it, or choose another folder")
+        raise Refusal(f"{out}: holds a finished localizer; remove it, or choose another folder")
     with display_on_stderr() as display, display.stage("Localizer") as report:
         report("training", 0.0)
         localizer = train_localizer(

@@ -8,6 +8,7 @@ from typing import Annotated
 
 import typer
 
+from geometry.refusal import Refusal
 from studies.cli_options import named
 from studies.listening import Extras, open_localizer, open_stream, open_trained
 from studies.tables import show, table_of
@@ -67,12 +68,12 @@ def onnx(
 
     check_new_file(out)
     if model.suffix == ".onnx":
-        raise ValueError(f"{model}: is an ONNX file already; MODEL must be a localizer's folder or a library")
+        raise Refusal(f"{model}: is an ONNX file already; MODEL must be a localizer's folder or a library")
     from localize import BayesDecoder, export_onnx
 
     localizer = open_trained(model, noise, ambient)
     if ambient is not None and not isinstance(localizer, BayesDecoder):
-        raise ValueError(f"--ambient = {ambient:g} is for a library; {model} was trained with a sound of its own")
+        raise Refusal(f"--ambient = {ambient:g} is for a library; {model} was trained with a sound of its own")
     export_onnx(localizer, out)
     print(
         f"{out}: {len(localizer.line)} points, {len(localizer.microphones)} microphones, "

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from geometry.refusal import Refusal
 from studies.cli_options import Scheduler, WorkerCount, check_workers, display_on_stderr
 from studies.display import number
 from studies.tables import show, table_of
@@ -49,7 +50,7 @@ def optimize(
         check_refinable(problem)
     check_folder(out)
     if out.is_dir() and any(out.iterdir()) and not journal_exists(out):
-        raise ValueError(f"{out}: holds files that no search made; --out must be a new folder, or one of this search")
+        raise Refusal(f"{out}: holds files that no search made; --out must be a new folder, or one of this search")
     out.mkdir(parents=True, exist_ok=True)
     with display_on_stderr() as display:
         with display.stage("Search") as report:
@@ -58,14 +59,14 @@ def optimize(
             with display.stage("Refine") as report:
                 result = with_refined(problem, result, refine(problem, result.front, report))
         if not result.front:
-            raise ValueError(
+            raise Refusal(
                 f"{problem.study.name}: none of {problem.trials} designs keeps the limits "
                 f"({'; '.join(map(str, problem.limits)) or 'none'}): widen the parameters, or loosen them"
             )
         with display.stage("Parts") as report:
             result = check_printed(problem, result, report)
         if not result.front:
-            raise ValueError(f"{problem.study.name}: of no design of the front do the drawn parts pass the print rules")
+            raise Refusal(f"{problem.study.name}: of no design of the front do the drawn parts pass the print rules")
         files = save_search(problem, result, out)
     _show_front(problem, (result.base, *result.front[:_SHOWN]))
     print(f"{len(result.candidates)} designs computed, {sum(count for _, count in result.refused)} refused, "

@@ -12,6 +12,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from geometry.refusal import Refusal
+
 if TYPE_CHECKING:
     from localize.noise import NoiseChoice
     from studies.display import Display
@@ -81,7 +83,7 @@ def named(**options: str) -> Iterator[None]:
         field = re.match(r"\w+", str(error))
         if field is None or field[0] not in options:
             raise
-        raise ValueError(options[field[0]] + str(error)[field.end() :]) from None
+        raise Refusal(options[field[0]] + str(error)[field.end() :]) from None
 
 
 def frequency_option(text: str) -> Any:

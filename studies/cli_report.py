@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from geometry.refusal import Refusal
 from studies.cli_options import display_on_stderr
 from studies.display import number
 from studies.tables import show, table_of
@@ -77,7 +78,7 @@ def best(
 
     rows = {table.label(row): row for row in range(len(table.number))}
     if design not in rows:
-        raise ValueError(
+        raise Refusal(
             f"{results}: design {design} is not among the {len(rows)} that were computed, from {table.number.min()} to "
             f"{table.number.max()}"
         )

@@ -7,6 +7,7 @@ from typing import Annotated
 
 import typer
 
+from geometry.refusal import Refusal
 from studies.cli_options import Design, Frequencies, Noise, Tolerances, display_on_stderr, frequency_option, named
 from studies.display import number
 from studies.tables import show, table_of
@@ -49,7 +50,7 @@ def tolerance(
     scatter = TOLERANCES if tolerances is None else read_tolerances(tolerances)
     store = out / "library.zarr"
     if library and store.exists():
-        raise ValueError(f"{store}: exists; a library is never overwritten")
+        raise Refusal(f"{store}: exists; a library is never overwritten")
     options = {name: f"--{name}" for name in ("samples", "base", "noise")}
     with named(frequency="--frequencies", count="--library", **options), display_on_stderr() as display:
         with display.stage("Scatter") as report:

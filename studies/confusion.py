@@ -27,6 +27,8 @@ from typing import TYPE_CHECKING, Literal, get_args
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from geometry.refusal import Refusal
+
 if TYPE_CHECKING:
     from localize.noise import NoiseSpectrum
 
@@ -93,7 +95,7 @@ def predict_confusion(
         seed: of touches and noise.
 
     Raises:
-        ValueError: shapes that do not agree, fewer than two points or microphones, a grid that does not cover the
+        Refusal: shapes that do not agree, fewer than two points or microphones, a grid that does not cover the
             band, an unknown listener, or noise that is not finite and above zero.
     """
     h, grid = np.asarray(transfer_function, np.complex128), np.asarray(frequency, np.float64)
@@ -106,7 +108,7 @@ def predict_confusion(
     if assumed is not None:
         known = np.asarray(assumed, np.complex128)
         if known.ndim != 4 or known.shape[1:] != h.shape[1:] or not len(known) or not np.all(np.isfinite(known)):
-            raise ValueError(
+            raise Refusal(
                 f"assumed has shape {known.shape}; it must be (n, {', '.join(map(str, h.shape[1:]))}), all finite"
             )
         hypotheses = ear.covariance(known)
@@ -132,18 +134,18 @@ def noise_of_filters(noise: float | NoiseSpectrum | ArrayLike, designs: int, lis
     """Mean square of the noise behind each filter of a listener, (1 or n_design, n_filter), Pa^2.
 
     Raises:
-        ValueError: a wrong shape, a value that is not finite and above zero, or an unknown listener.
+        Refusal: a wrong shape, a value that is not finite and above zero, or an unknown listener.
     """
     power = np.asarray(getattr(noise, "power", noise), np.float64)
     if power.ndim == 0:
         power = np.full(NOISE_LINES, power * abs(float(power)) / NOISE_LINES)
     power = np.atleast_2d(power)
     if power.shape[1] != NOISE_LINES or len(power) not in (1, designs):
-        raise ValueError(
+        raise Refusal(
             f"noise has shape {power.shape}; it must be one value, ({NOISE_LINES},) or ({designs}, {NOISE_LINES})"
         )
     if not np.all(np.isfinite(power)) or np.any(power < 0) or np.any(power.sum(axis=1) <= 0):
-        raise ValueError("noise must be finite and above 0")
+        raise Refusal("noise must be finite and above 0")
     forth, back = _filtered(np.arange(NOISE_LINES, dtype=np.float64), listener)
     return np.asarray(power @ (np.abs(forth) ** 2 + np.abs(back) ** 2) / 2)
 
@@ -255,7 +257,7 @@ def _standard_noise(points: int, microphones: int, listener: Listener, touches: 
 def _filters(listener: Listener) -> Complex:
     """(n_filter, FRAME) complex128."""
     if listener not in get_args(Listener):
-        raise ValueError(f"listener = {listener!r} must be one of: {', '.join(get_args(Listener))}")
+        raise Refusal(f"listener = {listener!r} must be one of: {', '.join(get_args(Listener))}")
     if listener == "model":
         time = np.arange(FRAME)
         taper = math.sqrt(2) * np.sin(np.pi * (time + 0.5) / FRAME)
@@ -294,29 +296,29 @@ def _filtered(frequency: Array, listener: Listener) -> tuple[Complex, Complex]:
 
 def _check(h: Complex, grid: Array, touches: int) -> None:
     if h.ndim != 4 or h.shape[3] != len(grid) or not len(h):
-        raise ValueError(
+        raise Refusal(
             f"transfer_function has shape {h.shape}; it must be (n_design, n_point, n_microphone, {len(grid)})"
         )
     for name, count in (("points", h.shape[1]), ("microphones", h.shape[2])):
         if count < 2:
-            raise ValueError(f"predicted confusion: {count} {name} must be at least 2")
+            raise Refusal(f"predicted confusion: {count} {name} must be at least 2")
     check_grid(grid)
     if not np.all(np.isfinite(h)):
-        raise ValueError("transfer_function must be finite")
+        raise Refusal("transfer_function must be finite")
     if isinstance(touches, bool) or not 1 <= touches <= 100_000:
-        raise ValueError(f"touches = {touches} must be a whole number from 1 to 100000")
+        raise Refusal(f"touches = {touches} must be a whole number from 1 to 100000")
 
 
 def check_grid(grid: Array) -> None:
     """Refuse frequencies from which no confusion can be predicted.
 
     Raises:
-        ValueError: fewer than 4 ascending values, or less than 1 to 100 Hz.
+        Refusal: fewer than 4 ascending values, or less than 1 to 100 Hz.
     """
     if len(grid) < 4 or grid[0] <= 0 or np.any(np.diff(grid) <= 0):
-        raise ValueError("frequency must hold at least 4 ascending values above 0 Hz")
+        raise Refusal("frequency must hold at least 4 ascending values above 0 Hz")
     if grid[0] > BAND[0] + 1e-6 or grid[-1] < BAND[1] - 1e-6:
-        raise ValueError(
+        raise Refusal(
             f"frequency runs from {grid[0]:g} to {grid[-1]:g} Hz; predicted confusion needs {BAND[0]:g} to "
             f"{BAND[1]:g} Hz, the band of the touches"
         )

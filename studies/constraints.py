@@ -12,6 +12,7 @@ from typing import Any
 
 from geometry import ArrayDesign, DesignError
 from geometry.design_file import value_of
+from geometry.refusal import Refusal
 
 #: A dotted name; a step after ``materials.`` may hold dashes, an index of a list is a number.
 _NAME = re.compile(r"""(?<![\w.'"])(?:materials\.[\w-]+(?:\.\w+)+|[A-Za-z]\w*(?:\.\w+)*)\b(?!\s*\()""")
@@ -49,12 +50,12 @@ class Constraint:
         """Whether the condition holds for these values of its names.
 
         Raises:
-            ValueError: it cannot be computed from these values, such as a division by zero.
+            Refusal: it cannot be computed from these values, such as a division by zero.
         """
         try:
             return bool(_value(self.tree, [values[name] for name in self.names]))
         except (TypeError, ArithmeticError, ValueError) as error:
-            raise ValueError(f"constraint {self.text!r} cannot be computed: {error}") from None
+            raise Refusal(f"constraint {self.text!r} cannot be computed: {error}") from None
 
 
 def parse_constraint(text: str, base: ArrayDesign) -> Constraint:
@@ -65,10 +66,10 @@ def parse_constraint(text: str, base: ArrayDesign) -> Constraint:
         base: a design that knows all names of it.
 
     Raises:
-        ValueError: it cannot be read, is no condition, or holds a name that the design does not know.
+        Refusal: it cannot be read, is no condition, or holds a name that the design does not know.
     """
     if len(text) > _LONGEST:
-        raise ValueError(f"constraint of {len(text)} characters must have at most {_LONGEST}")
+        raise Refusal(f"constraint of {len(text)} characters must have at most {_LONGEST}")
     names: list[str] = []
 
     def placed(match: re.Match[str]) -> str:
@@ -91,18 +92,18 @@ def parse_constraint(text: str, base: ArrayDesign) -> Constraint:
         why = (
             error.args[0] if isinstance(error, ValueError) and not isinstance(error, SyntaxError) else "cannot be read"
         )
-        raise ValueError(
+        raise Refusal(
             f"constraint {text!r} {why}; it must be a condition such as 'tube.length > 20 * tube.inner_diameter'"
         ) from None
     if not isinstance(tree, (ast.Compare, ast.BoolOp, ast.UnaryOp)):
-        raise ValueError(f"constraint {text!r} must compare values, with <, <=, >, >=, == or !=")
+        raise Refusal(f"constraint {text!r} must compare values, with <, <=, >, >=, == or !=")
     for name in names:
         try:
             value = value_of(base, name)
         except DesignError as error:
-            raise ValueError(f"constraint {text!r}: {error}") from None
+            raise Refusal(f"constraint {text!r}: {error}") from None
         if not isinstance(value, (int, float, str)) and value is not None:
-            raise ValueError(f"constraint {text!r}: {name} must be a number or a text, not a table or a list")
+            raise Refusal(f"constraint {text!r}: {name} must be a number or a text, not a table or a list")
     return Constraint(text, tuple(names), tree)
 
 
@@ -124,7 +125,7 @@ def _check(node: ast.AST, count: int) -> None:
         case ast.Constant(value=float() | int() | str()):
             parts = []
         case _:
-            raise ValueError("holds what is not allowed")
+            raise Refusal("holds what is not allowed")
     for part in parts:
         _check(part, count)
 

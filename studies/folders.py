@@ -11,6 +11,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
+from geometry.refusal import Refusal
 from geometry.whole_file import write_text
 
 #: Marks a folder as the result of a run, which a later run may replace.
@@ -34,12 +35,12 @@ def claim_folder(out: str | os.PathLike[str], design: str) -> Path:
         design: the complete design file of the new run, which is written.
 
     Raises:
-        ValueError: it is a file, it holds what no run made, or it cannot be written.
+        Refusal: it is a file, it holds what no run made, or it cannot be written.
     """
     folder = Path(out)
     check_folder(folder)
     if folder.is_dir() and any(folder.iterdir()) and not (folder / MARK).is_file():
-        raise ValueError(
+        raise Refusal(
             f"{folder}: holds files that no run of this program made; --out must be a new or empty folder, or one of "
             "an earlier run"
         )
@@ -63,16 +64,16 @@ def check_new_file(path: Path | None, kept: str | None = None, option: str = "--
         option: by which it was given.
 
     Raises:
-        ValueError: it is a folder, exists and is kept, or its own folder does not exist or cannot be written to.
+        Refusal: it is a folder, exists and is kept, or its own folder does not exist or cannot be written to.
     """
     if path is None:
         return
     if path.is_dir():
-        raise ValueError(f"{path}: is a folder; {option} must be a file")
+        raise Refusal(f"{path}: is a folder; {option} must be a file")
     if kept is not None and path.exists():
-        raise ValueError(f"{path}: exists, and {kept} is never overwritten; name another file, or remove this one")
+        raise Refusal(f"{path}: exists, and {kept} is never overwritten; name another file, or remove this one")
     if not path.parent.is_dir():
-        raise ValueError(f"{path}: {option} must lie in a folder that exists; there is no {path.parent}")
+        raise Refusal(f"{path}: {option} must lie in a folder that exists; there is no {path.parent}")
     _check_writable(path, path.parent, option)
 
 
@@ -84,10 +85,10 @@ def check_new_library(path: Path, formats: Sequence[str]) -> None:
         formats: suffixes that its name may have.
 
     Raises:
-        ValueError: another suffix, a measured library, or a file that cannot be written.
+        Refusal: another suffix, a measured library, or a file that cannot be written.
     """
     if path.suffix.lower() not in formats and not path.is_dir():
-        raise ValueError(f"{path}: --out must be a library, {' or '.join(formats)}")
+        raise Refusal(f"{path}: --out must be a library, {' or '.join(formats)}")
     check_new_file(path, kept="a measured library" if _is_measured(path) else None)
 
 
@@ -106,11 +107,11 @@ def check_folder(path: Path) -> None:
     """Refuse a folder that cannot be made, before any work is done for it.
 
     Raises:
-        ValueError: it, or a folder on the way to it, is a file or cannot be written to.
+        Refusal: it, or a folder on the way to it, is a file or cannot be written to.
     """
     place = next(folder for folder in (path, *path.absolute().parents) if folder.exists())
     if not place.is_dir():
-        raise ValueError(f"{path}: --out must be a folder; {place} is a file")
+        raise Refusal(f"{path}: --out must be a folder; {place} is a file")
     _check_writable(path, place, "--out")
 
 
@@ -147,13 +148,13 @@ def replaced_files(folder: Path) -> Iterator[Path]:
     told apart by the list ``files.txt``: whenever a call is stopped, it names all that calls have put there.
 
     Raises:
-        ValueError: the list names what is no file of the folder.
+        Refusal: the list names what is no file of the folder.
     """
     fresh, listed = folder / ".files.new", folder / FILES
     earlier = set(listed.read_text(encoding="utf-8").splitlines()) if listed.is_file() else set()
     for name in sorted(earlier):
         if name in ("", ".", "..") or Path(name).name != name:
-            raise ValueError(f"{listed}: {name!r} must be the name of a file in {folder}; remove the list or mend it")
+            raise Refusal(f"{listed}: {name!r} must be the name of a file in {folder}; remove the list or mend it")
     folder.mkdir(parents=True, exist_ok=True)
     _remove(fresh)
     fresh.mkdir()
@@ -181,7 +182,7 @@ def _check_writable(path: Path, place: Path, option: str) -> None:
             pass
     except OSError as error:
         reason = error.strerror or str(error)
-        raise ValueError(f"{path}: {option} cannot be written: {reason}: {place}") from None
+        raise Refusal(f"{path}: {option} cannot be written: {reason}: {place}") from None
 
 
 def _remove(path: Path) -> None:

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from geometry.refusal import Refusal
 from studies.cli_options import named, noise_choice
 
 if TYPE_CHECKING:
@@ -45,14 +46,14 @@ def open_trained(model: Path, noise: float | None, ambient: float | None) -> Loc
         ambient: sound in the room up to this level, dB SPL, for a library; None for quiet.
 
     Raises:
-        ValueError: a noise for a trained localizer, or a file that is neither.
+        Refusal: a noise for a trained localizer, or a file that is neither.
     """
     from localize import BayesDecoder, load_localizer
     from localize.bayes import room
 
     if _is_trained(model):
         if noise is not None:
-            raise ValueError(f"--noise = {noise} is for a library; {model} was trained with a noise of its own")
+            raise Refusal(f"--noise = {noise} is for a library; {model} was trained with a noise of its own")
         return load_localizer(model)
     import acoustic_fem
 
@@ -66,12 +67,12 @@ def open_localizer(
     """The same, or an ONNX file.
 
     Raises:
-        ValueError: as :func:`open_trained`.
+        Refusal: as :func:`open_trained`.
     """
     if model.suffix != ".onnx":
         return open_trained(model, noise, ambient)
     if noise is not None:
-        raise ValueError(f"--noise = {noise} is for a library; {model} was made for the noise it names itself")
+        raise Refusal(f"--noise = {noise} is for a library; {model} was made for the noise it names itself")
     from localize import OnnxLocalizer
 
     return OnnxLocalizer(model)
@@ -94,7 +95,7 @@ def open_stream(
         limit: Pa; a sample that reaches it is clipped. By default nothing is.
 
     Raises:
-        ValueError: an extra without a library, a library without an extra, or a figure out of range.
+        Refusal: an extra without a library, a library without an extra, or a figure out of range.
     """
     from localize import BayesDecoder, Reconstructor, ResidualTest, SoundTest, TouchStream
     from localize.dataset import response_of
@@ -102,13 +103,13 @@ def open_stream(
 
     if extras.asked is None:
         if library is not None:
-            raise ValueError(f"--library {library} is for --waveform, --ambient and --refuse; give one of them")
+            raise Refusal(f"--library {library} is for --waveform, --ambient and --refuse; give one of them")
         return TouchStream(localizer, limit=limit)
     import acoustic_fem
 
     path = library or (None if _is_trained(model) or model.suffix == ".onnx" else model)
     if path is None:
-        raise ValueError(f"{extras.asked} needs the library of the array: {model} is none; give --library")
+        raise Refusal(f"{extras.asked} needs the library of the array: {model} is none; give --library")
     response = response_of(acoustic_fem.load(path))
     noise = localizer.microphone_noise if isinstance(localizer, BayesDecoder) else localizer.noise_rms or "design"
     reconstructor = Reconstructor(response, max(localizer.noise_rms, LEAST_NOISE)) if extras.waveform else None

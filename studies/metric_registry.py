@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from geometry.refusal import Refusal
 from studies import build_metrics, touch_metrics
 from studies.metrics import BAND, check_band
 from studies.responses import Responses
@@ -55,24 +56,24 @@ class Metric:
             frequency: (n_freq,) ascending, Hz.
 
         Raises:
-            ValueError: it does not, or its steps are wider than half the band.
+            Refusal: it does not, or its steps are wider than half the band.
         """
         if self.band is None:
             return
         try:
             check_band(frequency, self.band)
         except ValueError as error:
-            raise ValueError(f"metric {self.name} needs {error}") from None
+            raise Refusal(f"metric {self.name} needs {error}") from None
 
     def of_batch(self, responses: Responses) -> Values:
         """(n_design,) float64, one value per design.
 
         Raises:
-            ValueError: something the metric needs is missing, or the grid does not reach over its band.
+            Refusal: something the metric needs is missing, or the grid does not reach over its band.
         """
         missing = sorted(name for name in self.needs if getattr(responses, name) is None)
         if missing:
-            raise ValueError(f"metric {self.name} needs {', '.join(missing)}")
+            raise Refusal(f"metric {self.name} needs {', '.join(missing)}")
         self.check_grid(responses.frequency)
         return np.asarray(self.compute(responses), np.float64)
 
@@ -80,7 +81,7 @@ class Metric:
         """The value of one design.
 
         Raises:
-            ValueError: as :meth:`of_batch`.
+            Refusal: as :meth:`of_batch`.
         """
         return float(self.of_batch(Responses.of_library(library))[0])
 
@@ -89,14 +90,14 @@ def metrics_named(names: Iterable[str]) -> tuple[Metric, ...]:
     """The metrics of these names, in their order.
 
     Raises:
-        ValueError: a name that is none, with the nearest one that is.
+        Refusal: a name that is none, with the nearest one that is.
     """
     found = []
     for name in names:
         if name not in METRICS:
             near = difflib.get_close_matches(str(name), METRICS, 1)
             hint = f"; did you mean {near[0]}?" if near else ""
-            raise ValueError(f"metrics: {name!r} must be one of: {', '.join(METRICS)}{hint}")
+            raise Refusal(f"metrics: {name!r} must be one of: {', '.join(METRICS)}{hint}")
         found.append(METRICS[name])
     return tuple(found)
 

@@ -17,6 +17,7 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from acoustic_fem import Library
+from geometry.refusal import Refusal
 
 #: Band of the paper's sensors and of the localizer's features, Hz.
 BAND = (1.0, 100.0)
@@ -90,13 +91,13 @@ def check_band(frequency: Array, band: tuple[float, float]) -> None:
         band: lowest and highest frequency, Hz.
 
     Raises:
-        ValueError: it begins above the band, ends below it, or has a step in it wider than half of it.
+        Refusal: it begins above the band, ends below it, or has a step in it wider than half of it.
     """
     low, high = band
     over = frequency[(frequency > low) & (frequency < high)]
     step = float(np.diff(np.concatenate([[low], over, [high]])).max())
     if frequency[0] > low + 1e-6 or frequency[-1] < high - 1e-6 or step > (high - low) / 2 + 1e-6:
-        raise ValueError(
+        raise Refusal(
             f"frequencies from {low:g} to {high:g} Hz in steps of at most {(high - low) / 2:g} Hz; the grid of "
             f"{len(frequency)} runs from {frequency[0]:g} to {frequency[-1]:g} Hz"
         )
@@ -113,7 +114,7 @@ def separability(transfer_function: xr.DataArray, band: tuple[float, float] = BA
         band: lowest and highest frequency, Hz; the grid must have at least two frequencies in it.
 
     Raises:
-        ValueError: fewer than two points, microphones, or frequencies in the band.
+        Refusal: fewer than two points, microphones, or frequencies in the band.
     """
     frequency = np.asarray(transfer_function["frequency"].values, np.float64)
     inside = (frequency >= band[0] - 1e-9) & (frequency <= band[1] + 1e-9)
@@ -123,7 +124,7 @@ def separability(transfer_function: xr.DataArray, band: tuple[float, float] = BA
         (f"frequencies between {band[0]:g} and {band[1]:g} Hz", int(inside.sum())),
     ):
         if count < 2:
-            raise ValueError(f"separability: {count} {name} must be at least 2")
+            raise Refusal(f"separability: {count} {name} must be at least 2")
     log = np.log(microphone_ratios(transfer_function)[..., inside])
     weight = trapezoidal_weights(frequency[inside]) / log.shape[1]
     level, phase = np.zeros((2, len(log), len(log)))
@@ -144,7 +145,7 @@ def attenuation(transfer_function: xr.DataArray, frequency: float) -> Array:
     straight lines.
 
     Raises:
-        ValueError: a frequency outside the grid.
+        Refusal: a frequency outside the grid.
     """
     return np.asarray(20 * np.log10(np.abs(_at(transfer_function, frequency))), np.float64)
 
@@ -153,7 +154,7 @@ def worst_heard(transfer_function: xr.DataArray, frequency: float) -> tuple[floa
     """The point that is weakest at its second-loudest microphone (a ratio needs two): level, dB, and number.
 
     Raises:
-        ValueError: a frequency outside the grid.
+        Refusal: a frequency outside the grid.
     """
     second = np.sort(attenuation(transfer_function, frequency), axis=1)[:, -2]
     worst = int(np.argmin(np.round(second, 2)))  # of mirror images, the first
@@ -167,7 +168,7 @@ def sensitivity(library: Library, frequency: float) -> Array:
     :class:`acoustic_fem.Library`.
 
     Raises:
-        ValueError: a frequency outside the grid.
+        Refusal: a frequency outside the grid.
     """
     pressure = np.abs(_at(library.source_response, frequency)).max(axis=1)
     return np.asarray(2 * np.pi * frequency * pressure * 1e-9, np.float64)
@@ -193,15 +194,15 @@ def disagreement(
     """Largest difference of two sets of transfer functions on one grid, within a band (Hz).
 
     Raises:
-        ValueError: different points, microphones or frequencies, or no frequency in the band.
+        Refusal: different points, microphones or frequencies, or no frequency in the band.
     """
     for name in ("point", "microphone", "frequency"):
         if not np.array_equal(transfer_function[name].values, reference[name].values):
-            raise ValueError(f"disagreement: the two have different {name} coordinates")
+            raise Refusal(f"disagreement: the two have different {name} coordinates")
     frequency = reference["frequency"].values
     inside = (frequency >= band[0] - 1e-9) & (frequency <= band[1] + 1e-9)
     if not inside.any():
-        raise ValueError(f"disagreement: no frequency between {band[0]:g} and {band[1]:g} Hz")
+        raise Refusal(f"disagreement: no frequency between {band[0]:g} and {band[1]:g} Hz")
     ratio = (_values(transfer_function) / _values(reference))[..., inside]
 
     def largest(values: Array) -> tuple[float, tuple[int, str, float]]:
@@ -221,7 +222,7 @@ def _values(transfer_function: xr.DataArray) -> NDArray[np.complex128]:
 def _at(array: xr.DataArray, frequency: float) -> NDArray[np.complex128]:
     grid = np.asarray(array["frequency"].values, np.float64)
     if not grid[0] - 1e-9 <= frequency <= grid[-1] + 1e-9:
-        raise ValueError(f"frequency = {frequency:g} Hz must be between {grid[0]:g} and {grid[-1]:g} Hz")
+        raise Refusal(f"frequency = {frequency:g} Hz must be between {grid[0]:g} and {grid[-1]:g} Hz")
     values = _values(array)
     upper = min(int(np.searchsorted(grid, frequency)), len(grid) - 1)
     lower = max(upper - 1, 0)

@@ -13,6 +13,7 @@ from tomlkit.exceptions import TOMLKitError
 
 from geometry import ArrayDesign
 from geometry.design_fields import error_from_validation
+from geometry.refusal import Refusal
 from geometry.text_file import read_text
 from studies.metric_registry import Metric, metrics_named
 from studies.printable import Demand, PrintRules
@@ -161,13 +162,13 @@ def _checked(file: _Optimize, study: Study, text: str) -> Optimization:
         objectives.append(Objective(metric, better))
     names = [objective.metric.name for objective in objectives]
     if len(set(names)) < len(names):
-        raise ValueError(f"optimize.objectives: {', '.join(names)} must be different metrics")
+        raise Refusal(f"optimize.objectives: {', '.join(names)} must be different metrics")
     limits = []
     for number, bound in enumerate(file.limits):
         if bound.least is None and bound.most is None:
-            raise ValueError(f"optimize.limits.{number}: give least, most, or both for {bound.metric!r}")
+            raise Refusal(f"optimize.limits.{number}: give least, most, or both for {bound.metric!r}")
         if bound.least is not None and bound.most is not None and bound.least > bound.most:
-            raise ValueError(f"optimize.limits.{number}: least = {bound.least:g} must be at most most = {bound.most:g}")
+            raise Refusal(f"optimize.limits.{number}: least = {bound.least:g} must be at most most = {bound.most:g}")
         (metric,) = metrics_named([bound.metric])
         limits.append(Limit(metric, bound.least, bound.most))
     for metric in (*(objective.metric for objective in objectives), *(limit.metric for limit in limits)):
@@ -186,14 +187,14 @@ def searched_range(parameter: Parameter, rules: PrintRules) -> tuple[float, floa
     """Where a range is searched, mm: not below what the process can print. Not for lists.
 
     Raises:
-        ValueError: nothing of the range can be printed.
+        Refusal: nothing of the range can be printed.
     """
     low, high = sorted((parameter.low, parameter.high))
     least = rules.least_value(parameter.name)
     if parameter.values or least is None:
         return low, high
     if high < least:
-        raise ValueError(
+        raise Refusal(
             f"parameters.{parameter.name} ends at {high:g} mm; it must reach {least:g} mm, the smallest that the "
             f"process and optimize.printable = {rules.demand!r} allow"
         )

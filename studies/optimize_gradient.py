@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from geometry.refusal import Refusal
 from studies.optimize import Candidate, OptimizationResult, evaluated, ranked, refusal_of, rounded
 from studies.optimize_file import Optimization, searched_range
 from studies.smooth_model import DIFFERENTIABLE, SmoothModel
@@ -49,7 +50,7 @@ def refine(
         Those that came out better, computed exactly, numbered from -2 downwards.
 
     Raises:
-        ValueError: the study is not lumped, or the first objective has no derivative, or no parameter has.
+        Refusal: the study is not lumped, or the first objective has no derivative, or no parameter has.
     """
     check_refinable(problem)
     report = progress or (lambda message, fraction: None)
@@ -67,17 +68,17 @@ def check_refinable(problem: Optimization) -> None:
     """Refuse what :func:`refine` cannot do.
 
     Raises:
-        ValueError: as :func:`refine`.
+        Refusal: as :func:`refine`.
     """
     name = problem.objectives[0].metric.name
     if name not in DIFFERENTIABLE:
-        raise ValueError(
+        raise Refusal(
             f"optimize.refine needs a first objective with a derivative: {', '.join(DIFFERENTIABLE)}; {name} has none"
         )
     if problem.study.fidelity != "lumped":
-        raise ValueError(f"optimize.refine needs fidelity = 'lumped', not {problem.study.fidelity!r}")
+        raise Refusal(f"optimize.refine needs fidelity = 'lumped', not {problem.study.fidelity!r}")
     if not _continuous(problem):
-        raise ValueError("optimize.refine needs a parameter with a range and a derivative, such as tube.length")
+        raise Refusal("optimize.refine needs a parameter with a range and a derivative, such as tube.length")
 
 
 def _continuous(problem: Optimization) -> list[tuple[str, float, float]]:
@@ -97,7 +98,7 @@ def _descended(problem: Optimization, start: Candidate, number: int) -> Candidat
     ranges = np.array([low, high]).T
     design, reason = refusal_of(problem, start.values)
     if design is None:
-        raise ValueError(f"refine: the design to start from is refused: {reason}")
+        raise Refusal(f"refine: the design to start from is refused: {reason}")
     model = SmoothModel(design, names, ranges, problem.study.frequency)
     width = ranges[:, 1] - ranges[:, 0]
     place = (np.array([start.values[name] for name in names]) - ranges[:, 0]) / width

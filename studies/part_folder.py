@@ -45,7 +45,7 @@ def make_parts(
         report: told what is being made.
 
     Raises:
-        ValueError: a part cannot be built or written, or the folder's list of files names what is none of its own.
+        Refusal: a part cannot be built or written, or the folder's list of files names what is none of its own.
         OSError: the folder cannot be written.
     """
     with replaced_files(folder) as fresh:

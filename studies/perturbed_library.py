@@ -25,6 +25,7 @@ from acoustic_fem.provenance import versions
 from geometry.design import ArrayDesign
 from geometry.design_file import read_design, write_design
 from geometry.layout import place
+from geometry.refusal import Refusal
 from studies.folders import check_folder
 from studies.scatter import TOLERANCES, ScatteredDesign, Tolerance
 
@@ -61,16 +62,16 @@ def write_perturbed_library(
         progress: called with what is being done and the fraction done.
 
     Raises:
-        ValueError: a path that exists or cannot be written, a count or grid out of range, or a design that the
+        Refusal: a path that exists or cannot be written, a count or grid out of range, or a design that the
             lumped batch does not take.
     """
     import zarr
 
     target = Path(path)
     if isinstance(count, bool) or not isinstance(count, int) or not 1 <= count <= 1_000_000:
-        raise ValueError(f"count = {count!r} must be a whole number from 1 to 1000000")
+        raise Refusal(f"count = {count!r} must be a whole number from 1 to 1000000")
     if target.exists():
-        raise ValueError(f"{target}: exists; a library is never overwritten")
+        raise Refusal(f"{target}: exists; a library is never overwritten")
     check_folder(target)
     grid = frequency_grid(frequency)
     report = progress or (lambda message, fraction: None)
@@ -118,7 +119,7 @@ class PerturbedLibrary:
     """A store of mis-made sensors, read a block at a time: a :class:`localize.dataset.TransferFunctionSource`.
 
     Raises:
-        ValueError: the path is no such store, or was written by a later version.
+        Refusal: the path is no such store, or was written by a later version.
     """
 
     def __init__(self, path: str | os.PathLike[str]) -> None:
@@ -129,9 +130,9 @@ class PerturbedLibrary:
             group: Any = zarr.open_group(self.path, mode="r", zarr_format=3)
             attributes: dict[str, Any] = dict(group.attrs)
         except (OSError, ValueError, KeyError) as error:
-            raise ValueError(f"{self.path}: is not a library of perturbed transfer functions: {error}") from None
+            raise Refusal(f"{self.path}: is not a library of perturbed transfer functions: {error}") from None
         if attributes.get(MARK) != FORMAT:
-            raise ValueError(f"{self.path}: is not a library of perturbed transfer functions of format {FORMAT}")
+            raise Refusal(f"{self.path}: is not a library of perturbed transfer functions of format {FORMAT}")
         self.attributes = attributes
         #: (n_freq,) float64, Hz.
         self.frequency: NDArray[np.float64] = np.asarray(group["frequency"][:], np.float64)
@@ -158,10 +159,10 @@ class PerturbedLibrary:
         """(count, n_point, n_microphone, n_freq) complex128 of consecutive sensors; one block is held in memory.
 
         Raises:
-            ValueError: sensors that the store does not hold.
+            Refusal: sensors that the store does not hold.
         """
         if not (first >= 0 and count >= 1 and first + count <= self.sensor_count):
-            raise ValueError(
+            raise Refusal(
                 f"{self.path}: sensors {first} to {first + count - 1} must be of 0 to {self.sensor_count - 1}"
             )
         pieces = []

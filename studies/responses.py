@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from geometry.refusal import Refusal
+
 if TYPE_CHECKING:
     from acoustic_fem import Library, Medium
     from geometry import ArrayDesign
@@ -41,7 +43,7 @@ class Responses:
     def __post_init__(self) -> None:
         h = self.transfer_function
         if h.ndim != 4 or h.shape[3] != len(self.frequency):
-            raise ValueError(
+            raise Refusal(
                 f"transfer_function has shape {h.shape}; it must be (n_design, n_point, n_microphone, "
                 f"{len(self.frequency)})"
             )
@@ -53,11 +55,11 @@ class Responses:
         ):
             values = getattr(self, name)
             if values is not None and values.shape != shape:
-                raise ValueError(f"{name} has shape {values.shape}; it must be {shape}")
+                raise Refusal(f"{name} has shape {values.shape}; it must be {shape}")
         for name in ("designs", "medium"):
             given = getattr(self, name)
             if given is not None and len(given) != designs:
-                raise ValueError(f"{name} has {len(given)} entries; it must have one for each of {designs} designs")
+                raise Refusal(f"{name} has {len(given)} entries; it must have one for each of {designs} designs")
 
     @property
     def design_count(self) -> int:

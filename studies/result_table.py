@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from geometry import ArrayDesign
 from geometry.design_fields import field_named
+from geometry.refusal import Refusal
 from studies.metric_registry import METRICS
 from studies.optimize import pareto_front
 from studies.reasons import by_kind
@@ -95,12 +96,12 @@ class ResultTable:
         """A metric by name.
 
         Raises:
-            ValueError: it was not computed.
+            Refusal: it was not computed.
         """
         for column in self.metrics:
             if column.name == name:
                 return column
-        raise ValueError(f"metric {name!r} must be one of: {', '.join(column.name for column in self.metrics)}")
+        raise Refusal(f"metric {name!r} must be one of: {', '.join(column.name for column in self.metrics)}")
 
     def label(self, row: int) -> str:
         """How a design is called: by its number, or after the start it was refined from."""
@@ -111,7 +112,7 @@ class ResultTable:
         """Rows of the best designs by one metric, the best first; equals by number.
 
         Raises:
-            ValueError: the metric was not computed.
+            Refusal: the metric was not computed.
         """
         order = np.lexsort((self.number, -self.metric(metric).goodness))
         return [int(row) for row in order[:count]]
@@ -209,14 +210,14 @@ def table_of_sweep(sweep: Sweep) -> ResultTable:
     """The finished cases of a sweep; those with a metric that is not finite count as failed.
 
     Raises:
-        ValueError: no case is done, or nothing was computed.
+        Refusal: no case is done, or nothing was computed.
     """
     data = sweep.dataset
     columns = {name: np.asarray(data[name].values, np.float64) for name in sweep.metrics}
     finite = np.all([np.isfinite(values) for values in columns.values()], axis=0)
     rows = np.flatnonzero(sweep.done & finite)
     if not len(rows):
-        raise ValueError(f"{data.attrs['title']}: none of {data.sizes['case']} cases is done")
+        raise Refusal(f"{data.attrs['title']}: none of {data.sizes['case']} cases is done")
     reasons = [(int(number), str(data["reason"].values[number])) for number in np.flatnonzero(sweep.failed)]
     reasons += [(int(number), "a metric is not finite") for number in np.flatnonzero(sweep.done & ~finite)]
     return ResultTable(
@@ -242,11 +243,11 @@ def table_of_search(problem: Optimization, result: OptimizationResult) -> Result
     """The designs that a search computed and that keep its limits.
 
     Raises:
-        ValueError: none does.
+        Refusal: none does.
     """
     kept = [each for each in result.candidates if each.feasible]
     if not kept:
-        raise ValueError(f"{problem.study.name}: none of {len(result.candidates)} designs keeps the limits")
+        raise Refusal(f"{problem.study.name}: none of {len(result.candidates)} designs keeps the limits")
     broken = len(result.candidates) - len(kept)
     limits = "; ".join(str(limit) for limit in problem.limits)
     failures = [*result.refused, *([(f"not {limits}", broken)] if broken else [])]

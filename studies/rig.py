@@ -29,6 +29,7 @@ from acoustic_fem.microphone import noise_density, response
 from acoustic_fem.sound_file import write_wav
 from geometry.design import ArrayDesign
 from geometry.design_file import write_design
+from geometry.refusal import Refusal
 from geometry.whole_file import write_text
 
 Array = NDArray[np.float64]
@@ -105,7 +106,7 @@ class Rig:
         fidelity: ``lumped``, or ``navier-stokes`` for what 3-D cells change.
 
     Raises:
-        ValueError: a negative seed, or a design that the lumped batch does not take.
+        Refusal: a negative seed, or a design that the lumped batch does not take.
     """
 
     def __init__(
@@ -116,7 +117,7 @@ class Rig:
         fidelity: Literal["lumped", "navier-stokes"] = "lumped",
     ) -> None:
         if seed < 0:
-            raise ValueError(f"seed = {seed} must be 0 or above")
+            raise Refusal(f"seed = {seed} must be 0 or above")
         self.design, self.seed, self.fidelity = design, seed, fidelity
         self.scatter = scatter or HiddenScatter()
         shared = Topology.of(design)
@@ -189,7 +190,7 @@ class Rig:
             The manifest.
 
         Raises:
-            ValueError: a point that the design does not have.
+            Refusal: a point that the design does not have.
         """
         recorder = recorder or Recorder()
         for point in points:

@@ -55,7 +55,7 @@ def record_touches(
         The manifest.
 
     Raises:
-        ValueError: a point that the design does not have.
+        Refusal: a point that the design does not have.
     """
     recorder = replace(recorder or Recorder(), seconds=session.seconds)
     for point in points:

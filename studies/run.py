@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from geometry.design import ArrayDesign
 from geometry.layout import place
+from geometry.refusal import Refusal
 from studies.check import Validity, model_validity
 from studies.display import Display, Report
 from studies.folders import claim_folder, replaced_folder
@@ -92,7 +93,7 @@ def run_design(
             same report whatever else the machine does. The localizer is judged with the noise it was trained with.
 
     Raises:
-        ValueError: the folder holds something else, or the design cannot be built, solved or decoded.
+        Refusal: the folder holds something else, or the design cannot be built, solved or decoded.
         OSError: the folder cannot be written.
     """
     import acoustic_fem
@@ -185,10 +186,10 @@ def check_points(design: ArrayDesign, source: str | None = None) -> None:
         source: what to call it in the message, such as its file; by default its name.
 
     Raises:
-        ValueError: it has one point in all.
+        Refusal: it has one point in all.
     """
     if design.point_count < 2:
-        raise ValueError(
+        raise Refusal(
             f"{source or design.name}: lines.0.points = {design.point_count} must be at least 2: run needs at least 2 "
             "points, to tell one from the other; solve and parts take one"
         )

@@ -20,6 +20,7 @@ from acoustic_fem.batch_parameters import ArrayParameters, Topology
 from acoustic_fem.membrane import DiscSolution, solve_disc
 from acoustic_fem.units import metres, pascals
 from geometry.design import ArrayDesign
+from geometry.refusal import Refusal
 from geometry.text_file import read_text
 
 Array = NDArray[np.float64]
@@ -56,15 +57,15 @@ class Tolerance:
 
     def __post_init__(self) -> None:
         if self.quantity not in QUANTITIES:
-            raise ValueError(f"tolerance {self.quantity!r} must be one of: {', '.join(QUANTITIES)}")
+            raise Refusal(f"tolerance {self.quantity!r} must be one of: {', '.join(QUANTITIES)}")
         if self.kind not in get_args(Kind):
-            raise ValueError(f"tolerance {self.quantity}: kind = {self.kind!r} must be absolute or relative")
+            raise Refusal(f"tolerance {self.quantity}: kind = {self.kind!r} must be absolute or relative")
         modulus = self.quantity.startswith("modulus")
         if modulus and self.kind == "absolute":
-            raise ValueError(f"tolerance {self.quantity}: kind must be relative")
+            raise Refusal(f"tolerance {self.quantity}: kind must be relative")
         most, unit = (0.3, "") if self.kind == "relative" else (5.0, " mm")
         if not 0 <= self.deviation <= most:
-            raise ValueError(
+            raise Refusal(
                 f"tolerance {self.quantity}: deviation = {self.deviation:g}{unit} must be between 0 and {most:g}{unit}"
             )
 
@@ -88,25 +89,25 @@ def read_tolerances(path: Path) -> tuple[Tolerance, ...]:
     The file has a table per quantity: ``[bore]``, ``deviation = 0.02``, ``kind = "absolute"``, ``source = "..."``.
 
     Raises:
-        ValueError: it cannot be read, or holds an unknown quantity or field, or a value out of range.
+        Refusal: it cannot be read, or holds an unknown quantity or field, or a value out of range.
     """
     try:
-        text = tomllib.loads(read_text(path, "a file of tolerances", ValueError))
+        text = tomllib.loads(read_text(path, "a file of tolerances", Refusal))
     except tomllib.TOMLDecodeError as error:
-        raise ValueError(f"{path}: is not TOML: {error}") from None
+        raise Refusal(f"{path}: is not TOML: {error}") from None
     known = {tolerance.quantity: tolerance for tolerance in TOLERANCES}
     for quantity, given in text.items():
         if quantity not in known:
-            raise ValueError(f"{path}: [{quantity}] must be one of: {', '.join(known)}")
+            raise Refusal(f"{path}: [{quantity}] must be one of: {', '.join(known)}")
         if not isinstance(given, Mapping) or not set(given) <= {"deviation", "kind", "source"}:
-            raise ValueError(f"{path}: [{quantity}] must hold deviation, kind and source only")
+            raise Refusal(f"{path}: [{quantity}] must hold deviation, kind and source only")
         deviation = given.get("deviation", known[quantity].deviation)
         if isinstance(deviation, bool) or not isinstance(deviation, (int, float)):
-            raise ValueError(f"{path}: [{quantity}] deviation = {deviation!r} must be a number")
+            raise Refusal(f"{path}: [{quantity}] deviation = {deviation!r} must be a number")
         try:
             known[quantity] = replace(known[quantity], **{"source": "of the file", **given})
         except ValueError as error:
-            raise ValueError(f"{path}: {error}") from None
+            raise Refusal(f"{path}: {error}") from None
     return tuple(known.values())
 
 
@@ -118,16 +119,16 @@ class ScatteredDesign:
         tolerances: one per quantity; a quantity that is not among them does not scatter.
 
     Raises:
-        ValueError: a quantity twice, or a membrane the batch or the elastic solution does not take.
+        Refusal: a quantity twice, or a membrane the batch or the elastic solution does not take.
     """
 
     def __init__(self, design: ArrayDesign, tolerances: Sequence[Tolerance] = TOLERANCES) -> None:
         names = [tolerance.quantity for tolerance in tolerances]
         if len(set(names)) != len(names):
-            raise ValueError(f"tolerances: {max(names, key=names.count)} is given twice")
+            raise Refusal(f"tolerances: {max(names, key=names.count)} is given twice")
         loss = design.material(design.membrane.material).loss_factor
         if design.membrane.stretch != 1 and loss > 0:
-            raise ValueError(
+            raise Refusal(
                 f"membrane.stretch = {design.membrane.stretch:g} must be 1 for manufacturing scatter, unless "
                 f"materials.{design.membrane.material}.loss_factor = {loss:g} is 0: how a stretched membrane with loss "
                 "scatters is not computed"

@@ -8,6 +8,7 @@ from itertools import combinations
 import numpy as np
 from numpy.typing import NDArray
 
+from geometry.refusal import Refusal
 from studies.metrics import BAND, DECIBEL, trapezoidal_weights
 from studies.responses import Responses
 
@@ -37,7 +38,7 @@ def pair_distances(responses: Responses, band: tuple[float, float] = BAND) -> Pa
         band: lowest and highest frequency, Hz; at least two frequencies of the grid must lie in it.
 
     Raises:
-        ValueError: fewer than two points, microphones, or frequencies in the band.
+        Refusal: fewer than two points, microphones, or frequencies in the band.
     """
     inside = (responses.frequency >= band[0] - 1e-9) & (responses.frequency <= band[1] + 1e-9)
     _, points, microphones, _ = responses.transfer_function.shape
@@ -47,7 +48,7 @@ def pair_distances(responses: Responses, band: tuple[float, float] = BAND) -> Pa
         (f"frequencies between {band[0]:g} and {band[1]:g} Hz", int(inside.sum())),
     ):
         if count < 2:
-            raise ValueError(f"distances of points: {count} {name} must be at least 2")
+            raise Refusal(f"distances of points: {count} {name} must be at least 2")
     pairs = list(combinations(range(microphones), 2))
     weight = trapezoidal_weights(responses.frequency[inside]) / len(pairs)
     log = np.log(responses.transfer_function[..., inside])

@@ -12,13 +12,14 @@ from numpy.typing import NDArray
 
 from geometry import ArrayDesign
 from geometry.design_file import write_design
+from geometry.refusal import Refusal
 from studies.constraints import Constraint
 
 Fidelity = Literal["lumped", "helmholtz", "navier-stokes"]
 Sampling = Literal["grid", "latin-hypercube", "sobol", "random"]
 
 
-class StudyError(ValueError):
+class StudyError(Refusal):
     """A study that is not valid. The message is one line: file, field, value and what is allowed."""
 
 

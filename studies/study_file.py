@@ -15,6 +15,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from geometry import ArrayDesign, DesignError, load_design
 from geometry.design_fields import check_value, error_from_validation, field_named
 from geometry.design_file import prototype, prototype_names, value_of
+from geometry.refusal import Refusal
 from geometry.text_file import read_text
 from studies.constraints import parse_constraint
 from studies.study import Fidelity, Parameter, Sampling, Study, StudyError
@@ -136,7 +137,7 @@ def _base(name: str, folder: Path) -> ArrayDesign:
         return prototype(name)
     path = folder / name
     if not path.is_file():
-        raise ValueError(
+        raise Refusal(
             f"base = {name!r} is neither a file in {folder} nor a prototype; known: {', '.join(prototype_names())}"
         )
     return load_design(path)
@@ -156,30 +157,30 @@ def _frequencies(text: str) -> NDArray[np.float64]:
     try:
         grid = stated_grid(text)
     except ValueError as error:
-        raise ValueError(f"frequencies = {error}") from None
+        raise Refusal(f"frequencies = {error}") from None
     try:
         return frequency_grid(grid)
     except ValueError as error:
-        raise ValueError(f"frequencies = {text!r}: {error}") from None
+        raise Refusal(f"frequencies = {text!r}: {error}") from None
 
 
 # -- what varies ------------------------------------------------------------------------------------
 def _axes(file: _StudyFile, base: ArrayDesign, source: str) -> tuple[tuple[Parameter, ...], ...]:
     groups = [{name: value} for name, value in _flat(file.parameters).items()] + [_flat(each) for each in file.together]
     if not any(groups):
-        raise ValueError('parameters is missing: a study varies at least one field, such as "tube.length" = [10, 20]')
+        raise Refusal('parameters is missing: a study varies at least one field, such as "tube.length" = [10, 20]')
     axes = []
     for group in groups:
         axis = tuple(_parameter(name, given, file.sampling == "grid", base, source) for name, given in group.items())
         sizes = {parameter.name: parameter.size for parameter in axis}
         if len(set(sizes.values())) > 1:
             counts = ", ".join(f"{name} has {size}" for name, size in sizes.items())
-            raise ValueError(f"together: parameters that go together must have equally many values; {counts}")
+            raise Refusal(f"together: parameters that go together must have equally many values; {counts}")
         axes.append(axis)
     names = [parameter.name for axis in axes for parameter in axis]
     for name in names:
         if names.count(name) > 1:
-            raise ValueError(f"{name} must be given once, under [parameters] or in one group of [[together]]")
+            raise Refusal(f"{name} must be given once, under [parameters] or in one group of [[together]]")
     return tuple(axis for axis in axes if axis)
 
 
@@ -198,17 +199,17 @@ def _parameter(name: str, given: Any, in_grid: bool, base: ArrayDesign, source: 
     try:
         now = value_of(base, name)
     except DesignError as error:
-        raise ValueError(f"parameters: {error}") from None
+        raise Refusal(f"parameters: {error}") from None
     field = field_named(ArrayDesign, name)
     kind = "a number" if field is None else field.kind
     if kind in ("a table", "a list") or isinstance(now, (BaseModel, tuple, dict)):
-        raise ValueError(f"parameters.{name} is {kind}; give the fields in it, such as {name}.length")
+        raise Refusal(f"parameters.{name} is {kind}; give the fields in it, such as {name}.length")
     if isinstance(given, list) and given:
         for value in given:
             _check_design(base, name, value, source)
         return Parameter(name, values=tuple(given), whole=kind == "a whole number")
     if not isinstance(given, dict) or not {"from", "to"} <= set(given):
-        raise ValueError(
+        raise Refusal(
             f"parameters.{name} = {given!r} must be a list of values, or a range {{from = ..., to = ..., count = ...}}"
         )
     try:
@@ -217,20 +218,20 @@ def _parameter(name: str, given: Any, in_grid: bool, base: ArrayDesign, source: 
         raise _refusal(error, _Range, given, f"{source}: parameters.{name}") from None
     whole = kind == "a whole number"
     if kind == "a text":
-        raise ValueError(f"parameters.{name} is a text: give a list of values, not a range")
+        raise Refusal(f"parameters.{name} is a text: give a list of values, not a range")
     for end, value in (("from", limits.first), ("to", limits.last)):
         if whole and value != round(value):
-            raise ValueError(f"parameters.{name}.{end} = {value:g} must be a whole number")
+            raise Refusal(f"parameters.{name}.{end} = {value:g} must be a whole number")
         _check_design(base, name, round(value) if whole else value, source)
     if limits.first >= limits.last:
-        raise ValueError(f"parameters.{name}.from = {limits.first:g} must be below to = {limits.last:g}")
+        raise Refusal(f"parameters.{name}.from = {limits.first:g} must be below to = {limits.last:g}")
     if limits.scale == "log" and limits.first <= 0:
-        raise ValueError(f"parameters.{name}.from = {limits.first:g} must be above 0 for scale = 'log'")
+        raise Refusal(f"parameters.{name}.from = {limits.first:g} must be above 0 for scale = 'log'")
     if whole and limits.scale == "log":
-        raise ValueError(f"parameters.{name}.scale = 'log' must be 'linear' for whole numbers")
+        raise Refusal(f"parameters.{name}.scale = 'log' must be 'linear' for whole numbers")
     count = limits.count or (round(limits.last - limits.first) + 1 if whole else 0)
     if in_grid and not count:
-        raise ValueError(f"parameters.{name}.count is missing: a grid needs the number of values")
+        raise Refusal(f"parameters.{name}.count is missing: a grid needs the number of values")
     if whole:
         count = min(count, round(limits.last - limits.first) + 1)
     return Parameter(name, (), limits.first, limits.last, count if in_grid else 0, limits.scale, whole)
@@ -250,13 +251,11 @@ def _check_design(base: ArrayDesign, name: str, value: Any, source: str) -> None
 def _cases(file: _StudyFile, axes: tuple[tuple[Parameter, ...], ...]) -> int:
     if file.sampling == "grid":
         if file.cases is not None:
-            raise ValueError(
-                f"cases = {file.cases} must not be given for sampling = 'grid', which has every combination"
-            )
+            raise Refusal(f"cases = {file.cases} must not be given for sampling = 'grid', which has every combination")
         count = int(np.prod([float(len(axis[0].grid())) for axis in axes]))
         if count > LARGEST:
-            raise ValueError(f"sampling = 'grid' has {count} cases; it must have at most {LARGEST}")
+            raise Refusal(f"sampling = 'grid' has {count} cases; it must have at most {LARGEST}")
         return 0
     if file.cases is None:
-        raise ValueError(f"cases is missing: sampling = {file.sampling!r} needs the number of samples")
+        raise Refusal(f"cases is missing: sampling = {file.sampling!r} needs the number of samples")
     return file.cases

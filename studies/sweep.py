@@ -20,6 +20,7 @@ from acoustic_fem.axisymmetric_elasticity import DiscShape, ElasticDisc, solve_d
 from acoustic_fem.disc_table import DiscTable, disc_tables
 from acoustic_fem.provenance import versions
 from geometry import DesignError
+from geometry.refusal import Refusal
 from studies.cases import Cases, cases_of
 from studies.metric_registry import metrics_named
 from studies.reasons import PROGRAM_ERROR
@@ -34,7 +35,7 @@ from studies.sweep_workers import Workers, WorkersLost, open_workers
 _LOOKED_AT = 1000
 
 
-class SweepError(RuntimeError):
+class SweepError(Refusal):
     """A sweep that did not compute all of its cases; what is done is kept."""
 
 

@@ -39,8 +39,8 @@ CellKey: TypeAlias = tuple[Cell, Medium]
 Complex: TypeAlias = NDArray[np.complex128]
 
 _LONGEST_REASON = 500
-#: What stops a case: its design is refused, or cannot be computed.
-REFUSALS = (ValueError, ArithmeticError, RuntimeError, OSError, MemoryError)
+#: What stops a case: its design is refused, or cannot be computed (libraries raise more than refusals).
+FAILURES = (ValueError, ArithmeticError, RuntimeError, OSError, MemoryError)
 #: What stops a case and is no property of its design.
 _MISTAKES = (TypeError, AttributeError, NameError, LookupError, AssertionError, CellFault)
 
@@ -86,7 +86,7 @@ def solve_cell(key: CellKey, frequency: NDArray[np.float64], fidelity: str) -> S
     cell, medium = key
     try:
         solution = solve_cells([cell], frequency, medium, fidelity, apart=True)[cell]
-    except (*REFUSALS, *_MISTAKES) as error:
+    except (*FAILURES, *_MISTAKES) as error:
         return SolvedCell(None, _reason(error))
     return SolvedCell(solution.admittance, "", solution.seconds, solution.cached)
 
@@ -199,7 +199,7 @@ def _responses(
     for number in sorted(alone):
         try:
             one = _network(job, designs[number], cells)
-        except (*REFUSALS, *_MISTAKES) as error:
+        except (*FAILURES, *_MISTAKES) as error:
             block.fail(number, _reason(error))
         else:
             single.setdefault(one.transfer_function.shape, []).append((number, one))
@@ -311,11 +311,11 @@ def _measure(numbers: Sequence[int], responses: Responses, metrics: Sequence[Met
         values = block.values[metric.name]
         try:
             values[list(numbers)] = metric.of_batch(responses)
-        except REFUSALS:  # one design is at fault, or all are: each has its own reason
+        except FAILURES:  # one design is at fault, or all are: each has its own reason
             for place_in_batch, number in enumerate(numbers):
                 try:
                     values[number] = metric.of_batch(_one(responses, place_in_batch))[0]
-                except (*REFUSALS, *_MISTAKES) as error:
+                except (*FAILURES, *_MISTAKES) as error:
                     block.fail(number, _reason(error, f"metric {metric.name}: "))
         except _MISTAKES as error:
             for number in numbers:
@@ -329,7 +329,7 @@ def check_metrics(job: Job, design: ArrayDesign) -> None:
     """Refuse metrics that the study's frequencies cannot give, on a design in closed form.
 
     Raises:
-        ValueError: what a metric says.
+        Refusal: what a metric says.
     """
     responses = _network(replace(job, fidelity="lumped"), design, {})
     for metric in metrics_named(job.metrics):
@@ -342,5 +342,5 @@ def _reason(error: BaseException, where: str = "") -> str:
     if isinstance(error, _MISTAKES):
         last = traceback.extract_tb(error.__traceback__)[-1]
         return f"{PROGRAM_ERROR}{where}{type(error).__name__} in {Path(last.filename).name}:{last.lineno}: {message}"
-    named = isinstance(error, (ValueError, CellError)) and message
+    named = isinstance(error, ValueError) and message
     return where + (message if named else f"{type(error).__name__}: {message}")

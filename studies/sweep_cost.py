@@ -11,10 +11,9 @@ from acoustic_fem.axisymmetric_elasticity import DiscShape
 from acoustic_fem.design_cells import is_cached
 from acoustic_fem.disc_table import disc_count
 from acoustic_fem.membrane import design_disc
-from geometry import DesignError
 from studies.cases import Cases
 from studies.study import Study
-from studies.sweep_cases import REFUSALS, CellKey, Job, solve_block
+from studies.sweep_cases import FAILURES, CellKey, Job, solve_block
 from studies.sweep_workers import cores
 
 #: Processor time of one cell that is not in the cache, s: array-2x6, the start of its process included.
@@ -66,7 +65,7 @@ def _seconds_per_case(study: Study, cases: Cases, numbers: Sequence[int]) -> flo
     for number in np.array(numbers, int)[np.unique(np.linspace(0, len(numbers) - 1, _TIMED + 1).astype(int))]:
         try:
             design_disc(cases.design(int(number)))  # the membrane: from now on known
-        except (DesignError, *REFUSALS):
+        except FAILURES:
             continue  # the case fails by name when it is computed
         chosen.append(int(number))
     if not chosen:

@@ -148,7 +148,7 @@ def check_store(path: Path) -> None:
 
     Raises:
         StudyError: it holds what no sweep made.
-        ValueError: it cannot be written.
+        Refusal: it cannot be written.
     """
     check_folder(path)
     if not is_sweep(path) and path.is_dir() and any(path.iterdir()) and not is_sweep(path):  # or it came meanwhile

@@ -9,6 +9,8 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from typing import Any, Protocol
 
+from geometry.refusal import Refusal
+
 #: Tasks handed out per worker thread: one is computed while the next waits beside it.
 _AHEAD = 2
 #: Seconds to wait for a scheduler and for workers, and between looks at whether there are any.
@@ -16,7 +18,7 @@ _PATIENCE = 60.0
 _WATCH = 5.0
 
 
-class WorkersLost(RuntimeError):
+class WorkersLost(Refusal):
     """Workers or their scheduler are gone."""
 
 
@@ -60,14 +62,14 @@ def open_workers(count: int | None, scheduler: str | None) -> Iterator[Workers]:
         scheduler: address of a dask scheduler in place of processes of this machine.
 
     Raises:
-        ValueError: a bad count, or both given.
+        Refusal: a bad count, or both given.
         WorkersLost: no scheduler or no worker answers.
     """
     if count is not None and not 1 <= count <= 1024:
-        raise ValueError(f"workers = {count} must be between 1 and 1024")
+        raise Refusal(f"workers = {count} must be between 1 and 1024")
     if scheduler is not None:
         if count is not None:
-            raise ValueError("workers must not be given beside a scheduler, which has its own")
+            raise Refusal("workers must not be given beside a scheduler, which has its own")
         with _connected(scheduler) as team:
             yield team
         return

@@ -26,6 +26,7 @@ from acoustic_fem.batch_network import batch_transfer_function
 from acoustic_fem.batch_parameters import design_air
 from acoustic_fem.checks import frequency_grid
 from geometry.design import ArrayDesign
+from geometry.refusal import Refusal
 from studies.confusion import check_grid, predict_confusion
 from studies.responses import Responses
 from studies.scatter import TOLERANCES, ScatteredDesign, Tolerance
@@ -133,13 +134,13 @@ def tolerance_study(
         progress: called with what is being done and the fraction done.
 
     Raises:
-        ValueError: a value out of range, or a design that the lumped batch does not take.
+        Refusal: a value out of range, or a design that the lumped batch does not take.
     """
     for name, value, least in (("samples", samples, 2), ("base", base, 0)):
         if isinstance(value, bool) or not isinstance(value, int) or not least <= value <= 1_000_000:
-            raise ValueError(f"{name} = {value!r} must be a whole number from {least} to 1000000")
+            raise Refusal(f"{name} = {value!r} must be a whole number from {least} to 1000000")
     if noise is not None and not 0 < noise <= 100:
-        raise ValueError(f"noise = {noise!r} Pa must be above 0 and at most 100")
+        raise Refusal(f"noise = {noise!r} Pa must be above 0 and at most 100")
     report = progress or (lambda message, fraction: None)
     grid, air = frequency_grid(frequency), design_air(design)
     check_grid(grid)
@@ -207,7 +208,7 @@ def scattered_accuracy(
         (sensors,) float64, 0 to 1.
 
     Raises:
-        ValueError: a design that the lumped batch does not take, or a grid that does not cover the band.
+        Refusal: a design that the lumped batch does not take, or a grid that does not cover the band.
     """
     scattered, air, grid = ScatteredDesign(design, tolerances), design_air(design), frequency_grid(frequency)
     nominal = batch_transfer_function(scattered.nominal, scattered.topology, grid, air)

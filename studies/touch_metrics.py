@@ -9,6 +9,7 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from geometry.refusal import Refusal
 from studies.metrics import BAND, trapezoidal_weights
 from studies.responses import Complex, Responses
 
@@ -126,7 +127,7 @@ def _band(responses: Responses) -> tuple[NDArray[np.bool_], Array]:
     grid = responses.frequency
     inside = (grid >= BAND[0] - 1e-9) & (grid <= BAND[1] + 1e-9)
     if inside.sum() < 2:
-        raise ValueError(f"{inside.sum()} frequencies between {BAND[0]:g} and {BAND[1]:g} Hz; at least 2 are needed")
+        raise Refusal(f"{inside.sum()} frequencies between {BAND[0]:g} and {BAND[1]:g} Hz; at least 2 are needed")
     return inside, trapezoidal_weights(grid[inside])
 
 

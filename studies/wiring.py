@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
+from geometry.refusal import Refusal
 from geometry.topology import WiringCounts, wiring_counts
 from geometry.whole_file import whole_file
 
@@ -24,14 +25,14 @@ def wirings(microphones: int, points_per_line: int) -> tuple[WiringCounts, ...]:
         points_per_line: N, 1 to 1000.
 
     Raises:
-        ValueError: a number out of range.
+        Refusal: a number out of range.
     """
     for name, value, least, most in (
         ("microphones", microphones, 2, MOST_MICROPHONES),
         ("points per line", points_per_line, 1, MOST_POINTS),
     ):
         if not least <= value <= most:
-            raise ValueError(f"{name} = {value} must be from {least} to {most}")
+            raise Refusal(f"{name} = {value} must be from {least} to {most}")
     fewest, most_lines = microphones - 1, microphones * (microphones - 1) // 2
     return tuple(wiring_counts(microphones, [points_per_line] * lines) for lines in range(fewest, most_lines + 1))
 
@@ -45,7 +46,7 @@ def draw_wirings(path: str | os.PathLike[str], microphones: int, points_per_line
         points_per_line: N.
 
     Raises:
-        ValueError: as :func:`wirings`.
+        Refusal: as :func:`wirings`.
     """
     from matplotlib.ticker import MaxNLocator
 
