@@ -9,9 +9,10 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from acoustic_fem.library import FIDELITIES, Library, solve
+    from acoustic_fem.library import FIDELITIES, Library
     from acoustic_fem.library_file import LibraryError, load, save
     from acoustic_fem.medium import Medium
+    from acoustic_fem.solving import solve
 
 _HOMES = {
     "FIDELITIES": "library",

@@ -13,8 +13,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from acoustic_fem.batch_functions import Array, ball_mean, hyperbolic, inverse, joined, largest, namespace
+from acoustic_fem.batch_functions import ball_mean, hyperbolic
 from acoustic_fem.batch_interpolation import cylinder_means, disc_means
+from acoustic_fem.batch_namespace import Array, inverse, joined, largest, namespace
 from acoustic_fem.batch_parameters import ArrayParameters, MediumParameters
 from acoustic_fem.medium import Medium
 from acoustic_fem.opening import INERTANCE, LARGEST_SHEAR_NUMBER, RESISTANCE

@@ -18,7 +18,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from acoustic_fem.batch_functions import Array, ball_mean, cylinder_mean, namespace
+from acoustic_fem.batch_functions import ball_mean, cylinder_mean
+from acoustic_fem.batch_namespace import Array, namespace
 
 
 @dataclass(frozen=True)

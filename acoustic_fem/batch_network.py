@@ -18,15 +18,9 @@ from typing import Any, NamedTuple
 from numpy.typing import ArrayLike
 
 from acoustic_fem.batch_elements import Chambers, Conditions, Tubes, chambers, points, tubes
-from acoustic_fem.batch_functions import Array, inverse
-from acoustic_fem.batch_parameters import (
-    ArrayParameters,
-    LineWiring,
-    MediumParameters,
-    Topology,
-    check_medium,
-    check_parameters,
-)
+from acoustic_fem.batch_namespace import Array, inverse
+from acoustic_fem.batch_parameters import ArrayParameters, MediumParameters, check_medium, check_parameters
+from acoustic_fem.batch_topology import LineWiring, Topology
 from acoustic_fem.checks import frequency_grid
 from acoustic_fem.medium import Medium
 

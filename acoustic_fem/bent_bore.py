@@ -25,7 +25,7 @@ from acoustic_fem.cell import checked_physics
 from acoustic_fem.checks import frequency_grid, in_range, positive
 from acoustic_fem.condensed import Physics, condense
 from acoustic_fem.medium import Medium
-from acoustic_fem.section import MeshedSection
+from acoustic_fem.meshed_section import MeshedSection
 from acoustic_fem.units import metres
 from geometry.refusal import Refusal
 from geometry.wound_tube import FIRST, LAST, Winding, swept_mesh

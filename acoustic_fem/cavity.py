@@ -90,7 +90,7 @@ def _cylinder_mean(radius: float, height: float, rate: NDArray[np.complex128]) -
     largest = float(np.sqrt(np.abs(rate).max(initial=0.0)))
     count = int(np.ceil(max(64.0, 4 * radius * largest / np.pi, 40 * radius / (np.pi * height))))
     scaled = np.asarray(rate[..., None] * radius**2, dtype=np.complex128)
-    zeros = _bessel_zeros(count)
+    zeros = bessel_zeros(count)
     wave = np.asarray(np.sqrt(zeros**2 + scaled) * (height / (2 * radius)), dtype=np.complex128)
     terms = 4 / zeros**2 * scaled / (zeros**2 + scaled) * _one_minus_tanh_over(wave)
 
@@ -105,7 +105,7 @@ def _cylinder_mean(radius: float, height: float, rate: NDArray[np.complex128]) -
     return np.asarray(terms.sum(-1) + rest, dtype=np.complex128)
 
 
-def _bessel_zeros(count: int) -> NDArray[np.float64]:
+def bessel_zeros(count: int) -> NDArray[np.float64]:
     """First zeros of J0; beyond the 30th by McMahon's expansion, accurate to rounding there."""
     exact = jn_zeros(0, min(count, 30))
     beta = np.pi * (np.arange(len(exact) + 1, count + 1) - 0.25)

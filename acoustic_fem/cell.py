@@ -17,8 +17,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from acoustic_fem.checks import frequency_grid, in_range, numbers, port_points
 from acoustic_fem.medium import Medium
+from acoustic_fem.mesh_sizes import mesh_sizes
 from acoustic_fem.refinement import BEST_ORDER, Refinement, refined
-from acoustic_fem.units import metres
 from geometry.refusal import Refusal
 
 if TYPE_CHECKING:
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from acoustic_fem.condensed import CondensedBody, Physics
     from acoustic_fem.diffusion_field import DiffusionField
     from acoustic_fem.navier_stokes import WallMotion
-    from geometry.mesh import MeshSizes, Point
+    from geometry.mesh import Point
 
 #: Called with what is being done and the fraction of it that is done.
 Progress: TypeAlias = Callable[[str, float], None]
@@ -230,30 +230,6 @@ def _difference(first: CondensedBody, second: CondensedBody, frequency: NDArray[
     return float(np.max(np.abs(a - b) / (scale[:, :, None] * scale[:, None, :])))
 
 
-def mesh_sizes(scale: float, width: float, medium: Medium, highest: float) -> tuple[MeshSizes, MeshSizes]:
-    """Element sizes for the flow and for heat at a scale.
-
-    In cells like the reference cell 1 gives about 3e-4 in the admittances from the flow and 1.5e-3 in the
-    compliance from heat; both fall with the third to fourth power of the scale.
-
-    Mouths and tubes count in bore radii. The viscous layer at the highest frequency limits the sizes along
-    tubes, the thermal layer those along walls.
-    """
-    from geometry.mesh import MeshSizes
-
-    largest = 0.35 * scale * width
-    # The flow is singular at the edge of a mouth: fine meshes get finer there than elsewhere.
-    mouth_edge = 0.2 * scale * min(1.0, scale)
-    viscous = _layer_thickness(medium.kinematic_viscosity, highest)
-    thermal = _layer_thickness(medium.thermal_diffusivity, highest)
-    return (
-        MeshSizes(
-            mouth_edge=mouth_edge, tube=0.5 * scale, growth=0.35, largest=largest, tube_layer=1.3 * scale * viscous
-        ),
-        MeshSizes(mouth_edge=scale, tube=0.7 * scale, growth=1.5, largest=largest, wall=1.3 * scale * thermal),
-    )
-
-
 def checked_physics(fidelity: str) -> Physics:
     """The fidelity as a 3-D model.
 
@@ -288,8 +264,3 @@ def as_shape(solid: cadquery.Shape | cadquery.Workplane | str | PathLike[str]) -
         held = ", ".join(type(shape).__name__ for shape in shapes) or "nothing"
         raise Refusal(f"solid must be one CadQuery shape, it holds {held}")
     return shapes[0]
-
-
-def _layer_thickness(diffusivity: float, frequency: float) -> float:
-    """Viscous or thermal layer sqrt(2 nu / w), mm."""
-    return float(np.sqrt(diffusivity / (np.pi * frequency))) / metres(1.0)

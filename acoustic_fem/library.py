@@ -2,22 +2,18 @@
 
 from __future__ import annotations
 
-import hashlib
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 import xarray as xr
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
-from acoustic_fem.checks import frequency_grid
 from acoustic_fem.medium import Medium
-from acoustic_fem.provenance import versions
-from geometry.cells import Cell, cell_catalogue
+from acoustic_fem.touch_response import touch_response
 from geometry.design import ArrayDesign
-from geometry.layout import ArrayLayout, place
-from geometry.refusal import Refusal
+from geometry.placement import ArrayLayout
 
 #: What the air of a cell may be computed with; the last is the one to trust.
 FIDELITIES = ("lumped", "helmholtz", "navier-stokes")
@@ -111,93 +107,23 @@ class Library:
 
         The force is spread over a patch of a quarter of the opening's radius in the middle of the membrane and
         pushes inwards; it injects j w V(w) per newton, V from the elastic solution of the design's membrane.
-        Other patches, and responses per displacement and per outside pressure:
-        :func:`acoustic_fem.noise.touch_response`.
+        Other patches, and responses per displacement and per outside pressure: :meth:`touch_response`.
         """
-        from acoustic_fem.noise import touch_response
+        return self.touch_response("force").rename("force_response").assign_attrs(FORCE_RESPONSE)
 
-        return touch_response(self, "force").rename("force_response").assign_attrs(FORCE_RESPONSE)
+    def touch_response(self, touch: str, *, contact_radius: float | None = None) -> xr.DataArray:
+        """Pressure at the microphones per touch of each membrane, (point, microphone, frequency) complex128.
 
+        Args:
+            touch: "displacement" (m), "force" (N) or "pressure" (Pa).
+            contact_radius: of the patch that is touched, m; by default a quarter of the opening's radius.
 
-def solve(
-    design: ArrayDesign,
-    frequency: ArrayLike,
-    fidelity: str = "navier-stokes",
-    medium: Medium | None = None,
-    progress: Callable[[str, float], None] | None = None,
-) -> Library:
-    """Transfer functions of an array from every point to every microphone.
-
-    Args:
-        design: the array.
-        frequency: (n_freq,) ascending, 1e-3 to 2e3 Hz.
-        fidelity: "lumped" (closed forms), "helmholtz" (scalar 3-D cells, a cross-check that is wrong at openings)
-            or "navier-stokes" (3-D cells, the one to trust).
-        medium: the air; by default that of the design.
-        progress: called with what is being done and the fraction done, 0 to 1.
-
-    Raises:
-        Refusal: a bad frequency grid or an unknown fidelity.
-    """
-    grid = frequency_grid(frequency)
-    if fidelity not in FIDELITIES:
-        raise Refusal(f"fidelity = {fidelity!r} must be one of: {', '.join(FIDELITIES)}")
-    report = progress or (lambda message, fraction: None)
-    if medium is None:
-        medium = Medium.at(design.air.temperature, design.air.humidity, design.air.pressure)
-    layout = place(design)
-    cells = cell_catalogue(design, layout).distinct
-    admittances, solved = _cell_admittances(cells, grid, fidelity, medium, report)
-
-    from acoustic_fem.network import solve_network
-
-    report("network", 0.95)
-    response = solve_network(design, layout, admittances, grid, medium)
-    library = labelled(
-        design,
-        layout,
-        grid,
-        {
-            "transfer_function": response.source_response / response.point_impedance[:, None, :],
-            "source_response": response.source_response,
-            "point_impedance": response.point_impedance,
-            "microphone_impedance": response.microphone_impedance,
-        },
-        fidelity,
-        medium,
-        {
-            **versions(None, ("gmsh", "numpy", "scikit-fem", "scipy", "xarray")),
-            "frequency_sha256": hashlib.sha256(grid.tobytes()).hexdigest(),
-            "cells": solved,
-        },
-    )
-    report("done", 1.0)
-    return library
-
-
-def _cell_admittances(
-    cells: tuple[Cell, ...],
-    frequency: NDArray[np.float64],
-    fidelity: str,
-    medium: Medium,
-    report: Callable[[str, float], None],
-) -> tuple[dict[Cell, NDArray[np.complex128]], list[dict[str, Any]]]:
-    """Nodal admittances of the cells, and how each was obtained."""
-    if fidelity == "lumped":
-        from acoustic_fem.lumped_cell import lumped_admittance
-
-        return (
-            {cell: lumped_admittance(cell, frequency, medium) for cell in cells},
-            [{"cell": cell.label, "method": "closed form"} for cell in cells],
+        Raises:
+            Refusal: an unknown touch, or a contact radius out of range.
+        """
+        return touch_response(
+            self.design, self.source_response, self.point_impedance, touch, contact_radius=contact_radius
         )
-    from acoustic_fem.design_cells import solve_cells
-
-    solutions = solve_cells(
-        cells, frequency, medium, fidelity, progress=lambda label, fraction: report(label, 0.95 * fraction)
-    )
-    admittances = {cell: solution.admittance for cell, solution in solutions.items()}
-    solved = [{"cell": cell.label, **solution.summary()} for cell, solution in solutions.items()]
-    return admittances, solved
 
 
 def labelled(

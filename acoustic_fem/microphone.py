@@ -33,7 +33,7 @@ def load_admittance(microphone: Microphone, frequency: ArrayLike, medium: Medium
         Refusal: a frequency that is not finite and positive.
     """
     omega = 2 * np.pi * positive("frequency", frequency, "Hz")
-    diaphragm, back, leak = _elements(microphone, frequency, medium)
+    diaphragm, back, leak = circuit_elements(microphone, frequency, medium)
     return 1j * omega * back * (1j * omega * diaphragm + leak) / (1j * omega * (back + diaphragm) + leak)
 
 
@@ -43,7 +43,7 @@ def response(microphone: Microphone, frequency: ArrayLike, medium: Medium) -> ND
     Arguments and model as :func:`load_admittance`; the resonance of the diaphragm (above 10 kHz) is left out.
     """
     omega = 2 * np.pi * positive("frequency", frequency, "Hz")
-    diaphragm, back, leak = _elements(microphone, frequency, medium)
+    diaphragm, back, leak = circuit_elements(microphone, frequency, medium)
     return 1j * omega * back / (1j * omega * (back + diaphragm) + leak)
 
 
@@ -55,7 +55,7 @@ def vent_ratio(microphone: Microphone, frequency: ArrayLike, medium: Medium) -> 
     Arguments and errors as :func:`response`.
     """
     omega = 2 * np.pi * positive("frequency", frequency, "Hz")
-    diaphragm, back, leak = _elements(microphone, frequency, medium)
+    diaphragm, back, leak = circuit_elements(microphone, frequency, medium)
     return 1j * omega * (back + diaphragm) / leak
 
 
@@ -107,7 +107,7 @@ def noise_density_behind_vent(microphone: Microphone, frequency: ArrayLike, medi
     return noise_density(microphone, frequency) / np.abs(response(microphone, frequency, medium))
 
 
-def _elements(
+def circuit_elements(
     microphone: Microphone, frequency: ArrayLike, medium: Medium
 ) -> tuple[float, NDArray[np.complex128], float]:
     """Compliances of diaphragm and back volume, m^3/Pa, and 1/R of the vent, m^3/(Pa s)."""

@@ -22,7 +22,7 @@ from acoustic_fem.units import metres
 from geometry.cells import Cell, CellUse, cell_catalogue
 from geometry.design import ArrayDesign
 from geometry.design_parts import Tube
-from geometry.layout import ArrayLayout
+from geometry.placement import ArrayLayout
 from geometry.refusal import Refusal
 
 Array = NDArray[np.complex128]

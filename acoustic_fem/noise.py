@@ -21,16 +21,14 @@ from numpy.typing import ArrayLike, NDArray
 from acoustic_fem.checks import in_range, positive
 from acoustic_fem.library import Library
 from acoustic_fem.medium import Medium
-from acoustic_fem.membrane import design_disc
 from acoustic_fem.microphone import noise_density as own_noise_density
 from acoustic_fem.microphone import noise_density_behind_vent
+from acoustic_fem.touch_response import TOUCHES
 from geometry.refusal import Refusal
 
 #: J/K, exact (SI 2019).
 BOLTZMANN = 1.380649e-23
 
-#: What a touch is measured by, and its unit.
-TOUCHES = {"displacement": "m", "force": "N", "pressure": "Pa"}
 
 #: Where the noise figures of the microphone hold: pressure in front of it, or its output over its sensitivity.
 NoiseAt = Literal["front", "output"]
@@ -112,45 +110,6 @@ def noise_density(library: Library, noise_at: NoiseAt = "front") -> xr.Dataset:
     )
 
 
-def touch_response(library: Library, touch: str, *, contact_radius: float | None = None) -> xr.DataArray:
-    """Pressure at the microphones per touch of each membrane.
-
-    A force F on the patch in the middle of the membrane injects j w V F, with V the volume per force in vacuo;
-    a pressure on the upper face j w times its volume per pressure. The patch moves by
-    (D - j w V^2 Z) F, with D its displacement per force in vacuo and Z the point impedance: the air in
-    the cavity pushes back. A displacement is that of the patch, on average.
-
-    Args:
-        library: from :func:`acoustic_fem.solve`.
-        touch: "displacement" (m), "force" (N) or "pressure" (Pa).
-        contact_radius: of the patch, m, as for :func:`acoustic_fem.membrane.solve_disc`.
-
-    Returns:
-        (point, microphone, frequency) complex128, Pa per unit of the touch.
-
-    Raises:
-        Refusal: an unknown touch, or a contact radius out of range.
-    """
-    if touch not in TOUCHES:
-        raise Refusal(f"touch = {touch!r} must be one of: {', '.join(TOUCHES)}")
-    design, grid = library.design, library.frequency
-    disc = design_disc(design, contact_radius=contact_radius)
-    vacuum = disc.response(grid, design.material(design.membrane.material).loss_factor)
-    omega = 2j * np.pi * xr.DataArray(grid, dims="frequency")
-    volume = xr.DataArray(vacuum.volume_per_force, dims="frequency")
-    if touch == "pressure":
-        injected = omega * xr.DataArray(vacuum.volume_per_pressure, dims="frequency")
-    elif touch == "force":
-        injected = omega * volume
-    else:
-        compliance = xr.DataArray(vacuum.displacement_per_force, dims="frequency")
-        injected = omega * volume / (compliance - omega * volume**2 * library.point_impedance)
-    response = (library.source_response * injected).transpose("point", "microphone", "frequency")
-    return response.assign_attrs(
-        {"units": f"Pa/{TOUCHES[touch]}", "long_name": f"pressure at the microphone per {touch} of the touch"}
-    ).rename(f"response_to_{touch}")
-
-
 def detectable_density(
     library: Library,
     touch: str,
@@ -171,7 +130,7 @@ def detectable_density(
         snr_db: required ratio of signal to noise, -100 to 200 dB.
         microphones: names of those that listen; by default all.
         noise_at: as for :func:`noise_covariance`.
-        contact_radius: as for :func:`touch_response`.
+        contact_radius: as for :meth:`acoustic_fem.Library.touch_response`.
 
     Returns:
         (point, frequency) float64.
@@ -207,7 +166,7 @@ def detection_limits(
         snr_db: required ratio of signal to noise, -100 to 200 dB.
         microphones: names of those that listen; by default all.
         noise_at: as for :func:`noise_covariance`.
-        contact_radius: as for :func:`touch_response`.
+        contact_radius: as for :meth:`acoustic_fem.Library.touch_response`.
 
     Returns:
         Variables ``displacement`` (m), ``force`` (N) and ``pressure`` (Pa) with dimension (point,).
@@ -249,7 +208,7 @@ def matched_filter_snr(
         band: (f1, f2) Hz, within the library's grid.
         microphones: names of those that listen; by default all.
         noise_at: as for :func:`noise_covariance`.
-        contact_radius: as for :func:`touch_response`.
+        contact_radius: as for :meth:`acoustic_fem.Library.touch_response`.
 
     Returns:
         (point,) float64; 10 log10 of it is in dB.
@@ -293,7 +252,7 @@ def _snr_density(
     contact_radius: float | None,
 ) -> xr.DataArray:
     """h^H N^-1 h, (point, frequency), Hz per square unit of the touch."""
-    response = touch_response(library, touch, contact_radius=contact_radius)
+    response = library.touch_response(touch, contact_radius=contact_radius)
     names = [str(name) for name in response["microphone"].values]
     for name in microphones or ():
         if name not in names:

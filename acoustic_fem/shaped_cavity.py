@@ -84,8 +84,8 @@ def _solve(
 ) -> dict[str, NDArray[np.float64]]:
     import cadquery as cq
 
-    from acoustic_fem.cell import mesh_sizes
     from acoustic_fem.diffusion_field import DiffusionField, diffusion_field
+    from acoustic_fem.mesh_sizes import mesh_sizes
     from acoustic_fem.refinement import refined
     from geometry.mesh import mesh_solid
 

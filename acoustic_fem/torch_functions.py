@@ -12,7 +12,7 @@ from torch import Tensor
 from torch.autograd import Function
 from torch.autograd.function import once_differentiable
 
-from acoustic_fem.batch_functions import ball_mean_slope, ball_mean_values, cylinder_mean_values
+from acoustic_fem.batch_series import ball_mean_slope, ball_mean_values, cylinder_mean_values
 
 
 class BallMean(Function):

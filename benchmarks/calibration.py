@@ -21,7 +21,8 @@ import geometry
 import localize
 from acoustic_fem.calibration import calibrate
 from acoustic_fem.calibration_manifest import read_manifest
-from acoustic_fem.model_updating import Update, UpdatedModel, update
+from acoustic_fem.fitted_model import UpdatedModel
+from acoustic_fem.model_updating import Update, update
 from geometry.design import ArrayDesign
 from geometry.whole_file import replace_section
 from localize.dataset import response_of

@@ -14,13 +14,8 @@ import numpy as np
 
 from acoustic_fem import duct, tapered_duct
 from acoustic_fem.coil_bore import CoilBore
-from acoustic_fem.section import (
-    CircularSection,
-    MeshedSection,
-    RectangularSection,
-    Section,
-    TriangularSection,
-)
+from acoustic_fem.meshed_section import MeshedSection
+from acoustic_fem.section import CircularSection, RectangularSection, Section, TriangularSection
 from tests.reference_data import AIR
 
 

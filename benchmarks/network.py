@@ -20,7 +20,8 @@ from threadpoolctl import threadpool_limits
 
 import acoustic_fem
 from acoustic_fem.batch_network import batch_response, batch_transfer_function
-from acoustic_fem.batch_parameters import ArrayParameters, LineWiring, Topology, design_air
+from acoustic_fem.batch_parameters import ArrayParameters, design_air
+from acoustic_fem.batch_topology import LineWiring, Topology
 from geometry.design_file import prototype
 
 FREQUENCY = np.linspace(1, 100, 64)

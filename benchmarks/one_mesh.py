@@ -7,12 +7,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acoustic_fem import duct
-from acoustic_fem.cell import mesh_sizes
 from acoustic_fem.condensed import CondensedBody, condense
-from acoustic_fem.design_cells import CellSolution, solve_cells
+from acoustic_fem.design_cells import solve_cells
+from acoustic_fem.mesh_sizes import mesh_sizes
 from acoustic_fem.navier_stokes import WallMotion
-from geometry.cells import Cell, CellPort
+from acoustic_fem.one_cell import CellSolution
+from geometry.cells import Cell
 from geometry.mesh import SolidMesh, mesh_solid
+from geometry.ports import CellPort
 from tests.reference_data import AIR
 
 BORE, RADIUS, HEIGHT, LENGTH = 0.5, 3.0, 2.5, 12.5  # mm

@@ -8,7 +8,8 @@ from itertools import combinations
 from typing import TYPE_CHECKING
 
 from geometry.cavity_shapes import draw_cavity, separation
-from geometry.cells import Cell, CellPort
+from geometry.cells import Cell
+from geometry.ports import CellPort
 from geometry.refusal import Refusal
 
 if TYPE_CHECKING:

@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 
 from geometry.assembly import PlacedPart, build_parts, place_parts
 from geometry.design import ArrayDesign
-from geometry.layout import ArrayLayout, TubePlacement, place
+from geometry.layout import place
+from geometry.placement import ArrayLayout, TubePlacement
 from geometry.tube_solid import TubePiece, build_tube, piece_of
 
 if TYPE_CHECKING:

@@ -6,18 +6,18 @@ import math
 from collections import Counter
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
-from geometry.cavity_shapes import turned
 from geometry.design import ArrayDesign
 from geometry.design_file import write_design
 from geometry.design_parts import Tube
-from geometry.layout import ArrayLayout, MicrophonePlacement, PointPlacement, place
+from geometry.layout import place
 from geometry.mold import mold_counts
-from geometry.tube import Port
+from geometry.placement import ArrayLayout, MicrophonePlacement, PointPlacement
+from geometry.ports import Port, in_common_rotation
 from geometry.wrap import FLAT, Axes
 
 if TYPE_CHECKING:
@@ -224,7 +224,7 @@ def _plan(design: ArrayDesign, layout: ArrayLayout | None = None) -> _Plan:
 
 def _turned(angles: Sequence[float], tubes: Sequence[Tube]) -> tuple[tuple[Port, ...], float]:
     ports = [Port(angle, t.inner_diameter, t.outer_diameter) for angle, t in zip(angles, tubes, strict=True)]
-    return turned(ports, _ANGLE_STEP)
+    return in_common_rotation(ports, _ANGLE_STEP)
 
 
 def _named(
@@ -266,3 +266,10 @@ def _counts(design: ArrayDesign, plan: _Plan) -> dict[str, int]:
 
 def _describe(ports: Sequence[Port]) -> str:
     return "; ".join(f"{p.angle:g} deg, bore {p.bore_diameter:g}, tube {p.tube_diameter:g}" for p in ports)
+
+
+def origin(name: str) -> Literal["cast", "bought", "printed"]:
+    """Where a part of that name comes from: membranes are cast in silicone, boards of microphones are bought."""
+    if name.startswith("membrane"):
+        return "cast"
+    return "bought" if name == "microphone-board" else "printed"

@@ -11,7 +11,8 @@ from pathlib import Path
 
 from geometry.assembly import place_parts
 from geometry.design import ArrayDesign
-from geometry.layout import TubePlacement, place
+from geometry.layout import place
+from geometry.placement import TubePlacement
 from geometry.routing import tightest_bend
 from geometry.tube import cut_lengths
 from geometry.whole_file import write_text

@@ -15,10 +15,9 @@ from dataclasses import asdict, dataclass, fields, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
-from geometry.assembly import PartSet, build_parts
+from geometry.assembly import PartSet, build_parts, origin
 from geometry.design import ArrayDesign
 from geometry.design_parts import BOARD_SEAL
-from geometry.part_files import origin
 from geometry.refusal import Refusal
 from geometry.tube import Cut, cutting_list
 from geometry.whole_file import write_text

@@ -12,11 +12,13 @@ from dataclasses import dataclass
 
 import cadquery as cq
 
-from geometry.design import ArrayDesign, Printing
+from geometry.design import ArrayDesign
 from geometry.design_parts import Resonator
+from geometry.making import Printing
+from geometry.ports import Port
 from geometry.refusal import Refusal
-from geometry.shell import build_shell, one_solid
-from geometry.tube import Port
+from geometry.shell import build_shell
+from geometry.turned import one_solid
 
 #: Length of a neck, and the width of the webs.
 _NECK_LENGTH = 0.6

@@ -7,9 +7,7 @@ in a round collar, so that nothing overhangs when the shell is printed. Its firs
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from dataclasses import dataclass, fields, replace
-from itertools import product
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from geometry.refusal import Refusal
@@ -17,8 +15,6 @@ from geometry.refusal import Refusal
 if TYPE_CHECKING:
     import cadquery
 
-    from geometry.cells import CellPort
-    from geometry.tube import Port
 
 #: Furthest that the corners of a box reach from the axis, in radii of the cavity: the ledge beyond carries the collar.
 WIDEST_BOX = 0.95
@@ -170,54 +166,6 @@ def web(first: tuple[float, float], second: tuple[float, float], turn: float, ri
         return min(apart, 0.0)
     ahead = -(dx * along[0] + dy * along[1])
     return min(abs(dy) if dx >= 0 else math.hypot(dx, dy), abs(across) if ahead >= 0 else math.hypot(dx, dy))
-
-
-def port_web(
-    ports: tuple[Port, Port], mouths: tuple[float, float], shoulder: float, glue_gap: float, rise: float = 0.0
-) -> float:
-    """Least material between two ports of a housing, bores and sockets, mm; see :func:`web`.
-
-    Args:
-        ports: at their angles.
-        mouths: from the axis to the wall where the bores begin, mm.
-        shoulder: from the axis to where the sockets begin, mm.
-        glue_gap: around the tubes in their sockets, mm.
-        rise: difference of the ports' heights, mm.
-    """
-    holes = []
-    for port, mouth in zip(ports, mouths, strict=True):
-        bore = port.bore_diameter / 2
-        # The sides of a bore reach further in than its axis: the wall is round.
-        begin = math.sqrt(max(mouth**2 - bore**2, 0.0))
-        holes.append(((begin, bore), (shoulder, port.tube_diameter / 2 + glue_gap)))
-    turn = ports[0].angle - ports[1].angle
-    return min(web(first, second, turn, rise) for first, second in product(*holes))
-
-
-def turned(ports: Sequence[Port], step: float) -> tuple[tuple[Port, ...], float]:
-    """Ports in the one rotation that all equal housings share, and the angle that turns them back.
-
-    The direction that comes to lie along x is also that of a box's first side. Only rotations are tried: a
-    mirrored housing is another part, since its floor stays below.
-
-    Args:
-        ports: of a housing, at any angles.
-        step: to which angles are rounded, degrees.
-    """
-    candidates = []
-    for reference in ports:
-        moved = [
-            replace(port, angle=round(round((port.angle - reference.angle) / step) * step % 360.0, 6)) for port in ports
-        ]
-        moved.sort(key=port_rank)
-        candidates.append((tuple(moved), reference.angle))
-    return min(candidates, key=lambda candidate: (*map(port_rank, candidate[0]), candidate[1]))
-
-
-def port_rank(port: Port | CellPort) -> tuple[float, ...]:
-    """What ports are sorted by; those without a height of their own come first."""
-    sizes = [getattr(port, field.name) for field in fields(port)]
-    return tuple(-1.0 if size is None else size for size in sizes)
 
 
 def _one(shape: cadquery.Shape) -> cadquery.Solid:

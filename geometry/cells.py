@@ -11,29 +11,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
 
-from geometry.cavity_shapes import Box, Dome, port_rank, turned, wall_distance
+from geometry.cavity_shapes import Box, Dome, wall_distance
 from geometry.design import ArrayDesign
-from geometry.design_parts import STUB_LENGTH_IN_RADII, Resonator
-from geometry.layout import ArrayLayout
-from geometry.tube import Port
+from geometry.design_parts import Resonator
+from geometry.placement import ArrayLayout
+from geometry.ports import CellPort, Port, in_common_rotation, port_rank
 
 #: Angles closer than this are one cell, degrees.
 ANGLE_STEP = 0.1
-
-
-@dataclass(frozen=True, order=True)
-class CellPort:
-    """A tube port of a cell: direction seen from the cell's axis (degrees) and bore (mm)."""
-
-    angle: float
-    bore_diameter: float
-    height: float | None = None
-    """Of its axis above the floor, mm; None: that of the cell's ports."""
-
-    @property
-    def stub_length(self) -> float:
-        """Length of the stub that belongs to the cell, mm."""
-        return STUB_LENGTH_IN_RADII * self.bore_diameter / 2
 
 
 @dataclass(frozen=True)
@@ -145,7 +130,7 @@ def resonator_cell(resonator: Resonator, ports: Sequence[Port]) -> CellUse:
     """
     shape, own = resonator.cavity_shape, resonator.port_axis_height
     placed = [replace(port, height=None if port.height == own else port.height) for port in ports]
-    turn = turned(placed, ANGLE_STEP)[1]
+    turn = in_common_rotation(placed, ANGLE_STEP)[1]
     canonical, order = canonical_ports(
         [CellPort(port.angle - turn, port.bore_diameter, port.height) for port in placed], shape
     )

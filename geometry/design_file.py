@@ -14,11 +14,12 @@ from pathlib import Path
 from typing import Any
 
 import tomlkit
-from pydantic import BaseModel, ValidationError
+from pydantic import BaseModel
 from tomlkit.items import AbstractTable, Item
 
-from geometry.design import ArrayDesign
-from geometry.design_fields import DERIVED_FROM, DesignError, error_from_validation, fields_of, nearest
+from geometry.changes import as_lists, keys_of
+from geometry.design import ArrayDesign, validated
+from geometry.design_fields import DesignError, fields_of, nearest
 from geometry.text_file import read_text
 from geometry.whole_file import write_text
 
@@ -46,7 +47,7 @@ def read_design(text: str, source: str = "design.toml") -> ArrayDesign:
         data = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
         raise DesignError(f"{source}: is not TOML: {error}") from None
-    return _validated(data, source)
+    return validated(data, source)
 
 
 def write_design(design: ArrayDesign) -> str:
@@ -71,23 +72,6 @@ def save_design(design: ArrayDesign, path: str | os.PathLike[str]) -> None:
         raise DesignError(f"{path}: cannot be written: {error.strerror}") from None
 
 
-def changed_design(design: ArrayDesign, values: Mapping[str, Any]) -> ArrayDesign:
-    """A copy of a design with fields changed by dotted name, checked again as a whole.
-
-    Args:
-        design: the design to start from.
-        values: new values, for example ``{"tube.inner_diameter": 0.5, "lines.0.points": 6}``; a whole
-            table is given as a mapping or a section, and None takes an optional field back to its default.
-
-    Raises:
-        DesignError: no such field, or the changed design is not valid.
-    """
-    data = _as_lists(design.model_dump())
-    for name, value in values.items():
-        _set(data, name, value.model_dump() if isinstance(value, BaseModel) else value, design.name)
-    return _validated(data, design.name)
-
-
 def value_of(design: ArrayDesign, name: str) -> Any:
     """What a dotted name stands for: a field, a property of a section, or what a file may give in place of a field.
 
@@ -105,7 +89,7 @@ def value_of(design: ArrayDesign, name: str) -> Any:
             derived = [key for key in dir(type(place)) if isinstance(getattr(type(place), key), property)]
             known = [*type(place).model_fields, *(key for key in derived if not key.startswith(("_", "model_")))]
         else:
-            known = _keys(_as_lists(place))
+            known = keys_of(as_lists(place))
         if step not in known:
             if place is None:
                 raise DesignError(f"{design.name}: {'.'.join(steps[:depth])} is not given, so there is no {name}")
@@ -159,14 +143,6 @@ def resolve_design(argument: str | os.PathLike[str]) -> ArrayDesign:
     raise DesignError(f"{text}: neither a design file nor a prototype{nearest(text, names)}")
 
 
-# -- checking ---------------------------------------------------------------------------------------
-def _validated(data: Mapping[str, Any], source: str) -> ArrayDesign:
-    try:
-        return ArrayDesign.model_validate(data)
-    except ValidationError as error:
-        raise error_from_validation(error, ArrayDesign, data, source) from None
-
-
 # -- writing ----------------------------------------------------------------------------------------
 def _items(section: BaseModel, prefix: str, notes: Mapping[str, str]) -> Iterator[tuple[str, Item]]:
     """Keys and TOML items of a section: plain values first, as TOML wants them before tables."""
@@ -205,40 +181,3 @@ def _table(section: BaseModel, prefix: str, notes: Mapping[str, str]) -> Abstrac
     for key, item in _items(section, prefix, notes):
         table.add(key, item)
     return table
-
-
-# -- changing ---------------------------------------------------------------------------------------
-def _set(data: Any, name: str, value: Any, source: str) -> None:
-    """Put a value at a dotted name of a design as lists and dictionaries."""
-    *way, last = name.split(".")
-    place = data
-    for depth, step in enumerate([*way, last]):
-        if place is None:
-            raise DesignError(f"{source}: {'.'.join(way[:depth])} is not given; give the whole table, not {name} alone")
-        free = way[:depth] == ["materials"]  # the one table whose keys are the user's own
-        known = _keys(place)
-        if step not in known and not (free and step == last):
-            raise DesignError(f"{source}: {name} = {value!r} is not a field of this design{nearest(step, known)}")
-        if depth < len(way):
-            place = place[int(step)] if isinstance(place, list) else place[step]
-    if isinstance(place, list):
-        place[int(last)] = value
-        return
-    for derived, (given, _) in DERIVED_FROM.items():
-        if last == given:
-            place.pop(derived, None)
-    place[last] = value
-
-
-def _keys(place: Any) -> list[str]:
-    if isinstance(place, list):
-        return [str(index) for index in range(len(place))]
-    if not isinstance(place, dict):
-        return []
-    return [*place, *(given for derived, (given, _) in DERIVED_FROM.items() if derived in place)]
-
-
-def _as_lists(value: Any) -> Any:
-    if isinstance(value, dict):
-        return {key: _as_lists(entry) for key, entry in value.items()}
-    return [_as_lists(entry) for entry in value] if isinstance(value, (list, tuple)) else value

@@ -10,7 +10,6 @@ from pydantic import Field, model_validator
 
 from geometry.cavity_shapes import USUAL_BOX, Box, Dome
 from geometry.design_fields import Count, Millimetre, Number, Section
-from geometry.design_rules import SOCKET_COVER
 from geometry.refusal import Refusal
 
 #: Ducts are cut this many bore radii away from a cavity: the stub belongs to the 3-D cell, so that the
@@ -344,3 +343,7 @@ class Microphone(Section):
 
 def _is_positive(value: Any) -> bool:
     return isinstance(value, (int, float)) and not isinstance(value, bool) and 0 < value < math.inf
+
+
+#: Thinnest wall above and below the socket of a tube and between two ports, mm: less does not survive the glue.
+SOCKET_COVER = 0.1

@@ -16,8 +16,7 @@ from numpy.typing import NDArray
 from geometry.routing import bearing, unit
 
 if TYPE_CHECKING:
-    from geometry.design import ArrayDesign
-    from geometry.runs import Run
+    from geometry.stated_array import StatedArray
 
 #: Of a hand, the thumb among them.
 FINGERS = 5
@@ -25,12 +24,12 @@ FINGERS = 5
 PALM, SPREAD = 80.0, 9.0
 
 
-def fingers_of(design: ArrayDesign) -> list[int]:
+def fingers_of(design: StatedArray) -> list[int]:
     """How many fingers each line takes."""
     return [math.ceil(line.points / design.layout.columns) for line in design.lines]
 
 
-def finger_positions(design: ArrayDesign) -> list[NDArray[np.float64]]:
+def finger_positions(design: StatedArray) -> list[NDArray[np.float64]]:
     """Axes of the points of each line in plan, (points, 2) float64, mm; the wrist at (0, 0), fingers towards +y."""
     fingers, columns = fingers_of(design), design.layout.columns
     palm, spread = design.layout.palm or PALM, design.layout.spread or SPREAD
@@ -46,7 +45,7 @@ def finger_positions(design: ArrayDesign) -> list[NDArray[np.float64]]:
     return runs
 
 
-def longest_step(design: ArrayDesign) -> tuple[float, int]:
+def longest_step(design: StatedArray) -> tuple[float, int]:
     """By how much the tube of a line is too short for its points, at worst, mm (negative: all reach), and the line."""
     excess = []
     for index, (line, positions) in enumerate(zip(design.lines, finger_positions(design), strict=True)):
@@ -55,38 +54,10 @@ def longest_step(design: ArrayDesign) -> tuple[float, int]:
     return max(excess, default=(-math.inf, 0))
 
 
-def hand_runs(design: ArrayDesign) -> list[Run]:
-    """The lines of a glove. The tube of a line's end points on along its finger, away from the point before.
-
-    Where two ends of one microphone can both be reached with straight tubes, the microphone lies where they meet,
-    on the side of the wrist.
-    """
-    from geometry.runs import run_of
-
-    columns, positions = design.layout.columns, finger_positions(design)
-    out = []
-    for points in positions:
-        wrist = [bearing(point, np.zeros(2)) for point in (points[0], points[-1])]
-        upwards = len(points) > 1 and np.linalg.norm(points[-1]) > np.linalg.norm(points[-2]) + 1e-9
-        out.append([wrist[0], (wrist[1] + 180) % 360 if upwards else wrist[1]])
-    for name in design.microphones:
-        meeting = _meeting_at(design, positions, name)
-        for index, line in enumerate(design.lines):
-            if meeting is not None and name in line.between:
-                end = line.between.index(name)
-                out[index][end] = bearing(positions[index][-end], meeting)
-    runs = []
-    for index, points in enumerate(positions):
-        # Outwards over the fingertips, towards the wrist between the roots of the fingers.
-        sides = tuple(-1 if k % columns == 0 and (k // columns) % 2 == 0 else 1 for k in range(1, len(points)))
-        runs.append(run_of(design, index, points, sides, (out[index][0], out[index][1])))
-    return runs
-
-
-def meeting_angle(design: ArrayDesign, microphone: str) -> float | None:
+def meeting_angle(design: StatedArray, microphone: str) -> float | None:
     """Angle between the two straight tubes that meet at a microphone, degrees; None where no two tubes do."""
     positions = finger_positions(design)
-    meeting = _meeting_at(design, positions, microphone)
+    meeting = meeting_at(design, positions, microphone)
     if meeting is None:
         return None
     first, second = (
@@ -97,9 +68,10 @@ def meeting_angle(design: ArrayDesign, microphone: str) -> float | None:
     return abs((first - second + 180) % 360 - 180)
 
 
-def _meeting_at(
-    design: ArrayDesign, positions: list[NDArray[np.float64]], microphone: str
+def meeting_at(
+    design: StatedArray, positions: list[NDArray[np.float64]], microphone: str
 ) -> NDArray[np.float64] | None:
+    """Where the two straight tubes that end at a microphone meet, (2,) float64, mm; None where no two do."""
     ends = [(line, points) for line, points in zip(design.lines, positions, strict=True) if microphone in line.between]
     if len(ends) != 2:
         return None

@@ -50,7 +50,6 @@ def build_membrane(design: ArrayDesign) -> cq.Workplane:
     Raises:
         Refusal: the drawn membrane is not one valid solid.
     """
-    from geometry.shell import one_solid
-    from geometry.turned import turned
+    from geometry.turned import one_solid, turned
 
     return one_solid(turned(membrane_profile(design)), "membrane")

@@ -7,12 +7,12 @@ from itertools import combinations
 
 import cadquery as cq
 
-from geometry.design import Printing
-from geometry.design_parts import BOARD_SEAL, SEAT_SLOT, Microphone
-from geometry.design_rules import SOCKET_COVER
+from geometry.design_parts import BOARD_SEAL, SEAT_SLOT, SOCKET_COVER, Microphone
+from geometry.making import Printing
+from geometry.ports import Port
 from geometry.refusal import Refusal
-from geometry.shell import cut_ports, cylinder, one_solid, refuse_thin_web
-from geometry.tube import Port
+from geometry.shell import cut_ports, refuse_thin_web
+from geometry.turned import cylinder, one_solid
 
 
 def build_housing(microphone: Microphone, printing: Printing, ports: Sequence[Port]) -> cq.Workplane:

@@ -57,7 +57,7 @@ def build_mold(design: ArrayDesign) -> Mold:
     """
     from geometry.mold_base import base_block, mark, mark_text
     from geometry.open_mold import scraper, with_rails
-    from geometry.shell import one_solid
+    from geometry.turned import one_solid
     from geometry.two_part_mold import lid, shim, with_pins
 
     plan = plan_mold(design)

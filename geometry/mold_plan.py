@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from geometry.design import ArrayDesign, Molding
+from geometry.design import ArrayDesign
+from geometry.making import Molding
 from geometry.membrane import membrane_profile
 
 Spot = tuple[float, float]

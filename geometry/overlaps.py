@@ -13,7 +13,7 @@ from geometry.design import ArrayDesign
 from geometry.routing import resampled, tightest_bend
 
 if TYPE_CHECKING:
-    from geometry.layout import ArrayLayout, TubePlacement
+    from geometry.placement import ArrayLayout, TubePlacement
 
 #: Overlaps below this are contact, mm.
 _CONTACT = 1e-3

@@ -9,7 +9,7 @@ import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -195,13 +195,6 @@ def _fine_enough(shape: cq.Shape, tolerance: float) -> Tessellation:
         if abs(facets.volume / volume - 1) <= _VOLUME_ERROR_AIM:
             break
     return facets
-
-
-def origin(name: str) -> Literal["cast", "bought", "printed"]:
-    """Where a part of that name comes from: membranes are cast in silicone, boards of microphones are bought."""
-    if name.startswith("membrane"):
-        return "cast"
-    return "bought" if name == "microphone-board" else "printed"
 
 
 def _shape(part: cq.Workplane) -> cq.Shape:

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from geometry.assembly import PartSet
-from geometry.part_files import SharedShape, origin, tessellate_distinct
+from geometry.assembly import PartSet, origin
+from geometry.part_files import SharedShape, tessellate_distinct
 from geometry.print_pose import Pose, find_pose
 from geometry.print_processes import PrintProcess
 from geometry.refusal import Refusal

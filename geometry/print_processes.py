@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, Literal
 from geometry.refusal import Refusal
 
 if TYPE_CHECKING:
-    from geometry.design import Printing
+    from geometry.making import Printing
 
 Verdict = Literal["ok", "warn", "fail"]
 Relation = Literal["at least", "at most"]
@@ -183,8 +183,8 @@ def find_process(process: str | os.PathLike[str] | PrintProcess) -> PrintProcess
     for key, value in words.items():
         if not isinstance(value, str) or not value:
             raise Refusal(f"{path.name}: {key} = {value!r} must be a text")
-    from geometry.design import PrintRules
     from geometry.design_fields import DesignError
+    from geometry.making import PrintRules
 
     try:
         rules = PrintRules(**given)

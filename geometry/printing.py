@@ -7,8 +7,8 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from geometry.assembly import PartSet
-from geometry.part_files import SharedShape, origin, tessellation_tolerance
+from geometry.assembly import PartSet, origin
+from geometry.part_files import SharedShape, tessellation_tolerance
 from geometry.print_processes import PrintProcess, Verdict, find_process, process_of
 from geometry.print_rules import Finding, judge_cast, judge_printed, judge_shims
 from geometry.print_tolerance import USUAL_TOLERANCE, AcousticEffect, acoustic_effects

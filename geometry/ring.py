@@ -10,10 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 if TYPE_CHECKING:
-    from geometry.design import ArrayDesign
+    from geometry.stated_array import StatedArray
 
 
-def side_lengths(design: ArrayDesign) -> tuple[float | None, ...]:
+def side_lengths(design: StatedArray) -> tuple[float | None, ...]:
     """Distance from each microphone to the next while all tubes of the line between them lie as designed, mm.
 
     Returns:

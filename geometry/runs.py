@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from geometry import ring
 from geometry.design import ArrayDesign
+from geometry.hand import finger_positions, meeting_at
 from geometry.routing import bearing, unit
 from geometry.wrap import Cylinder, surface_of, wound_turn
 
@@ -118,3 +119,31 @@ def _microphone_reach(design: ArrayDesign, line: int) -> tuple[float, float]:
     outer = (design.resonator.outer_diameter / 2, inner[1] + design.microphone.wall_thickness)
     length, radius = design.microphone_tube_of(design.lines[line]).length, surface.port_radius
     return radius * wound_turn(length, inner, outer, radius), straight
+
+
+def hand_runs(design: ArrayDesign) -> list[Run]:
+    """The lines of a glove. The tube of a line's end points on along its finger, away from the point before.
+
+    Where two ends of one microphone can both be reached with straight tubes, the microphone lies where they meet,
+    on the side of the wrist.
+    """
+    from geometry.runs import run_of
+
+    columns, positions = design.layout.columns, finger_positions(design)
+    out = []
+    for points in positions:
+        wrist = [bearing(point, np.zeros(2)) for point in (points[0], points[-1])]
+        upwards = len(points) > 1 and np.linalg.norm(points[-1]) > np.linalg.norm(points[-2]) + 1e-9
+        out.append([wrist[0], (wrist[1] + 180) % 360 if upwards else wrist[1]])
+    for name in design.microphones:
+        meeting = meeting_at(design, positions, name)
+        for index, line in enumerate(design.lines):
+            if meeting is not None and name in line.between:
+                end = line.between.index(name)
+                out[index][end] = bearing(positions[index][-end], meeting)
+    runs = []
+    for index, points in enumerate(positions):
+        # Outwards over the fingertips, towards the wrist between the roots of the fingers.
+        sides = tuple(-1 if k % columns == 0 and (k // columns) % 2 == 0 else 1 for k in range(1, len(points)))
+        runs.append(run_of(design, index, points, sides, (out[index][0], out[index][1])))
+    return runs

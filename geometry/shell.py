@@ -7,16 +7,15 @@ from itertools import combinations
 
 import cadquery as cq
 
-from geometry.cavity_shapes import draw_cavity, port_web, wall_distance
-from geometry.design import Printing
-from geometry.design_parts import Membrane, Resonator, Shell
-from geometry.design_rules import SOCKET_COVER
-from geometry.measure import pinched_edges
+from geometry.cavity_shapes import draw_cavity, wall_distance
+from geometry.design_parts import SOCKET_COVER, Membrane, Resonator, Shell
+from geometry.making import Printing
+from geometry.ports import Port, port_web
 from geometry.refusal import Refusal
 from geometry.routing import unit
 from geometry.shell_features import add_feet, add_label, cut_groove
 from geometry.shell_rules import cavity_problems, feature_problems
-from geometry.tube import Port
+from geometry.turned import cylinder, one_solid
 
 #: Narrowest rim that is raised around the membrane to centre it, mm; narrower ones break off.
 _LEDGE_WIDTH = 0.4
@@ -170,22 +169,3 @@ def cut_ports(
         )
         solid = solid.cut(bore, socket)
     return solid
-
-
-def cylinder(radius: float, bottom: float, top: float, at: tuple[float, float] = (0.0, 0.0)) -> cq.Solid:
-    """An upright cylinder between two heights, mm."""
-    return cq.Solid.makeCylinder(radius, top - bottom, cq.Vector(at[0], at[1], bottom))
-
-
-def one_solid(shape: cq.Shape, name: str) -> cq.Workplane:
-    """The shape as a workplane with one solid.
-
-    Raises:
-        Refusal: it is not one valid solid.
-    """
-    solids = shape.Solids()
-    if len(solids) != 1 or not solids[0].isValid():
-        raise Refusal(f"{name}: drawn as {len(solids)} solids instead of one valid solid; its features cut it apart")
-    if pinched_edges(solids[0]):
-        raise Refusal(f"{name}: drawn as a solid that touches itself along a line; move what meets there")
-    return cq.Workplane(solids[0])

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 from geometry.cavity_shapes import WIDEST_BOX, Box, Dome
 
 if TYPE_CHECKING:
-    from geometry.design import ArrayDesign
     from geometry.design_parts import Resonator, Shell
+    from geometry.stated_array import StatedArray
 
 #: Material on either side of a glue groove, mm.
 _GROOVE_EDGE = 0.15
@@ -22,7 +22,7 @@ _OWN_FIELDS = {
 }
 
 
-def cavity_shape(design: ArrayDesign) -> Iterator[str]:
+def cavity_shape(design: StatedArray) -> Iterator[str]:
     """Sizes of a box or a bowl, and where tubes enter them."""
     resonator = design.resonator
     yield from cavity_problems(resonator)
@@ -73,7 +73,7 @@ def cavity_problems(resonator: Resonator) -> Iterator[str]:
             )
 
 
-def shell_features(design: ArrayDesign) -> Iterator[str]:
+def shell_features(design: StatedArray) -> Iterator[str]:
     """Room for a glue groove, feet, numbers and a carrier."""
     shell, resonator, printing = design.shell, design.resonator, design.printing
     sockets = [

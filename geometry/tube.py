@@ -7,22 +7,12 @@ from typing import Literal
 
 from geometry.design import ArrayDesign
 from geometry.design_parts import Tube
-from geometry.layout import TubePlacement, place
+from geometry.layout import place
+from geometry.placement import TubePlacement
 from geometry.routing import turning
 
 #: Axes that turn by less are straight, rad: the rounding of directions.
 _STRAIGHT = 1e-3
-
-
-@dataclass(frozen=True, order=True)
-class Port:
-    """Where a tube enters a housing: direction in degrees, bore and outside of the tube in mm."""
-
-    angle: float
-    bore_diameter: float
-    tube_diameter: float
-    height: float | None = None
-    """Of its axis above the floor of the cavity, mm; None: that of the housing's ports."""
 
 
 @dataclass(frozen=True)

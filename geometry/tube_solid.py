@@ -86,7 +86,7 @@ def _sleeve(points: NDArray[np.float64], inner: float, outer: float, name: str) 
     import cadquery as cq
     from OCP.BRepOffsetAPI import BRepOffsetAPI_MakePipe
 
-    from geometry.shell import one_solid
+    from geometry.turned import one_solid
 
     if tightest_bend(points) <= outer:
         raise Refusal(f"{name}: bends to a radius of {tightest_bend(points):.3g} mm, below its own {outer:g} mm")

@@ -6,7 +6,7 @@ import cadquery as cq
 
 from geometry.mold_base import box
 from geometry.mold_plan import LID_THICKNESS, SHIM_WIDTH, SOCKET_SPARE, MoldPlan
-from geometry.shell import cylinder
+from geometry.turned import cylinder
 
 _PIN_CHAMFER = 0.3
 #: Notches in the rim of a shim: width and depth, mm, and the angle between them, degrees; ten go round.

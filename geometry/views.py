@@ -17,10 +17,9 @@ from numpy.typing import NDArray
 
 from geometry.array_model import LOOKS, ArrayModel, Kind, array_model, kind_of
 from geometry.assembly import build_parts
+from geometry.canvas import aim, draw_labels, open_plotter, polydata, save_picture
 from geometry.design import ArrayDesign
-from geometry.measure import tessellate
 from geometry.routing import unit
-from geometry.whole_file import whole_file
 from geometry.wrap import Cylinder
 
 if TYPE_CHECKING:
@@ -50,8 +49,6 @@ _PLURALS: dict[Kind, str] = {
 _MOST_EXPLODED, _EXCERPT = 24, 5
 #: Part of the exploded view's width that is kept for names, and the angles from which it is seen, degrees.
 _NAMES_LEFT, _STEEPEST, _FLATTEST = 0.2, 27, 10
-#: Facets for the eye: within this distance (mm) and angle (rad).
-_DEVIATION, _FACET_ANGLE = 0.05, 0.2
 #: Tubes of a microphone lead away from the viewer where their directions add up to more than this.
 _LEADS_AWAY = 0.1
 
@@ -73,15 +70,15 @@ def draw_array(
         size: width and height in pixels.
     """
     model = array_model(design, parts)
-    plotter = _plotter(size)
+    plotter = open_plotter(size)
     _add_parts(plotter, model)
     _add_schematic(plotter, model)
     x0, x1, y0, y1, _, _ = plotter.bounds
     # Tall arrays are seen from their right side, so that they lie along the picture's longer edge.
     seen_from = (0.0, -0.7, 1.0) if x1 - x0 >= y1 - y0 else (0.7, 0.0, 1.0)
     _add_labels(plotter, model, seen_from)
-    _aim(plotter, seen_from)
-    return _save(plotter, path)
+    aim(plotter, seen_from)
+    return save_picture(plotter, path)
 
 
 def top_view(
@@ -92,7 +89,7 @@ def top_view(
 ) -> Path:
     """Render the whole array from straight above, with a scale bar. Arguments as for :func:`draw_array`."""
     model = array_model(design, parts)
-    plotter = _plotter(size)
+    plotter = open_plotter(size)
     _add_parts(plotter, model)
     _add_schematic(plotter, model)
     x0, x1, y0, y1, _, z1 = plotter.bounds
@@ -100,9 +97,9 @@ def top_view(
     length = _round_length(max(x1 - x0, y1 - y0) / 4)
     y = y0 - 0.06 * max(x1 - x0, y1 - y0)
     plotter.add_mesh(pv.Line((x0, y, z1), (x0 + length, y, z1)), color="black", line_width=5)
-    _labels(plotter, [(x0 + length / 2, y - 0.01 * (x1 - x0), z1)], [f"{length:g} mm"], 20, ("center", "top"))
-    _aim(plotter, (0.0, 0.0, 1.0), (0.0, 1.0, 0.0))
-    return _save(plotter, path)
+    draw_labels(plotter, [(x0 + length / 2, y - 0.01 * (x1 - x0), z1)], [f"{length:g} mm"], 20, ("center", "top"))
+    aim(plotter, (0.0, 0.0, 1.0), (0.0, 1.0, 0.0))
+    return save_picture(plotter, path)
 
 
 def exploded_view(
@@ -128,7 +125,7 @@ def exploded_view(
     width, depth = sorted((high - low)[:2].tolist(), reverse=True)
     thick = max(float(high[2] - low[2]) for low, high in boxes.values())
     slope, step = _exploded(width, depth, thick, max(_LEVELS.values()) + 1, size)
-    plotter = _plotter(size)
+    plotter = open_plotter(size)
     _add_parts(plotter, model, {kind: step * level for kind, level in _LEVELS.items()})
     aside = 0.03 * width
     if isinstance(model.layout.surface, Cylinder):
@@ -142,9 +139,9 @@ def exploded_view(
     if design.point_count > _MOST_EXPLODED:
         names.append(f"shown: {_EXCERPT} of {design.point_count} points")
         anchors.append((*start, -step))
-    _labels(plotter, anchors, names, 20, ("right", "center"))
-    _aim(plotter, (1.0, 0.25, slope) if tall else (0.25, -1.0, slope), left=_NAMES_LEFT)
-    return _save(plotter, path)
+    draw_labels(plotter, anchors, names, 20, ("right", "center"))
+    aim(plotter, (1.0, 0.25, slope) if tall else (0.25, -1.0, slope), left=_NAMES_LEFT)
+    return save_picture(plotter, path)
 
 
 def _bounds(model: ArrayModel, kind: Kind) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -199,7 +196,7 @@ def draw_point(
     top, thickness = design.resonator.cavity_height, design.membrane.thickness
     # The cover hangs clear of the pins, the mold clear of the shell although the view is oblique.
     lift, aside = 1.3 * max(mold.zmax - thickness, mold.zlen / 2), design.resonator.outer_diameter / 2 + 0.8 * mold.xlen
-    plotter = _plotter(size)
+    plotter = open_plotter(size)
     labels, anchors = [], []
     for name, offset, cut in (
         (shell, (0.0, 0.0, 0.0), True),
@@ -214,13 +211,13 @@ def draw_point(
             # The quarter towards the viewer; ports lie at 0 degrees and beyond, so one of them is cut in half.
             reach = 2 * (box.DiagonalLength + 1)
             solid = solid.cut(cq.Solid.makeBox(reach, reach, reach, cq.Vector(0, -reach, -reach / 2)))
-        mesh = _polydata(solid).translate(offset)
+        mesh = polydata(solid).translate(offset)
         plotter.add_mesh(mesh, color=_look(name)[0], split_sharp_edges=True, smooth_shading=True)
         labels.append(name)
         anchors.append((offset[0] + box.xmin, offset[1] + box.ymin, offset[2] + box.zmin))
-    _labels(plotter, anchors, labels, 22, ("left", "top"))
-    _aim(plotter, (0.25, -1.0, 0.6))
-    return _save(plotter, path)
+    draw_labels(plotter, anchors, labels, 22, ("left", "top"))
+    aim(plotter, (0.25, -1.0, 0.6))
+    return save_picture(plotter, path)
 
 
 def _look(name: str) -> tuple[str, float]:
@@ -232,61 +229,6 @@ def _round_length(length: float) -> float:
     """The largest of 1, 2, 5, 10, ... that is not above a length, mm."""
     ten = 10 ** math.floor(math.log10(length))
     return float(max(step * ten for step in (1, 2, 5) if step * ten <= length))
-
-
-def _plotter(size: tuple[int, int]) -> pv.Plotter:
-    # Without a display VTK warns that it looks for another way to render, and finds one.
-    with pv.vtk_verbosity("error"):
-        plotter = pv.Plotter(off_screen=True, window_size=list(size), lighting="three lights")
-    plotter.set_background("white")
-    plotter.enable_parallel_projection()
-    return plotter
-
-
-def _aim(
-    plotter: pv.Plotter,
-    seen_from: tuple[float, float, float],
-    upwards: tuple[float, float, float] = (0.0, 0.0, 1.0),
-    left: float = 0.0,
-) -> None:
-    """Look from a direction, with everything just inside the picture and room for labels at its edges.
-
-    ``left`` is the part of the picture's width kept free for labels at its left edge.
-    """
-    plotter.view_vector(seen_from, viewup=upwards)
-    towards = np.array(seen_from) / np.linalg.norm(seen_from)
-    right = np.cross(upwards, towards)
-    right /= np.linalg.norm(right)
-    up = np.cross(towards, right)
-    points = np.vstack([mesh.points for mesh in plotter.meshes])
-    lows, highs = zip(
-        *((float((points @ axis).min()), float((points @ axis).max())) for axis in (right, up)), strict=True
-    )
-    centre = sum((low + high) / 2 * axis for low, high, axis in zip(lows, highs, (right, up), strict=True))
-    width, height = plotter.window_size
-    half = max((highs[1] - lows[1]) / 2, (highs[0] - lows[0]) / 2 * height / (width * (1 - left)))
-    centre = centre - left * half * width / height * right
-    distance = 2 * float(np.linalg.norm(points.max(axis=0) - points.min(axis=0)))
-    plotter.camera.focal_point = centre
-    plotter.camera.position = centre + distance * towards
-    plotter.camera.parallel_scale = 1.16 * half
-    plotter.reset_camera_clipping_range()
-
-
-def _save(plotter: pv.Plotter, path: str | os.PathLike[str]) -> Path:
-    path = Path(path)
-    path.parent.mkdir(parents=True, exist_ok=True)
-    try:
-        with whole_file(path) as beside:
-            plotter.screenshot(str(beside))
-    finally:
-        plotter.close()
-    return path
-
-
-def _polydata(solid: cq.Shape) -> pv.PolyData:
-    facets = tessellate(solid, _DEVIATION, _FACET_ANGLE)
-    return pv.PolyData.from_regular_faces(facets.vertices, facets.triangles)
 
 
 def _first_of(model: ArrayModel, count: int) -> ArrayModel:
@@ -310,7 +252,7 @@ def _add_parts(plotter: pv.Plotter, model: ArrayModel, lifted: Mapping[Kind, flo
         copies.setdefault(placed.part, []).append(matrix)
     for name, matrices in copies.items():
         colour, opacity = LOOKS[model.kind(name)]
-        mesh = _copies(_polydata(model.shapes[name]), matrices)
+        mesh = _copies(polydata(model.shapes[name]), matrices)
         plotter.add_mesh(mesh, color=colour, opacity=opacity, split_sharp_edges=True, smooth_shading=True)
 
 
@@ -333,7 +275,7 @@ def _add_labels(plotter: pv.Plotter, model: ArrayModel, seen_from: tuple[float, 
     design, layout = model.design, model.layout
     top = design.resonator.cavity_height + design.membrane.total_height
     numbers = [tuple(layout.frame(point).at(0.0, 0.0, top).tolist()) for point in layout.points]
-    _labels(plotter, numbers, [str(point.number) for point in layout.points], 16)
+    draw_labels(plotter, numbers, [str(point.number) for point in layout.points], 16)
     # Names stand behind their housing as seen in the picture, before it where its tubes lead away from the viewer.
     towards = np.array(seen_from[:2])
     towards = towards / np.linalg.norm(towards) if towards.any() else np.array([0.0, -1.0])
@@ -344,24 +286,4 @@ def _add_labels(plotter: pv.Plotter, model: ArrayModel, seen_from: tuple[float, 
         x, y = (reach if before else -reach) * towards
         height = -design.resonator.floor_thickness if before else top
         anchor = tuple(layout.frame(microphone).at(float(x), float(y), height).tolist())
-        _labels(plotter, [anchor], [f"microphone {microphone.name}"], 20, ("center", "top" if before else "bottom"))
-
-
-def _labels(
-    plotter: pv.Plotter,
-    anchors: list[tuple[float, float, float]],
-    words: list[str],
-    size: int,
-    justified: tuple[str, str] = ("center", "center"),
-) -> None:
-    plotter.add_point_labels(
-        np.array(anchors),
-        words,
-        font_size=size,
-        text_color="black",
-        shape=None,
-        show_points=False,
-        always_visible=True,
-        justification_horizontal=justified[0],
-        justification_vertical=justified[1],
-    )
+        draw_labels(plotter, [anchor], [f"microphone {microphone.name}"], 20, ("center", "top" if before else "bottom"))

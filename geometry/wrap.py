@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from geometry.refusal import Refusal
 
 if TYPE_CHECKING:
-    from geometry.design import ArrayDesign
+    from geometry.stated_array import StatedArray
 
 #: Chords per arc.
 _CHORDS = 64
@@ -117,7 +117,7 @@ class Cylinder:
         return np.vstack([start.at(towards * inner[0], 0.0, height), arc, end.at(-towards * inner[1], 0.0, height)])
 
 
-def surface_of(design: ArrayDesign) -> Plane | Cylinder:
+def surface_of(design: StatedArray) -> Plane | Cylinder:
     """What the shells of a design stand on."""
     if design.layout.kind != "cylinder" or design.layout.diameter is None:
         return Plane()

@@ -195,7 +195,6 @@ def response_of(library: Library | ArrayResponse) -> ArrayResponse:
     if isinstance(library, ArrayResponse):
         return library
     from acoustic_fem.microphone import vent_ratio
-    from acoustic_fem.noise import touch_response
     from geometry.design_file import write_design
 
     h = library.transfer_function.transpose("point", "microphone", "frequency")
@@ -214,7 +213,7 @@ def response_of(library: Library | ArrayResponse) -> ArrayResponse:
             "library": dict(library.provenance),
         },
         own_noise=microphone_noise(library.design.microphone, library.medium),
-        ambient_response=np.asarray(touch_response(library, "pressure").sum("point").values, np.complex128),
+        ambient_response=np.asarray(library.touch_response("pressure").sum("point").values, np.complex128),
         sealed=True,
         vent_ratio=vent_ratio(library.design.microphone, library.frequency, library.medium),
     )

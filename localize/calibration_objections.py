@@ -14,7 +14,7 @@ import numpy as np
 import scipy.stats
 from numpy.typing import NDArray
 
-from acoustic_fem.model_updating import Posterior
+from acoustic_fem.fitted_model import Posterior
 from localize.marginal_likelihood import MarginalLikelihood
 
 Array = NDArray[np.float64]

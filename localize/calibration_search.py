@@ -17,7 +17,7 @@ import scipy.optimize
 import torch
 from numpy.typing import NDArray
 
-from acoustic_fem.model_updating import UpdatedModel
+from acoustic_fem.fitted_model import UpdatedModel
 from localize.marginal_likelihood import MarginalLikelihood
 from localize.threads import one_thread
 

@@ -1,7 +1,7 @@
 """What the microphones record beside the touch: sound from outside, and the unlikeness of the microphones themselves.
 
 Sound: its wavelength, 3.4 m at 100 Hz, is far above the size of an array, so that it presses on all membranes alike.
-The network tells what reaches each microphone (:func:`acoustic_fem.noise.touch_response`, summed over the points). It
+The network tells what reaches each microphone (:meth:`acoustic_fem.Library.touch_response`, summed over the points). It
 is pink, as rooms and traffic are by and large, from 20 Hz to the top of the library's range or 500 Hz; its level is
 the rms pressure of this band in dB re 20 uPa.
 

@@ -12,8 +12,9 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from acoustic_fem.fitted_model import Posterior
 from acoustic_fem.model_discrepancy import draw
-from acoustic_fem.model_updating import Posterior, Update
+from acoustic_fem.model_updating import Update
 from localize.bayes import BayesDecoder
 from localize.dataset import response_of
 from localize.evaluation import evaluate

@@ -17,8 +17,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from acoustic_fem.fitted_model import Posterior, Priors, UpdatedModel
 from acoustic_fem.library import MEASURED, Library, labelled
-from acoustic_fem.model_updating import Posterior, Priors, UpdatedModel
 from acoustic_fem.provenance import versions
 from geometry.layout import place
 from geometry.refusal import Refusal

@@ -12,8 +12,7 @@ import numpy as np
 
 from geometry.whole_file import write_text
 from studies.bending import Bending
-from studies.figures import _panels as panels
-from studies.figures import _save as save_figure
+from studies.figure_style import frequency_panels, save_figure
 from studies.folders import write_json
 
 FIGURE, NUMBERS, RESULT = "bending.png", "bending.csv", "bending.json"
@@ -35,7 +34,7 @@ def draw_bending(result: Bending, path: Path) -> Path:
     phase = np.degrees(np.unwrap(np.angle(result.transfer_function)))
     level_change, level_unit = _scaled(result.level_difference)
     phase_change, phase_unit = _scaled(result.phase_difference)
-    with panels(2) as (figure, (above, below)):
+    with frequency_panels(2) as (figure, (above, below)):
         shown = (
             (above[0], level, "level", "|H|  (dB)"),
             (above[1], phase, "phase", "arg H  (degrees)"),

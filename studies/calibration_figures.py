@@ -9,10 +9,8 @@ import numpy as np
 
 from acoustic_fem.calibration import Calibration
 from acoustic_fem.library import Library
-from studies.figures import WIDTH
-from studies.figures import _colours as colours
-from studies.figures import _save as save_figure
-from studies.figures import figure_in_style as new_figure
+from studies.figure_style import WIDTH, line_colours, save_figure
+from studies.figure_style import figure_in_style as new_figure
 
 
 def draw_calibration(calibration: Calibration, model: Library, path: str | os.PathLike[str]) -> Path:
@@ -24,7 +22,7 @@ def draw_calibration(calibration: Calibration, model: Library, path: str | os.Pa
         axes = figure.subplots(len(microphones), 3, squeeze=False, sharex=True)
         for row, name in enumerate(microphones):
             level, coherence, deviation = axes[row]
-            for colour, (number, estimate) in zip(colours(len(estimates)), estimates.items(), strict=True):
+            for colour, (number, estimate) in zip(line_colours(len(estimates)), estimates.items(), strict=True):
                 size = np.abs(estimate.transfer_function[row])
                 radius = estimate.radius_95[row]
                 low, high = 20 * np.log10(np.maximum(size - radius, size / 100)), 20 * np.log10(size + radius)

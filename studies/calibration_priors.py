@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from acoustic_fem.batch_network import batch_transfer_function
 from acoustic_fem.batch_parameters import design_air
-from acoustic_fem.model_updating import Priors
+from acoustic_fem.fitted_model import Priors
 from geometry.design import ArrayDesign
 from studies.scatter import TOLERANCES, ScatteredDesign, Tolerance
 

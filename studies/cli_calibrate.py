@@ -58,7 +58,8 @@ def calibrate(
     import acoustic_fem
     from acoustic_fem.calibration import calibrate as estimate
     from acoustic_fem.calibration_manifest import read_manifest
-    from acoustic_fem.model_updating import UpdatedModel, update
+    from acoustic_fem.fitted_model import UpdatedModel
+    from acoustic_fem.model_updating import update
     from studies.calibration_figures import draw_calibration
     from studies.calibration_priors import fit_priors, model_deviation
     from studies.scatter import TOLERANCES, read_tolerances

@@ -11,9 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from localize.evaluation import wilson_interval
-from studies.figures import WIDTH
-from studies.figures import _save as save_figure
-from studies.figures import figure_in_style as figure_in_style
+from studies.figure_style import WIDTH, save_figure
+from studies.figure_style import figure_in_style as figure_in_style
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

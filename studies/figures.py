@@ -13,62 +13,31 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
-from geometry.whole_file import whole_file
+from studies.figure_style import WIDTH, figure_in_style, frequency_panels, line_colours, save_figure
 from studies.metrics import BAND, Separability, microphone_ratios
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-DPI = 130
-WIDTH = 9.6
-"""Inches; the report shows figures at most this wide."""
 LARGEST_LEGEND = 24
 """Up to this many points each curve has a legend entry; beyond, a colour bar names the numbers."""
 LARGEST_NUMBERED_MATRIX = 16
 """Up to this many points the cells of a matrix carry their numbers."""
-
-_STYLE: dict[Any, Any] = {
-    "font.size": 9.5,
-    "axes.titlesize": 10.5,
-    "axes.grid": True,
-    "grid.color": "#dddddd",
-    "grid.linewidth": 0.6,
-    "axes.axisbelow": True,
-    "axes.spines.top": False,
-    "axes.spines.right": False,
-    "lines.linewidth": 1.4,
-    "legend.frameon": False,
-}
-
-
-def crop_picture(path: Path, margin: int = 16) -> None:
-    """Cut away the white around a picture but for ``margin`` pixels; a picture that is all white is left as it is."""
-    from matplotlib.image import imread, imsave
-
-    pixels = imread(path)
-    edges = []
-    for axis in (1, 0):
-        inked = np.flatnonzero((pixels[..., :3] < 1).any(axis=(axis, 2)))
-        if not len(inked):
-            return
-        edges.append(slice(max(inked[0] - margin, 0), inked[-1] + margin + 1))
-    with whole_file(path) as beside:
-        imsave(beside, pixels[edges[0], edges[1], :3])
 
 
 def draw_transfer_functions(transfer_function: xr.DataArray, path: str | os.PathLike[str]) -> Path:
     """Level (dB) and unwrapped phase (degrees) against frequency, a row per microphone, a curve per point."""
     h, frequency = _in_band(transfer_function)
     names = [str(name) for name in transfer_function["microphone"].values]
-    with _panels(len(names)) as (figure, rows):
+    with frequency_panels(len(names)) as (figure, rows):
         for m, (axes, name) in enumerate(zip(rows, names, strict=True)):
             _curves(axes[0], frequency, 20 * np.log10(np.abs(h[:, m])))
             _curves(axes[1], frequency, np.degrees(np.unwrap(np.angle(h[:, m]))))
             axes[0].set(title=f"microphone {name}: level", ylabel="|H|  (dB)")
             axes[1].set(title=f"microphone {name}: phase", ylabel="arg H  (degrees)")
         _name_points(figure, transfer_function["point"].values)
-        return _save(figure, path)
+        return save_figure(figure, path)
 
 
 def draw_differences(transfer_function: xr.DataArray, path: str | os.PathLike[str]) -> Path:
@@ -76,14 +45,14 @@ def draw_differences(transfer_function: xr.DataArray, path: str | os.PathLike[st
     _, frequency = _in_band(transfer_function)
     ratios = microphone_ratios(transfer_function)[..., _inside(transfer_function)]
     names = list(combinations([str(name) for name in transfer_function["microphone"].values], 2))
-    with _panels(len(names)) as (figure, rows):
+    with frequency_panels(len(names)) as (figure, rows):
         for p, (axes, (a, b)) in enumerate(zip(rows, names, strict=True)):
             _curves(axes[0], frequency, 20 * np.log10(np.abs(ratios[:, p])))
             _curves(axes[1], frequency, np.degrees(np.unwrap(np.angle(ratios[:, p]))))
             axes[0].set(title=f"ILD of {a} and {b}", ylabel=f"20 log |{a} / {b}|  (dB)")
             axes[1].set(title=f"IPD of {a} and {b}", ylabel=f"arg ({a} / {b})  (degrees)")
         _name_points(figure, transfer_function["point"].values)
-        return _save(figure, path)
+        return save_figure(figure, path)
 
 
 def draw_comparison(
@@ -96,7 +65,7 @@ def draw_comparison(
     h, frequency = _in_band(transfer_function)
     ratio = h / _in_band(reference)[0]
     names = [str(name) for name in transfer_function["microphone"].values]
-    with _panels(len(names)) as (figure, rows):
+    with frequency_panels(len(names)) as (figure, rows):
         for m, (axes, name) in enumerate(zip(rows, names, strict=True)):
             _curves(axes[0], frequency, 100 * (np.abs(ratio[:, m]) - 1))
             _curves(axes[1], frequency, np.degrees(np.angle(ratio[:, m])))
@@ -106,7 +75,7 @@ def draw_comparison(
                 for sign in (-1, 1):
                     axis.axhline(sign * limit, color="#b03030", linestyle="--", linewidth=1)
         _name_points(figure, transfer_function["point"].values)
-        return _save(figure, path)
+        return save_figure(figure, path)
 
 
 def draw_separability(separability: Separability, path: str | os.PathLike[str]) -> Path:
@@ -135,7 +104,7 @@ def draw_separability(separability: Separability, path: str | os.PathLike[str]) 
             _frame_cell(axes, i, j)
             _frame_cell(axes, j, i)
         axes.set(title="distance of points; framed: the hardest pair to tell apart", xlabel="point", ylabel="point")
-        return _save(figure, path)
+        return save_figure(figure, path)
 
 
 def draw_confusion(confusion: NDArray[np.int64], points: tuple[int, ...], path: str | os.PathLike[str]) -> Path:
@@ -158,7 +127,7 @@ def draw_confusion(confusion: NDArray[np.int64], points: tuple[int, ...], path: 
             bar="touches of the row's point (%)",
         )
         axes.set(title="touched and named points", xlabel="named point", ylabel="touched point")
-        return _save(figure, path)
+        return save_figure(figure, path)
 
 
 def draw_training(loss: Sequence[float], accuracy: Mapping[str, Sequence[float]], path: str | os.PathLike[str]) -> Path:
@@ -174,44 +143,10 @@ def draw_training(loss: Sequence[float], accuracy: Mapping[str, Sequence[float]]
         right.set(title="held-out touches; no value: no error", xlabel="epoch", ylabel="named wrong  (%)")
         if len(accuracy) > 1:
             right.legend()
-        return _save(figure, path)
+        return save_figure(figure, path)
 
 
 # -- curves ---------------------------------------------------------------------------------------------
-@contextmanager
-def _panels(rows: int) -> Iterator[tuple[Figure, list[list[Axes]]]]:
-    """Rows of two panels over a logarithmic frequency axis."""
-    with figure_in_style((WIDTH, 0.5 + 2.7 * rows)) as figure:
-        grid = figure.subplots(rows, 2, squeeze=False, sharex=True)
-        for axis in grid.flat:
-            axis.set_xscale("log")
-            axis.set_xlim(*BAND)
-            axis.set_xticks([1, 2, 5, 10, 20, 50, 100], ["1", "2", "5", "10", "20", "50", "100"])
-            axis.minorticks_off()
-        for axis in grid[-1]:
-            axis.set_xlabel("frequency  (Hz)")
-        yield figure, [list(row) for row in grid]
-
-
-@contextmanager
-def figure_in_style(size: tuple[float, float], **style: Any) -> Iterator[Figure]:
-    """An empty figure in the report's style; drawn without a display and forgotten afterwards."""
-    import matplotlib as mpl
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from matplotlib.figure import Figure
-
-    settings: dict[Any, Any] = {**_STYLE, **style}
-    with mpl.rc_context(settings):
-        figure = Figure(figsize=size, layout="constrained")
-        FigureCanvasAgg(figure)
-        yield figure
-
-
-def _colours(count: int) -> NDArray[np.float64]:
-    """One colour per point in perceptual order; the palest yellow is left out, it is lost on white."""
-    import matplotlib as mpl
-
-    return np.asarray(mpl.colormaps["viridis"](np.linspace(0, 0.93, count)))
 
 
 def _curves(axis: Axes, frequency: NDArray[np.float64], values: NDArray[np.float64]) -> None:
@@ -222,7 +157,7 @@ def _curves(axis: Axes, frequency: NDArray[np.float64], values: NDArray[np.float
         fine = np.geomspace(frequency[0], frequency[-1], 300)
         values = CubicSpline(np.log(frequency), values, axis=-1)(np.log(fine))
         frequency = fine
-    for colour, curve in zip(_colours(len(values)), values, strict=True):
+    for colour, curve in zip(line_colours(len(values)), values, strict=True):
         axis.plot(frequency, curve, color=colour)
 
 
@@ -232,7 +167,7 @@ def _name_points(figure: Figure, points: NDArray[np.int64]) -> None:
     from matplotlib.colors import ListedColormap, Normalize
     from matplotlib.lines import Line2D
 
-    colours = _colours(len(points))
+    colours = line_colours(len(points))
     if len(points) <= LARGEST_LEGEND:
         handles = [Line2D([], [], color=colour, linewidth=2.5) for colour in colours]
         figure.legend(
@@ -302,11 +237,3 @@ def _in_band(transfer_function: xr.DataArray) -> tuple[NDArray[np.complex128], N
     inside = _inside(transfer_function)
     values = transfer_function.transpose("point", "microphone", "frequency").values[..., inside]
     return np.asarray(values, np.complex128), np.asarray(transfer_function["frequency"].values, np.float64)[inside]
-
-
-def _save(figure: Figure, path: str | os.PathLike[str]) -> Path:
-    path = Path(path)
-    path.parent.mkdir(parents=True, exist_ok=True)
-    with whole_file(path) as beside:
-        figure.savefig(beside, dpi=DPI)
-    return path

@@ -29,7 +29,7 @@ from studies.results import (
 )
 
 if TYPE_CHECKING:
-    from studies.run import RunResult
+    from studies.run_result import RunResult
 
 #: Frequencies at which lumped cells are compared with 3-D cells, Hz.
 CELLS_COMPARED_AT = (1.0, 10.0, 100.0)

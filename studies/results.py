@@ -17,7 +17,7 @@ from studies.metrics import BAND, attenuation, sensitivity, worst_heard
 if TYPE_CHECKING:
     from geometry.design import ArrayDesign
     from localize import Evaluation
-    from studies.run import RunResult
+    from studies.run_result import RunResult
 
 #: Lumped and Navier-Stokes transfer functions should agree within this: relative magnitude, degrees.
 AGREEMENT = (0.015, 1.0)

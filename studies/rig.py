@@ -20,12 +20,13 @@ import tomlkit
 from numpy.typing import NDArray
 
 from acoustic_fem.batch_network import batch_transfer_function
-from acoustic_fem.batch_parameters import ArrayParameters, Topology, design_air
+from acoustic_fem.batch_parameters import ArrayParameters, design_air
+from acoustic_fem.batch_topology import Topology
 from acoustic_fem.calibration_manifest import REFERENCE
 from acoustic_fem.checks import in_range
-from acoustic_fem.library import solve
 from acoustic_fem.medium import Medium
 from acoustic_fem.microphone import noise_density, response
+from acoustic_fem.solving import solve
 from acoustic_fem.sound_file import write_wav
 from geometry.design import ArrayDesign
 from geometry.design_file import write_design

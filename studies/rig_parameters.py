@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acoustic_fem.batch_parameters import ArrayParameters
-from acoustic_fem.model_updating import Posterior, UpdatedModel
+from acoustic_fem.fitted_model import Posterior, UpdatedModel
 from studies.rig import HiddenScatter, Rig
 from studies.scatter import Tolerance
 

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import os
 import warnings
-from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,11 +15,12 @@ from numpy.typing import NDArray
 from geometry.design import ArrayDesign
 from geometry.layout import place
 from geometry.refusal import Refusal
-from studies.check import Validity, model_validity
+from studies.check import model_validity
 from studies.display import Display, Report
 from studies.folders import claim_folder, replaced_folder
-from studies.metrics import BAND, Disagreement, Separability, disagreement, separability, worst_heard
+from studies.metrics import BAND, Separability, disagreement, separability, worst_heard
 from studies.results import AGREEMENT, array_size, write_results
+from studies.run_result import RunResult
 
 if TYPE_CHECKING:
     from acoustic_fem import Library
@@ -38,35 +38,6 @@ EPOCHS, TOUCHES_PER_POINT, MOST_TOUCHES = 20, 200, 300_000
 POINT_PICTURE = (1600, 700)
 #: Held-out touches in all, and at least per point.
 EVALUATION_TOUCHES, LEAST_TOUCHES_PER_POINT = 3000, 40
-
-
-@dataclass(frozen=True, eq=False)
-class RunResult:
-    """What a run found; the report is made from nothing else."""
-
-    design: ArrayDesign
-    folder: Path
-    created: datetime
-    library: Library
-    lumped: Library | None
-    """At 1 to 100 Hz, for comparison; None where the library itself is lumped."""
-    disagreement: Disagreement | None
-    """Of lumped from the library, at all points, microphones and frequencies from 1 to 100 Hz."""
-    separability: Separability
-    network: Evaluation
-    bayes: Evaluation
-    training: Mapping[str, Any]
-    localizer_provenance: Mapping[str, Any]
-    printing: PrintReport
-    part_counts: Mapping[str, int]
-    files: tuple[ExportedFile, ...]
-    layout_notes: tuple[str, ...]
-    validity: tuple[Validity, ...]
-    warnings: tuple[str, ...]
-    """What the models said about their limits while they ran."""
-    figures: Mapping[str, Path]
-    seconds: Mapping[str, float]
-    """Per stage."""
 
 
 def run_design(
@@ -227,7 +198,7 @@ def _make_parts(
 ) -> tuple[PartSet, tuple[ExportedFile, ...], PrintReport, dict[str, Path]]:
     from geometry import build_parts, export, print_report
     from geometry.views import draw_array, draw_point
-    from studies.figures import crop_picture
+    from studies.figure_style import crop_picture
 
     report("CAD", 0.0)
     parts = build_parts(design)

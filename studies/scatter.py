@@ -16,7 +16,8 @@ from typing import Literal, get_args
 import numpy as np
 from numpy.typing import NDArray
 
-from acoustic_fem.batch_parameters import ArrayParameters, Topology
+from acoustic_fem.batch_parameters import ArrayParameters
+from acoustic_fem.batch_topology import Topology
 from acoustic_fem.membrane import DiscSolution, solve_disc
 from acoustic_fem.units import metres, pascals
 from geometry.design import ArrayDesign

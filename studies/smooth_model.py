@@ -14,7 +14,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from acoustic_fem.batch_parameters import ArrayParameters, Topology, design_air
+from acoustic_fem.batch_parameters import ArrayParameters, design_air
+from acoustic_fem.batch_topology import Topology
 from acoustic_fem.units import metres
 from studies.metrics import BAND, DECIBEL, trapezoidal_weights
 

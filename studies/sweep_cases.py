@@ -20,11 +20,13 @@ from numpy.typing import NDArray
 from acoustic_fem import Medium
 from acoustic_fem.axisymmetric_elasticity import DiscShape
 from acoustic_fem.batch_network import batch_response
-from acoustic_fem.batch_parameters import ArrayParameters, MediumParameters, Topology, design_air
-from acoustic_fem.design_cells import CellError, CellFault, solve_cells
+from acoustic_fem.batch_parameters import ArrayParameters, MediumParameters, design_air
+from acoustic_fem.batch_topology import Topology
+from acoustic_fem.design_cells import solve_cells
 from acoustic_fem.disc_table import DiscTable, design_shape, interpolated_discs
 from acoustic_fem.lumped_cell import lumped_admittance
 from acoustic_fem.network import solve_network
+from acoustic_fem.one_cell import CellError, CellFault
 from geometry import ArrayDesign, DesignError
 from geometry.cells import Cell, cell_catalogue
 from geometry.layout import place

@@ -6,9 +6,8 @@ from pathlib import Path
 
 import numpy as np
 
-from studies.figures import WIDTH
-from studies.figures import _save as save_figure
-from studies.figures import figure_in_style as new_figure
+from studies.figure_style import WIDTH, save_figure
+from studies.figure_style import figure_in_style as new_figure
 from studies.folders import write_json
 from studies.metrics import BAND
 from studies.tolerance import ACCURACIES, ToleranceResult

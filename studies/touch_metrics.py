@@ -23,7 +23,7 @@ NOISE_NEEDS = NEEDS | {"microphone_impedance", "medium"}
 
 @lru_cache(maxsize=1)
 def force_response(responses: Responses) -> Complex:
-    """Microphone pressure per force, as :func:`acoustic_fem.noise.touch_response` for each design.
+    """Microphone pressure per force, as :meth:`acoustic_fem.Library.touch_response` for each design.
 
     Returns:
         (n_design, n_point, n_microphone, n_freq) complex128, Pa/N.

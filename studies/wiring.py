@@ -50,7 +50,7 @@ def draw_wirings(path: str | os.PathLike[str], microphones: int, points_per_line
     """
     from matplotlib.ticker import MaxNLocator
 
-    from studies.figures import WIDTH, figure_in_style
+    from studies.figure_style import WIDTH, figure_in_style
 
     counts = [wirings(count, points_per_line) for count in range(2, microphones + 1)]
     number = np.arange(2, microphones + 1)

@@ -7,7 +7,8 @@ from dataclasses import fields
 import numpy as np
 from hypothesis import strategies as st
 
-from acoustic_fem.batch_parameters import PART, ArrayParameters, LineWiring, Topology
+from acoustic_fem.batch_parameters import PART, ArrayParameters
+from acoustic_fem.batch_topology import LineWiring, Topology
 from acoustic_fem.cavity import closed_cylinder_compliance, closed_sphere_compliance
 from acoustic_fem.duct import port_admittance
 from acoustic_fem.opening import entrance_impedance

@@ -9,7 +9,8 @@ from pathlib import Path
 import geometry
 from geometry.design import ArrayDesign
 from localize import TrainingPlan
-from studies.run import RunResult, run_design
+from studies.run import run_design
+from studies.run_result import RunResult
 
 PLAN = TrainingPlan(seconds_per_point=150, epochs=3, microphone_noise="design")
 

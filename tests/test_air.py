@@ -9,14 +9,15 @@ from hypothesis import strategies as st
 
 import geometry
 from geometry.air import air_solid
-from geometry.cavity_shapes import draw_cavity, turned
+from geometry.cavity_shapes import draw_cavity
 from geometry.cells import ANGLE_STEP, Cell, canonical_ports, cell_catalogue, resonator_cell
-from geometry.design import Printing
 from geometry.design_parts import Membrane, Resonator
 from geometry.layout import place
+from geometry.making import Printing
 from geometry.microphone import build_housing
-from geometry.shell import build_shell, cylinder, port_height
-from geometry.tube import Port
+from geometry.ports import Port, in_common_rotation
+from geometry.shell import build_shell, port_height
+from geometry.turned import cylinder
 
 SHAPES = {
     "cylinder": {},
@@ -43,7 +44,7 @@ def seen_from(cell, order, angles):
 
 def fills(resonator, membrane, printing, ports):
     """Shell, air, tubes and what lies above the seat: how far their volumes miss the hull, and overlap, relative."""
-    placed, turn = turned(ports, ANGLE_STEP)
+    placed, turn = in_common_rotation(ports, ANGLE_STEP)
     shell = build_shell(resonator, membrane, printing, placed).val()
     use = resonator_cell(resonator, ports)
     angles = [round((port.angle - turn) / ANGLE_STEP) * ANGLE_STEP for port in ports]
@@ -87,7 +88,7 @@ def distinct_places(design):
             Port(angle, tube.inner_diameter, tube.outer_diameter)
             for angle, tube in zip(point.port_angles, tubes, strict=True)
         ]
-        found.setdefault(turned(ports, ANGLE_STEP)[0], ports)
+        found.setdefault(in_common_rotation(ports, ANGLE_STEP)[0], ports)
     return list(found.values())
 
 

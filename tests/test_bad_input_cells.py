@@ -11,8 +11,9 @@ import acoustic_fem
 from acoustic_fem import cavity, cell, cell_cache, checks, duct, opening
 from acoustic_fem.cell_cache import CacheWarning
 from acoustic_fem.design_cells import solve_cells
-from geometry.cells import Cell, CellPort
+from geometry.cells import Cell
 from geometry.design_file import prototype
+from geometry.ports import CellPort
 
 CHAMBER = Cell("microphone", 2.2, 1.3, 0.65, (CellPort(0.0, 0.44),), 0.5, 0.3)
 DESIGN = prototype("array-2x6")
@@ -222,7 +223,7 @@ def test_the_file_of_another_cell_under_this_ones_name_is_said_and_not_used(kept
 
 def test_a_cell_whose_cache_file_was_cut_or_swapped_is_solved_again_with_the_same_numbers(tmp_path, monkeypatch):
     monkeypatch.setenv("ACOUSTIC_FEM_CACHE", str(tmp_path))
-    monkeypatch.setattr("acoustic_fem.design_cells.DESIGN_ACCURACY", 0.1)
+    monkeypatch.setattr("acoustic_fem.one_cell.DESIGN_ACCURACY", 0.1)
     first = solve_cells([CHAMBER], [10.0], AIR, "helmholtz")[CHAMBER]
     (file,) = tmp_path.glob("*.cell")
     arrays, about = cell_cache.fetch(file.stem)

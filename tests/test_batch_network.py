@@ -17,7 +17,8 @@ import acoustic_fem
 from acoustic_fem import batch_elements, batch_functions, batch_interpolation, batch_network
 from acoustic_fem.batch_interpolation import cylinder_means, disc_means
 from acoustic_fem.batch_network import batch_response, batch_transfer_function
-from acoustic_fem.batch_parameters import ArrayParameters, LineWiring, MediumParameters, Topology
+from acoustic_fem.batch_parameters import ArrayParameters, MediumParameters
+from acoustic_fem.batch_topology import LineWiring, Topology
 from acoustic_fem.medium import Medium
 from acoustic_fem.membrane import design_disc
 from geometry.design_file import prototype

@@ -19,7 +19,7 @@ from acoustic_fem.bent_bore import LAYERS_PER_RING, PIECE, solve_bent_bores
 from acoustic_fem.cell import port_admittance
 from acoustic_fem.condensed import condense
 from acoustic_fem.medium import Medium
-from acoustic_fem.section import MeshedSection
+from acoustic_fem.meshed_section import MeshedSection
 from geometry.design_file import prototype
 from geometry.mesh import WALL, InvertedElementsError
 from geometry.wound_tube import FIRST, LAST, Winding, closest_pitch, swept_mesh

@@ -20,8 +20,9 @@ import localize
 import localize.dataset
 from acoustic_fem.calibration import Calibration, calibrate
 from acoustic_fem.calibration_manifest import read_manifest
+from acoustic_fem.fitted_model import UpdatedModel
 from acoustic_fem.library import MEASURED, Library
-from acoustic_fem.model_updating import UpdatedModel, update
+from acoustic_fem.model_updating import update
 from acoustic_fem.sound_file import read_sound, write_wav
 from acoustic_fem.transfer_estimate import shortest_record, transfer_estimate
 from geometry.design_file import write_design

@@ -15,7 +15,8 @@ from acoustic_fem.design_cells import solve_cells
 from acoustic_fem.lumped_cell import lumped_admittance
 from acoustic_fem.shaped_cavity import shaped_cavity_compliance
 from geometry.cavity_shapes import Box, Dome
-from geometry.cells import Cell, CellPort
+from geometry.cells import Cell
+from geometry.ports import CellPort
 
 BAND = np.logspace(-3, 4, 15)
 sizes = st.floats(3e-4, 2.5e-2)

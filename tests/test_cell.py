@@ -11,11 +11,13 @@ from reference_data import AIR, column
 from acoustic_fem import cell_cache, duct
 from acoustic_fem.cavity import closed_cylinder_compliance
 from acoustic_fem.cell import port_admittance, solve_solid
-from acoustic_fem.design_cells import CellError, CellFault, solve_cells
+from acoustic_fem.design_cells import solve_cells
 from acoustic_fem.linear_solver import LinearSolverError
 from acoustic_fem.lumped_cell import lumped_admittance
-from geometry.cells import Cell, CellPort
+from acoustic_fem.one_cell import CellError, CellFault
+from geometry.cells import Cell
 from geometry.mesh import MeshError
+from geometry.ports import CellPort
 
 STRAIGHT = Cell("resonator", 6.0, 2.5, 1.25, (CellPort(0.0, 0.5), CellPort(180.0, 0.5)), 6.0, 0.0)
 CHAMBER = Cell("microphone", 2.2, 1.3, 0.65, (CellPort(0.0, 0.44),), 0.5, 0.3)

@@ -9,11 +9,11 @@ from scipy.special import i0, ive, j0, jn_zeros
 
 from acoustic_fem import solve
 from acoustic_fem.axisymmetric_elasticity import DiscShape, solve_dimensionless
-from acoustic_fem.cell import mesh_sizes
 from acoustic_fem.condensed import condense
 from acoustic_fem.duct import port_admittance
 from acoustic_fem.medium import Medium
 from acoustic_fem.membrane import design_compliance, design_disc, disc_compliance, solve_disc
+from acoustic_fem.mesh_sizes import mesh_sizes
 from acoustic_fem.navier_stokes import WallMotion
 from geometry import DesignError
 from geometry.air import MIRROR, OPENING, air_volume

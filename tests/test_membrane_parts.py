@@ -7,8 +7,8 @@ import pytest
 
 import geometry
 from geometry.membrane import build_membrane, membrane_radius
+from geometry.ports import Port
 from geometry.shell import build_shell
-from geometry.tube import Port
 
 SLOPE = math.tan(math.radians(1.0))
 BOSS = {"membrane.shape": "boss", "membrane.boss_diameter": 2.0, "membrane.boss_height": 0.6}

@@ -5,8 +5,9 @@ import numpy as np
 import pytest
 
 from geometry.air import MIRROR, OPENING, air_volume
-from geometry.cells import Cell, CellPort, canonical_ports
+from geometry.cells import Cell, canonical_ports
 from geometry.mesh import WALL, MeshError, MeshSizes, mesh_solid
+from geometry.ports import CellPort
 
 SIZES = MeshSizes(mouth_edge=0.4, tube=0.8, growth=0.7, largest=1.0)
 STRAIGHT = Cell("resonator", 6.0, 2.5, 1.25, (CellPort(0.0, 0.5), CellPort(180.0, 0.5)), 6.0, 0.0)

@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 
 import acoustic_fem
 import geometry
-from acoustic_fem.noise import detection_limits, touch_response
+from acoustic_fem.noise import detection_limits
 from geometry.bill import Prices, bill_of_materials
 from geometry.layout import place
 from studies import build_metrics
@@ -225,7 +225,7 @@ def test_batches_of_distances_are_those_of_one_design(h: xr.DataArray) -> None:
 def test_sensitivities_are_those_of_the_touch_response(glove: acoustic_fem.Library) -> None:
     weight = trapezoidal_weights(GRID)
     for name, touch, unit in (("force", "force", 1.0), ("displacement", "displacement", 1e-6)):
-        power = np.abs(touch_response(glove, touch).values) ** 2 @ weight
+        power = np.abs(glove.touch_response(touch).values) ** 2 @ weight
         expected = unit * np.sqrt(power.max(axis=1).min())
         assert METRICS[f"sensitivity_{name}"].of_library(glove) == pytest.approx(expected, rel=1e-9, abs=0)
     assert glove.force_response.values[None] == pytest.approx(force_response(Responses.of_library(glove)), rel=1e-9)

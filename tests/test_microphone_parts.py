@@ -9,13 +9,13 @@ import pytest
 import geometry
 from geometry.air import air_volume
 from geometry.array_model import array_model
-from geometry.cells import Cell, CellPort
-from geometry.design import Printing
+from geometry.cells import Cell
 from geometry.design_parts import Microphone
 from geometry.fit import interferences
+from geometry.making import Printing
 from geometry.microphone import build_board, build_housing
-from geometry.shell import cylinder
-from geometry.tube import Port
+from geometry.ports import CellPort, Port
+from geometry.turned import cylinder
 
 PRINTING = Printing(port_lip=0.3)
 

@@ -11,8 +11,9 @@ import torch
 
 import acoustic_fem
 import geometry
+from acoustic_fem.fitted_model import Priors, UpdatedModel
 from acoustic_fem.library import Library
-from acoustic_fem.model_updating import Priors, Update, UpdatedModel, update
+from acoustic_fem.model_updating import Update, update
 from acoustic_fem.transfer_estimate import TransferEstimate
 from studies.calibration_priors import fit_priors, model_deviation
 from studies.rig import HiddenScatter, Rig

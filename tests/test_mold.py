@@ -14,7 +14,7 @@ from geometry.membrane import build_membrane
 from geometry.mold import build_mold, mold_counts
 from geometry.mold_base import base_block, mark, mark_text
 from geometry.mold_plan import plan_mold
-from geometry.shell import cylinder
+from geometry.turned import cylinder
 
 PHYSICAL = ["array-2x6", "fingertip-3x4", "fingertip-4x6", "glove", "large-area-64"]
 TRAY = {"mold.rows": 2, "mold.columns": 3}

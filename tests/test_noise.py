@@ -21,7 +21,6 @@ from acoustic_fem.noise import (
     noise_covariance,
     noise_density,
     thermal_covariance,
-    touch_response,
 )
 from geometry.design_file import prototype
 
@@ -126,13 +125,13 @@ def test_noise_at_the_output_weighs_more_below_the_corner_of_the_vent(library):
 def test_a_force_and_a_pressure_inject_what_the_disc_sweeps(library):
     disc = design_disc(DESIGN)
     loss = DESIGN.material(DESIGN.membrane.material).loss_factor
-    force = touch_response(library, "force")
+    force = library.touch_response("force")
     assert force.dims == ("point", "microphone", "frequency")
     assert force.attrs["units"] == "Pa/N"
     vacuum = disc.response(GRID, loss)
     injected = 2j * np.pi * GRID * vacuum.volume_per_force
     np.testing.assert_allclose(force.values, library.source_response.values * injected, rtol=1e-12)
-    ratio = touch_response(library, "pressure") / force
+    ratio = library.touch_response("pressure") / force
     np.testing.assert_allclose(
         ratio, np.broadcast_to(vacuum.volume_per_pressure / vacuum.volume_per_force, ratio.shape), rtol=1e-12
     )
@@ -153,12 +152,12 @@ def test_a_displacement_is_a_force_against_membrane_and_air(library):
         system[:, 1, 1] = -omega * vacuum.compliance - air[point]
         solution = np.linalg.solve(system, np.tile([1.0, 0.0], (len(GRID), 1))[..., None])[..., 0]
         expected = library.transfer_function.values[point] * solution[:, 1]
-        found = touch_response(library, "displacement").values[point]
+        found = library.touch_response("displacement").values[point]
         np.testing.assert_allclose(found, expected, rtol=1e-9)
 
 
 def test_a_wider_patch_of_the_same_force_sweeps_less(library):
-    narrow, wide = (touch_response(library, "force", contact_radius=radius) for radius in (0.05e-3, 0.5e-3))
+    narrow, wide = (library.touch_response("force", contact_radius=radius) for radius in (0.05e-3, 0.5e-3))
     assert np.all(np.abs(narrow) > np.abs(wide))
 
 
@@ -168,7 +167,7 @@ def test_a_wider_patch_of_the_same_force_sweeps_less(library):
 def test_with_white_noise_and_flat_response_the_limit_is_the_noise_of_the_band_over_the_response(low, high, snr, own):
     library = flat(acoustic_fem.solve(DESIGN, GRID, "lumped"), 1e9, own)
     # the response to pressure is flat but for j w: undone in the source response
-    response = np.abs(touch_response(library, "pressure").values[0, 0])
+    response = np.abs(library.touch_response("pressure").values[0, 0])
     library = dataclasses.replace(library, source_response=library.source_response / response * response[0])
     limits = detection_limits(library, (low, high), snr)
     count = len(DESIGN.microphones)
@@ -210,7 +209,7 @@ def test_listening_to_more_microphones_never_hurts(library):
 def test_one_microphone_hears_down_to_its_noise_over_the_response(library):
     found = detectable_density(library, "force", microphones=["A"])
     noise = noise_density(library)["total"].sel(microphone="A")
-    expected = noise / np.abs(touch_response(library, "force").sel(microphone="A"))
+    expected = noise / np.abs(library.touch_response("force").sel(microphone="A"))
     np.testing.assert_allclose(found, expected.transpose(*found.dims), rtol=1e-9)
 
 
@@ -236,8 +235,8 @@ def test_a_library_without_microphone_impedance_is_refused(library):
 @pytest.mark.parametrize(
     ("call", "message"),
     [
-        (lambda x: touch_response(x, "tickle"), "touch = 'tickle' must be one of: displacement, force, pressure"),
-        (lambda x: touch_response(x, "force", contact_radius=1.0), "contact_radius = 1 m must be between"),
+        (lambda x: x.touch_response("tickle"), "touch = 'tickle' must be one of: displacement, force, pressure"),
+        (lambda x: x.touch_response("force", contact_radius=1.0), "contact_radius = 1 m must be between"),
         (lambda x: noise_density(x, "inside"), "noise_at = 'inside' must be one of: front, output"),
         (lambda x: detection_limits(x, (0.5, 50)), r"band = \(0.5, 50\) Hz must ascend and lie within"),
         (lambda x: detection_limits(x, (50, 20)), r"band = \(50, 20\) Hz must ascend"),

@@ -7,7 +7,8 @@ from reference_data import AIR, column, rows
 from acoustic_fem.duct import port_admittance
 from acoustic_fem.lumped_cell import lumped_admittance
 from acoustic_fem.opening import entrance_impedance
-from geometry.cells import Cell, CellPort
+from geometry.cells import Cell
+from geometry.ports import CellPort
 
 WIDE = [row for row in rows("entrance") if row["duct_radius"] == 50 * row["radius"]]
 NARROW = [row for row in rows("entrance") if row["duct_radius"] == 5 * row["radius"]]

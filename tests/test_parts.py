@@ -15,10 +15,12 @@ from geometry.cells import cell_catalogue
 from geometry.design_file import read_design
 from geometry.layout import place
 from geometry.part_files import tessellate_distinct
+from geometry.ports import Port
 from geometry.print_plates import export_plates
 from geometry.print_processes import PROCESSES, with_rules
-from geometry.shell import build_shell, one_solid
-from geometry.tube import Port, cutting_list, spring_length
+from geometry.shell import build_shell
+from geometry.tube import cutting_list, spring_length
+from geometry.turned import one_solid
 
 
 @pytest.fixture(scope="module")

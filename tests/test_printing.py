@@ -11,6 +11,7 @@ import trimesh
 import geometry
 from geometry.measure import genus, hole_diameters, inner_voids, pinched_edges, rounds, tessellate
 from geometry.membrane import build_membrane
+from geometry.ports import Port
 from geometry.print_measures import overhangs, sealed_cup
 from geometry.print_plates import export_plates
 from geometry.print_pose import find_pose
@@ -18,8 +19,8 @@ from geometry.print_processes import PROCESSES, RULES, Rule, find_process, proce
 from geometry.print_report_files import write_report
 from geometry.print_tolerance import acoustic_effects
 from geometry.printing import print_report
-from geometry.shell import build_shell, one_solid
-from geometry.tube import Port
+from geometry.shell import build_shell
+from geometry.turned import one_solid
 from geometry.wall_measures import narrowest_gap, thinnest_wall
 
 

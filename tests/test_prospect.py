@@ -10,7 +10,8 @@ import pytest
 import acoustic_fem
 import geometry
 import localize
-from acoustic_fem.model_updating import Posterior, Update, UpdatedModel, update
+from acoustic_fem.fitted_model import Posterior, UpdatedModel
+from acoustic_fem.model_updating import Update, update
 from acoustic_fem.transfer_estimate import TransferEstimate
 from localize.dataset import response_of
 from localize.prospect import expected_accuracy, is_enough, least_known

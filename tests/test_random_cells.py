@@ -9,10 +9,11 @@ from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
 from reference_data import AIR
 
-from acoustic_fem.cell import PHYSICS, mesh_sizes
+from acoustic_fem.cell import PHYSICS
 from acoustic_fem.condensed import condense
 from acoustic_fem.duct import port_admittance as duct_admittance
 from acoustic_fem.frequency import passivity_margin
+from acoustic_fem.mesh_sizes import mesh_sizes
 from acoustic_fem.navier_stokes import WallMotion
 from geometry.mesh import InvertedElementsError, mesh_solid
 

@@ -16,7 +16,8 @@ from small_run import small_run
 from geometry.printing import Finding, PrintReport
 from localize.noise import microphone_noise
 from studies.display import number
-from studies.figures import crop_picture, draw_confusion, draw_transfer_functions
+from studies.figure_style import crop_picture
+from studies.figures import draw_confusion, draw_transfer_functions
 from studies.metrics import Disagreement, Separability
 from studies.report import render
 from studies.results import (

@@ -9,7 +9,8 @@ from hypothesis import strategies as st
 from reference_data import AIR
 
 from acoustic_fem import duct
-from acoustic_fem.section import CircularSection, MeshedSection, RectangularSection, SlitSection, TriangularSection
+from acoustic_fem.meshed_section import MeshedSection
+from acoustic_fem.section import CircularSection, RectangularSection, SlitSection, TriangularSection
 
 SIDES = st.floats(1e-4, 5e-3)
 FREQUENCIES = st.floats(1e-2, 2e4)

@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 import acoustic_fem
 import geometry
 import localize
+from acoustic_fem.fitted_model import Posterior, UpdatedModel
 from acoustic_fem.library import Library
-from acoustic_fem.model_updating import Posterior, UpdatedModel
 from localize.array_response import response_of
 from localize.bayes import NOISE_SHARE
 from localize.calibration_objections import gaps, likeliest_order, numbers

@@ -13,13 +13,14 @@ import geometry
 from geometry.assembly import build_parts, part_counts
 from geometry.carrier import array_carrier, build_carrier, carrier_places
 from geometry.cavity_shapes import web
-from geometry.design import Printing
 from geometry.design_fields import DesignError
 from geometry.design_parts import Membrane, Resonator, Shell
+from geometry.making import Printing
 from geometry.measure import hole_diameters, tessellate
-from geometry.shell import build_shell, cylinder
+from geometry.ports import Port
+from geometry.shell import build_shell
 from geometry.shell_features import largest_gap
-from geometry.tube import Port
+from geometry.turned import cylinder
 
 RESONATOR = Resonator(cavity_diameter=6, cavity_height=2.5, wall_thickness=2)
 MEMBRANE = Membrane(material="silicone-shore-a-30", thickness=0.5, rim_width=1.5)

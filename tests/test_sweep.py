@@ -511,7 +511,7 @@ def test_a_cell_in_the_cache_is_known_without_reading_it(tmp_path: Path, monkeyp
     monkeypatch.setenv("ACOUSTIC_FEM_CACHE", str(tmp_path))
     (cell, air), *_ = sweep_cases.cells_of(read_study(TEXT).base)
     assert not design_cells.is_cached(cell, [10.0, 20.0], air)
-    key = design_cells._Task(cell, air, design_cells.DESIGN_BAND, "navier-stokes").key
+    key = design_cells.CellTask(cell, air, design_cells.DESIGN_BAND, "navier-stokes").key
     cell_cache.store(key, {}, {})
     assert design_cells.is_cached(cell, [10.0, 20.0], air)
     assert not design_cells.is_cached(cell, [10.0, 20.0], air, "helmholtz")

@@ -12,7 +12,7 @@ import numpy as np
 import skfem
 from skfem.helpers import dot, grad
 
-from acoustic_fem.section import MeshedSection
+from acoustic_fem.meshed_section import MeshedSection
 
 _SECTION = MeshedSection.circle(1.0, 10)
 

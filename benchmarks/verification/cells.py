@@ -7,8 +7,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acoustic_fem import duct
-from acoustic_fem.cell import mesh_sizes, solve_solid
+from acoustic_fem.cell import solve_solid
 from acoustic_fem.condensed import condense
+from acoustic_fem.mesh_sizes import mesh_sizes
 from acoustic_fem.section import CircularSection
 from benchmarks.one_mesh import in_one_mesh, in_pieces, transfer_functions
 from benchmarks.verification.report import Check, Level, Study, Subject, Table

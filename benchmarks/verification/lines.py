@@ -13,14 +13,8 @@ from numpy.typing import ArrayLike, NDArray
 from acoustic_fem import duct, tapered_duct
 from acoustic_fem.coil_bore import CoilBore, flow_system, half_pitch_mesh
 from acoustic_fem.medium import Medium
-from acoustic_fem.section import (
-    CircularSection,
-    MeshedSection,
-    RectangularSection,
-    Section,
-    SlitSection,
-    TriangularSection,
-)
+from acoustic_fem.meshed_section import MeshedSection
+from acoustic_fem.section import CircularSection, RectangularSection, Section, SlitSection, TriangularSection
 from benchmarks.verification.report import Check, Level, Study, Subject, Table
 from tests.reference_data import AIR
 
