@@ -19,17 +19,17 @@ import numpy as np
 import acoustic_fem
 import geometry
 import localize
-from acoustic_fem.calibration import calibrate
-from acoustic_fem.calibration_manifest import read_manifest
-from acoustic_fem.fitted_model import UpdatedModel
-from acoustic_fem.model_updating import Update, update
-from geometry.design import ArrayDesign
-from geometry.whole_file import replace_section
-from localize.dataset import response_of
-from localize.prospect import ENOUGH, expected_accuracy, is_enough
-from studies.calibration_priors import fit_priors
-from studies.rig import HiddenScatter, Recorder, Rig
-from studies.rig_parameters import rig_tolerances, within_95
+from acoustic_fem.calibration.fitted_model import UpdatedModel
+from acoustic_fem.calibration.manifest import read_manifest
+from acoustic_fem.calibration.measured_library import calibrate
+from acoustic_fem.calibration.model_updating import Update, update
+from geometry.design.array_design import ArrayDesign
+from geometry.files.writing import replace_section
+from localize.recalibration.prospect import ENOUGH, expected_accuracy, is_enough
+from localize.signals.array_response import response_of
+from studies.made_sensor.priors import fit_priors
+from studies.made_sensor.rig import HiddenScatter, Recorder, Rig
+from studies.made_sensor.rig_parameters import rig_tolerances, within_95
 
 PAGE = Path(__file__).parents[1] / "docs" / "calibration.md"
 BEGIN, END = "<!-- rigs: made by benchmarks/calibration.py -->", "<!-- end -->"
@@ -123,7 +123,7 @@ def row(name: str, design: ArrayDesign, modulus: float, rigs: int) -> tuple[str,
     return "| " + " | ".join((label, *cells, *rest)) + " |", "| " + " | ".join((label, *stated)) + " |"
 
 
-def accuracy(known: localize.dataset.ArrayResponse, touched: localize.dataset.ArrayResponse) -> float:
+def accuracy(known: localize.signals.ArrayResponse, touched: localize.signals.ArrayResponse) -> float:
     return localize.evaluate(localize.BayesDecoder(known, NOISE), touched, TOUCHES, NOISE).top1
 
 

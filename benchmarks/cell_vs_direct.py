@@ -19,18 +19,18 @@ import scipy.sparse as sp
 from numpy.typing import NDArray
 from threadpoolctl import threadpool_limits
 
-from acoustic_fem.condensed import condense
-from acoustic_fem.diffusion_field import diffusion_field, field_coefficients
-from acoustic_fem.linear_solver import SymmetricSolver, backend
-from acoustic_fem.mesh_sizes import mesh_sizes
-from acoustic_fem.navier_stokes import cell_system, compliance_mass
-from acoustic_fem.units import metres
+from acoustic_fem.cell.condensed import condense
+from acoustic_fem.fields.diffusion import diffusion_field, field_coefficients
+from acoustic_fem.fields.element_sizes import mesh_sizes
+from acoustic_fem.fields.navier_stokes import cell_system, compliance_mass
+from acoustic_fem.numerics.linear_solver import SymmetricSolver, backend
+from acoustic_fem.quantities.units import metres
 from benchmarks.one_mesh import CELL, in_one_mesh, in_pieces
-from geometry.air import MIRROR, OPENING, air_volume
-from geometry.cells import Cell
-from geometry.mesh import SolidMesh, mesh_solid
-from geometry.ports import CellPort
-from tests.reference_data import AIR
+from geometry.air.cells import Cell
+from geometry.air.mesh import SolidMesh, mesh_solid
+from geometry.air.volume import MIRROR, OPENING, air_volume
+from geometry.stated.ports import CellPort
+from tests.support.reference_data import AIR
 
 FREQUENCY = np.geomspace(1, 100, 64)
 BAND = (1.0, 100.0)

@@ -12,12 +12,13 @@ import numpy as np
 
 import acoustic_fem
 import geometry
-from geometry.whole_file import replace_section
+from geometry.files.writing import replace_section
 from localize import ArrayResponse, BayesDecoder, FrequencyRatioDecoder, judge
-from localize.dataset import TouchGenerator, response_of
-from localize.finger_stimuli import friction, taps
-from localize.judgement import ResidualTest
-from localize.stimulus import StimulusSource, multi_sines
+from localize.decoders.judgement import ResidualTest
+from localize.signals.array_response import response_of
+from localize.signals.finger_stimuli import friction, taps
+from localize.signals.stimulus import StimulusSource, multi_sines
+from localize.signals.touch_generator import TouchGenerator
 
 PAGE = Path(__file__).parents[1] / "docs" / "decoder.md"
 BEGIN, END = "<!-- decoder: made by benchmarks/decoder.py -->", "<!-- end decoder -->"

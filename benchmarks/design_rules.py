@@ -19,11 +19,11 @@ from scipy.stats import spearmanr
 import acoustic_fem
 import geometry
 from geometry import ArrayDesign
-from geometry.whole_file import replace_section, whole_file
-from studies.metric_registry import METRICS
-from studies.study_file import read_study
-from studies.sweep import run_sweep
-from studies.sweep_store import open_sweep
+from geometry.files.writing import replace_section, whole_file
+from studies.study.file import read_study
+from studies.study.metric_registry import METRICS
+from studies.sweep.run import run_sweep
+from studies.sweep.store import open_sweep
 
 FOLDER = Path(__file__).parents[1] / "docs" / "studies" / "design_rules"
 BEGIN, END = "<!-- {name}: made by benchmarks/design_rules.py -->", "<!-- end {name} -->"

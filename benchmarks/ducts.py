@@ -12,11 +12,11 @@ from collections.abc import Callable
 import mpmath
 import numpy as np
 
-from acoustic_fem import duct, tapered_duct
-from acoustic_fem.coil_bore import CoilBore
-from acoustic_fem.meshed_section import MeshedSection
-from acoustic_fem.section import CircularSection, RectangularSection, Section, TriangularSection
-from tests.reference_data import AIR
+from acoustic_fem.duct import plane_wave, tapered
+from acoustic_fem.duct.coil_bore import CoilBore
+from acoustic_fem.duct.meshed_section import MeshedSection
+from acoustic_fem.duct.sections import CircularSection, RectangularSection, Section, TriangularSection
+from tests.support.reference_data import AIR
 
 
 def round_bore() -> None:
@@ -33,11 +33,11 @@ def round_bore() -> None:
             z = 1j * omega * mpmath.mpf(AIR.density) / (mpmath.pi * a**2 * viscous)
             gamma = mpmath.mpf(AIR.gamma)
             y = 1j * omega * mpmath.pi * a**2 / (gamma * AIR.pressure) * (gamma - (gamma - 1) * thermal)
-            series = max(series, relative(duct.series_impedance(radius, frequency, AIR), z))
-            shunt = max(shunt, relative(duct.shunt_admittance(radius, frequency, AIR), y))
+            series = max(series, relative(plane_wave.series_impedance(radius, frequency, AIR), z))
+            shunt = max(shunt, relative(plane_wave.shunt_admittance(radius, frequency, AIR), y))
             for length in lengths:
                 x, zc = mpmath.sqrt(z * y) * mpmath.mpf(length), mpmath.sqrt(z / y)
-                port = duct.port_admittance(radius, length, frequency, AIR)
+                port = plane_wave.port_admittance(radius, length, frequency, AIR)
                 own = max(own, relative(port[0, 0], mpmath.coth(x) / zc))
                 exact = -1 / (mpmath.sinh(x) * zc)
                 if abs(exact) > 1e-290:
@@ -81,7 +81,7 @@ def meshed_sections() -> None:
 def cone() -> None:
     frequency = np.geomspace(0.1, 2e3, 64)
     start = time.perf_counter()
-    result = tapered_duct.solve(lambda x: CircularSection(2e-4 + 0.02 * x), 0.0125, frequency, AIR)
+    result = tapered.solve(lambda x: CircularSection(2e-4 + 0.02 * x), 0.0125, frequency, AIR)
     spent = time.perf_counter() - start
     print("Cone 0.4 to 0.9 x 12.5 mm, 64 frequencies")
     print(f"  {result.elements} elements, error {result.error:.1e}, {spent:.2f} s\n")

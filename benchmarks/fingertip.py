@@ -11,9 +11,9 @@ import numpy as np
 
 import acoustic_fem
 import geometry
-from geometry.whole_file import replace_section
-from studies.metric_registry import METRICS
-from studies.tolerance import tolerance_study
+from geometry.files.writing import replace_section
+from studies.scatter.effects import tolerance_study
+from studies.study.metric_registry import METRICS
 
 DOCS = Path(__file__).parents[1] / "docs"
 BEGIN, END = "<!-- fingertip: made by benchmarks/fingertip.py -->", "<!-- end fingertip -->"

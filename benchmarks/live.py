@@ -27,9 +27,9 @@ from rich.table import Table
 import acoustic_fem
 import geometry
 import localize
-from acoustic_fem.sound_file import write_wav
-from localize.dataset import response_of
-from localize.live import Latencies
+from acoustic_fem.sound.sound_file import write_wav
+from localize.live.listener import Latencies
+from localize.signals.array_response import response_of
 
 ROOT = Path(__file__).parents[1]
 DESIGN = "line-2"

@@ -19,12 +19,12 @@ import numpy as np
 import acoustic_fem
 import geometry
 import localize
-from geometry.whole_file import replace_section
-from localize.dataset import response_of
-from studies.confusion import predict_confusion
-from studies.metric_registry import METRICS
-from studies.perturbed_library import write_perturbed_library
-from studies.tolerance import scattered_accuracy
+from geometry.files.writing import replace_section
+from localize.signals.array_response import response_of
+from studies.metrics.confusion import predict_confusion
+from studies.scatter.effects import scattered_accuracy
+from studies.scatter.perturbed_library import write_perturbed_library
+from studies.study.metric_registry import METRICS
 
 PAGE = Path(__file__).parents[1] / "docs" / "tolerances.md"
 BEGIN, END = "<!-- mis-made: made by benchmarks/mis_made.py -->", "<!-- end -->"

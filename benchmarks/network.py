@@ -19,10 +19,10 @@ import torch
 from threadpoolctl import threadpool_limits
 
 import acoustic_fem
-from acoustic_fem.batch_network import batch_response, batch_transfer_function
-from acoustic_fem.batch_parameters import ArrayParameters, design_air
-from acoustic_fem.batch_topology import LineWiring, Topology
-from geometry.design_file import prototype
+from acoustic_fem.batch.network import batch_response, batch_transfer_function
+from acoustic_fem.batch.parameters import ArrayParameters, design_air
+from acoustic_fem.batch.topology import LineWiring, Topology
+from geometry.design.design_file import prototype
 
 FREQUENCY = np.linspace(1, 100, 64)
 DESIGN = prototype("array-2x6")
@@ -102,7 +102,7 @@ def growth(sizes: list[int], runs: int) -> None:
 
 def dense(parameters: ArrayParameters, topology: Topology) -> np.ndarray:
     """The same elements, one matrix of all cavities and chambers per frequency, inverted."""
-    from acoustic_fem.batch_elements import Conditions, chambers, points, tubes
+    from acoustic_fem.batch.elements import Conditions, chambers, points, tubes
 
     air = Conditions.of(2 * np.pi * FREQUENCY, AIR)
     tube, point, chamber = tubes(parameters, air), points(parameters, air), chambers(parameters, air)

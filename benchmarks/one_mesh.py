@@ -6,16 +6,16 @@ import cadquery as cq
 import numpy as np
 from numpy.typing import NDArray
 
-from acoustic_fem import duct
-from acoustic_fem.condensed import CondensedBody, condense
-from acoustic_fem.design_cells import solve_cells
-from acoustic_fem.mesh_sizes import mesh_sizes
-from acoustic_fem.navier_stokes import WallMotion
-from acoustic_fem.one_cell import CellSolution
-from geometry.cells import Cell
-from geometry.mesh import SolidMesh, mesh_solid
-from geometry.ports import CellPort
-from tests.reference_data import AIR
+from acoustic_fem.cell.condensed import CondensedBody, condense
+from acoustic_fem.cell.design_cells import solve_cells
+from acoustic_fem.cell.one_cell import CellSolution
+from acoustic_fem.duct import plane_wave
+from acoustic_fem.fields.element_sizes import mesh_sizes
+from acoustic_fem.fields.navier_stokes import WallMotion
+from geometry.air.cells import Cell
+from geometry.air.mesh import SolidMesh, mesh_solid
+from geometry.stated.ports import CellPort
+from tests.support.reference_data import AIR
 
 BORE, RADIUS, HEIGHT, LENGTH = 0.5, 3.0, 2.5, 12.5  # mm
 PITCH = 2 * RADIUS + LENGTH
@@ -29,7 +29,7 @@ def line_meshes(points: int, scale: float, highest: float) -> tuple[list[SolidMe
 
     Args:
         points: number of resonators.
-        scale: of the element sizes, see :func:`acoustic_fem.cell.mesh_sizes`.
+        scale: of the element sizes, see :func:`acoustic_fem.cell.solid.mesh_sizes`.
         highest: frequency, Hz.
     """
     places = (np.arange(points) - (points - 1) / 2) * PITCH
@@ -57,8 +57,8 @@ def in_pieces(points: int, frequency: NDArray[np.float64]) -> tuple[NDArray[np.c
     """Nodal admittance (n_freq, 2 + points, 2 + points) of the same nodes from one cell and ducts, and the cell."""
     cell = solve_cells([CELL], frequency, AIR)[CELL]
     stub = CELL.ports[0].stub_length
-    inner = duct.port_admittance(BORE / 2e3, (LENGTH - 2 * stub) * 1e-3, frequency, AIR)
-    outer = duct.port_admittance(BORE / 2e3, (LENGTH - stub) * 1e-3, frequency, AIR)
+    inner = plane_wave.port_admittance(BORE / 2e3, (LENGTH - 2 * stub) * 1e-3, frequency, AIR)
+    outer = plane_wave.port_admittance(BORE / 2e3, (LENGTH - stub) * 1e-3, frequency, AIR)
     nodes = 2 + points  # A, B, membranes; then the left and right port of every cell
     total = np.zeros((len(frequency), nodes + 2 * points, nodes + 2 * points), dtype=complex)
 

@@ -16,9 +16,9 @@ import numpy as np
 import acoustic_fem
 import geometry
 import localize
-from geometry.whole_file import replace_section
-from studies.confusion import Listener, predict_confusion
-from studies.metric_registry import METRICS
+from geometry.files.writing import replace_section
+from studies.metrics.confusion import Listener, predict_confusion
+from studies.study.metric_registry import METRICS
 
 DOCS = Path(__file__).parents[1] / "docs"
 RESULTS = DOCS / "predicted_accuracy.json"

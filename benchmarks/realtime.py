@@ -23,8 +23,8 @@ from rich.table import Table
 import acoustic_fem
 import geometry
 import localize
-from localize.dataset import response_of
-from studies.frame_time import frame_time
+from localize.signals.array_response import response_of
+from studies.judging.frame_time import frame_time
 
 DESIGNS = ("line-2", "line-3", "line-4")
 FREQUENCY = np.arange(1.0, 201.0)

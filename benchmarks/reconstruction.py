@@ -14,10 +14,11 @@ import numpy as np
 
 import acoustic_fem
 import geometry
-from geometry.whole_file import replace_section
+from geometry.files.writing import replace_section
 from localize import ArrayResponse, Reconstructor, short_window_waveform
-from localize.dataset import TouchGenerator, response_of
-from localize.stimulus import multi_sines, time_signal
+from localize.signals.array_response import response_of
+from localize.signals.stimulus import multi_sines, time_signal
+from localize.signals.touch_generator import TouchGenerator
 
 PAGE = Path(__file__).parents[1] / "docs" / "decoder.md"
 BEGIN, END = "<!-- reconstruction: made by benchmarks/reconstruction.py -->", "<!-- end reconstruction -->"

@@ -23,11 +23,11 @@ from rich.table import Table
 import acoustic_fem
 import geometry
 import localize
-from localize.dataset import response_of
-from localize.recorded_frames import RecordedFrames
-from localize.touch_recordings import PARTS
-from studies.rig import HiddenScatter, Recorder, Rig
-from studies.rig_touches import TouchSession, record_touches
+from localize.learned.recorded_frames import RecordedFrames
+from localize.recordings.touch_manifest import PARTS
+from localize.signals.array_response import response_of
+from studies.made_sensor.rig import HiddenScatter, Recorder, Rig
+from studies.made_sensor.rig_touches import TouchSession, record_touches
 
 NOISE = 1e-3
 PLAN = localize.TrainingPlan(epochs=6, microphone_noise=NOISE, stimuli=("multi-sines", "taps", "friction"))

@@ -19,13 +19,14 @@ from torch import Tensor
 import acoustic_fem
 import geometry
 import localize
-from acoustic_fem.batch_network import batch_response
-from acoustic_fem.batch_parameters import design_air
-from geometry.whole_file import replace_section
-from localize.bayes import ROOM
-from localize.dataset import ArrayResponse, TouchGenerator, response_of
-from localize.stimulus import Stimuli, multi_sines
-from studies.scatter import ScatteredDesign
+from acoustic_fem.batch.network import batch_response
+from acoustic_fem.batch.parameters import design_air
+from geometry.files.writing import replace_section
+from localize.decoders.bayes import ROOM
+from localize.signals.array_response import ArrayResponse, response_of
+from localize.signals.stimulus import Stimuli, multi_sines
+from localize.signals.touch_generator import TouchGenerator
+from studies.scatter.tolerances import ScatteredDesign
 
 PAGE = Path(__file__).parents[1] / "docs" / "decoder.md"
 BEGIN, END = "<!-- rooms: made by benchmarks/rooms.py -->", "<!-- end rooms -->"

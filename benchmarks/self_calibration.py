@@ -15,11 +15,11 @@ from calibration import DESIGNS, GRID, NOISE, PAGE, RIGS, TOUCHES
 
 import acoustic_fem
 import localize
-from acoustic_fem.library import Library
-from geometry.whole_file import replace_section
-from localize.array_response import ArrayResponse, response_of
-from localize.self_calibration import self_calibrate
-from studies.rig import HiddenScatter, Rig
+from acoustic_fem.library.result import Library
+from geometry.files.writing import replace_section
+from localize.recalibration.self_calibration import self_calibrate
+from localize.signals.array_response import ArrayResponse, response_of
+from studies.made_sensor.rig import HiddenScatter, Rig
 
 BEGIN, END = "<!-- self-calibration: made by benchmarks/self_calibration.py -->", "<!-- end of self-calibration -->"
 COUNTS = (200, 1000)

@@ -27,15 +27,15 @@ from distributed import LocalCluster
 
 import acoustic_fem
 from geometry import ArrayDesign
-from geometry.whole_file import replace_section
-from studies.cases import Cases, cases_of
-from studies.metric_registry import METRICS, metrics_named
-from studies.study import Study
-from studies.study_file import read_study
-from studies.sweep import run_sweep
-from studies.sweep_cases import Job, solve_block
-from studies.sweep_store import open_sweep
-from studies.sweep_workers import ENVIRONMENT, cores, open_workers
+from geometry.files.writing import replace_section
+from studies.study.cases import Cases, cases_of
+from studies.study.file import read_study
+from studies.study.metric_registry import METRICS, metrics_named
+from studies.study.study import Study
+from studies.sweep.block import Job, solve_block
+from studies.sweep.run import run_sweep
+from studies.sweep.store import open_sweep
+from studies.sweep.workers import ENVIRONMENT, cores, open_workers
 
 PAGE = Path(__file__).parents[1] / "docs" / "studies.md"
 BEGIN, END = "<!-- speed: made by benchmarks/sweep.py -->", "<!-- end speed -->"

@@ -14,8 +14,8 @@ import torch
 import acoustic_fem
 import geometry
 import localize
-from localize import finger_stimuli, signals, stimulus
-from localize.dataset import response_of
+from localize.signals import finger_stimuli, propagation, stimulus
+from localize.signals.array_response import response_of
 
 FREQUENCY = np.concatenate([np.arange(0.25, 20.0, 0.25), np.arange(20.0, 501.0)])
 NOISE, ONSET, LENGTH = 1e-3, 300, 2000
@@ -42,7 +42,7 @@ def main(names: list[str]) -> None:
             spectrum = spectrum * finger_stimuli.top_faded((0.25, 500.0))
             frames, touches = [], []
             for point in points:
-                heard = signals.microphone_signals(spectrum[None], h[point][None], LENGTH)[0].numpy()
+                heard = propagation.microphone_signals(spectrum[None], h[point][None], LENGTH)[0].numpy()
                 heard = heard + NOISE * np.random.default_rng(point).standard_normal(heard.shape)
                 events = localize.TouchStream(decoder).push(heard)
                 frames += [

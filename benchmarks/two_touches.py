@@ -15,11 +15,12 @@ import numpy as np
 
 import acoustic_fem
 import geometry
-from geometry.design import ArrayDesign
-from geometry.whole_file import replace_section
+from geometry.design.array_design import ArrayDesign
+from geometry.files.writing import replace_section
 from localize import ArrayResponse, TwoTouchDecoder
-from localize.dataset import TouchGenerator, response_of
-from localize.stimulus import multi_sines, time_signal
+from localize.signals.array_response import response_of
+from localize.signals.stimulus import multi_sines, time_signal
+from localize.signals.touch_generator import TouchGenerator
 
 PAGE = Path(__file__).parents[1] / "docs" / "decoder.md"
 BEGIN, END = "<!-- two touches: made by benchmarks/two_touches.py -->", "<!-- end two touches -->"

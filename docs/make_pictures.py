@@ -9,8 +9,8 @@ import sys
 from pathlib import Path
 
 import geometry
-from geometry.mold_view import mold_section
-from geometry.views import exploded_view, top_view
+from geometry.pictures.mold_cut import mold_section
+from geometry.pictures.views import exploded_view, top_view
 
 IMAGES = Path(__file__).parent / "images"
 #: The prototypes that were made; the others are simulated studies.

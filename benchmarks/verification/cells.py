@@ -6,25 +6,25 @@ import cadquery as cq
 import numpy as np
 from numpy.typing import NDArray
 
-from acoustic_fem import duct
-from acoustic_fem.cell import solve_solid
-from acoustic_fem.condensed import condense
-from acoustic_fem.mesh_sizes import mesh_sizes
-from acoustic_fem.section import CircularSection
+from acoustic_fem.cell.condensed import condense
+from acoustic_fem.cell.solid import solve_solid
+from acoustic_fem.duct import plane_wave
+from acoustic_fem.duct.sections import CircularSection
+from acoustic_fem.fields.element_sizes import mesh_sizes
 from benchmarks.one_mesh import in_one_mesh, in_pieces, transfer_functions
 from benchmarks.verification.report import Check, Level, Study, Subject, Table
-from geometry.mesh import InvertedElementsError, MeshSizes, mesh_solid
-from tests.reference_data import AIR, column, rows
+from geometry.air.mesh import InvertedElementsError, MeshSizes, mesh_solid
+from tests.support.reference_data import AIR, column, rows
 
 CELL_TEXT = """The reference cell: a cylinder of 6 x 2.5 mm, rigid all round, with two tubes of 0.5 x 6.25 mm opposite
 each other at mid height; 1 to 100 Hz. The vendored rows of another program (tests/reference/acoustics.json) are good
-to 5e-4 themselves. The study refines everything at once, the sizes of `acoustic_fem.cell.mesh_sizes` times a scale,
-with 1 mm of each tube in the mesh of half the cell and exact ducts for the rest, against the finest mesh; the error
-of Y is relative to |Y₁₁|, that of the sum to itself. Two things compete: the thermal layer, which makes the sum
-converge with 3 to 4, and the re-entrant edge of the mouth, where the pressure is singular: on a mesh that is not
-graded towards it, admittances converge with 1.1 (twice the exponent 0.544 of Stokes flow round 270°; Moffatt 1964).
-Grading makes that part small but leaves its order. The checks solve the whole solid, tubes included, by the public
-call at `accuracy=1e-3`."""
+to 5e-4 themselves. The study refines everything at once, the sizes of `acoustic_fem.cell.solid.mesh_sizes` times a
+scale, with 1 mm of each tube in the mesh of half the cell and exact ducts for the rest, against the finest mesh; the
+error of Y is relative to |Y₁₁|, that of the sum to itself. Two things compete: the thermal layer, which makes the sum
+converge with 3 to 4, and the re-entrant edge of the mouth, where the pressure is singular: on a mesh that is not graded
+towards it, admittances converge with 1.1 (twice the exponent 0.544 of Stokes flow round 270°; Moffatt 1964). Grading
+makes that part small but leaves its order. The checks solve the whole solid, tubes included, by the public call at
+`accuracy=1e-3`."""
 
 OPENING_TEXT = """A tube of bore radius a = 0.25 mm that opens into the end wall of a duct of radius 5 a or 50 a, by
 3-D Navier-Stokes on one half; the tube is 1 mm long in the mesh. The exact ducts are taken off the two-port, what is
@@ -52,7 +52,7 @@ def cell(_: bool) -> Subject:
     """The reference cell; the full page only."""
     solid = cq.Workplane().cylinder(2.5, 3).union(cq.Workplane("YZ").circle(0.25).extrude(4.0, both=True))
     half = solid.intersect(cq.Workplane().box(20, 20, 20).translate((0, 10, 0))).val()
-    extension = duct.port_admittance(2.5e-4, 5.25e-3, _FREQUENCY, AIR)
+    extension = plane_wave.port_admittance(2.5e-4, 5.25e-3, _FREQUENCY, AIR)
     found: list[tuple[float, int, NDArray[np.complex128]]] = []
     for scale in (2.0, 1.414, 1.0, 0.707, 0.5):
         faces = {"a": (4.0, 0.1, 0.0), "b": (-4.0, 0.1, 0.0), "mirror": (0.0, 0.0, 0.0)}

@@ -7,10 +7,10 @@ from collections.abc import Callable
 import mpmath
 import numpy as np
 
-from acoustic_fem import duct
-from acoustic_fem.section import CircularSection
+from acoustic_fem.duct import plane_wave
+from acoustic_fem.duct.sections import CircularSection
 from benchmarks.verification.report import Check, Level, Study, Subject, Table
-from tests.reference_data import AIR
+from tests.support.reference_data import AIR
 
 _DIGITS = 50
 _LENGTHS = (1e-4, 0.0125, 0.12, 1.0)
@@ -77,14 +77,14 @@ def _pairs(radius: float, frequency: float) -> list[tuple[str, np.complex128, mp
     bore = CircularSection(radius)
     z, y = exact_per_length(radius, frequency)
     pairs = [
-        ("Z'", duct.series_impedance(radius, frequency, AIR), z, 0.0),
-        ("Y'", duct.shunt_admittance(radius, frequency, AIR), y, 0.0),
+        ("Z'", plane_wave.series_impedance(radius, frequency, AIR), z, 0.0),
+        ("Y'", plane_wave.shunt_admittance(radius, frequency, AIR), y, 0.0),
         ("Γ", bore.propagation(frequency, AIR), mpmath.sqrt(z * y), 0.0),
         ("Zc", bore.characteristic_impedance(frequency, AIR), mpmath.sqrt(z / y), 0.0),
     ]
     for length in _LENGTHS:
         x, zc = mpmath.sqrt(z * y) * mpmath.mpf(length), mpmath.sqrt(z / y)
-        port = duct.port_admittance(radius, length, frequency, AIR)
+        port = plane_wave.port_admittance(radius, length, frequency, AIR)
         pairs.append(("Y11", port[0, 0], mpmath.coth(x) / zc, length))
         transfer = -1 / (mpmath.sinh(x) * zc)
         if abs(transfer) > 1e-290:  # below, double precision has no normal numbers
@@ -116,10 +116,10 @@ def _limits(quick: bool) -> tuple[Study, ...]:
         return Study(key, title, limit, unit, tuple(levels), expected, 0.1)
 
     def series(frequency: np.ndarray) -> np.ndarray:
-        return duct.series_impedance(radius, frequency, AIR)
+        return plane_wave.series_impedance(radius, frequency, AIR)
 
     def shunt(frequency: np.ndarray) -> np.ndarray:
-        return duct.shunt_admittance(radius, frequency, AIR)
+        return plane_wave.shunt_admittance(radius, frequency, AIR)
 
     poiseuille, mass = 8 * AIR.viscosity / (np.pi * radius**4), 4 * AIR.density / (3 * np.pi * radius**2)
     isothermal, adiabatic = area / AIR.pressure, area / (AIR.gamma * AIR.pressure)

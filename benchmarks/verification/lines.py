@@ -10,13 +10,13 @@ import mpmath
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from acoustic_fem import duct, tapered_duct
-from acoustic_fem.coil_bore import CoilBore, flow_system, half_pitch_mesh
-from acoustic_fem.medium import Medium
-from acoustic_fem.meshed_section import MeshedSection
-from acoustic_fem.section import CircularSection, RectangularSection, Section, SlitSection, TriangularSection
+from acoustic_fem.duct import plane_wave, tapered
+from acoustic_fem.duct.coil_bore import CoilBore, flow_system, half_pitch_mesh
+from acoustic_fem.duct.meshed_section import MeshedSection
+from acoustic_fem.duct.sections import CircularSection, RectangularSection, Section, SlitSection, TriangularSection
+from acoustic_fem.quantities.medium import Medium
 from benchmarks.verification.report import Check, Level, Study, Subject, Table
-from tests.reference_data import AIR
+from tests.support.reference_data import AIR
 
 SECTION_TEXT = """⟨Ψ⟩ of meshed sections, quadratic elements on curved second-order triangles, against the closed
 forms: circle (Bessel functions), rectangle 2:1 (series), equilateral triangle. ⟨Ψ⟩ is an energy, so its error falls
@@ -105,7 +105,7 @@ _SERIES, _SHUNT, _FLARE, _HORN = 3e11 + 1e12j, 2e-7 + 5e-6j, 80.0, 0.002
 
 
 @dataclass(frozen=True)
-class _HornSlice(duct.Line):
+class _HornSlice(plane_wave.Line):
     """Z' falls and Y' grows with the section, exp(2 m x)."""
 
     place: float
@@ -134,7 +134,7 @@ def tapers(quick: bool) -> Subject:
         levels = []
         for count in counts[:3] if quick else counts:
             nodes = np.linspace(0, _HORN, count + 1)
-            transfer, first, last = tapered_duct.assemble(_HornSlice, nodes, np.array([1.0]), AIR, degree)[:, 0]
+            transfer, first, last = tapered.assemble(_HornSlice, nodes, np.array([1.0]), AIR, degree)[:, 0]
             admittance = np.array([[first + transfer, -transfer], [-transfer, last + transfer]])
             error = float(np.abs(admittance / exact - 1).max())
             levels.append(Level(f"{count} elements", 1 / count, degree * count + 1, error))
@@ -147,13 +147,13 @@ def tapers(quick: bool) -> Subject:
 def _cone(quick: bool) -> tuple[Study, tuple[Check, ...]]:
     first, last, length = 2e-4, 4.5e-4, 0.0125
     frequency = np.array([1.0, 100.0, 1000.0])
-    solved = tapered_duct.solve(
+    solved = tapered.solve(
         lambda x: CircularSection(first + (last - first) * x / length), length, frequency, AIR, accuracy=1e-11
     )
     levels = []
     for count in (8, 16, 32) if quick else (8, 16, 32, 64, 128):
         middles = (np.arange(count) + 0.5) / count
-        pieces = duct.port_admittance(
+        pieces = plane_wave.port_admittance(
             (first + (last - first) * middles)[:, None], length / count, frequency, AIR
         )  # (count, n_freq, 2, 2)
         whole = pieces[0]
@@ -167,9 +167,7 @@ def _cone(quick: bool) -> tuple[Study, tuple[Check, ...]]:
         levels.append(Level(f"{count} cylinders", 1 / count, count, error))
     slope = (last - first) / length
     resistance = 8 * AIR.viscosity / np.pi * (first**-3 - last**-3) / (3 * slope)
-    slow = tapered_duct.port_admittance(
-        lambda x: CircularSection(first + slope * x), length, [1e-3], AIR, accuracy=1e-11
-    )
+    slow = tapered.port_admittance(lambda x: CircularSection(first + slope * x), length, [1e-3], AIR, accuracy=1e-11)
     error = abs(float((1 / slow[0, 0, 0]).real) / resistance - 1)
     return (
         Study("cone", "staircase of cylinders", "elements of degree 4", "step / L", tuple(levels), 2.0, 0.2),

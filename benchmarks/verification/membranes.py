@@ -6,10 +6,10 @@ from functools import cache
 
 import numpy as np
 
-from acoustic_fem.axisymmetric_elasticity import DiscShape, ElasticDisc, solve_dimensionless
-from acoustic_fem.membrane import solve_disc
+from acoustic_fem.membrane.disc import solve_disc
+from acoustic_fem.membrane.elasticity import DiscShape, ElasticDisc, solve_dimensionless
 from benchmarks.verification.report import Check, Level, Study, Subject, Table
-from tests.reference_data import rows
+from tests.support.reference_data import rows
 
 TEXT = """Axisymmetric mixed displacement-pressure elasticity, quadratic-linear quadrilaterals. Compliance and first
 eigenvalue against the finest mesh (refinement {finest}; the default is 4): steps of h/n, energies of order 4 where

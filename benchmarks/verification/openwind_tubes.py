@@ -8,9 +8,9 @@ from pathlib import Path
 
 import numpy as np
 
-from acoustic_fem.medium import Medium
+from acoustic_fem.quantities.medium import Medium
 from benchmarks.verification.report import Check, Subject, Table
-from tests import openwind_ladder
+from tests.support import openwind_ladder
 
 TEXT = """Input impedance of tubes with a closed end by [OpenWind](https://openwind.inria.fr) {version} (INRIA; GPL-3,
 the optional extra `verify`) with `losses="bessel"`, no junction masses, and the air of its own `Physics(20)` for both
@@ -18,7 +18,7 @@ programs. Tubes by its transfer matrices, the cone by its finite elements of ord
 over {frequencies} Hz; {source}."""
 
 _TARGET = 1e-9
-_STORED = Path(openwind_ladder.__file__).parent / "reference" / "openwind.json"
+_STORED = Path(openwind_ladder.__file__).parents[1] / "reference" / "openwind.json"
 
 
 def available() -> bool:

@@ -10,7 +10,7 @@ from dataclasses import replace
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
-from acoustic_fem.linear_solver import backend
+from acoustic_fem.numerics.linear_solver import backend
 from benchmarks.verification import bends, cells, ducts, lines, membranes, openwind_tubes, page, solids
 from benchmarks.verification.report import Report, Subject, from_json, to_json
 

@@ -7,14 +7,14 @@ from collections.abc import Callable
 import cadquery as cq
 import numpy as np
 
-from acoustic_fem import duct
-from acoustic_fem.cavity import closed_cylinder_compliance, closed_sphere_compliance
-from acoustic_fem.cell import port_admittance
-from acoustic_fem.condensed import Physics, condense
-from acoustic_fem.diffusion_field import diffusion_field, field_coefficients
+from acoustic_fem.cavity.closed_forms import closed_cylinder_compliance, closed_sphere_compliance
+from acoustic_fem.cell.condensed import Physics, condense
+from acoustic_fem.cell.solid import port_admittance
+from acoustic_fem.duct import plane_wave
+from acoustic_fem.fields.diffusion import diffusion_field, field_coefficients
 from benchmarks.verification.report import Check, Level, Study, Subject
-from geometry.mesh import MeshSizes, SolidMesh, mesh_solid
-from tests.reference_data import AIR
+from geometry.air.mesh import MeshSizes, SolidMesh, mesh_solid
+from tests.support.reference_data import AIR
 
 TUBE_TEXT = """A round tube of radius a = 0.25 mm and length 1 mm, uniform curved tetrahedra, both 3-D models, against
 the exact duct: the largest error of Y₁₁ and Y₁₂ relative to |Y₁₁|. At low frequency Poiseuille's profile lies in the
@@ -51,7 +51,7 @@ def tubes(quick: bool) -> Subject:
     steps = (1.0, 0.707, 0.5) if quick else (1.0, 0.707, 0.5, 0.354, 0.25)
     models: tuple[tuple[Physics, str], ...] = (("navier-stokes", "Navier-Stokes"), ("helmholtz", "lossy Helmholtz"))
     frequency = np.array([1.0, 100.0, 2000.0])
-    exact = duct.port_admittance(_RADIUS * 1e-3, _LENGTH * 1e-3, frequency, AIR)
+    exact = plane_wave.port_admittance(_RADIUS * 1e-3, _LENGTH * 1e-3, frequency, AIR)
     studies = []
     for physics, name in models:
         levels: dict[str, list[Level]] = {"1 and 100 Hz": [], "2 kHz": []}

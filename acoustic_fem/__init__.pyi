@@ -1,0 +1,18 @@
+from . import (
+    batch as batch,
+    calibration as calibration,
+    cavity as cavity,
+    cell as cell,
+    duct as duct,
+    fields as fields,
+    library as library,
+    membrane as membrane,
+    network as network,
+    numerics as numerics,
+    quantities as quantities,
+    sound as sound,
+)
+from .library.file import LibraryError as LibraryError, load as load, save as save
+from .library.result import FIDELITIES as FIDELITIES, Library as Library
+from .library.solving import solve as solve
+from .quantities.medium import Medium as Medium

@@ -1,0 +1,8 @@
+from .network import batch_response as batch_response, batch_transfer_function as batch_transfer_function
+from .numpy_or_torch import namespace as namespace
+from .parameters import (
+    ArrayParameters as ArrayParameters,
+    MediumParameters as MediumParameters,
+    design_air as design_air,
+)
+from .topology import Topology as Topology

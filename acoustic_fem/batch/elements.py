@@ -1,0 +1,192 @@
+"""Tubes, cavities, membranes and microphones in closed form on batches: (n_design, n_column, n_freq) arrays.
+
+The same models as the lumped fidelity (:mod:`acoustic_fem.duct`, :mod:`acoustic_fem.duct.opening`,
+:mod:`acoustic_fem.cavity`, :mod:`acoustic_fem.network.microphone`), with their sources and validity, arranged so that
+nothing cancels at low frequency: a tube is a series admittance and a shunt at each end, not a matrix Y.
+"""
+
+from __future__ import annotations
+
+import warnings
+from dataclasses import dataclass, fields
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from acoustic_fem.batch.interpolation import cylinder_means, disc_means
+from acoustic_fem.batch.means import ball_mean, hyperbolic
+from acoustic_fem.batch.numpy_or_torch import Array, inverse, joined, largest, namespace
+from acoustic_fem.batch.parameters import ArrayParameters, MediumParameters
+from acoustic_fem.duct.opening import INERTANCE, LARGEST_SHEAR_NUMBER, RESISTANCE
+from acoustic_fem.quantities.medium import Medium
+
+#: Largest (f/f_1)^2 at which the membrane's modes are summed as a power series; it has then up to 29 terms.
+_SERIES = 0.25
+
+
+@dataclass(frozen=True, eq=False)
+class Conditions:
+    """Frequencies and air, shaped to broadcast with (n_design, n_column, n_freq).
+
+    Attributes:
+        omega: (n_freq,) rad/s.
+        medium: numbers, or arrays of (n_design, 1, 1).
+        blocks: how many blocks of designs are worked on in this way, one after the other.
+    """
+
+    omega: Array
+    medium: Any
+    blocks: int = 1
+
+    @classmethod
+    def of(cls, omega: Array, medium: Medium | MediumParameters, blocks: int = 1) -> Conditions:
+        """From angular frequencies and the air of all designs or of each."""
+        if isinstance(medium, MediumParameters):
+            values = {field.name: getattr(medium, field.name).reshape(-1, 1, 1) for field in fields(medium)}
+            medium = MediumParameters(**values)
+        return cls(omega, medium, blocks)
+
+    @property
+    def per_viscosity(self) -> Array:
+        """1 / nu, s/m^2."""
+        return self.medium.density / self.medium.viscosity
+
+    @property
+    def per_diffusivity(self) -> Array:
+        """1 / alpha, s/m^2."""
+        return self.medium.density * self.medium.heat_capacity / self.medium.conductivity
+
+    def compliance(self, volume: Array, mean: Array) -> Array:
+        """V (gamma - (gamma - 1) <Psi>) / (gamma p), m^3/Pa."""
+        gamma = self.medium.gamma
+        return volume / self.medium.pressure - (volume * ((gamma - 1) / (gamma * self.medium.pressure))) * mean
+
+
+class Tubes(NamedTuple):
+    """Tubes with the entrance loss of both openings: a series admittance between shunts, m^3/(Pa s)."""
+
+    series: Array
+    shunt: Array
+
+
+class Chambers(NamedTuple):
+    """Microphone chambers.
+
+    Attributes:
+        shunt: admittance of chamber, sound hole and microphone, m^3/(Pa s).
+        ratio: pressure on the microphone per pressure in the chamber.
+        own: pressure on the microphone per volume velocity injected there while the chamber is at zero
+            pressure, Pa s/m^3.
+    """
+
+    shunt: Array
+    ratio: Array
+    own: Array
+
+
+def tubes(parameters: ArrayParameters, air: Conditions) -> Tubes:
+    """Tubes from cavity wall to cavity wall: Zwikker-Kosten ducts between two entrance impedances."""
+    radius, length = parameters.tube_radius[..., None], parameters.tube_length[..., None]
+    total, across, rise, ratio = _duct(radius, length, air)
+    entrance = _entrance(radius, air)
+    # chain matrix [[1 + a, b], [., 1 + a]]: a = cosh - 1 + Ze Y sinh, b = Z sinh + Ze (1 + a + cosh)
+    inward = entrance * across * ratio
+    excess = rise + inward
+    series = inverse(total * ratio + entrance * (2 + rise + excess))
+    return Tubes(series, excess * series)
+
+
+def points(parameters: ArrayParameters, air: Conditions) -> Array:
+    """Admittance of cavities and their membranes, m^3/(Pa s)."""
+    cavity = _cylinder(parameters.cavity_radius[..., None], parameters.cavity_height[..., None], air)
+    modes = parameters.membrane_frequency
+    kept = max(0, modes.shape[-1] - 3)  # the last two correct the statics
+    highest, limit = largest(air.omega) / (2 * np.pi), 1 / largest(1 / modes[..., kept]) / 2
+    if highest > limit:
+        warnings.warn(
+            f"membrane: {highest:.4g} Hz is above half of the highest mode that is kept ({2 * limit:.4g} Hz in vacuo)",
+            stacklevel=4,
+        )
+    membrane = _modes(parameters, air) * parameters.membrane_compliance[..., None]
+    return 1j * air.omega * (cavity + membrane)
+
+
+def _modes(parameters: ArrayParameters, air: Conditions) -> Array:
+    """Sum of share / (1 - (f/f_k)^2 + j eta) over the modes, (n_design, n_column, n_freq).
+
+    Well below the first mode it is a power series in f^2 with moments of the modes: a product of matrices.
+    """
+    modes, shares, loss = parameters.membrane_frequency, parameters.membrane_share, parameters.membrane_loss[..., None]
+    highest = largest(air.omega) / (2 * np.pi)
+    square = (air.omega / (2 * np.pi * highest)) ** 2
+    places = (highest / modes) ** 2
+    ratio = largest(places)
+    if ratio > _SERIES:
+        real, imag = 0.0, 0.0
+        for mode in range(modes.shape[-1]):
+            dynamic = 1 - square * places[..., mode, None]
+            weight = shares[..., mode, None] / (dynamic * dynamic + loss * loss)
+            real, imag = real + weight * dynamic, imag + weight
+        return joined(real, -loss * imag)
+    xp, terms = namespace(modes), int(np.ceil(np.log(1e-17) / np.log(max(ratio, 1e-17))))
+    factor = 1 / (1 + 1j * loss)
+    moments, rising = shares * factor, [square * 0 + 1]
+    series = [moments.sum(-1)]
+    for _ in range(terms):
+        moments = moments * (places * factor)
+        series.append(moments.sum(-1))
+        rising.append(rising[-1] * square)
+    coefficients, powers = xp.stack(series, -1), xp.stack(rising, 0)
+    return joined(coefficients.real @ powers, coefficients.imag @ powers)
+
+
+def chambers(parameters: ArrayParameters, air: Conditions) -> Chambers:
+    """Chambers with sound hole, diaphragm, vent and back volume."""
+    rate = 1j * air.omega
+    chamber = _cylinder(parameters.chamber_radius[..., None], parameters.chamber_height[..., None], air)
+    volume = parameters.back_volume[..., None]
+    sphere = (3 * volume / (4 * np.pi)) ** (1 / 3)
+    back = rate * air.compliance(volume, ball_mean(0.5, sphere**2 * air.per_diffusivity * air.omega))
+    front = rate * parameters.diaphragm_compliance[..., None] + parameters.vent_admittance[..., None]
+    load = back * front / (back + front)
+
+    radius, length = parameters.hole_radius[..., None], parameters.hole_length[..., None]
+    total, across, rise, ratio = _duct(radius, length, air)
+    entrance = _entrance(radius, air)
+    inward = across * ratio
+    through = total * ratio + entrance * (1 + rise)
+    opening = inverse(1 + rise + entrance * inward + through * load)
+    return Chambers(rate * chamber + (inward + (1 + rise) * load) * opening, opening, through * opening)
+
+
+def _duct(radius: Array, length: Array, air: Conditions) -> tuple[Array, Array, Array, Array]:
+    """Z' L, Y' L, cosh(G L) - 1 and sinh(G L) / (G L)."""
+    square = radius * radius
+    section = np.pi * square
+    viscous, thermal = (
+        disc_means(square * rate, air.omega, air.blocks) for rate in (air.per_viscosity, air.per_diffusivity)
+    )
+    impedance = (air.medium.density * length / section) * (1j * air.omega) / viscous
+    admittance = (1j * air.omega) * air.compliance(section * length, thermal)
+    return impedance, admittance, *hyperbolic(impedance * admittance)
+
+
+def _entrance(radius: Array, air: Conditions) -> Array:
+    """Z = 1.5 mu / a^3 + j w 0.42 rho / a, with the warning of :func:`acoustic_fem.duct.opening.entrance_impedance`."""
+    shear = (largest(radius * radius * air.per_viscosity) * largest(air.omega)) ** 0.5
+    if shear > LARGEST_SHEAR_NUMBER:
+        warnings.warn(
+            f"entrance loss of a tube: shear number a sqrt(w/nu) = {shear:.2g} is above {LARGEST_SHEAR_NUMBER:g}, "
+            f"the largest it is fit for (bore radius {largest(radius) * 1e3:.3g} mm, up to "
+            f"{largest(air.omega) / (2 * np.pi):.4g} Hz)",
+            stacklevel=5,
+        )
+    resistance = (RESISTANCE * air.medium.viscosity) / radius**3
+    return resistance + (1j * air.omega) * (INERTANCE * air.medium.density / radius)
+
+
+def _cylinder(radius: Array, height: Array, air: Conditions) -> Array:
+    """Compliance of closed cylinders, m^3/Pa."""
+    square = radius * radius
+    mean = cylinder_means(square * air.per_diffusivity, height / (2 * radius), air.omega, air.blocks)
+    return air.compliance(np.pi * square * height, mean)

@@ -1,0 +1,263 @@
+"""Responses of many designs at once, with gradients: the lumped network on NumPy arrays or torch tensors.
+
+Nodes are the cavities and the microphone chambers. A chain is folded from both ends, one point at a time, by
+the star-mesh rule on series and shunt admittances, which only adds, multiplies and divides numbers of
+positive real part: no cancellation, also where all pressures become equal at low frequency. The cost is
+proportional to the number of points; designs, frequencies and lines of equal length are vectorised.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, fields
+from functools import partial
+from types import ModuleType
+from typing import Any, NamedTuple
+
+from numpy.typing import ArrayLike
+
+from acoustic_fem.batch.elements import Chambers, Conditions, Tubes, chambers, points, tubes
+from acoustic_fem.batch.numpy_or_torch import Array, inverse
+from acoustic_fem.batch.parameters import ArrayParameters, MediumParameters, check_medium, check_parameters
+from acoustic_fem.batch.topology import LineWiring, Topology
+from acoustic_fem.quantities.checks import frequency_grid
+from acoustic_fem.quantities.medium import Medium
+
+#: Values per array worked on at once (designs x points x frequencies): larger leaves the processor's cache.
+_CHUNK = 100_000
+#: Values in one call from which on torch forgets what lies between and computes it again for the gradient:
+#: a graph takes about 1.5 kB per value.
+_LARGEST_GRAPH = 1_500_000
+
+
+@dataclass(frozen=True, eq=False)
+class BatchResponse:
+    """Pressures per unit volume velocity injected at one membrane or microphone, Pa s/m^3, complex128.
+
+    Attributes:
+        source_response: (n_design, n_point, n_microphone, n_freq), pressure on the microphones.
+        point_impedance: (n_design, n_point, n_freq), pressure in the cavity of the same point.
+        microphone_impedance: (n_design, n_microphone, n_microphone, n_freq), pressure on one microphone per
+            volume velocity injected at the front of another.
+    """
+
+    source_response: Array
+    point_impedance: Array
+    microphone_impedance: Array
+
+    @property
+    def transfer_function(self) -> Array:
+        """(n_design, n_point, n_microphone, n_freq) microphone pressure per pressure in the touched cavity."""
+        return self.source_response * inverse(self.point_impedance)[:, :, None]
+
+
+def batch_transfer_function(
+    parameters: ArrayParameters, topology: Topology, frequency: ArrayLike, medium: Medium | MediumParameters
+) -> Array:
+    """Transfer functions of a batch of designs; arguments and errors as :func:`batch_response`.
+
+    Returns:
+        (n_design, n_point, n_microphone, n_freq) complex128, Pa/Pa; points line by line.
+    """
+    return batch_response(parameters, topology, frequency, medium).transfer_function
+
+
+def batch_response(
+    parameters: ArrayParameters, topology: Topology, frequency: ArrayLike, medium: Medium | MediumParameters
+) -> BatchResponse:
+    """What ``solve(design, frequency, "lumped")`` computes, for a batch of designs of one topology.
+
+    Torch tensors give tensors and can be differentiated by every parameter and by the air (first derivatives;
+    second ones are refused by torch where they pass through a cavity that is not interpolated,
+    :mod:`acoustic_fem.batch.interpolation`). Large batches are worked on in blocks; with gradients one of more
+    than 1.5 million values (points x frequencies x designs) is computed a second time, block by block, on the
+    way back, so that memory stays that of the results. Validity and warnings as the lumped fidelity.
+
+    Args:
+        parameters: of the designs.
+        topology: their wiring, with the columns the parameters have.
+        frequency: (n_freq,) ascending, 1e-3 to 2e3 Hz; 0 is refused: there all pressures are equal, H = 1.
+        medium: the air of all, or of each design.
+
+    Raises:
+        Refusal: a bad frequency grid, or parameters that do not fit the topology or are out of range.
+    """
+    grid = frequency_grid(frequency)
+    check_parameters(parameters, topology)
+    xp, count = parameters.namespace, parameters.design_count
+    if isinstance(medium, MediumParameters):
+        count = check_medium(medium, count, xp)
+    omega = xp.asarray(2 * math.pi * grid, device=parameters.tube_radius.device)
+    step = max(1, _CHUNK // (topology.point_count * len(grid)))
+    blocks = -(-count // step)
+
+    def block(first: int) -> tuple[Array, Array, Array]:
+        air = Conditions.of(omega, _rows(medium, first, step), blocks)
+        return _respond(_rows(parameters, first, step), topology, air, min(step, count - first))
+
+    work: Callable[[int], tuple[Array, Array, Array]] = block
+    if blocks * _CHUNK > _LARGEST_GRAPH and parameters.needs_gradient:
+        from torch.utils.checkpoint import checkpoint
+
+        work = partial(checkpoint, block, use_reentrant=False)
+    pieces = [work(first) for first in range(0, count, step)]
+    return BatchResponse(*(_joined(xp, dict(enumerate(parts)), 0) for parts in zip(*pieces, strict=True)))
+
+
+class _Chain(NamedTuple):
+    """Lines of equal length between grounded ends; arrays (n_design, n_line, ...).
+
+    Attributes:
+        series: admittance of the whole line between its ends, (n_design, n_line, n_freq).
+        shunts: of the whole line at its first and last end.
+        own: (n_design, n_line, n_point, n_freq) impedance at each point while both ends are at zero pressure.
+        first: pressure at each point per pressure at the first end, the last at zero; shaped as ``own``.
+        last: the same with the ends exchanged.
+    """
+
+    series: Array
+    shunts: tuple[Array, Array]
+    own: Array
+    first: Array
+    last: Array
+
+
+def _respond(
+    parameters: ArrayParameters, topology: Topology, air: Conditions, count: int
+) -> tuple[Array, Array, Array]:
+    xp = parameters.namespace
+    tube = Tubes(*(_all_designs(xp, values, count) for values in tubes(parameters, air)))
+    point = _all_designs(xp, points(parameters, air), count)
+    chamber = Chambers(*(_parts(values, topology.microphones) for values in chambers(parameters, air)))
+    groups: dict[int, list[int]] = {}
+    for number, line in enumerate(topology.lines):
+        groups.setdefault(len(line.points), []).append(number)
+    chains = [(members, _fold(xp, [topology.lines[k] for k in members], tube, point)) for members in groups.values()]
+
+    grounds = [chamber.shunt[:, number] for number in range(len(topology.microphones))]
+    series: dict[tuple[int, int], Array] = {}
+    for members, chain in chains:
+        for place, number in enumerate(members):
+            line, of_line = topology.lines[number], (slice(None), min(place, chain.series.shape[1] - 1))
+            grounds[line.first] = grounds[line.first] + chain.shunts[0][of_line]
+            grounds[line.last] = grounds[line.last] + chain.shunts[1][of_line]
+            _add(series, (min(line.first, line.last), max(line.first, line.last)), chain.series[of_line])
+    impedance = _impedance(xp, grounds, series)
+    received = impedance * chamber.ratio[:, None]  # (design, chamber, microphone, freq)
+
+    sources, at_points = {}, {}
+    for members, chain in chains:
+        ends = [topology.lines[k].first for k in members], [topology.lines[k].last for k in members]
+        near, far = (received[:, end][:, :, None] for end in ends)
+        source = chain.first[:, :, :, None] * near + chain.last[:, :, :, None] * far
+        own, across, opposite = (
+            impedance[:, a, b][:, :, None] for a, b in ((ends[0], ends[0]), (ends[0], ends[1]), (ends[1], ends[1]))
+        )
+        at_point = chain.first * (chain.first * own + chain.last * (2 * across)) + chain.last * chain.last * opposite
+        at_point = chain.own + at_point
+        for place, number in enumerate(members):
+            sources[number], at_points[number] = source[:, place], at_point[:, place]
+    diagonal = xp.eye(len(topology.microphones), dtype=xp.float64, device=air.omega.device)[..., None]
+    at_microphones = received * chamber.ratio[:, :, None] + diagonal * chamber.own[:, None]
+    return _joined(xp, sources, 1), _joined(xp, at_points, 1), at_microphones
+
+
+def _fold(xp: ModuleType, lines: list[LineWiring], tube: Tubes, point: Array) -> _Chain:
+    """Lines with the same number of points, folded from both ends; once for lines that are all alike."""
+    if len({(line.tubes, line.points) for line in lines}) == 1:
+        lines = lines[:1]
+    count = len(lines[0].points)
+    tube_at = [[line.tubes[place] for line in lines] for place in range(count + 1)]
+    series = [_parts(tube.series, columns) for columns in tube_at]
+    shunt = [_parts(tube.shunt, columns) for columns in tube_at]
+    load = [_parts(point, [line.points[place] for line in lines]) for place in range(count)]
+
+    # what lies before each point, as a series admittance to the first end and a ground at the point; the
+    # ground it leaves at the first end
+    before, grounds_before, at_first = [series[0]], [shunt[0] + load[0]], shunt[0]
+    for place in range(count):
+        ground = grounds_before[place] + shunt[place + 1]
+        through, at_next, left = _star_mesh(before[place], ground, series[place + 1])
+        at_first = at_first + left
+        before.append(through)
+        grounds_before.append(at_next + shunt[place + 1] + (load[place + 1] if place + 1 < count else 0))
+    after, grounds_after = [series[count]], [shunt[count]]
+    for place in range(count - 1, 0, -1):
+        through, at_next, _ = _star_mesh(after[-1], grounds_after[-1] + load[place] + shunt[place], series[place])
+        after.append(through)
+        grounds_after.append(at_next + shunt[place])
+
+    near, far = xp.stack(before[:-1], 2), xp.stack(after[::-1], 2)
+    own = inverse(near + far + xp.stack(grounds_before[:-1], 2) + xp.stack(grounds_after[::-1], 2))
+    return _Chain(before[-1], (at_first, grounds_before[-1]), own, near * own, far * own)
+
+
+def _star_mesh(first: Array, ground: Array, last: Array) -> tuple[Array, Array, Array]:
+    """A node with admittances to two others and to ground, eliminated.
+
+    Returns:
+        The admittance between the two, and the grounds left at the last and at the first.
+    """
+    total = inverse(first + ground + last)
+    share = ground * total
+    return first * (last * total), last * share, first * share
+
+
+def _impedance(xp: ModuleType, grounds: list[Array], series: dict[tuple[int, int], Array]) -> Array:
+    """Impedance between nodes with admittances to ground and between them: (n_design, n, n, n_freq).
+
+    Nodes are eliminated from the last to the first and put back, by the star-mesh rule.
+    """
+    grounds, series = list(grounds), dict(series)
+    shares: list[tuple[Array, dict[int, Array]]] = []
+    for node in range(len(grounds) - 1, 0, -1):
+        joined = {other: series.pop((other, node)) for other in range(node) if (other, node) in series}
+        held = inverse(sum(joined.values(), grounds[node]))
+        share = {other: admittance * held for other, admittance in joined.items()}
+        for other, admittance in joined.items():
+            grounds[other] = grounds[other] + share[other] * grounds[node]
+            for third in range(other + 1, node):
+                if third in share:
+                    _add(series, (other, third), admittance * share[third])
+        shares.append((held, share))
+    rows = [[inverse(grounds[0])]]
+    for held, share in reversed(shares):
+        new = [
+            _total([part * rows[max(k, other)][min(k, other)] for other, part in share.items()])
+            for k in range(len(rows))
+        ]
+        own = held + _total([part * new[other] for other, part in share.items()])
+        rows.append([*new, own])
+    size = range(len(rows))
+    return xp.stack([xp.stack([rows[max(i, k)][min(i, k)] for k in size], 1) for i in size], 1)
+
+
+def _total(values: list[Array]) -> Array:
+    return sum(values[1:], values[0])
+
+
+def _add(series: dict[tuple[int, int], Array], pair: tuple[int, int], admittance: Array) -> None:
+    series[pair] = series[pair] + admittance if pair in series else admittance
+
+
+def _parts(values: Array, columns: Sequence[int]) -> Array:
+    """(n_design, n_part, n_freq): the columns of the parts, a view where it is only one part."""
+    return values[:, columns[0] : columns[0] + 1] if len(columns) == 1 else values[:, list(columns)]
+
+
+def _all_designs(xp: ModuleType, values: Array, count: int) -> Array:
+    return xp.broadcast_to(values, (count, *values.shape[1:]))
+
+
+def _joined(xp: ModuleType, arrays: Mapping[int, Array], axis: int) -> Array:
+    """Arrays put after each other in the order of their numbers."""
+    return arrays[0] if len(arrays) == 1 else xp.concatenate([arrays[number] for number in sorted(arrays)], axis)
+
+
+def _rows(values: Any, first: int, step: int) -> Any:
+    """The designs from ``first`` on; what is common to all stays."""
+    if isinstance(values, Medium):
+        return values
+    named = {field.name: getattr(values, field.name) for field in fields(values)}
+    return type(values)(**{k: v if v.shape[0] == 1 else v[first : first + step] for k, v in named.items()})

@@ -1,0 +1,248 @@
+"""What a batch of designs consists of: its wiring, and the numbers of its parts as arrays.
+
+The wiring is common to the batch; the numbers have a leading axis over designs. Parts that are one field of
+the design file (all tubes between points, say) share one column of numbers, so that work is done once per
+column and a derivative is that of the field. :meth:`Topology.individual` gives every part a column of its own.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, fields
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+
+from acoustic_fem.batch.numpy_or_torch import Array, namespace
+from acoustic_fem.batch.topology import Topology, tubes_of_line
+from acoustic_fem.membrane.disc import design_disc
+from acoustic_fem.network.microphone import circuit_elements as elements
+from acoustic_fem.quantities.medium import Medium
+from acoustic_fem.quantities.units import cubic_metres, metres
+from geometry.design.array_design import ArrayDesign
+from geometry.refusal import Refusal
+
+
+@dataclass(frozen=True, eq=False)
+class ArrayParameters:
+    """Numbers of a batch of arrays of one topology: NumPy arrays or torch tensors, float64, SI.
+
+    Attributes:
+        tube_radius: (n_design, n_tube_column) of the bore, m.
+        tube_length: (n_design, n_tube_column) of the bore from cavity wall to cavity wall, m.
+        cavity_radius: (n_design, n_point_column) m.
+        cavity_height: (n_design, n_point_column) m.
+        membrane_compliance: (n_design, n_point_column) static volume compliance, m^3/Pa.
+        membrane_loss: (n_design, n_point_column) loss factor.
+        membrane_share: (n_design, n_point_column, n_mode) share of each mode in that compliance; sum 1.
+        membrane_frequency: (n_design, n_point_column, n_mode) of the modes in vacuo, ascending, Hz. Modes
+            from a design end with two that correct the statics (:class:`acoustic_fem.membrane.DiscSolution`).
+        chamber_radius: (n_design, n_microphone_column) m.
+        chamber_height: (n_design, n_microphone_column) m.
+        hole_radius: (n_design, n_microphone_column) of the sound hole, m.
+        hole_length: (n_design, n_microphone_column) m.
+        diaphragm_compliance: (n_design, n_microphone_column) m^3/Pa.
+        back_volume: (n_design, n_microphone_column) m^3.
+        vent_admittance: (n_design, n_microphone_column) 1/R of the vent, m^3/(Pa s).
+    """
+
+    tube_radius: Array
+    tube_length: Array
+    cavity_radius: Array
+    cavity_height: Array
+    membrane_compliance: Array
+    membrane_loss: Array
+    membrane_share: Array
+    membrane_frequency: Array
+    chamber_radius: Array
+    chamber_height: Array
+    hole_radius: Array
+    hole_length: Array
+    diaphragm_compliance: Array
+    back_volume: Array
+    vent_admittance: Array
+
+    @classmethod
+    def from_design(cls, design: ArrayDesign, medium: Medium | None = None) -> ArrayParameters:
+        """The numbers of one design, n_design = 1, as NumPy arrays in the columns of :meth:`Topology.of`.
+
+        Args:
+            design: the array.
+            medium: the air, of which diaphragm and vent depend; by default that of the design.
+        """
+        return cls.from_designs([design], medium)
+
+    @classmethod
+    def from_designs(cls, designs: Sequence[ArrayDesign], medium: Medium | None = None) -> ArrayParameters:
+        """The same for several designs of one topology.
+
+        Raises:
+            Refusal: no design, designs that are wired in different ways, a cavity that is no cylinder, or a
+                pre-stretched membrane with loss.
+        """
+        if not designs:
+            raise Refusal("designs is empty; a batch needs at least one")
+        topology = Topology.of(designs[0])
+        for number, design in enumerate(designs):
+            if Topology.of(design) != topology:
+                raise Refusal(f"designs.{number} ({design.name}) is not wired as designs.0 ({designs[0].name})")
+        rows = [_row(design, medium or design_air(design)) for design in designs]
+        return cls(**{name: np.array([row[name] for row in rows], dtype=np.float64) for name in rows[0]})
+
+    @property
+    def design_count(self) -> int:
+        """Number of designs, the longest leading axis; a field with one row is common to all."""
+        return max(int(getattr(self, field.name).shape[0]) for field in fields(self))
+
+    @property
+    def namespace(self) -> ModuleType:
+        """``numpy`` or ``torch``."""
+        return namespace(self.tube_radius)
+
+    @property
+    def needs_gradient(self) -> bool:
+        """Whether any of the numbers is a tensor that torch follows."""
+        return any(getattr(getattr(self, field.name), "requires_grad", False) for field in fields(self))
+
+    def map(self, function: Callable[[Array], Array]) -> ArrayParameters:
+        """The parameters with a function applied to every field."""
+        return ArrayParameters(**{field.name: function(getattr(self, field.name)) for field in fields(self)})
+
+    def tensors(self, requires_grad: bool = False) -> ArrayParameters:
+        """The same as torch tensors of their own."""
+        import torch
+
+        return self.map(lambda values: torch.tensor(values, dtype=torch.float64, requires_grad=requires_grad))
+
+    def individual(self, topology: Topology) -> ArrayParameters:
+        """The columns repeated for every part, as :meth:`Topology.individual` has them."""
+        part_columns: Mapping[str, list[int]] = {
+            "tube": [column for line in topology.lines for column in line.tubes],
+            "point": [column for line in topology.lines for column in line.points],
+            "microphone": list(topology.microphones),
+        }
+        return ArrayParameters(
+            **{field.name: getattr(self, field.name)[:, part_columns[PART[field.name]]] for field in fields(self)}
+        )
+
+
+#: Which part each parameter belongs to.
+PART = {
+    field.name: {"tube": "tube", "cavity": "point", "membrane": "point"}.get(field.name.split("_")[0], "microphone")
+    for field in fields(ArrayParameters)
+}
+
+
+@dataclass(frozen=True, eq=False)
+class MediumParameters:
+    """A gas for each design, as arrays or tensors (n_design,); fields as :class:`acoustic_fem.quantities.Medium`."""
+
+    density: Array
+    viscosity: Array
+    conductivity: Array
+    heat_capacity: Array
+    gamma: Array
+    pressure: Array
+
+    @classmethod
+    def from_media(cls, media: Sequence[Medium]) -> MediumParameters:
+        """From one medium per design, as NumPy arrays."""
+        return cls(**{f.name: np.array([getattr(medium, f.name) for medium in media]) for f in fields(Medium)})
+
+
+def check_parameters(parameters: ArrayParameters, topology: Topology) -> None:
+    """Shapes, kinds and ranges of the numbers against the topology.
+
+    Raises:
+        Refusal: with the field, what it is and what it must be.
+    """
+    columns = {
+        "tube": 1 + max(column for line in topology.lines for column in line.tubes),
+        "point": 1 + max(column for line in topology.lines for column in line.points),
+        "microphone": 1 + max(topology.microphones),
+    }
+    xp, count = parameters.namespace, parameters.design_count
+    for field in fields(parameters):
+        values = getattr(parameters, field.name)
+        if namespace(values) is not xp:
+            raise Refusal(f"{field.name} is a {type(values).__name__}; all fields must be arrays of {xp.__name__}")
+        if values.dtype != xp.float64:
+            raise Refusal(f"{field.name} is {values.dtype}; it must be float64")
+        shape, needed = tuple(values.shape), columns[PART[field.name]]
+        more = ", n_mode" if field.name in ("membrane_share", "membrane_frequency") else ""
+        if len(shape) != (3 if more else 2) or shape[0] not in (1, count) or shape[1] != needed:
+            raise Refusal(
+                f"{field.name} has shape {shape}; it must be ({count}, {needed}{more}) or (1, {needed}{more})"
+            )
+        may_vanish = field.name in ("membrane_loss", "membrane_share")
+        fits = xp.isfinite(values) & ((values >= 0) if may_vanish else (values > 0))
+        if not bool(fits.all()):
+            bound = "at least 0" if may_vanish else "above 0"
+            raise Refusal(f"{field.name} = {float(values[~fits].flatten()[0]):g} must be finite and {bound}")
+    modes = tuple(parameters.membrane_share.shape)[2], tuple(parameters.membrane_frequency.shape)[2]
+    if modes[0] != modes[1] or modes[0] == 0:
+        raise Refusal(
+            f"membrane_share has {modes[0]} modes and membrane_frequency {modes[1]}; both need the same, >= 1"
+        )
+
+
+def check_medium(medium: MediumParameters, count: int, xp: ModuleType) -> int:
+    """Shapes and kinds of a gas for each design; returns the number of designs.
+
+    Raises:
+        Refusal: with the field, what it is and what it must be.
+    """
+    sizes = {tuple(getattr(medium, field.name).shape) for field in fields(medium)}
+    rows = max(max(size, default=0) for size in sizes)
+    for field in fields(medium):
+        values = getattr(medium, field.name)
+        if namespace(values) is not xp or values.dtype != xp.float64:
+            raise Refusal(f"medium.{field.name} must be a float64 array of {xp.__name__}, as the parameters are")
+        if tuple(values.shape) not in ((1,), (rows,)) or (count > 1 and rows not in (1, count)):
+            raise Refusal(f"medium.{field.name} has shape {tuple(values.shape)}; it must be ({count},) or (1,)")
+        if not bool((xp.isfinite(values) & (values > 0)).all()):
+            raise Refusal(f"medium.{field.name} must be finite and above 0")
+    return max(rows, count)
+
+
+def design_air(design: ArrayDesign) -> Medium:
+    """The air of a design."""
+    return Medium.at(design.air.temperature, design.air.humidity, design.air.pressure)
+
+
+def _row(design: ArrayDesign, medium: Medium) -> dict[str, list[Any]]:
+    tubes = list(tubes_of_line(design).values())
+    disc = design_disc(design)
+    loss = design.material(design.membrane.material).loss_factor
+    if np.any(disc.model.geometric) and loss > 0:
+        raise Refusal(
+            f"membrane.stretch = {design.membrane.stretch:g} must be 1 in a batch: the tension has no loss, so the "
+            f"modes do not share the loss factor {loss:g} of {design.membrane.material!r}; solve() takes it"
+        )
+    if design.resonator.shape != "cylinder":
+        raise Refusal(
+            f"resonator.shape = {design.resonator.shape!r} must be 'cylinder' in a batch, which has closed forms only; "
+            "solve() takes it at every fidelity"
+        )
+    share = disc.model.swept**2 / disc.model.eigenvalues
+    mode_frequency = np.sqrt(disc.model.eigenvalues * disc.modulus / disc.density) / (2 * np.pi * disc.opening)
+    microphone = design.microphone
+    diaphragm, _, vent = elements(microphone, microphone.vent_corner, medium)
+    return {
+        "tube_radius": [metres(tube.inner_diameter) / 2 for tube in tubes],
+        "tube_length": [metres(tube.length) for tube in tubes],
+        "cavity_radius": [metres(design.resonator.cavity_diameter) / 2],
+        "cavity_height": [metres(design.resonator.cavity_height)],
+        "membrane_compliance": [float(share.sum()) * disc.opening**3 / disc.modulus],
+        "membrane_loss": [loss],
+        "membrane_share": [share / share.sum()],
+        "membrane_frequency": [mode_frequency],
+        "chamber_radius": [metres(microphone.chamber_diameter) / 2],
+        "chamber_height": [metres(microphone.chamber_height)],
+        "hole_radius": [metres(microphone.sound_hole_diameter) / 2],
+        "hole_length": [metres(microphone.sound_hole_length)],
+        "diaphragm_compliance": [diaphragm],
+        "back_volume": [cubic_metres(microphone.back_volume)],
+        "vent_admittance": [vent],
+    }

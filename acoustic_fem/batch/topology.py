@@ -1,0 +1,115 @@
+"""How the lines of a batch are wired: what all its designs have in common."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Any
+
+from geometry.design.array_design import ArrayDesign
+from geometry.refusal import Refusal
+from geometry.stated.parts import Tube
+
+
+@dataclass(frozen=True)
+class LineWiring:
+    """A chain of points between two microphones; tubes and points are columns of the parameters.
+
+    Attributes:
+        first: index of the microphone at its first end.
+        last: index of the microphone at its second end.
+        tubes: (n_point + 1) columns of its tubes, from the first microphone to the second.
+        points: (n_point) columns of its points.
+    """
+
+    first: int
+    last: int
+    tubes: tuple[int, ...]
+    points: tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class Topology:
+    """The wiring of an array; points are numbered line by line.
+
+    Attributes:
+        microphones: per microphone its column of the parameters.
+        lines: the lines.
+        tube_names: what each column of tubes is.
+    """
+
+    microphones: tuple[int, ...]
+    lines: tuple[LineWiring, ...]
+    tube_names: tuple[str, ...]
+
+    def __post_init__(self) -> None:
+        count = len(self.microphones)
+        reached = {0}
+        for number, line in enumerate(self.lines):
+            if not (0 <= line.first < count and 0 <= line.last < count) or line.first == line.last:
+                raise Refusal(
+                    f"lines.{number} joins microphones {line.first} and {line.last}; must be two of 0 to {count - 1}"
+                )
+            if not line.points or len(line.tubes) != len(line.points) + 1:
+                raise Refusal(
+                    f"lines.{number} has {len(line.points)} points and {len(line.tubes)} tubes; "
+                    f"it must have at least one point and one tube more than points"
+                )
+        for _ in self.lines:
+            reached |= {
+                end for line in self.lines if reached & {line.first, line.last} for end in (line.first, line.last)
+            }
+        if len(reached) < count:
+            raise Refusal(f"microphone {min(set(range(count)) - reached)} is not joined to microphone 0 by lines")
+
+    @classmethod
+    def of(cls, design: ArrayDesign) -> Topology:
+        """The wiring of a design.
+
+        One column for each tube of the design file that is in use, one for all points, one for all microphones.
+        """
+        names = tuple(tubes_of_line(design))
+        columns = {name: column for column, name in enumerate(names)}
+        lines = []
+        for number, line in enumerate(design.lines):
+            outer, inner = (columns.get(name, -1) for name in _tube_names(design, number))
+            tubes = (outer, *(inner,) * (line.points - 1), outer)
+            first, last = (design.microphones.index(name) for name in line.between)
+            lines.append(LineWiring(first, last, tubes, (0,) * line.points))
+        return cls((0,) * len(design.microphones), tuple(lines), names)
+
+    @property
+    def point_count(self) -> int:
+        """Number of points."""
+        return sum(len(line.points) for line in self.lines)
+
+    def individual(self) -> Topology:
+        """The same wiring with a column for every tube, point and microphone, in the order of the lines."""
+        lines, names = [], []
+        tube = point = 0
+        for number, line in enumerate(self.lines):
+            size = len(line.points)
+            tubes, points = tuple(range(tube, tube + size + 1)), tuple(range(point, point + size))
+            lines.append(replace(line, tubes=tubes, points=points))
+            names += [f"lines.{number} tube {k}" for k in range(size + 1)]
+            tube, point = tube + size + 1, point + size
+        return Topology(tuple(range(len(self.microphones))), tuple(lines), tuple(names))
+
+
+def _tube_names(design: ArrayDesign, number: int) -> tuple[str, str]:
+    """Where the design file states a line's tubes: to its microphones, and between its points."""
+    line = design.lines[number]
+    return (
+        "microphone_tube" if line.microphone_tube is None else f"lines.{number}.microphone_tube",
+        "tube" if line.tube is None else f"lines.{number}.tube",
+    )
+
+
+def tubes_of_line(design: ArrayDesign) -> dict[str, Tube]:
+    """The tubes in use, by the name of their field."""
+    tubes: dict[str, Any] = {}
+    for number, line in enumerate(design.lines):
+        outer, inner = _tube_names(design, number)
+        tubes[outer] = design.microphone_tube_of(line)
+        if line.points > 1:
+            tubes[inner] = design.tube_of(line)
+    return tubes

@@ -1,0 +1,241 @@
+"""What a model fitted to measurements is: its priors, its fitted values and their posterior."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, fields, replace
+from functools import cached_property
+from typing import Any, Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from acoustic_fem.batch.network import batch_transfer_function
+from acoustic_fem.batch.numpy_or_torch import namespace
+from acoustic_fem.batch.parameters import ArrayParameters
+from acoustic_fem.batch.topology import Topology
+from acoustic_fem.calibration.model_discrepancy import TOTAL
+from acoustic_fem.library.result import Library
+from acoustic_fem.network.microphone import vent_ratio
+from acoustic_fem.quantities.checks import in_range
+from geometry.design.array_design import ArrayDesign
+
+Array = NDArray[np.float64]
+
+
+Complex = NDArray[np.complex128]
+
+
+#: A combination of parameters counts as determined where the data say more of it than the prior.
+_DETERMINED = 1.0
+
+
+_STEP = 1e-3  # of the central differences, in standard deviations
+
+
+@dataclass(frozen=True)
+class Priors:
+    """Standard deviations of the logarithms of the parameters before anything was measured."""
+
+    bore: float = 0.05
+    """Of each tube."""
+    compliance: float = 0.12
+    """Of each node: of its membrane, which stands for its cavity too."""
+    modulus: float = 0.15
+    """Of all membranes together."""
+    loss: float = 0.3
+    """Of the loss factor of all membranes."""
+    gain: float = 0.05
+    """Of each microphone against the reference."""
+    corner: float = 0.10
+    """Of the high-pass of each microphone."""
+    chamber: float = 0.10
+    """Of the volume of each microphone's chamber."""
+
+    def __post_init__(self) -> None:
+        for field in fields(self):
+            in_range(f"priors.{field.name}", getattr(self, field.name), 1e-6, 1.0)
+
+
+class UpdatedModel:
+    """The family of sensors among which the made one is looked for.
+
+    Args:
+        nominal: library of the nominal design, of any fidelity.
+        priors: of the parameters.
+
+    Raises:
+        Refusal: a design that the lumped batch does not take.
+    """
+
+    def __init__(self, nominal: Library, priors: Priors | None = None) -> None:
+        design: ArrayDesign = nominal.design
+        self.library, self.priors = nominal, priors or Priors()
+        self.frequency = nominal.frequency
+        shared = Topology.of(design)
+        self.topology = shared.individual()
+        self.nominal_parameters = ArrayParameters.from_design(design, nominal.medium).individual(shared)
+        self._vent = vent_ratio(design.microphone, self.frequency, nominal.medium)
+        tubes, points = self.nominal_parameters.tube_radius.shape[1], self.nominal_parameters.cavity_radius.shape[1]
+        microphones = len(design.microphones)
+        #: Group -> how many parameters it has, in the order of the vector.
+        self.sizes: Mapping[str, int] = {
+            "bore": tubes,
+            "compliance": points,
+            "modulus": 1,
+            "loss": 1,
+            "gain": microphones,
+            "corner": microphones,
+            "chamber": microphones,
+        }
+        #: What each parameter is of.
+        self.names = (
+            *(f"bore of {name}" for name in self.topology.tube_names),
+            *(f"compliance of point {number + 1}" for number in range(points)),
+            "modulus of all membranes",
+            "loss factor of all membranes",
+            *(f"gain of microphone {name}" for name in design.microphones),
+            *(f"high-pass of microphone {name}" for name in design.microphones),
+            *(f"chamber of microphone {name}" for name in design.microphones),
+        )
+        h = nominal.transfer_function.transpose("point", "microphone", "frequency").values
+        #: (count,) logarithm of a parameter's factor per standard deviation of its prior.
+        self.scale = np.repeat([getattr(self.priors, name) for name in self.sizes], list(self.sizes.values()))
+        self._ratio = h / self._lumped(np.zeros((1, self.count)))[0]
+
+    @property
+    def count(self) -> int:
+        """Number of parameters."""
+        return sum(self.sizes.values())
+
+    def transfer_function(self, u: Any) -> Any:
+        """Transfer functions of sensors with parameters u; NumPy arrays, or torch tensors that can be differentiated.
+
+        Args:
+            u: (n_sensor, count) float64, in standard deviations of the priors.
+
+        Returns:
+            (n_sensor, n_point, n_microphone, n_freq) complex128, Pa/Pa.
+        """
+        return self._lumped(u) * namespace(u).asarray(self._ratio)
+
+    def _lumped(self, u: Any) -> Any:
+        xp = namespace(u)
+        nominal = self.nominal_parameters.map(xp.asarray)
+        factor: dict[str, Any] = {}
+        first = 0
+        for name, size in self.sizes.items():
+            factor[name] = xp.exp(getattr(self.priors, name) * u[:, first : first + size])
+            first += size
+        stiffness = factor["modulus"]
+        parameters = replace(
+            nominal,
+            tube_radius=nominal.tube_radius * factor["bore"],
+            membrane_compliance=nominal.membrane_compliance * factor["compliance"] / stiffness,
+            membrane_frequency=nominal.membrane_frequency * xp.sqrt(stiffness)[:, :, None],
+            membrane_loss=nominal.membrane_loss * factor["loss"],
+            chamber_height=nominal.chamber_height * factor["chamber"],
+            vent_admittance=nominal.vent_admittance * factor["corner"],
+        )
+        h = batch_transfer_function(parameters, self.topology, self.frequency, self.library.medium)
+        vent = xp.asarray(self._vent)
+        # the microphone's high-pass by the nominal one
+        passed = (1 + vent) / (factor["corner"][:, :, None] + vent)
+        return h * (factor["gain"][:, :, None] * passed)[:, None]
+
+    def jacobian(self, u: Array) -> Complex:
+        """(count, n_point, n_microphone, n_freq) derivatives at u, by central differences of one batch."""
+        steps = _STEP * np.eye(self.count)
+        h = self.transfer_function(np.concatenate([u + steps, u - steps]))
+        return np.asarray((h[: self.count] - h[self.count :]) / (2 * _STEP))
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Posterior:
+    """The most probable sensor of a family, and how far it is known."""
+
+    model: UpdatedModel
+    parameters: Array
+    """(count,) in standard deviations of the priors."""
+    covariance: Array
+    """(count, count) of them after the measurement."""
+    eigenvalues: Array
+    """(count,) ascending: what the data say of a combination, by what the prior says."""
+    directions: Array
+    """(count, count) those combinations, in columns."""
+
+    @classmethod
+    def of(cls, model: UpdatedModel, parameters: Array, information: Array, **rest: Any) -> Self:
+        """At the most probable parameters, from what the data say of them, (count, count), by what the priors say."""
+        eigenvalues, directions = np.linalg.eigh(information)
+        return cls(
+            model=model,
+            parameters=parameters,
+            covariance=np.asarray(np.linalg.inv(information + np.eye(model.count)), np.float64),
+            eigenvalues=np.maximum(eigenvalues, 0),
+            directions=np.asarray(directions, np.float64),
+            **rest,
+        )
+
+    @property
+    def ratios(self) -> dict[str, tuple[float, float]]:
+        """Parameter -> factor by which it differs from nominal, and the standard deviation of its logarithm."""
+        scale = self.model.scale
+        known = np.sqrt(np.diag(self.covariance))
+        values = zip(self.model.names, np.exp(scale * self.parameters), scale * known, strict=True)
+        return {name: (float(value), float(deviation)) for name, value, deviation in values}
+
+    @property
+    def farthest(self) -> str:
+        """The parameters farthest off, at most three: "gain of microphone A x 1.41, 6.9 deviations"."""
+        order = np.argsort(-np.abs(self.parameters))[:3]
+        names, ratios = self.model.names, self.ratios
+        return "; ".join(
+            f"{names[k]} x {ratios[names[k]][0]:.2f}, {abs(self.parameters[k]):.1f} deviations"
+            for k in order
+            if abs(self.parameters[k]) > abs(self.parameters[order[0]]) / 2
+        )
+
+    @property
+    def undetermined(self) -> tuple[str, ...]:
+        """Combinations of parameters of which the data say less than the priors, the least known first.
+
+        Each names its parts with a weight of at least a third of the largest, at most six.
+        """
+        texts = []
+        for value, direction in zip(self.eigenvalues, self.directions.T, strict=True):
+            if value >= _DETERMINED:
+                break
+            order = np.argsort(-np.abs(direction))[:6]
+            kept = [k for k in order if abs(direction[k]) >= abs(direction[order[0]]) / 3]
+            sign = np.sign(direction[kept[0]])
+            terms = [f"{sign * direction[k]:+.2f} {self.model.names[k]}" for k in kept]
+            texts.append(" ".join(terms))
+        return tuple(texts)
+
+    def summary(self) -> dict[str, Any]:
+        """Plain values for a report."""
+        return {
+            "parameters": {
+                name: {"ratio": ratio, "log_deviation": known} for name, (ratio, known) in self.ratios.items()
+            },
+            "determined_combinations": int((self.eigenvalues >= _DETERMINED).sum()),
+            "undetermined_combinations": list(self.undetermined),
+        }
+
+    @cached_property
+    def transfer_function(self) -> Complex:
+        """(n_point, n_microphone, n_freq) of the most probable sensor, Pa/Pa."""
+        return np.asarray(self.model.transfer_function(self.parameters[None])[0])
+
+    @cached_property
+    def deviation(self) -> Array:
+        """(n_point, n_microphone, n_freq) standard deviation of its real part, and of its imaginary part.
+
+        By the posterior covariance, to first order, and by what the model is trusted to.
+        """
+        j = self.model.jacobian(self.parameters)
+        flat = j.reshape(len(j), -1)
+        spread = np.einsum("af,ab,bf->f", flat.conj(), self.covariance, flat, optimize=True).real
+        h = np.abs(self.transfer_function)
+        return np.asarray(np.sqrt(spread.reshape(h.shape) / 2 + (TOTAL * h) ** 2 / 2))

@@ -1,0 +1,126 @@
+"""The manifest of a calibration: which recording is of which point, and what its channels are.
+
+::
+
+    design = "array-2x6"          # a prototype, or a design file beside the manifest
+    [channels]                    # of WAV files and matrices, from 1; by default in this order
+    reference = 1                 # the calibration microphone at the touched cavity
+    A = 2
+    B = 3
+    [pascals]                     # of one unit in the files, of full scale in WAV files; by default 1
+    reference = 20.0
+    [started_late]                # s by which a channel's recorder started after the others; by default 0
+    reference = 0.0123
+    [points]
+    1 = "point-01.wav"
+    2 = {reference = "point-02-cavity.wav", A = "point-02-a.csv", B = "point-02-b.wav"}
+"""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated, Any
+
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
+
+from acoustic_fem.sound.estimate import Estimator
+from geometry.design.array_design import ArrayDesign
+from geometry.design.design_file import prototype_names, resolve_design
+from geometry.files.reading import read_text
+from geometry.refusal import Refusal
+
+#: The channel of the calibration microphone.
+REFERENCE = "reference"
+
+_Number = Annotated[float, Field(allow_inf_nan=False)]
+
+
+class ManifestError(Refusal):
+    """A manifest that cannot be used: one line that names the file, the field and the reason."""
+
+
+class _File(BaseModel):
+    model_config = ConfigDict(extra="forbid", strict=True)
+
+    design: str
+    points: dict[str, str | dict[str, str]] = Field(min_length=1)
+    channels: dict[str, Annotated[int, Field(ge=1, le=1024)]] | None = None
+    pascals: dict[str, Annotated[_Number, Field(ge=1e-12, le=1e12)]] = {}
+    started_late: dict[str, Annotated[_Number, Field(ge=-60, le=60)]] = {}
+    estimator: Estimator = "H1"
+    least_coherence: Annotated[_Number, Field(ge=0, lt=1)] = 0.9
+
+
+@dataclass(frozen=True)
+class Manifest:
+    """What was recorded; every mapping over channels has the reference first, then the design's microphones."""
+
+    design: ArrayDesign
+    points: Mapping[int, Mapping[str, Path]]
+    """Point number -> channel -> file; the same file for all where one file holds them."""
+    channels: Mapping[str, int]
+    """Number of the channel in WAV files, from 1."""
+    pascals: Mapping[str, float]
+    """Pa of one unit in the files."""
+    started_late: Mapping[str, float]
+    """s."""
+    estimator: Estimator = "H1"
+    least_coherence: float = 0.9
+    """Median over frequency that the best microphone of a point must reach."""
+
+
+def read_manifest(path: Path) -> Manifest:
+    """Read a manifest; whether its recordings exist and are good is seen when they are read.
+
+    Raises:
+        ManifestError: it cannot be read, is not TOML, lacks a field, or holds an unknown or impossible one.
+        DesignError: the design is no prototype and no valid design file.
+    """
+    path = Path(path)
+    try:
+        file = _File.model_validate(tomllib.loads(read_text(path, "a manifest", ManifestError)))
+    except tomllib.TOMLDecodeError as error:
+        raise ManifestError(f"{path}: is not TOML: {error}") from None
+    except ValidationError as error:
+        raise ManifestError(f"{path}: {_first(error)}") from None
+    design = resolve_design(file.design if file.design in prototype_names() else path.parent / file.design)
+    names = (REFERENCE, *design.microphones)
+    if REFERENCE in design.microphones:
+        raise ManifestError(f"{path}: microphone {REFERENCE!r} of the design has the name of the reference channel")
+    for field, given in (("channels", file.channels), ("pascals", file.pascals), ("started_late", file.started_late)):
+        unknown = [name for name in given or {} if name not in names]
+        if unknown:
+            raise ManifestError(f"{path}: {field}.{unknown[0]} must be one of: {', '.join(names)}")
+    channels = file.channels or {name: number for number, name in enumerate(names, 1)}
+    if set(channels) != set(names) or len(set(channels.values())) < len(names):
+        raise ManifestError(f"{path}: channels must give {', '.join(names)} a number each, all different")
+    points: dict[int, Mapping[str, Path]] = {}
+    for text, files in file.points.items():
+        if not (text.isascii() and text.isdigit() and 1 <= int(text) <= design.point_count) or int(text) in points:
+            raise ManifestError(f"{path}: points.{text} must be a point from 1 to {design.point_count}, each once")
+        by_channel = dict.fromkeys(names, files) if isinstance(files, str) else files
+        if set(by_channel) != set(names):
+            raise ManifestError(
+                f"{path}: points.{text} has files of {', '.join(by_channel)}; it must be one file, or one each of: "
+                f"{', '.join(names)}"
+            )
+        points[int(text)] = {name: path.parent / by_channel[name] for name in names}
+    return Manifest(
+        design,
+        points,
+        {name: channels[name] for name in names},
+        {name: file.pascals.get(name, 1.0) for name in names},
+        {name: file.started_late.get(name, 0.0) for name in names},
+        file.estimator,
+        file.least_coherence,
+    )
+
+
+def _first(error: ValidationError) -> str:
+    found: Mapping[str, Any] = error.errors()[0]
+    where = ".".join(str(part) for part in found["loc"] if part not in ("str", "dict[str,str]"))
+    value = "" if found["type"] in ("missing", "extra_forbidden") else f" = {found['input']!r:.60}"
+    return f"{where}{value}: {found['msg'].lower()}"

@@ -1,0 +1,277 @@
+"""From recordings of a made sensor to a library: transfer functions with their uncertainty, bad recordings by name."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from acoustic_fem.calibration.manifest import REFERENCE, Manifest
+from acoustic_fem.calibration.model_updating import Update
+from acoustic_fem.calibration.recording_checks import (
+    RecordingFault,
+    check_against_model,
+    check_estimate,
+    check_signals,
+    check_steady,
+)
+from acoustic_fem.library.provenance import versions
+from acoustic_fem.library.result import MEASURED, Library, library_from_arrays
+from acoustic_fem.sound.estimate import TransferEstimate, transfer_estimate
+from acoustic_fem.sound.sound_file import Sound, SoundFileError, read_sound
+from geometry.layout.place import lay_out
+from geometry.refusal import Refusal
+
+Array = NDArray[np.float64]
+
+#: Mains frequencies, Hz, whose hum is looked for, and removed where it is found.
+MAINS = (50.0, 60.0)
+#: dB by which hum must stand out of its neighbourhood.
+_HUM = 15.0
+#: Half width of what is taken away around the mains and its harmonics, Hz.
+_HUM_WIDTH = 0.1
+
+
+class CalibrationError(Refusal):
+    """Recordings of which none can be used."""
+
+
+@dataclass(frozen=True)
+class RecordingNote:
+    """What is to be known of the recording of a point."""
+
+    point: int
+    """Number, from 1."""
+    text: str
+    excluded: bool
+    """Whether the recording was left out for it."""
+
+
+@dataclass(frozen=True, eq=False)
+class Calibration:
+    """What the recordings of a sensor say."""
+
+    manifest: Manifest
+    frequency: Array
+    """(n_freq,) Hz."""
+    estimates: Mapping[int, TransferEstimate]
+    """By number of the point, in ascending order; of good recordings only."""
+    findings: tuple[RecordingNote, ...]
+
+    @property
+    def missing(self) -> tuple[int, ...]:
+        """Numbers of the points without a good recording."""
+        return tuple(n for n in range(1, self.manifest.design.point_count + 1) if n not in self.estimates)
+
+    def library(self, model: Library, model_deviation: Array | None = None, fit: Update | None = None) -> Library:
+        """A library like any other: what was measured, and what is known in other ways where it was not.
+
+        Without a fit, points without a good recording are those of the model. With one all points are the fitted
+        sensor's, those that were measured too: measured values are rougher than fitted ones, and a decoder that has
+        some of each prefers points of one kind.
+        Impedances were not measured: the point impedance is the model's, and the source response that times the
+        transfer function. What each point comes from is in ``provenance["calibration"]``.
+
+        Args:
+            model: of the same design, on the same frequencies.
+            model_deviation: (n_point, n_microphone, n_freq) standard deviation of the real part, and of the imaginary
+                part, of the model's transfer functions, Pa/Pa; needed where points are missing and there is no fit.
+            fit: of :func:`acoustic_fem.calibration.model_updating.update`, on the estimates of this calibration.
+
+        Raises:
+            Refusal: a model of another design or other frequencies, a fit with an objection, or points without a
+                recording, a fit and a deviation.
+        """
+        _check_model(model, self.manifest, self.frequency)
+        if fit is not None and fit.objection is not None:
+            raise Refusal(f"fit must have no objection: {fit.objection}")
+        h = model.transfer_function.transpose("point", "microphone", "frequency").values.copy()
+        if fit is not None:
+            h, deviation = fit.transfer_function.copy(), fit.deviation.copy()
+        elif model_deviation is not None:
+            deviation = np.array(model_deviation, dtype=np.float64)
+            if deviation.shape != h.shape:
+                raise Refusal(f"model_deviation has shape {deviation.shape}; it must be {h.shape}")
+        elif self.missing:
+            raise Refusal(f"model_deviation must be given: point {self.missing[0]} has no recording")
+        else:
+            deviation = np.empty(h.shape)
+        if fit is None:
+            for number, estimate in self.estimates.items():
+                h[number - 1], deviation[number - 1] = estimate.transfer_function, estimate.deviation
+        impedance = model.point_impedance.transpose("point", "frequency").values
+        design = self.manifest.design
+        return library_from_arrays(
+            design,
+            lay_out(design),
+            self.frequency,
+            {"transfer_function": h, "source_response": h * impedance[:, None], "point_impedance": impedance},
+            MEASURED,
+            model.medium,
+            {
+                **versions(None, ("numpy", "scipy", "xarray")),
+                "frequency_sha256": hashlib.sha256(self.frequency.tobytes()).hexdigest(),
+                "calibration": {
+                    **self._provenance(),
+                    "other_points": "model" if fit is None else "fitted model, as the measured ones",
+                },
+                "fit": None if fit is None else fit.summary(),
+                "model": {"fidelity": model.fidelity, **model.provenance},
+            },
+            deviation,
+        )
+
+    def _provenance(self) -> dict[str, Any]:
+        return {
+            "estimator": self.manifest.estimator,
+            "measured_points": list(self.estimates),
+            "segments": {str(number): estimate.segments for number, estimate in self.estimates.items()},
+            "findings": [[finding.point, finding.text, finding.excluded] for finding in self.findings],
+        }
+
+
+def calibrate(manifest: Manifest, model: Library, progress: Callable[[str, float], None] | None = None) -> Calibration:
+    """Estimate the transfer functions of all recordings of a manifest; bad ones are left out and named.
+
+    Args:
+        manifest: what was recorded.
+        model: a library of the design on the frequencies that are wanted, against which exchanged channels, reversed
+            polarity and delays are noticed.
+        progress: called with what is being done and the fraction done.
+
+    Raises:
+        Refusal: a model of another design.
+        CalibrationError: no recording can be used; says why the first cannot.
+    """
+    frequency = model.frequency
+    _check_model(model, manifest, frequency)
+    report = progress or (lambda message, fraction: None)
+    expected = model.transfer_function.transpose("point", "microphone", "frequency").values
+    estimates: dict[int, TransferEstimate] = {}
+    findings: list[RecordingNote] = []
+    heard: dict[str, int] = {}
+    for done, number in enumerate(sorted(manifest.points)):
+        report(f"point {number}", done / len(manifest.points))
+        try:
+            estimate, notes, digest = _point(manifest, number, expected, frequency)
+            findings += [RecordingNote(number, note, excluded=False) for note in notes]
+            if digest in heard:  # which of the two it is of, nobody knows
+                same = heard[digest]
+                estimates.pop(same, None)
+                findings += [
+                    RecordingNote(one, f"is the same recording as that of point {other}", excluded=True)
+                    for one, other in ((same, number), (number, same))
+                ]
+            else:
+                estimates[number], heard[digest] = estimate, number
+        except (RecordingFault, SoundFileError) as error:
+            findings.append(RecordingNote(number, str(error), excluded=True))
+    report("done", 1.0)
+    if not estimates:
+        first = findings[0]
+        raise CalibrationError(f"no recording can be used; point {first.point}: {first.text}")
+    return Calibration(manifest, frequency, estimates, tuple(findings))
+
+
+def _point(
+    manifest: Manifest, number: int, expected: NDArray[np.complex128], frequency: Array
+) -> tuple[TransferEstimate, tuple[str, ...], str]:
+    """Estimate and notes of a point, and a hash of its signals.
+
+    Raises:
+        RecordingFault: or SoundFileError, with the reason.
+    """
+    channels, rate, limits = read_point(manifest, number)
+    check_signals(channels, rate, limits, float(frequency[-1]))
+    samples = min(len(values) for values in channels.values())
+    signals = np.stack([manifest.pascals[name] * values[:samples] for name, values in channels.items()])
+    digest = hashlib.sha256(signals.tobytes()).hexdigest()
+    signals, notes = _without_hum(signals, rate)
+    late = np.array([manifest.started_late[name] for name in channels])
+    turn = np.exp(-2j * np.pi * frequency * (late[1:] - late[0])[:, None])
+    microphones = tuple(manifest.design.microphones)
+    check_steady(signals, rate, frequency, microphones)
+    found = transfer_estimate(signals[0], signals[1:], rate, frequency, manifest.estimator)
+    whole = TransferEstimate(found.transfer_function * turn, found.deviation, found.coherence, found.segments)
+    check_estimate(whole, microphones, manifest.least_coherence)
+    notes += check_against_model(whole, expected, number - 1, frequency, microphones, tuple(manifest.pascals.values()))
+    weak = [name for name, row in zip(microphones, whole.coherence, strict=True) if np.median(row) < 0.5]
+    if weak:
+        notes += (f"coherence of microphone {', '.join(weak)} is below 0.5 at half of the frequencies",)
+    return whole, notes, digest
+
+
+def read_point(manifest: Manifest, number: int) -> tuple[dict[str, Array], float, dict[str, float | None]]:
+    """Channels of a point as they are in its files, their rate in Hz, and the largest values of their formats.
+
+    Raises:
+        RecordingFault: a channel that is not there, a file of one channel given for two, or files of different rates
+            or lengths.
+        SoundFileError: a file that cannot be read.
+    """
+    files = manifest.points[number]
+    sounds: dict[Path, Sound] = {file: read_sound(file) for file in dict.fromkeys(files.values())}
+    alone = len(sounds) > 1
+    for file, sound in sounds.items():
+        given = [f"points.{number}.{name}" for name, one in files.items() if one == file]
+        if alone and len(sound.channels) == 1 and len(given) > 1:
+            raise RecordingFault(f"{' and '.join(given)} are {file.name}, which has one channel; each must be its own")
+    channels = {
+        name: _channel(file, sounds[file], name, manifest.channels[name], alone) for name, file in files.items()
+    }
+    rates = {sounds[file].rate for file in files.values()}
+    if max(rates) > 1.001 * min(rates):
+        stated = ", ".join(f"{name} {sounds[file].rate:g} Hz" for name, file in files.items())
+        raise RecordingFault(f"its files have different sample rates: {stated}")
+    lengths = {name: len(values) for name, values in channels.items()}
+    if max(lengths.values()) > 1.05 * min(lengths.values()):
+        stated = ", ".join(f"{name} {length}" for name, length in lengths.items())
+        raise RecordingFault(f"its files have different numbers of samples: {stated}")
+    return channels, sounds[files[REFERENCE]].rate, {name: sounds[file].full_scale for name, file in files.items()}
+
+
+def _channel(file: Path, sound: Sound, name: str, number: int, alone: bool) -> Array:
+    """A channel of a file, by its name, or where channels have none by its number; a file of one channel is that."""
+    if alone and len(sound.channels) == 1:
+        return next(iter(sound.channels.values()))
+    key = str(number) if sound.numbered else name
+    if key not in sound.channels:
+        raise RecordingFault(f"{file.name} has no channel {key} for {name}, but {', '.join(sound.channels)}")
+    return sound.channels[key]
+
+
+def _without_hum(signals: Array, rate: float) -> tuple[Array, tuple[str, ...]]:
+    """Signals without the mains where it is heard: the same narrow bands are taken from all channels, so that their
+    ratios elsewhere stay as they were.
+    """
+    spectrum = np.fft.rfft(signals)
+    grid = np.fft.rfftfreq(signals.shape[1], 1 / rate)
+    notes: tuple[str, ...] = ()
+    for mains in MAINS:
+        line = np.abs(grid - mains) <= _HUM_WIDTH
+        beside = (np.abs(grid - mains) <= 20 * _HUM_WIDTH) & ~(np.abs(grid - mains) <= 2 * _HUM_WIDTH)
+        if not line.any() or not beside.any():
+            continue
+        power = np.abs(spectrum) ** 2
+        excess = 10 * np.log10(power[:, line].max(1) / np.maximum(power[:, beside].mean(1), 1e-300))
+        if excess.max() > _HUM:
+            harmonics = np.round(grid / mains)
+            spectrum[:, (harmonics >= 1) & (np.abs(grid - harmonics * mains) <= _HUM_WIDTH)] = 0
+            notes += (f"hum of {mains:g} Hz, {excess.max():.0f} dB above its neighbourhood, was removed",)
+    return (np.fft.irfft(spectrum, signals.shape[1]) if notes else signals), notes
+
+
+def _check_model(model: Library, manifest: Manifest, frequency: Array) -> None:
+    design = manifest.design
+    if (model.design.point_count, model.design.microphones) != (design.point_count, design.microphones):
+        raise Refusal(
+            f"model of {model.design.name} with {model.design.point_count} points must be of {design.name} with "
+            f"{design.point_count}"
+        )
+    if not np.array_equal(model.frequency, frequency):
+        raise Refusal("model must have the frequencies of the calibration")

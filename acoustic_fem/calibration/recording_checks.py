@@ -1,0 +1,265 @@
+"""What is wrong with a recording made for calibration: by the signals themselves, and against the model."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from itertools import combinations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from acoustic_fem.calibration.manifest import REFERENCE
+from acoustic_fem.calibration.steadiness import largest_changes
+from acoustic_fem.sound.estimate import TransferEstimate, shortest_record
+from geometry.refusal import Refusal
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+#: Consecutive equal samples at the extreme of a channel that show clipping.
+FLAT = 8
+#: Seconds of equal samples that show a gap.
+GAP = 0.05
+#: Fewer different values than that are too coarse for a transfer function.
+LEAST_LEVELS = 32
+#: dB by which a recording misses the model before another explanation is looked for. Sensors made with the usual
+#: tolerances miss it by 1 to 4 dB.
+MISFIT = 6.0
+#: The other explanation must miss by less than this share of it.
+BETTER = 0.4
+#: Coherence at the quarter of frequencies with the largest transfer function, below which a microphone is deaf.
+DEAF = 0.2
+#: Largest delay between two recorders that goes without saying, s.
+DELAY = 2e-3
+#: Largest changes between two parts of a recording: of the delay, s, less than a sample at 1 kHz, and of the level, dB.
+#: Good recordings of the virtual rig, with ten times its hum and drift too, change by less than 0.25 ms and 0.1 dB.
+DRIFT, LEVEL_CHANGE = 8e-4, 1.0
+#: Share of a channel that is not another one, below which both are the same signal; beside what rounding adds. On the
+#: virtual rig it is 9 % and more.
+SAME = 1e-3
+#: Largest value of a channel, in units of its file.
+SMALLEST, LARGEST = 1e-12, 1e12
+
+
+class RecordingFault(Refusal):
+    """A recording that cannot be used: the reason, without its file."""
+
+
+def check_signals(
+    channels: Mapping[str, Array], rate: float, limits: Mapping[str, float | None], highest: float
+) -> None:
+    """Refuse signals without looking at what they say.
+
+    Args:
+        channels: (n_sample,) each, by name.
+        rate: Hz.
+        limits: largest value of each channel's format, None where there is none.
+        highest: highest frequency that is wanted, Hz.
+
+    Raises:
+        RecordingFault: a rate too low, a record too short, a channel that is not finite, out of range, silent, coarse,
+            clipped or interrupted, or two that are the same.
+    """
+    if rate < 2.5 * highest:
+        raise RecordingFault(f"sample rate = {rate:g} Hz must be at least {2.5 * highest:g} Hz, 2.5 x {highest:g} Hz")
+    seconds = min(len(values) for values in channels.values()) / rate
+    if seconds < shortest_record():
+        raise RecordingFault(f"is {seconds:.3g} s long; it must be at least {shortest_record():g} s")
+    for name, values in channels.items():
+        bad = np.flatnonzero(~np.isfinite(values))
+        if len(bad):
+            raise RecordingFault(f"channel {name} is not finite at {bad[0] / rate:.3f} s")
+        largest = float(np.abs(values).max())
+        if largest > LARGEST or 0 < largest < SMALLEST:
+            raise RecordingFault(
+                f"largest value of channel {name} = {largest:g} must be between {SMALLEST:g} and {LARGEST:g}"
+            )
+        if values.max() == values.min():
+            raise RecordingFault(f"channel {name} is silent: its value never changes")
+        levels = len(np.unique(values))
+        if levels < LEAST_LEVELS:
+            raise RecordingFault(f"channel {name} is too weak: it takes {levels} different values only")
+        clipped = _first_clipped(values, limits[name])
+        if clipped is not None:
+            raise RecordingFault(f"channel {name} is clipped, first at {clipped / rate:.3f} s")
+        held = _longest_hold(values)
+        if held[1] >= max(GAP * rate, FLAT) and levels > len(values) / 100:
+            raise RecordingFault(
+                f"channel {name} is interrupted for {held[1] / rate:.3f} s from {held[0] / rate:.3f} s on"
+            )
+    for one, other in combinations(channels, 2):
+        if _are_same(channels[one], channels[other]):
+            raise RecordingFault(f"channels {one} and {other} are the same signal: one was recorded or copied twice")
+
+
+def check_steady(signals: Array, rate: float, frequency: Array, microphones: tuple[str, ...]) -> None:
+    """Refuse what is not of one piece: each microphone against the reference, in all parts of the recording.
+
+    Args:
+        signals: (1 + n_microphone, n_sample), the reference first.
+        rate: Hz.
+        frequency: (n_freq,) Hz.
+        microphones: their names.
+
+    Raises:
+        RecordingFault: a level or a delay that changes.
+    """
+    levels, delays = largest_changes(signals, rate, frequency)
+    for name, level, delay in zip(microphones, levels, delays, strict=True):
+        if delay > DRIFT:
+            raise RecordingFault(
+                f"microphone {name} and the reference drift apart by {1e3 * delay:.1f} ms in the recording: samples "
+                "were lost, or their recorders' clocks differ"
+            )
+        if level > LEVEL_CHANGE:
+            raise RecordingFault(
+                f"level of microphone {name} against the reference changes by {level:.1f} dB in the recording"
+            )
+
+
+def check_estimate(estimate: TransferEstimate, microphones: tuple[str, ...], least_coherence: float) -> None:
+    """Refuse a reference that none of the microphones follows.
+
+    Raises:
+        RecordingFault: with the coherence of the best.
+    """
+    median = np.median(np.nan_to_num(estimate.coherence), axis=1)
+    best = int(np.argmax(median))
+    if median[best] < least_coherence:
+        raise RecordingFault(
+            f"coherence of microphone {microphones[best]}, the best, is {median[best]:.2f} (median over frequency); it "
+            f"must be at least {least_coherence:g}: not driven, too much noise, or not recorded together"
+        )
+
+
+def check_against_model(
+    estimate: TransferEstimate,
+    model: Complex,
+    point: int,
+    frequency: Array,
+    microphones: tuple[str, ...],
+    pascals: tuple[float, ...],
+) -> tuple[str, ...]:
+    """Compare a recording with the transfer functions of the design.
+
+    Args:
+        estimate: of the point.
+        model: (n_point, n_microphone, n_freq) of the design.
+        point: index of the point, from 0.
+        frequency: (n_freq,) Hz.
+        microphones: their names.
+        pascals: of one unit of the reference and of each microphone, by which exchanged channels were scaled too.
+
+    Returns:
+        What should be known, though the recording can be used.
+
+    Raises:
+        RecordingFault: a microphone that follows nothing, channels that look exchanged, a recording that looks like
+            that of another point, or a polarity that is reversed.
+    """
+    measured = estimate.transfer_function
+    for name, row, expected in zip(microphones, estimate.coherence, np.abs(model[point]), strict=True):
+        loudest = row[expected >= np.quantile(expected, 0.75)]
+        if np.median(np.nan_to_num(loudest)) < DEAF:
+            raise RecordingFault(
+                f"microphone {name} has nothing in common with the reference: coherence {np.median(loudest):.2f} where "
+                "the design hears most"
+            )
+    known = estimate.deviation < 0.3 * np.abs(measured)
+    misfit = _misfit(measured, model[point], known)
+    if misfit > MISFIT:
+        for text, changed, other in _explanations(measured, model, point, microphones, pascals):
+            if _misfit(changed, other, known) < BETTER * misfit:
+                raise RecordingFault(f"is {misfit:.0f} dB off the design; {text} would explain it")
+    delay = common_delay(measured, model[point], frequency)
+    # a late reference turns phases; polarity is what turns them alike at all frequencies
+    late = delay if abs(delay) > DELAY else 0.0
+    low = frequency <= max(10.0, float(frequency[0]))
+    in_phase = measured * model[point].conj() * np.exp(2j * np.pi * frequency * late)
+    turned = in_phase[:, low].sum(1).real < 0
+    if turned.any() and not turned.all():
+        names = ", ".join(name for name, is_turned in zip(microphones, turned, strict=True) if is_turned)
+        raise RecordingFault(f"polarity of microphone {names} is reversed against the others")
+    if turned.all():
+        raise RecordingFault("polarity of the reference is reversed against all microphones")
+    notes = []
+    if misfit > MISFIT:
+        notes.append(f"is {misfit:.0f} dB off the design: another sensitivity, or a sensor far from it")
+    if late:
+        notes.append(
+            f"microphones lag by {1e3 * delay:.1f} ms against the design: were the recorders started together? "
+            "started_late corrects it"
+        )
+    return tuple(notes)
+
+
+def common_delay(measured: Complex, model: Complex, frequency: Array) -> float:
+    """Delay tau, s, within 0.25 s, that turns the model best into what was measured, whatever the polarity of each
+    microphone: H = +- model exp(-2 pi j f tau).
+    """
+    ratio = measured * model.conj()
+    unit = ratio / np.maximum(np.abs(ratio), 1e-300)
+    delays = np.linspace(-0.25, 0.25, 5001)
+    fit = np.abs((unit @ np.exp(2j * np.pi * delays * frequency[:, None])).real).sum(0)
+    return float(delays[np.argmax(fit)])
+
+
+def _misfit(measured: Complex, model: Complex, known: NDArray[np.bool_]) -> float:
+    """Root mean square difference of levels in dB, where the measured ones are known; one gain per channel is free
+    within 3 dB, which is what uncalibrated microphones differ by.
+    """
+    total = 0.0
+    for values, expected, use in zip(measured, model, known, strict=True):
+        if use.any():
+            level = 20 * np.log10(np.abs(values[use]) / np.abs(expected[use]))
+            total += float(np.mean((level - np.clip(level.mean(), -3, 3)) ** 2))
+    return float(np.sqrt(total / max(known.any(1).sum(), 1)))
+
+
+def _explanations(
+    measured: Complex, model: Complex, point: int, microphones: tuple[str, ...], pascals: tuple[float, ...]
+) -> Iterator[tuple[str, Complex, Complex]]:
+    """Texts with the measured values they would change, and those to compare with."""
+    of_reference, *scale = pascals
+    for a, b in combinations(range(len(microphones)), 2):
+        changed = measured.copy()
+        changed[a], changed[b] = measured[b] * scale[a] / scale[b], measured[a] * scale[b] / scale[a]
+        yield f"channels {microphones[a]} and {microphones[b]} exchanged", changed, model[point]
+    for k, name in enumerate(microphones):
+        changed = measured / measured[k] * scale[k] / of_reference
+        changed[k] = (scale[k] / of_reference) ** 2 / measured[k]
+        yield f"channels {REFERENCE} and {name} exchanged", changed, model[point]
+    for other in range(len(model)):
+        if other != point:
+            yield f"point {other + 1} touched instead", measured, model[other]
+
+
+def _first_clipped(values: Array, limit: float | None) -> int | None:
+    """Index of the first sample at the limit of the format; where it has none, of the first flat top."""
+    if limit is not None:
+        reached = np.flatnonzero(np.abs(values) >= limit)
+        if len(reached):
+            return int(reached[0])
+    for extreme in (values.max(), values.min()):
+        at = np.convolve(values == extreme, np.ones(FLAT, np.int64), "valid")
+        if at.max() == FLAT:
+            return int(at.argmax())
+    return None
+
+
+def _longest_hold(values: Array) -> tuple[int, int]:
+    """Index and length of the longest run of equal samples."""
+    ends = np.flatnonzero(np.concatenate([[True], np.diff(values) != 0, [True]]))
+    runs = np.diff(ends)
+    longest = int(np.argmax(runs))
+    return int(ends[longest]), int(runs[longest])
+
+
+def _are_same(one: Array, other: Array) -> bool:
+    """Whether two channels are one signal at two gains, each rounded."""
+    count = min(len(one), len(other))
+    a, b = one[:count] - one[:count].mean(), other[:count] - other[:count].mean()
+    gain = float(a @ b / (a @ a))
+    steps = [float(np.diff(np.unique(values)).min()) for values in (one, other)]
+    rounding = np.hypot(gain * steps[0], steps[1]) / np.sqrt(12)
+    return bool(np.std(b - gain * a) < 2 * rounding + SAME * np.std(b))

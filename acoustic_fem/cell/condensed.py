@@ -1,0 +1,282 @@
+"""A body of air condensed to its ports and moving walls: small matrices that answer at any frequency.
+
+Both 3-D models end in one form: a symmetric response of the excitations, ports first, then wall motions,
+from which the nodal admittance follows. What a condensed body keeps is small, so that it can be stored.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+import scipy.sparse as sp
+from numpy.typing import NDArray
+
+from acoustic_fem.fields.diffusion import DiffusionField, diffusion_field, field_coefficients
+from acoustic_fem.fields.helmholtz import pressure_system
+from acoustic_fem.fields.navier_stokes import WallMotion, cell_system, compliance_mass
+from acoustic_fem.numerics.rational_sweep import ReducedModel, reduce_system, require_passive
+from acoustic_fem.quantities.medium import Medium
+from acoustic_fem.quantities.units import metres
+from geometry.air.mesh import SolidMesh
+from geometry.refusal import Refusal
+
+Array = NDArray[np.complex128]
+Physics = Literal["navier-stokes", "helmholtz"]
+
+_LENGTH = metres(1.0)  # meshes are in mm
+
+
+@dataclass(frozen=True, eq=False)
+class CondensedBody:
+    """Responses of a body of air over a band of frequencies.
+
+    Attributes:
+        physics: which model.
+        medium: the gas it was solved for.
+        n_port: number of tube ports; wall motions follow them.
+        copies: 2 where a mirror plane halves the body, else 1.
+        heat: reduced model of the thermal field.
+        viscous: reduced model of the viscous field (Helmholtz only).
+        flow: reduced model of the flow.
+        energies: (n_term, m, m) terms that the excitations add to the response themselves.
+        unknowns: of the largest system solved.
+    """
+
+    physics: Physics
+    medium: Medium
+    n_port: int
+    copies: int
+    heat: ReducedModel
+    viscous: ReducedModel | None
+    flow: ReducedModel
+    energies: NDArray[np.float64]
+    unknowns: int
+
+    def nodal_admittance(self, frequency: NDArray[np.float64]) -> Array:
+        """Symmetric admittance between the ports and the pressures on the moving walls.
+
+        The pressure of a wall's node is the mean over the wall weighted by the shape of its motion.
+
+        Args:
+            frequency: (n_freq,) Hz within the band.
+
+        Returns:
+            (n_freq, m, m) complex128, m^3/(Pa s): ports first, then wall motions.
+
+        Raises:
+            Refusal: a frequency outside the band the body was solved for.
+        """
+        low, high = self.flow.lowest, self.flow.highest
+        outside = frequency[(frequency < low * (1 - 1e-9)) | (frequency > high * (1 + 1e-9))]
+        if outside.size:
+            raise Refusal(f"frequency = {outside[0]:g} Hz must be between {low:g} and {high:g} Hz, the band solved")
+        if self.physics == "navier-stokes":
+            return self.copies * _navier_stokes_response(self, frequency)
+        return self.copies * _helmholtz_response(self, frequency)
+
+
+def condense(
+    flow_mesh: SolidMesh,
+    heat: SolidMesh | DiffusionField,
+    ports: Sequence[str],
+    motions: Sequence[WallMotion],
+    mirror: str | None,
+    medium: Medium,
+    band: tuple[float, float],
+    physics: Physics = "navier-stokes",
+    tolerance: float = 1e-6,
+    report: Callable[[float], None] = lambda done: None,
+) -> CondensedBody:
+    """Solve a body of air over a band of frequencies.
+
+    Args:
+        flow_mesh: mesh for the flow, mm.
+        heat: mesh of the same solid for the thermal field, or the field solved over the band.
+        ports: names of the port faces, in order.
+        motions: moving walls, in order.
+        mirror: name of the plane that halves the body, if any.
+        medium: the gas.
+        band: lowest and highest frequency, Hz.
+        physics: the model.
+        tolerance: of the frequency sweep, relative.
+        report: called with the fraction done.
+
+    Raises:
+        LinearSolverError: a solve misses its residual limit.
+        SweepError: the sweep does not reach its tolerance, or its model gives energy.
+    """
+    open_faces = [*ports] if mirror is None else [*ports, mirror]
+    if isinstance(heat, SolidMesh):
+        heat = diffusion_field(heat, open_faces, medium.thermal_diffusivity, band)
+    copies = 1 if mirror is None else 2
+    viscous: DiffusionField | None = None
+    if physics == "navier-stokes":
+        flow, energies, unknowns = _condense_navier_stokes(
+            flow_mesh, ports, motions, mirror, heat, medium, band, tolerance, report
+        )
+    else:
+        moving = {motion.face for motion in motions}
+        viscous = diffusion_field(flow_mesh, [*open_faces, *moving], medium.kinematic_viscosity, band)
+        flow, energies, unknowns = _condense_helmholtz(
+            flow_mesh, ports, motions, heat, viscous, medium, band, tolerance, report
+        )
+    body = CondensedBody(
+        physics,
+        medium,
+        len(ports),
+        copies,
+        heat.model,
+        None if viscous is None else viscous.model,
+        flow,
+        energies,
+        unknowns,
+    )
+    grid = np.geomspace(*band, 200)
+    require_passive(body.nodal_admittance(grid), grid)
+    return body
+
+
+# -- linearised Navier-Stokes -----------------------------------------------------------------------------
+
+
+def _condense_navier_stokes(
+    mesh: SolidMesh,
+    ports: Sequence[str],
+    motions: Sequence[WallMotion],
+    mirror: str | None,
+    heat: DiffusionField,
+    medium: Medium,
+    band: tuple[float, float],
+    tolerance: float,
+    report: Callable[[float], None],
+) -> tuple[ReducedModel, NDArray[np.float64], int]:
+    system = cell_system(mesh, ports, motions, mirror)
+    blank = sp.csr_array((system.n_velocity, system.n_velocity))
+    parts = [system.compliance, *(compliance_mass(system.pressure, mean) for mean in heat.means_over(system.pressure))]
+    matrices = [system.viscous, system.inertia, system.coupling]
+    matrices += [sp.csr_array(sp.block_diag([blank, part], format="csr")) for part in parts]
+    n_port = len(ports)
+    excitations = [np.zeros((system.size, n_port + len(motions))) for _ in range(4)]
+    excitations[0][:, :n_port] = system.port_flux
+    for excitation, term in zip(excitations[1:], system.motion_terms, strict=True):
+        excitation[:, n_port:] = term
+    model = reduce_system(
+        matrices,
+        lambda f: _navier_stokes_coefficients(f, heat.model, medium)[0],
+        excitations,
+        lambda f: _navier_stokes_coefficients(f, heat.model, medium)[1],
+        band,
+        tolerance=tolerance,
+        progress=report,
+    )
+    return model, system.motion_energy, system.size
+
+
+def _navier_stokes_coefficients(
+    frequency: NDArray[np.float64], heat: ReducedModel, medium: Medium
+) -> tuple[Array, Array]:
+    """Coefficients of the matrices viscous, inertia, coupling, storage and of the excitations."""
+    rate = _inertia_coefficient(frequency, medium)
+    one = np.ones_like(rate)
+    storage = 2j * np.pi * frequency * medium.viscosity / (medium.gamma * medium.pressure)
+    theta = np.column_stack([one, rate, -one, -storage[:, None] * _storage_factors(frequency, heat, medium)])
+    return theta, np.column_stack([one, one, rate, -one])
+
+
+def _navier_stokes_response(body: CondensedBody, frequency: NDArray[np.float64]) -> Array:
+    medium, n = body.medium, body.n_port
+    response = body.flow.response(*_navier_stokes_coefficients(frequency, body.heat, medium))
+    rate = _inertia_coefficient(frequency, medium)[:, None, None]
+    y, b = response[:, :n, :n], response[:, :n, n:]
+    z = body.energies[0] + rate * body.energies[1] - response[:, n:, n:]
+    return _nodal(y, b, z) * (_LENGTH**3 / medium.viscosity)
+
+
+# -- lossy Helmholtz --------------------------------------------------------------------------------------
+
+
+def _condense_helmholtz(
+    mesh: SolidMesh,
+    ports: Sequence[str],
+    motions: Sequence[WallMotion],
+    heat: DiffusionField,
+    viscous: DiffusionField,
+    medium: Medium,
+    band: tuple[float, float],
+    tolerance: float,
+    report: Callable[[float], None],
+) -> tuple[ReducedModel, NDArray[np.float64], int]:
+    system = pressure_system(mesh, ports, motions)
+    whole = [system.conduction(weight) for weight in viscous.at_quadrature()]
+    uniform = np.ones_like(system.basis.dx)
+    per_element = [mean[:, None] * uniform for mean in heat.means_over(system.basis)]
+    whole += [system.storage(weight) for weight in (uniform, *per_element)]
+    free, n_port = system.free, len(ports)
+    zeros = np.zeros((len(free), len(motions)))
+    excitations = [np.hstack([(matrix @ system.on_ports)[free], zeros]) for matrix in whole]
+    excitations.append(np.hstack([np.zeros((len(free), n_port)), system.sources[free]]))
+    energies = np.stack([system.on_ports.T @ (matrix @ system.on_ports) for matrix in whole])
+    model = reduce_system(
+        [sp.csr_array(matrix[free][:, free]) for matrix in whole],
+        lambda f: _helmholtz_coefficients(f, heat.model, viscous.model, medium)[0],
+        excitations,
+        lambda f: _helmholtz_coefficients(f, heat.model, viscous.model, medium)[1],
+        band,
+        tolerance=tolerance,
+        progress=report,
+    )
+    return model, energies, len(free)
+
+
+def _helmholtz_coefficients(
+    frequency: NDArray[np.float64], heat: ReducedModel, viscous: ReducedModel, medium: Medium
+) -> tuple[Array, Array]:
+    """Coefficients of conduction and storage, in Pa -> m^3/s per mm, and of the excitations.
+
+    A p = source with A = Psi_v grad . grad / (j w rho) + j w storage / (gamma p0).
+    """
+    conduct = field_coefficients(viscous, frequency, medium.kinematic_viscosity)
+    conduct = conduct * (_LENGTH / (2j * np.pi * frequency * medium.density))[:, None]
+    storage = 2j * np.pi * frequency * _LENGTH**3 / (medium.gamma * medium.pressure)
+    theta = np.column_stack([conduct, storage[:, None] * _storage_factors(frequency, heat, medium)])
+    return theta, np.column_stack([theta, np.ones(len(frequency), dtype=np.complex128)])
+
+
+def _helmholtz_response(body: CondensedBody, frequency: NDArray[np.float64]) -> Array:
+    if body.viscous is None:
+        raise RuntimeError("a lossy Helmholtz body must have a viscous field")
+    n = body.n_port
+    theta, phi = _helmholtz_coefficients(frequency, body.heat, body.viscous, body.medium)
+    # With the free pressures p_f eliminated from K_ff p_f + K_fP p = S U, Q = K_PP p + K_Pf p_f, F = S^T p_f.
+    response = body.flow.response(theta, phi)
+    y = np.einsum("fk,kij->fij", theta, body.energies) - response[:, :n, :n]
+    return _nodal(y, response[:, :n, n:], response[:, n:, n:])
+
+
+# -- shared -----------------------------------------------------------------------------------------------
+
+
+def _nodal(y: NDArray, b: NDArray, z: NDArray) -> Array:
+    """Ports and walls, Q = Y p + B U and F = -B^T p + Z U, solved for Q and U at given pressures."""
+    n, m = y.shape[1], y.shape[1] + z.shape[1]
+    nodal = np.zeros((len(y), m, m), dtype=np.complex128)
+    inverse = np.linalg.inv(z)
+    nodal[:, :n, :n] = y + b @ inverse @ b.transpose(0, 2, 1)
+    nodal[:, :n, n:] = b @ inverse
+    nodal[:, n:, :n] = nodal[:, :n, n:].transpose(0, 2, 1)
+    nodal[:, n:, n:] = (inverse + inverse.transpose(0, 2, 1)) / 2
+    return nodal
+
+
+def _storage_factors(frequency: NDArray[np.float64], heat: ReducedModel, medium: Medium) -> Array:
+    """Factors of the storage matrices in gamma - (gamma - 1) sum_k c_k v_k, (n_freq, 1 + r)."""
+    coefficients = field_coefficients(heat, frequency, medium.thermal_diffusivity)
+    constant = np.full((len(frequency), 1), medium.gamma, dtype=np.complex128)
+    return np.hstack([constant, -(medium.gamma - 1) * coefficients])
+
+
+def _inertia_coefficient(frequency: NDArray[np.float64], medium: Medium) -> Array:
+    return np.asarray(2j * np.pi * frequency * _LENGTH**2 / medium.kinematic_viscosity, dtype=np.complex128)

@@ -1,0 +1,91 @@
+"""The cells of a design in 3-D: solved once each, side by side in processes, and kept on disk."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from functools import partial
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from acoustic_fem.cell.one_cell import DESIGN_BAND, CellRecord, CellSolution, CellTask, rebuilt, solve_task
+from acoustic_fem.cell.side_by_side import solve_side_by_side
+from acoustic_fem.cell.solid import Progress, checked_physics
+from acoustic_fem.numerics import disk_cache
+from acoustic_fem.quantities.checks import frequency_grid
+from acoustic_fem.quantities.medium import Medium
+from geometry.air.cells import Cell
+
+
+def solve_cells(
+    cells: Sequence[Cell],
+    frequency: ArrayLike,
+    medium: Medium,
+    fidelity: str = "navier-stokes",
+    progress: Progress | None = None,
+    *,
+    apart: bool = False,
+) -> dict[Cell, CellSolution]:
+    """Nodal admittances of the cells of a design, in 3-D.
+
+    The membrane (or the microphone's diaphragm) is a moving wall with a fixed shape, (1 - (r/a)^2)^2 for a
+    membrane and 1 - (r/a)^2 at the end of a sound hole; the pressure of its node is the mean weighted by
+    that shape. Its mechanics belong to the network, so another membrane needs no new solve.
+
+    Cells that are not in the cache are solved in one process per core. A run that is killed keeps the
+    cells it had finished.
+
+    Args:
+        cells: distinct cells.
+        frequency: (n_freq,) Hz, ascending, 1e-3 to 2000.
+        medium: the gas.
+        fidelity: ``"navier-stokes"`` or ``"helmholtz"``.
+        progress: called with the label of a cell and the fraction done of all.
+        apart: solve a single cell in a process of its own, too: what stops that one does not stop the caller,
+            and the caller's other threads go on.
+
+    Returns:
+        Per cell its solution.
+
+    Raises:
+        Refusal: bad frequencies or fidelity.
+        CellError: a cell could not be meshed or solved.
+        CellFault: the program failed in a process of its own; the traceback is on stderr.
+    """
+    grid = frequency_grid(frequency)
+    checked_physics(fidelity)
+    tasks = [CellTask(cell, medium, _band(grid), fidelity) for cell in cells]
+    records = {task: record for task in tasks if (record := disk_cache.fetch(task.key)) is not None}
+    missing = [task for task in tasks if task not in records]
+    done = {task: float(task in records) for task in tasks}
+
+    def report(task: CellTask, fraction: float) -> None:
+        done[task] = fraction
+        if progress is not None:
+            origin = "" if task in missing else " (from the cache)"
+            progress(task.cell.label + origin, sum(done.values()) / len(tasks))
+
+    def keep(task: CellTask, record: CellRecord) -> None:
+        records[task] = record
+        disk_cache.store(task.key, *record)
+
+    for task in tasks:
+        if task not in missing:
+            report(task, 1.0)
+    workers = min(len(missing), os.cpu_count() or 1)
+    if workers > 1 or (apart and missing):
+        solve_side_by_side(missing, workers, report, keep)
+    else:
+        for task in missing:
+            keep(task, solve_task(task, partial(report, task)))
+    return {task.cell: rebuilt(task, records[task], grid, cached=task not in missing) for task in tasks}
+
+
+def is_cached(cell: Cell, frequency: ArrayLike, medium: Medium, fidelity: str = "navier-stokes") -> bool:
+    """Whether :func:`solve_cells` would find a cell in the cache; arguments as there."""
+    return disk_cache.holds(CellTask(cell, medium, _band(frequency_grid(frequency)), fidelity).key)
+
+
+def _band(grid: NDArray[np.float64]) -> tuple[float, float]:
+    return min(DESIGN_BAND[0], float(grid[0])), max(DESIGN_BAND[1], float(grid[-1]))

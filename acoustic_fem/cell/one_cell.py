@@ -1,0 +1,224 @@
+"""One cell of a design: solved in 3-D over the band of designs, recorded, and rebuilt from its record."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from dataclasses import asdict, dataclass
+from importlib.metadata import version
+from typing import Any, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from acoustic_fem.cell.solid import checked_physics, converge
+from acoustic_fem.numerics import disk_cache
+from acoustic_fem.quantities.medium import Medium
+from geometry.air.cells import Cell
+from geometry.refusal import Refusal
+from geometry.stated.cavity_shapes import Box, Dome
+from geometry.stated.ports import CellPort
+
+#: Cells of a design are solved over at least this band (Hz), so that another grid finds them in the cache.
+DESIGN_BAND = (1.0, 500.0)
+
+
+#: Largest relative error of the bare cell's admittances that is accepted, up to this frequency (Hz) and beyond
+#: it where frequencies above the band are asked for. An opening is a quarter of a cell's resistance and a
+#: hundredth of a tube's: seen through its tubes a cell's error is about ten times smaller.
+DESIGN_ACCURACY = 3e-3
+
+
+CHECKED_UP_TO = 200.0
+
+
+#: Scale of the first mesh; most cells of the prototypes are then within 3e-3.
+_FIRST_SCALE = 1.2
+
+
+#: Part of the cache key: raise it when the mesh or the equations of a cell change.
+CELL_MODEL_VERSION = 8
+
+
+_MODELS = ("heat", "viscous", "flow")
+
+
+#: Arrays and plain values of a solved cell, as the cache keeps them.
+CellRecord: TypeAlias = tuple[dict[str, NDArray[Any]], dict[str, Any]]
+
+
+class CellError(Refusal):
+    """A cell could not be solved; the message says which and why."""
+
+
+class CellFault(RuntimeError):
+    """A mistake of the program in the process that solved a cell; the message is the last line of its traceback."""
+
+
+@dataclass(frozen=True, eq=False)
+class CellSolution:
+    """Responses of one cell and how they were obtained."""
+
+    admittance: NDArray[np.complex128]
+    """(n_freq, k+1, k+1), m^3/(Pa s): the k tube ports in order, then the opening."""
+    physics: str
+    unknowns: int
+    sampled: tuple[float, ...]
+    """Frequencies solved in 3-D, Hz; the others come from the rational model."""
+    sweep_error: float
+    """Estimated relative error of the rational model."""
+    mesh_error: float
+    """Estimated relative error from the mesh."""
+    seconds: float
+    """Time the 3-D solves took, when they were made."""
+    cached: bool
+
+    def summary(self) -> dict[str, Any]:
+        """Everything but the responses, as plain values."""
+        return {
+            "method": f"3-D {self.physics}",
+            "unknowns": self.unknowns,
+            "sampled_frequencies": list(self.sampled),
+            "sweep_error": self.sweep_error,
+            "mesh_error": self.mesh_error,
+            "seconds": self.seconds,
+            "cached": self.cached,
+        }
+
+
+@dataclass(frozen=True)
+class CellTask:
+    """All that the solution of a cell depends on."""
+
+    cell: Cell
+    medium: Medium
+    band: tuple[float, float]
+    fidelity: str
+
+    @property
+    def key(self) -> str:
+        """Under which the cell is kept in the cache."""
+        about = {"model": CELL_MODEL_VERSION, "accuracy": DESIGN_ACCURACY, "gmsh": version("gmsh")}
+        return disk_cache.key_of({**_stated(asdict(self)), **about})
+
+    def as_json(self) -> str:
+        """The task as text, for another process."""
+        return json.dumps(asdict(self))
+
+    @classmethod
+    def from_json(cls, text: str) -> CellTask:
+        """The task from its text."""
+        plain = json.loads(text)
+        ports = tuple(CellPort(**port) for port in plain["cell"].pop("ports"))
+        sizes = plain["cell"].pop("shape")
+        shape = None if sizes is None else Dome(**sizes) if "depth" in sizes else Box(**sizes)
+        return cls(
+            cell=Cell(**plain["cell"], ports=ports, shape=shape),
+            medium=Medium(**plain["medium"]),
+            band=tuple(plain["band"]),
+            fidelity=plain["fidelity"],
+        )
+
+
+def _stated(description: dict[str, Any]) -> dict[str, Any]:
+    """Without what is not stated: a cell keeps its place in the cache when cells can state more."""
+    plain: dict[str, Any] = {}
+    for name, value in description.items():
+        if isinstance(value, dict):
+            plain[name] = _stated(value)
+        elif isinstance(value, tuple):
+            plain[name] = [_stated(item) if isinstance(item, dict) else item for item in value]
+        elif value is not None:
+            plain[name] = value
+    return plain
+
+
+def solve_task(task: CellTask, report: Callable[[float], None]) -> CellRecord:
+    """Solve one cell."""
+    from acoustic_fem.fields.navier_stokes import WallMotion
+    from geometry.air.volume import MIRROR, OPENING, air_volume
+
+    cell = task.cell
+    try:
+        air = air_volume(cell)
+        radius = np.linspace(0, cell.opening_diameter / 2, 200)
+        bowl = 1 - (radius / radius[-1]) ** 2
+        profile = np.column_stack([radius, bowl**2 if cell.opening_length == 0 else bowl])
+        faces = {**air.ports, OPENING: air.opening, **({} if air.mirror is None else {MIRROR: air.mirror})}
+        solved = converge(
+            air.solid,
+            faces,
+            tuple(air.ports),
+            [WallMotion(OPENING, profile, air.centre)],
+            None if air.mirror is None else MIRROR,
+            task.medium,
+            task.band,
+            checked_physics(task.fidelity),
+            DESIGN_ACCURACY,
+            cell.smallest_extent,
+            report,
+            checked_band=(task.band[0], task.band[1] if task.band[1] > DESIGN_BAND[1] else CHECKED_UP_TO),
+            scale=_FIRST_SCALE,
+        )
+    except (ValueError, RuntimeError, ArithmeticError, MemoryError) as error:
+        raise CellError(f"{cell.label}: {error or type(error).__name__}") from error
+    body = solved.body
+    arrays = {"energies": body.energies}
+    models = {}
+    for name in _MODELS:
+        model = getattr(body, name)
+        if model is not None:
+            arrays[f"{name}_matrices"], arrays[f"{name}_excitations"] = model.matrices, model.excitations
+            models[name] = {key: getattr(model, key) for key in ("sampled", "error", "lowest", "highest")}
+    about = {
+        "physics": body.physics,
+        "n_port": body.n_port,
+        "copies": body.copies,
+        "unknowns": body.unknowns,
+        "mesh_error": solved.mesh_error,
+        "seconds": solved.seconds,
+        "models": models,
+    }
+    return arrays, about
+
+
+def rebuilt(task: CellTask, record: CellRecord, grid: NDArray[np.float64], cached: bool) -> CellSolution:
+    """The solution of a cell on a grid of frequencies, (n_freq,) Hz, from its record."""
+    from acoustic_fem.cell.condensed import CondensedBody
+    from acoustic_fem.numerics.rational_sweep import ReducedModel
+
+    arrays, about = record
+
+    def model(name: str) -> ReducedModel:
+        kept = about["models"][name]
+        return ReducedModel(
+            matrices=arrays[f"{name}_matrices"],
+            excitations=arrays[f"{name}_excitations"],
+            basis=None,
+            sampled=tuple(kept["sampled"]),
+            error=kept["error"],
+            lowest=kept["lowest"],
+            highest=kept["highest"],
+        )
+
+    body = CondensedBody(
+        physics=about["physics"],
+        medium=task.medium,
+        n_port=about["n_port"],
+        copies=about["copies"],
+        heat=model("heat"),
+        viscous=model("viscous") if "viscous" in about["models"] else None,
+        flow=model("flow"),
+        energies=arrays["energies"],
+        unknowns=about["unknowns"],
+    )
+    return CellSolution(
+        admittance=body.nodal_admittance(grid),
+        physics=body.physics,
+        unknowns=body.unknowns,
+        sampled=body.flow.sampled,
+        sweep_error=body.flow.error,
+        mesh_error=about["mesh_error"],
+        seconds=about["seconds"],
+        cached=cached,
+    )

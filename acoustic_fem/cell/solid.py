@@ -1,0 +1,266 @@
+"""Bodies of air in 3-D: CAD solid, mesh and physics -> port admittances.
+
+The mesh is chosen by the accuracy asked for. The cells of a design are in :mod:`acoustic_fem.cell.design_cells`.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from os import PathLike
+from pathlib import Path
+from typing import TYPE_CHECKING, TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from acoustic_fem.fields.element_sizes import mesh_sizes
+from acoustic_fem.numerics.refinement import BEST_ORDER, Refinement, refined
+from acoustic_fem.quantities.checks import frequency_grid, in_range, numbers, port_points
+from acoustic_fem.quantities.medium import Medium
+from geometry.refusal import Refusal
+
+if TYPE_CHECKING:
+    import cadquery
+
+    from acoustic_fem.cell.condensed import CondensedBody, Physics
+    from acoustic_fem.fields.diffusion import DiffusionField
+    from acoustic_fem.fields.navier_stokes import WallMotion
+    from geometry.air.mesh import Point
+
+#: Called with what is being done and the fraction of it that is done.
+Progress: TypeAlias = Callable[[str, float], None]
+
+#: 3-D models: the one to trust, and the scalar one for straight ducts and cross-checks.
+PHYSICS = ("navier-stokes", "helmholtz")
+
+_ACCURACY_RANGE = (2e-4, 3e-3)
+#: Scales (see :func:`mesh_sizes`) that give an accuracy of 1e-3 in most bodies: of the flow and of heat.
+_USUAL_SCALES = (1.0, 0.7)
+
+
+@dataclass(frozen=True, eq=False)
+class SolvedBody:
+    """A condensed body of air and how far it has converged.
+
+    Attributes:
+        body: answers at any frequency of its band.
+        mesh_error: estimated relative error from the meshes, the larger of two: of every admittance, and of
+            their sum, which is the compliance of the air. Each follows from how the answer changed over the
+            last three meshes, each 1.5 times finer than the one before.
+        convergence: all meshes, in the order solved.
+        seconds: time taken.
+    """
+
+    body: CondensedBody
+    mesh_error: float
+    convergence: tuple[Refinement, ...]
+    seconds: float
+
+
+def port_admittance(
+    solid: cadquery.Shape | cadquery.Workplane | str | PathLike[str],
+    ports: Mapping[str, Point],
+    frequency: ArrayLike,
+    medium: Medium,
+    fidelity: str = "navier-stokes",
+    accuracy: float = 1e-3,
+    progress: Progress | None = None,
+) -> NDArray[np.complex128]:
+    """Port admittance of a body of air of any shape.
+
+    Every face that is no port is a rigid, no-slip, isothermal wall. Ports must lie a few bore radii down a
+    tube, where the flow is a plane wave.
+
+    Args:
+        solid: one closed CadQuery solid of air in mm, or the path of a STEP file.
+        ports: name -> a point on its flat face, mm.
+        frequency: (n_freq,) Hz, ascending, 1e-3 to 2000, or one number.
+        medium: the gas.
+        fidelity: ``"navier-stokes"`` (linearised, the one to trust) or ``"helmholtz"`` (scalar; wrong by
+            about 5 % where a tube opens into a cavity, see :mod:`acoustic_fem.fields.helmholtz`).
+        accuracy: relative error aimed at in the admittances, 2e-4 to 3e-3. The mesh is refined until
+            comparison with a coarser one says that it is met.
+        progress: called with a label and the fraction done.
+
+    Returns:
+        (n_freq, n_port, n_port) complex128, m^3/(Pa s): volume velocities into the cell per unit port
+        pressure, ports in the order given; (n_port, n_port) at one frequency. Symmetric.
+
+    Raises:
+        Refusal: bad frequencies, ports, fidelity or accuracy, with the value and what is allowed.
+        MeshError: the solid cannot be meshed, or a port lies on no flat face.
+        LinearSolverError: a solve misses its residual limit.
+        ConvergenceError: three refinements do not reach the accuracy.
+    """
+    grid = frequency_grid(np.atleast_1d(numbers("frequency", frequency)))
+    solved = solve_solid(solid, ports, (float(grid[0]), float(grid[-1])), medium, fidelity, accuracy, progress)
+    admittance = solved.body.nodal_admittance(grid)
+    return admittance[0] if np.ndim(frequency) == 0 else admittance
+
+
+def solve_solid(
+    solid: cadquery.Shape | cadquery.Workplane | str | PathLike[str],
+    ports: Mapping[str, Point],
+    band: tuple[float, float],
+    medium: Medium,
+    fidelity: str = "navier-stokes",
+    accuracy: float = 1e-3,
+    progress: Progress | None = None,
+) -> SolvedBody:
+    """Condense a body of air of any shape over a band, with its convergence.
+
+    Where a plane mirrors the body and each port onto themselves, half of it is solved.
+
+    Args:
+        solid: as for :func:`port_admittance`.
+        ports: name -> a point on its flat face, mm.
+        band: lowest and highest frequency, Hz.
+        medium: the gas.
+        fidelity: ``"navier-stokes"`` or ``"helmholtz"``.
+        accuracy: as for :func:`port_admittance`.
+        progress: called with a label and the fraction done.
+
+    Raises:
+        As :func:`port_admittance`.
+    """
+    from geometry.air.mirror import mirror_half
+    from geometry.air.volume import MIRROR
+
+    accuracy = in_range("accuracy", accuracy, *_ACCURACY_RANGE)
+    physics = checked_physics(fidelity)
+    ports = port_points(ports)
+    if not isinstance(medium, Medium):
+        raise Refusal(f"medium must be a Medium, not a {type(medium).__name__}")
+    shape = as_shape(solid)
+    box = shape.BoundingBox()
+    solids = shape.Solids()
+    half = mirror_half(solids[0], ports) if len(solids) == 1 and MIRROR not in ports else None
+    faces = dict(ports) if half is None else {**half.ports, MIRROR: half.mirror}
+    return converge(
+        shape if half is None else half.solid, faces, tuple(ports), (), None if half is None else MIRROR, medium,
+        band, physics, accuracy, min(box.xlen, box.ylen, box.zlen),
+        lambda done: None if progress is None else progress("cell", done),
+    )  # fmt: skip
+
+
+def converge(
+    shape: cadquery.Shape,
+    faces: Mapping[str, Point],
+    tubes: tuple[str, ...],
+    motions: Sequence[WallMotion],
+    mirror: str | None,
+    medium: Medium,
+    band: tuple[float, float],
+    physics: Physics,
+    accuracy: float,
+    width: float,
+    report: Callable[[float], None],
+    checked_band: tuple[float, float] | None = None,
+    scale: float | None = None,
+) -> SolvedBody:
+    """Refine the mesh of a body until its admittances have converged.
+
+    Args:
+        shape: one solid, mm.
+        faces: name -> a point on it, for ports, moving walls and the mirror.
+        tubes: which of them are tube ports, in order.
+        motions: moving walls, in order.
+        mirror: name of the plane that halves the body, if any.
+        medium: the gas.
+        band: lowest and highest frequency, Hz.
+        physics: the model.
+        accuracy: relative error aimed at.
+        width: smallest extent of the cavity, mm.
+        report: called with the fraction done.
+        checked_band: where the accuracy must hold; by default the whole band.
+        scale: of the first mesh of the flow, see :func:`mesh_sizes`; by default guessed from the accuracy.
+
+    Raises:
+        ConvergenceError: three refinements do not reach the accuracy.
+    """
+    from acoustic_fem.cell.condensed import condense
+    from acoustic_fem.fields.diffusion import diffusion_field
+    from geometry.air.mesh import mesh_solid
+
+    started = time.perf_counter()
+    low, high = checked_band or band
+    checked = np.geomspace(low, high, 5) if high > low else np.array([low])
+    flow_scale, heat_scale = (usual * (accuracy / 1e-3) ** (1 / BEST_ORDER) for usual in _USUAL_SCALES)
+    open_faces = [*tubes] if mirror is None else [*tubes, mirror]
+
+    def heat_on(scale: float, advance: Callable[[float], None]) -> tuple[DiffusionField, int]:
+        mesh = mesh_solid(shape, faces, tubes, mesh_sizes(scale, width, medium, high)[1])
+        return diffusion_field(mesh, open_faces, medium.thermal_diffusivity, band), len(mesh.tetrahedra)
+
+    def compliance_change(fine: DiffusionField, coarse: DiffusionField) -> float:
+        fine_factor, coarse_factor = (
+            medium.gamma - (medium.gamma - 1) * field.mean(checked, medium.thermal_diffusivity)
+            for field in (fine, coarse)
+        )
+        return float(np.max(np.abs(fine_factor / coarse_factor - 1)))
+
+    heat, heat_error, heat_meshes = refined(
+        "heat", heat_on, compliance_change, heat_scale, accuracy, lambda done: report(0.2 * done)
+    )
+
+    def flow_on(scale: float, advance: Callable[[float], None]) -> tuple[CondensedBody, int]:
+        mesh = mesh_solid(shape, faces, tubes, mesh_sizes(scale, width, medium, high)[0])
+        body = condense(
+            mesh, heat, tubes, motions, mirror, medium, band, physics, tolerance=1e-2 * accuracy, report=advance
+        )
+        return body, len(mesh.tetrahedra)
+
+    flow, flow_error, flow_meshes = refined(
+        "flow",
+        flow_on,
+        lambda fine, coarse: _difference(fine, coarse, checked),
+        flow_scale if scale is None else scale,
+        accuracy,
+        lambda done: report(0.2 + 0.8 * done),
+    )
+    return SolvedBody(flow, max(heat_error, flow_error), (*heat_meshes, *flow_meshes), time.perf_counter() - started)
+
+
+def _difference(first: CondensedBody, second: CondensedBody, frequency: NDArray[np.float64]) -> float:
+    """Largest relative difference of two admittances, each entry against its row and column."""
+    a, b = first.nodal_admittance(frequency), second.nodal_admittance(frequency)
+    scale = np.sqrt(np.abs(np.einsum("fii->fi", a)))
+    return float(np.max(np.abs(a - b) / (scale[:, :, None] * scale[:, None, :])))
+
+
+def checked_physics(fidelity: str) -> Physics:
+    """The fidelity as a 3-D model.
+
+    Raises:
+        Refusal: another name.
+    """
+    if fidelity == "navier-stokes":
+        return "navier-stokes"
+    if fidelity == "helmholtz":
+        return "helmholtz"
+    raise Refusal(f"fidelity = {fidelity!r} must be one of {', '.join(PHYSICS)} for a 3-D cell")
+
+
+def as_shape(solid: cadquery.Shape | cadquery.Workplane | str | PathLike[str]) -> cadquery.Shape:
+    """The one shape that was given, read from a STEP file where a path was.
+
+    Raises:
+        Refusal: no such file, no STEP file, or not one shape.
+    """
+    import cadquery as cq
+
+    if isinstance(solid, str | PathLike):
+        path = Path(solid)
+        if not path.is_file():
+            raise Refusal(f"solid = {str(path)!r} must be the path of a STEP file; there is no such file")
+        try:
+            solid = cq.importers.importStep(str(path))
+        except Exception as error:
+            raise Refusal(f"{path}: no STEP file that can be read ({error})") from error
+    shapes = solid.vals() if isinstance(solid, cq.Workplane) else [solid]
+    if len(shapes) != 1 or not isinstance(shapes[0], cq.Shape):
+        held = ", ".join(type(shape).__name__ for shape in shapes) or "nothing"
+        raise Refusal(f"solid must be one CadQuery shape, it holds {held}")
+    return shapes[0]

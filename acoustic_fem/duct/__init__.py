@@ -1,0 +1,8 @@
+"""Plane waves in ducts of any section, and their openings.
+
+Stands on: numerics, quantities.
+"""
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

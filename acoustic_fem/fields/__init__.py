@@ -1,0 +1,8 @@
+"""Weak forms in 3-D and the mesh sizes they need.
+
+Stands on: numerics, quantities.
+"""
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -1,0 +1,112 @@
+r"""The viscous and the thermal field of a cell of any shape, by finite elements.
+
+:math:`\nabla^2 \Psi = (j\omega/d)(\Psi - 1)`, zero on walls, no flux through ports: the thermal field with
+the diffusivity d = alpha, the viscous one with d = nu. The layer along the walls is thinner than what the
+flow needs to be resolved, so the field may have a mesh of its own. It is solved at a few frequencies; at any
+other it is a combination of those solutions, so that what depends on it stays a short sum of real matrices
+with scalar coefficients.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import scipy.sparse as sp
+import skfem
+from numpy.typing import NDArray
+from scipy.spatial import KDTree
+
+from acoustic_fem.fields.navier_stokes import dirichlet_nodes, laplace, tetrahedral_mesh, weighted_mass
+from acoustic_fem.numerics.rational_sweep import ReducedModel, reduce_system
+from acoustic_fem.quantities.units import metres
+from geometry.air.mesh import SolidMesh
+
+
+@dataclass(frozen=True, eq=False)
+class DiffusionField:
+    """Psi = sum_k c_k(f) v_k with real functions v_k; the coefficients come from :func:`field_coefficients`."""
+
+    basis: skfem.CellBasis
+    functions: NDArray[np.float64]
+    """(n_dof, r): v_k at the degrees of freedom of the basis."""
+    model: ReducedModel
+
+    def mean(self, frequency: NDArray[np.float64], diffusivity: float) -> NDArray[np.complex128]:
+        """Mean of the field over the body, (n_freq,)."""
+        integrals = np.einsum("rek,ek->r", self.at_quadrature(), self.basis.dx)
+        return field_coefficients(self.model, frequency, diffusivity) @ integrals / self.basis.dx.sum()
+
+    def means_over(self, flow: skfem.CellBasis) -> NDArray[np.float64]:
+        """Mean of every v_k over each element of another mesh of the same solid, (r, n_element).
+
+        Each quadrature point of the field's mesh counts for the element of the flow mesh whose quadrature
+        point is nearest: the integral over the whole solid is kept exactly.
+        """
+        element_count, per_element = flow.dx.shape
+        places = np.asarray(flow.global_coordinates()).reshape(3, -1).T
+        points = np.asarray(self.basis.global_coordinates()).reshape(3, -1).T
+        _, nearest = KDTree(places).query(points)
+        volume = flow.dx.sum(axis=1)
+        return np.stack(
+            [
+                np.bincount(
+                    nearest // per_element, weights=(at_points * self.basis.dx).ravel(), minlength=element_count
+                )
+                / volume
+                for at_points in self.at_quadrature()
+            ]
+        )
+
+    def at_quadrature(self) -> NDArray[np.float64]:
+        """Every v_k at the quadrature points, (r, n_element, n_quadrature)."""
+        return np.stack([np.asarray(self.basis.interpolate(function)) for function in self.functions.T])
+
+
+def diffusion_field(
+    mesh: SolidMesh, open_faces: Sequence[str], diffusivity: float, band: tuple[float, float]
+) -> DiffusionField:
+    """Solve the field of a cell over a band of frequencies.
+
+    Args:
+        mesh: the air, mm; the field is zero on every face but the open ones.
+        open_faces: ports and mirror plane.
+        diffusivity: nu or alpha, m^2/s.
+        band: lowest and highest frequency, Hz.
+    """
+    tetrahedra, facets = tetrahedral_mesh(mesh)
+    basis = skfem.Basis(tetrahedra, skfem.ElementTetP2(), intorder=4)
+    free = np.setdiff1d(np.arange(basis.N), dirichlet_nodes(basis, facets, open_faces))
+    stiffness = laplace.assemble(basis).tocsr()[free][:, free]
+    mass = weighted_mass.assemble(basis, weight=np.ones_like(basis.dx)).tocsr()
+    load = np.asarray(mass @ np.ones(basis.N))[free]
+    model = reduce_system(
+        [sp.csr_array(stiffness), sp.csr_array(mass[free][:, free])],
+        lambda frequency: _system_coefficients(frequency, diffusivity)[0],
+        [load[:, None]],
+        lambda frequency: _system_coefficients(frequency, diffusivity)[1],
+        band,
+        tolerance=1e-6,
+        keep_basis=True,
+    )
+    if model.basis is None:
+        raise RuntimeError("the reduced model was asked to keep its basis and did not")
+    functions = np.zeros((basis.N, model.basis.shape[1]))
+    functions[free] = model.basis
+    return DiffusionField(basis, functions, model)
+
+
+def field_coefficients(
+    model: ReducedModel, frequency: NDArray[np.float64], diffusivity: float
+) -> NDArray[np.complex128]:
+    """c_k(f), (n_freq, r), from the field's reduced model."""
+    solution, _ = model.coordinates(*_system_coefficients(frequency, diffusivity))
+    return np.asarray(solution[:, :, 0], dtype=np.complex128)
+
+
+def _system_coefficients(
+    frequency: NDArray[np.float64], diffusivity: float
+) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
+    rate = np.asarray(2j * np.pi * frequency * metres(1.0) ** 2 / diffusivity, dtype=np.complex128)
+    return np.column_stack([np.ones_like(rate), rate]), rate[:, None]

@@ -1,0 +1,80 @@
+r"""Lossy Helmholtz equation by scalar viscous and thermal fields: weak forms and finite element spaces only.
+
+.. math::
+    \nabla\cdot(\Psi_v \nabla p) + k_0^2 (\gamma - (\gamma-1)\Psi_h)\, p = 0, \qquad
+    u = -\frac{\Psi_v}{j\omega\rho} \nabla p ,
+
+the sequential linearised Navier-Stokes model (W. R. Kampinga, thesis, Twente 2010). The viscous field obeys
+:math:`\nu\nabla^2\Psi_v = j\omega(\Psi_v - 1)`, zero on walls, and so does the thermal one with alpha.
+
+Exact in straight ducts of any section. **Wrong where a tube opens into a cavity**: the wide cavity's field
+leaks into the mouth, and the entrance loss comes out with the wrong sign, 5 % of the admittance of a cell at
+1 Hz. A bend lowers the resistance by 13 (a/R)^2 / 48, 13 times too much (docs/theory.md). Use it for straight
+ducts and as a cross-check, not for numbers to trust.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import scipy.sparse as sp
+import skfem
+from numpy.typing import NDArray
+from skfem.helpers import dot, grad
+
+from acoustic_fem.fields.navier_stokes import WallMotion, tetrahedral_mesh, weighted_mass
+from geometry.air.mesh import SolidMesh
+
+
+@skfem.BilinearForm
+def weighted_laplace(p: Any, q: Any, form: Any) -> Any:
+    """Conduction: weight grad p . grad q."""
+    return form.weight * dot(grad(p), grad(q))
+
+
+@skfem.LinearForm
+def weighted_load(q: Any, form: Any) -> Any:
+    """Source on a face: weight q."""
+    return form.weight * q
+
+
+@dataclass(frozen=True, eq=False)
+class PressureSystem:
+    """Quadratic pressure on curved tetrahedra, lengths mm; ports hold one pressure each.
+
+    Unknowns are the pressures off the ports; ``on_ports`` (n_dof, n_port) is 1 on the nodes of a port.
+    """
+
+    basis: skfem.CellBasis
+    free: NDArray[np.int64]
+    on_ports: NDArray[np.float64]
+    sources: NDArray[np.float64]
+    """(n_dof, n_motion): integral of each wall motion against the pressure, unit integral of its magnitude."""
+
+    def conduction(self, weight: NDArray[np.float64]) -> sp.csr_array:
+        """Integral of weight grad p . grad q, weight at quadrature points, over all nodes; mm."""
+        return sp.csr_array(weighted_laplace.assemble(self.basis, weight=weight))
+
+    def storage(self, weight: NDArray[np.float64]) -> sp.csr_array:
+        """Integral of weight p q over all nodes, weight at quadrature points; mm^3."""
+        return sp.csr_array(weighted_mass.assemble(self.basis, weight=weight))
+
+
+def pressure_system(mesh: SolidMesh, ports: Sequence[str], motions: Sequence[WallMotion] = ()) -> PressureSystem:
+    """Spaces and sources of a cell; every face that is no port is a wall, a mirror plane included."""
+    tetrahedra, facets = tetrahedral_mesh(mesh)
+    basis = skfem.Basis(tetrahedra, skfem.ElementTetP2(), intorder=4)
+    on_ports = np.zeros((basis.N, len(ports)))
+    for k, name in enumerate(ports):
+        on_ports[basis.get_dofs(facets[name]).all(), k] = 1.0
+    sources = np.zeros((basis.N, len(motions)))
+    for k, motion in enumerate(motions):
+        surface = skfem.FacetBasis(tetrahedra, basis.elem, facets=facets[motion.face], intorder=4)
+        offset = np.asarray(surface.global_coordinates()) - np.array(motion.centre)[:, None, None]
+        shape = np.interp(np.linalg.norm(offset, axis=0), motion.profile[:, 0], motion.profile[:, 1])
+        sources[:, k] = weighted_load.assemble(surface, weight=shape) / np.sum(np.abs(shape) * surface.dx)
+    free = np.flatnonzero(on_ports.sum(axis=1) == 0)
+    return PressureSystem(basis, free, on_ports, sources)

@@ -1,0 +1,291 @@
+r"""Linearised Navier-Stokes with a scalar thermal field: weak forms and finite element spaces only.
+
+Find the velocity u and the pressure p of small harmonic motions of a viscous, heat-conducting gas in a
+cell whose walls are rigid, no-slip and isothermal:
+
+.. math::
+    \int \mu \nabla u : \nabla w + j\omega\rho\, u\cdot w - p\, \nabla\!\cdot w
+        = -\sum_i p_i \int_{P_i} w\cdot n , \qquad
+    -\int q\, \nabla\!\cdot u - \int \frac{j\omega}{\rho c^2}\,
+        \bigl(\gamma - (\gamma-1)\Psi_h\bigr)\, p\, q = 0 ,
+
+with u = 0 on walls, no tangential velocity on ports, a given normal velocity on moving walls, and no normal
+velocity on a mirror plane.
+:math:`\Psi_h` is the thermal field, :math:`\alpha\nabla^2\Psi_h = j\omega(\Psi_h - 1)`, zero on walls
+(Cummings 1993; Kampinga 2010). Bulk viscosity is left out: the flow is nearly divergence-free.
+
+Taylor-Hood elements (quadratic velocity, linear pressure) on curved tetrahedra. Lengths are taken in
+millimetres and pressure in units of mu / 1 mm, which brings all blocks of the matrix to one size; without
+that a direct solver can lose every digit in silence.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import scipy.sparse as sp
+import skfem
+from numpy.typing import NDArray
+from skfem.helpers import dot, grad
+
+from geometry.air.mesh import SolidMesh
+
+
+@skfem.BilinearForm
+def divergence(u: Any, q: Any, form: Any) -> Any:
+    """One term of the coupling of velocity and pressure: q du/dx_i."""
+    return u.grad[form.axis] * q
+
+
+@skfem.BilinearForm
+def weighted_mass(p: Any, q: Any, form: Any) -> Any:
+    """Storage: weight p q."""
+    return form.weight * p * q
+
+
+@skfem.BilinearForm
+def laplace(p: Any, q: Any, _: Any) -> Any:
+    """Diffusion: grad p . grad q."""
+    return dot(grad(p), grad(q))
+
+
+@skfem.LinearForm
+def normal_flux(w: Any, form: Any) -> Any:
+    """Flux out of the cell: w . n."""
+    return dot(w, form.n)
+
+
+@dataclass(frozen=True)
+class CellSystem:
+    """Matrices of a cell with walls and ports built in; lengths mm, pressure in mu / 1 mm.
+
+    The unknowns are the free velocities followed by the pressures. With s = j w L^2 / nu and
+    t = j w mu / (rho c^2) (L = 1 mm) the system matrix is
+    ``viscous + s inertia - coupling - t (gamma compliance - (gamma - 1) thermal)``.
+    """
+
+    viscous: sp.csr_array
+    inertia: sp.csr_array
+    coupling: sp.csr_array
+    compliance: sp.csr_array
+    port_flux: NDArray[np.float64]
+    """(n, n_port): column i gives the volume velocity out through port i, mm^2 times the velocity."""
+    motion_terms: tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]
+    """viscous, inertia and coupling applied to the scaled wall motions, restricted to the unknowns, each
+    (n, n_motion)."""
+    motion_energy: NDArray[np.float64]
+    """(2, n_motion, n_motion): viscous and inertia energy of the wall motions themselves."""
+    n_velocity: int
+    pressure: skfem.CellBasis
+
+    @property
+    def size(self) -> int:
+        """Number of unknowns."""
+        return self.viscous.shape[0]
+
+
+def compliance_mass(pressure: skfem.CellBasis, weight: NDArray[np.float64]) -> sp.csr_array:
+    """Integral of weight p q over the cell, mm^3; one weight per element (n_element,)."""
+    at_points = np.broadcast_to(weight[:, None], pressure.dx.shape)
+    return sp.csr_array(weighted_mass.assemble(pressure, weight=at_points))
+
+
+def tetrahedral_mesh(mesh: SolidMesh) -> tuple[skfem.MeshTet2, dict[str, NDArray[np.int64]]]:
+    """The mesh in scikit-fem's form, and the facets of each named face."""
+    tetrahedra = skfem.MeshTet2(mesh.nodes.T, mesh.tetrahedra.T)
+    vertex = _vertex_numbers(mesh)
+    return tetrahedra, {name: _facets(tetrahedra, vertex[triangles]) for name, triangles in mesh.faces.items()}
+
+
+def dirichlet_nodes(
+    scalar: skfem.CellBasis, facets: dict[str, NDArray[np.int64]], ports: Sequence[str]
+) -> NDArray[np.int64]:
+    """Degrees of freedom of a scalar basis on every face that is no port."""
+    walls = [index for name, index in facets.items() if name not in ports]
+    return np.unique(np.concatenate([scalar.get_dofs(index).all() for index in walls]))
+
+
+@dataclass(frozen=True, eq=False)
+class WallMotion:
+    """A flat face that moves along its normal with a shape that depends on the distance from a centre.
+
+    Attributes:
+        face: name of the face.
+        profile: (n, 2) radius (mm) and normal velocity; scaled so that the integral of its magnitude over
+            the face is 1: unit volume velocity into the cell, where the shape has one sign.
+        centre: of the profile, mm.
+    """
+
+    face: str
+    profile: NDArray[np.float64]
+    centre: tuple[float, float, float]
+
+
+def cell_system(
+    mesh: SolidMesh, ports: Sequence[str], motions: Sequence[WallMotion] = (), mirror: str | None = None
+) -> CellSystem:
+    """Assemble a cell.
+
+    Args:
+        mesh: the air, with every port, moving wall and the mirror plane named.
+        ports: names of the ports, in order.
+        motions: walls that move, in order; several may share a face.
+        mirror: name of the plane that halves the cell; ports and moving walls are then halves as well.
+    """
+    tetrahedra, facets = tetrahedral_mesh(mesh)
+    velocity = skfem.Basis(tetrahedra, skfem.ElementVector(skfem.ElementTetP2()), intorder=4)
+    linear = velocity.with_element(skfem.ElementTetP1())
+    quadratic = velocity.with_element(skfem.ElementTetP2())
+
+    n_scalar, n_pressure = quadratic.N, linear.N
+    free_faces = [*ports] if mirror is None else [*ports, mirror]
+    across = {name: mesh.normals[name][:, None] for name in ports}
+    if mirror is not None:
+        # Listed first: where a port meets the mirror, the port's direction, which lies in the plane, holds.
+        across = {mirror: _tangents(mesh.normals[mirror]), **across}
+    reduction = _velocity_reduction(
+        n_scalar,
+        dirichlet_nodes(quadratic, facets, free_faces),
+        [(quadratic.get_dofs(facets[name]).all(), directions) for name, directions in across.items()],
+        velocity,
+    )
+
+    # The three components of the velocity share one scalar matrix each.
+    components = _components(velocity, n_scalar)
+    scatter = [_scatter(rows, velocity.N) for rows in components]
+    stiffness, mass = laplace.assemble(quadratic), weighted_mass.assemble(quadratic, weight=np.ones_like(quadratic.dx))
+    full_viscous, full_inertia = (sum(s @ block @ s.T for s in scatter) for block in (stiffness, mass))
+    full_divergence = sum(divergence.assemble(quadratic, linear, axis=axis) @ scatter[axis].T for axis in range(3))
+    n_velocity = reduction.shape[1]
+    blank = sp.csr_array((n_pressure, n_pressure))
+    viscous = sp.block_diag([reduction.T @ full_viscous @ reduction, blank], format="csr")
+    inertia = sp.block_diag([reduction.T @ full_inertia @ reduction, blank], format="csr")
+    reduced_divergence = full_divergence @ reduction
+    coupling = sp.block_array([[None, reduced_divergence.T], [reduced_divergence, None]], format="csr")
+
+    flux = np.zeros((n_velocity + n_pressure, len(ports)))
+    for k, name in enumerate(ports):
+        face = skfem.FacetBasis(tetrahedra, velocity.elem, facets=facets[name], intorder=4)
+        flux[:n_velocity, k] = reduction.T @ normal_flux.assemble(face)
+
+    lift = np.zeros((velocity.N, len(motions)))
+    for k, motion in enumerate(motions):
+        resting = [index for name, index in facets.items() if name not in (motion.face, mirror)]
+        lift[:, k] = _wall_motion(velocity, tetrahedra, facets[motion.face], resting, mesh.normals[motion.face], motion)
+    terms = (full_viscous @ lift, full_inertia @ lift)
+    zeros = np.zeros((n_pressure, len(motions)))
+    motion_terms = (
+        np.concatenate([reduction.T @ terms[0], zeros]),
+        np.concatenate([reduction.T @ terms[1], zeros]),
+        np.concatenate([np.zeros((n_velocity, len(motions))), full_divergence @ lift]),
+    )
+    return CellSystem(
+        viscous=viscous,
+        inertia=inertia,
+        coupling=coupling,
+        compliance=compliance_mass(linear, np.ones(tetrahedra.nelements)),
+        port_flux=flux,
+        motion_terms=motion_terms,
+        motion_energy=np.stack([lift.T @ terms[0], lift.T @ terms[1]]),
+        n_velocity=n_velocity,
+        pressure=linear,
+    )
+
+
+def _vertex_numbers(mesh: SolidMesh) -> NDArray[np.int64]:
+    """scikit-fem renumbers corner nodes by rank among all corners: node -> vertex."""
+    corners = np.unique(mesh.tetrahedra[:, :4])
+    vertex = np.full(len(mesh.nodes), -1, dtype=np.int64)
+    vertex[corners] = np.arange(len(corners))
+    return vertex
+
+
+def _facets(mesh: skfem.MeshTet2, triangles: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Facet numbers of corner triples; every triangle must be a boundary facet."""
+    boundary = mesh.boundary_facets()
+    n = mesh.nvertices
+
+    def key(corners: NDArray) -> NDArray:
+        a, b, c = np.sort(corners, axis=0).astype(np.int64)
+        return (a * n + b) * n + c
+
+    keys = key(mesh.facets[:, boundary])
+    order = np.argsort(keys)
+    wanted = key(triangles.T)
+    place = np.minimum(np.searchsorted(keys[order], wanted), len(keys) - 1)
+    if not np.array_equal(keys[order][place], wanted):
+        raise RuntimeError("a named triangle is not a boundary facet of the mesh")
+    return boundary[order[place]]
+
+
+def _tangents(normal: NDArray[np.float64]) -> NDArray[np.float64]:
+    """(3, 2): an orthonormal pair across the normal."""
+    return np.linalg.svd(normal[None, :])[2][1:].T
+
+
+def _velocity_reduction(
+    n_scalar: int,
+    wall_nodes: NDArray[np.int64],
+    guided: Sequence[tuple[NDArray[np.int64], NDArray[np.float64]]],
+    velocity: skfem.CellBasis,
+) -> sp.csr_array:
+    """Map from free velocities to all: none on walls, only the given directions (3, d) on guided nodes."""
+    components = _components(velocity, n_scalar)
+    kind = np.zeros(n_scalar, dtype=np.int64)
+    for number, (nodes, _) in enumerate(guided, start=1):
+        kind[nodes] = number
+    kind[wall_nodes] = -1
+    rows, columns, values, count = [], [], [], 0
+    for number, directions in enumerate([np.eye(3), *(directions for _, directions in guided)]):
+        nodes = np.flatnonzero(kind == number)
+        for direction in directions.T:
+            rows.append(components[:, nodes].ravel())
+            columns.append(np.tile(count + np.arange(len(nodes)), 3))
+            values.append(np.repeat(direction, len(nodes)))
+            count += len(nodes)
+    matrix = sp.coo_array(
+        (np.concatenate(values), (np.concatenate(rows), np.concatenate(columns))), shape=(velocity.N, count)
+    )
+    matrix.eliminate_zeros()
+    return sp.csr_array(matrix)
+
+
+def _components(velocity: skfem.CellBasis, n_scalar: int) -> NDArray[np.int64]:
+    """(3, n_scalar): the vector degree of freedom of each component at each scalar one."""
+    nodal = velocity.nodal_dofs.reshape(3, -1) if velocity.nodal_dofs.shape[0] == 3 else None
+    edge = velocity.edge_dofs
+    if nodal is None or edge.shape[0] != 3 or nodal.shape[1] + edge.shape[1] != n_scalar:
+        raise RuntimeError("unexpected layout of the quadratic vector element")
+    return np.hstack([nodal, edge]).astype(np.int64)
+
+
+def _scatter(rows: NDArray[np.int64], size: int) -> sp.csr_array:
+    """Matrix that puts a scalar field into its rows of a vector field."""
+    count = len(rows)
+    return sp.csr_array((np.ones(count), (rows, np.arange(count))), shape=(size, count))
+
+
+def _wall_motion(
+    velocity: skfem.CellBasis,
+    mesh: skfem.MeshTet2,
+    face: NDArray[np.int64],
+    resting: Sequence[NDArray[np.int64]],
+    normal: NDArray[np.float64],
+    motion: WallMotion,
+) -> NDArray[np.float64]:
+    """Velocity of a moving wall, positive into the cell and scaled to a unit integral of its magnitude, mm^2."""
+    scalar = velocity.with_element(skfem.ElementTetP2())
+    on_face = np.unique(scalar.get_dofs(face).all())
+    rim = np.unique(np.concatenate([scalar.get_dofs(index).all() for index in resting]))
+    radius = np.linalg.norm(scalar.doflocs[:, on_face] - np.array(motion.centre)[:, None], axis=0)
+    shape = np.interp(radius, motion.profile[:, 0], motion.profile[:, 1])
+    shape[np.isin(on_face, rim)] = 0.0
+    components = _components(velocity, scalar.N)
+    inwards = np.zeros((velocity.N, 2))
+    for axis in range(3):
+        inwards[components[axis, on_face]] = -normal[axis] * np.column_stack([shape, np.abs(shape)])
+    surface = skfem.FacetBasis(mesh, velocity.elem, facets=face, intorder=4)
+    return inwards[:, 0] / (-normal_flux.assemble(surface) @ inwards[:, 1])

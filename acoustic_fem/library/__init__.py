@@ -1,0 +1,8 @@
+"""The labelled result: solve, touch, noise, files.
+
+Stands on: cell, membrane, network, quantities.
+"""
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

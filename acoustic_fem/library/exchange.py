@@ -1,0 +1,274 @@
+"""Libraries in formats of other programs, written and read back to the last digit: SOFA, NPZ and CSV.
+
+- ``.sofa``: AES69-2022, convention GeneralTF-E: emitters are the sensing points, receivers the microphones, both at
+  their places in the laid-out array. What else a library holds is in variables and attributes of its own.
+- ``.npz``: one array per variable of the netCDF file, real and imaginary parts apart, and texts.
+- ``.csv``: a row per point, microphone and frequency; ahead of it, behind ``#``, the texts as JSON. The impedance
+  between microphones, which has no place in such rows, is left out.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import csv
+import io
+import json
+import os
+import zipfile
+import zlib
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from numpy.typing import NDArray
+
+from acoustic_fem.library.file import (
+    ATTRIBUTES,
+    LibraryError,
+    dataset_of,
+    library_of,
+    load as load_netcdf,
+    save as save_netcdf,
+)
+from acoustic_fem.library.result import DEVIATION, VARIABLES, Library
+from acoustic_fem.quantities.units import metres
+from geometry.design.array_design import ArrayDesign
+from geometry.design.design_file import read_design
+from geometry.files.writing import whole_file
+from geometry.layout.place import lay_out
+from geometry.refusal import Refusal
+
+FORMATS = (".nc", ".sofa", ".npz", ".csv")
+_DEVIATION = "transfer_function_deviation"
+#: Dimension of a library -> letter of SOFA's: emitters, receivers, frequencies.
+_LETTERS = {"point": "E", "microphone": "R", "microphone_2": "R", "frequency": "N"}
+
+
+def export(library: Library, path: str | os.PathLike[str]) -> None:
+    """Write a library in the format of the name's suffix; the file is whole or not there.
+
+    Raises:
+        LibraryError: another suffix than ``.nc``, ``.sofa``, ``.npz`` and ``.csv``, or a file that cannot be written.
+    """
+    path = Path(path)
+    write = {".nc": save_netcdf, ".sofa": _write_sofa, ".npz": _write_npz, ".csv": _write_csv}[_suffix(path)]
+    try:
+        write(library, path)
+    except OSError as error:
+        raise LibraryError(f"{path}: cannot be written: {error.strerror or error}") from None
+
+
+def load_exchanged(path: str | os.PathLike[str]) -> Library:
+    """Read what :func:`export` wrote; every number is the one that was written.
+
+    Raises:
+        LibraryError: no such file, another suffix, cut short, not of this program, or altered; says what.
+    """
+    path = Path(path)
+    suffix = _suffix(path)
+    if suffix == ".nc":
+        return load_netcdf(path)
+    if not path.is_file():
+        raise LibraryError(f"{path}: {'is a folder, not a library' if path.is_dir() else 'no such file'}")
+    try:
+        return library_of({".sofa": _read_sofa, ".npz": _read_npz, ".csv": _read_csv}[suffix](path))
+    except LibraryError:
+        raise
+    except ValueError as error:
+        raise LibraryError(f"{path}: {' '.join(str(error).split())}") from None
+
+
+def _suffix(path: Path) -> str:
+    suffix = path.suffix.lower()
+    if suffix not in FORMATS:
+        raise LibraryError(f"{path}: its name must end with {', '.join(FORMATS[:-1])} or {FORMATS[-1]}")
+    return suffix
+
+
+def _variables() -> dict[str, tuple[str, ...]]:
+    """Names of the real variables that a file may hold, and their dimensions."""
+    parts = {f"{name}_{part}": row[0] for name, row in VARIABLES.items() for part in ("real", "imag")}
+    return {**parts, _DEVIATION: DEVIATION[0]}
+
+
+def _dataset(
+    attributes: dict[str, Any], frequency: NDArray[np.float64], variables: dict[str, NDArray[np.float64]]
+) -> xr.Dataset:
+    """Variables shaped as :data:`VARIABLES` lists them, as :func:`library_of` takes them.
+
+    Raises:
+        Refusal: an attribute is missing or the design is not valid.
+    """
+    missing = [name for name in ATTRIBUTES if not isinstance(attributes.get(name), str)]
+    if missing:
+        raise Refusal(f"was not written by this program: it has no {missing[0]}")
+    design = read_design(attributes["design_toml"], "design_toml")
+    points = lay_out(design).points
+    coordinates: dict[str, tuple[str, Any]] = {
+        "point": ("point", [point.number for point in points]),
+        "line": ("point", [point.line for point in points]),
+        "place": ("point", [point.place for point in points]),
+        "microphone": ("microphone", list(design.microphones)),
+        "microphone_2": ("microphone_2", list(design.microphones)),
+        "frequency": ("frequency", frequency),
+    }
+    sizes = {name: len(values) for name, (_, values) in coordinates.items()}
+    dimensions = _variables()
+    for name, values in variables.items():
+        shape = tuple(sizes[dimension] for dimension in dimensions[name])
+        if values.shape != shape:
+            raise Refusal(f"{name} has shape {values.shape}; it must be {shape} for its design and frequencies")
+    return xr.Dataset({name: (dimensions[name], values) for name, values in variables.items()}, coordinates, attributes)
+
+
+# -- SOFA -----------------------------------------------------------------------------------------------------------
+def _sofa_name(name: str) -> str:
+    return "".join(word.capitalize() for word in name.split("_"))
+
+
+def _write_sofa(library: Library, path: Path) -> None:
+    import sofar
+
+    dataset = dataset_of(library)
+    sofa = sofar.Sofa("GeneralTF-E")
+    sofa.N = library.frequency
+    emitters, receivers = _places(library.design)
+    sofa.EmitterPosition, sofa.ReceiverPosition = emitters, receivers
+    sofa.GLOBAL_Title = library.design.name
+    sofa.GLOBAL_Comment = "emitters: sensing points; receivers: microphones; exp(+j omega t)"
+    for name, dimensions in _variables().items():
+        if name not in dataset:
+            continue
+        values = dataset[name].transpose(*dimensions)
+        if set(dimensions) == {"point", "microphone", "frequency"}:
+            shaped = values.transpose("microphone", "frequency", "point").values[None]
+            if name.startswith("transfer_function") and name != _DEVIATION:
+                setattr(sofa, f"Data_{name.rsplit('_', 1)[1].capitalize()}", shaped)
+            else:
+                sofa.add_variable(_sofa_name(name), shaped, "double", "MRNE")
+        else:
+            letters = "".join(_LETTERS[dimension] for dimension in dimensions)
+            sofa.add_variable(_sofa_name(name), values.values, "double", letters)
+    for name in ATTRIBUTES:
+        sofa.add_attribute(f"GLOBAL_{_sofa_name(name)}", dataset.attrs[name])
+    with whole_file(path) as beside:
+        sofar.write_sofa(str(beside), sofa)
+
+
+def _places(design: ArrayDesign) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """(n_point, 3) and (n_microphone, 3), m."""
+    layout = lay_out(design)
+    points = [layout.frame(point).origin for point in layout.points]
+    by_name = {microphone.name: layout.frame(microphone).origin for microphone in layout.microphones}
+    microphones = [by_name[name] for name in design.microphones]
+    return np.array(points) * metres(1.0), np.array(microphones) * metres(1.0)
+
+
+def _read_sofa(path: Path) -> xr.Dataset:
+    import sofar
+
+    try:
+        with contextlib.redirect_stdout(io.StringIO()):
+            sofa = sofar.read_sofa(str(path), verify=False, verbose=False)
+    except (OSError, ValueError, KeyError, RuntimeError) as error:
+        raise LibraryError(f"{path}: is no SOFA file or is cut short ({' '.join(str(error).split())})") from None
+    if getattr(sofa, "GLOBAL_SOFAConventions", None) != "GeneralTF-E":
+        raise LibraryError(f"{path}: is SOFA of another convention than GeneralTF-E")
+    attributes = {name: getattr(sofa, f"GLOBAL_{_sofa_name(name)}", None) for name in ATTRIBUTES}
+    frequency = np.atleast_1d(np.asarray(sofa.N, np.float64))
+    variables = {}
+    for name, dimensions in _variables().items():
+        own = f"Data_{name.rsplit('_', 1)[1].capitalize()}" if name in _DATA else _sofa_name(name)
+        if not hasattr(sofa, own):
+            continue
+        values = np.asarray(getattr(sofa, own), np.float64)
+        if set(dimensions) == {"point", "microphone", "frequency"}:
+            # SOFA has four dimensions here; readers drop trailing ones of length 1
+            count = len(np.atleast_2d(sofa.ReceiverPosition))
+            values = values.reshape(count, len(frequency), -1).transpose(2, 0, 1)
+        elif dimensions == ("point", "frequency"):
+            values = values.reshape(-1, len(frequency))
+        variables[name] = values
+    return _dataset(attributes, frequency, variables)
+
+
+_DATA = ("transfer_function_real", "transfer_function_imag")
+
+
+# -- NPZ ------------------------------------------------------------------------------------------------------------
+def _write_npz(library: Library, path: Path) -> None:
+    dataset = dataset_of(library)
+    arrays: dict[str, Any] = {
+        name: dataset[name].transpose(*dimensions).values
+        for name, dimensions in _variables().items()
+        if name in dataset
+    }
+    arrays |= {name: np.array(dataset.attrs[name]) for name in ATTRIBUTES} | {"frequency": library.frequency}
+    with whole_file(path) as beside:
+        np.savez(beside, **arrays)
+
+
+def _read_npz(path: Path) -> xr.Dataset:
+    try:
+        with np.load(path, allow_pickle=False) as content:
+            arrays = {name: content[name] for name in content.files}
+    except (zipfile.BadZipFile, zlib.error, EOFError, OSError, ValueError) as error:
+        raise LibraryError(f"{path}: is no NPZ file or is cut short ({' '.join(str(error).split())})") from None
+    if "frequency" not in arrays:
+        raise Refusal("was not written by this program: it has no frequency")
+    attributes = {name: str(arrays[name]) for name in ATTRIBUTES if name in arrays}
+    variables = {name: arrays[name] for name in _variables() if name in arrays}
+    return _dataset(attributes, arrays["frequency"], variables)
+
+
+# -- CSV ------------------------------------------------------------------------------------------------------------
+def _write_csv(library: Library, path: Path) -> None:
+    dataset = dataset_of(library)
+    order = ("point", "microphone", "frequency")
+    rows = dataset.drop_vars(["line", "place"]).drop_dims("microphone_2", errors="ignore")
+    names = [name for name in _variables() if name in rows]
+    table = xr.broadcast(*(rows[name] for name in names))
+    columns = [values.transpose(*order).values.ravel() for values in table]
+    places = [values.ravel() for values in np.meshgrid(*(rows[name].values for name in order), indexing="ij")]
+    with whole_file(path) as beside, beside.open("w", encoding="utf-8", newline="") as file:
+        for name in ATTRIBUTES:
+            file.write(f"# {name}: {json.dumps(dataset.attrs[name])}\n")
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow([*order, *names])
+        # tolist() gives Python's numbers, whose texts read back as the same number
+        writer.writerows(zip(*(values.tolist() for values in (*places, *columns)), strict=True))
+
+
+def _read_csv(path: Path) -> xr.Dataset:
+    try:
+        lines = path.read_text(encoding="utf-8").splitlines()
+    except UnicodeDecodeError:
+        raise LibraryError(f"{path}: is not a CSV file in UTF-8") from None
+    attributes: dict[str, Any] = {}
+    while lines and lines[0].startswith("# "):
+        name, _, text = lines.pop(0)[2:].partition(": ")
+        attributes[name] = json.loads(text)
+    try:
+        head, *rows = list(csv.reader(lines)) or [[]]
+    except csv.Error as error:
+        raise LibraryError(f"{path}: is not a CSV file: {error}") from None
+    order, names = ("point", "microphone", "frequency"), head[3:]
+    known = [name for name, dimensions in _variables().items() if "microphone_2" not in dimensions]
+    if tuple(head[:3]) != order or not set(names) <= set(known):
+        raise Refusal(f"its columns are {', '.join(head) or 'none'}; they must be {', '.join((*order, *known))}")
+    short = [number for number, row in enumerate(rows) if len(row) != len(head)]
+    if short:
+        raise Refusal(f"row {short[0] + 1} has {len(rows[short[0]])} values, must have {len(head)}; cut short?")
+    points, microphones = (list(dict.fromkeys(row[k] for row in rows)) for k in (0, 1))
+    shape = (len(points), len(microphones), -1)
+    if not rows or len(rows) % (len(points) * len(microphones)):
+        raise Refusal(f"has {len(rows)} rows, not a multiple of its points and microphones; cut short?")
+    values = np.array([[float(text) for text in row[2:]] for row in rows]).T.reshape(len(names) + 1, *shape)
+    dimensions = _variables()
+    # what does not depend on the microphone stands in the rows of each
+    variables = {
+        name: column if "microphone" in dimensions[name] else column[:, 0]
+        for name, column in zip(names, values[1:], strict=True)
+    }
+    return _dataset(attributes, values[0][0, 0], variables)

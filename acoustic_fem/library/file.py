@@ -1,0 +1,234 @@
+"""Libraries as netCDF-4 files that plain netCDF tools open: real and imaginary variables, CF attributes."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Iterable
+from dataclasses import asdict, fields
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from numpy.typing import NDArray
+
+from acoustic_fem.library.result import (
+    DEVIATION,
+    FIDELITIES,
+    MEASURED,
+    OPTIONAL,
+    VARIABLES,
+    Library,
+    library_from_arrays,
+)
+from acoustic_fem.quantities.checks import frequency_grid
+from acoustic_fem.quantities.medium import Medium
+from geometry.design.design_file import read_design, write_design
+from geometry.files.writing import whole_file
+from geometry.layout.place import lay_out
+from geometry.refusal import Refusal
+
+#: Global attributes of every library file.
+_TITLE = "acoustic-fem library"
+_LAYOUT_VERSION = 1
+#: Text attributes that every library carries, and its coordinates.
+ATTRIBUTES = ("fidelity", "design_toml", "medium", "provenance")
+_DEVIATION = "transfer_function_deviation"
+_COORDINATES = ("point", "line", "place", "microphone", "frequency")
+
+
+class LibraryError(Refusal):
+    """A library file that cannot be read or written: one line that names the file and the reason."""
+
+
+def save(library: Library, path: str | os.PathLike[str]) -> None:
+    """Write a library; the file is whole or not there (written beside, then renamed).
+
+    Complex variables become NAME_real and NAME_imag; the design (TOML), the air and the provenance (JSON)
+    are global attributes. The response per newton is written for other tools; :func:`load` leaves it to
+    :attr:`acoustic_fem.library.result.Library.force_response`, since it follows from the rest.
+
+    Raises:
+        LibraryError: the file cannot be written.
+    """
+    path = Path(path)
+    dataset = dataset_of(library, (*VARIABLES, "force_response"))
+    try:
+        with whole_file(path) as beside:
+            dataset.to_netcdf(beside, engine="netcdf4", format="NETCDF4")
+    except OSError as error:
+        raise LibraryError(f"{path}: cannot be written: {error.strerror or error}") from None
+
+
+def dataset_of(library: Library, names: Iterable[str] = tuple(VARIABLES)) -> xr.Dataset:
+    """A library as real variables and text attributes, as files hold it; :func:`library_of` is the way back."""
+    variables = {}
+    for name in names:
+        array = getattr(library, name)
+        if array is None and name in OPTIONAL:
+            continue
+        for part, values in (("real", array.real), ("imag", array.imag)):
+            attributes = {"units": array.attrs["units"], "long_name": f"{array.attrs['long_name']}, {part} part"}
+            variables[f"{name}_{part}"] = values.assign_attrs(attributes)
+    if library.transfer_function_deviation is not None:
+        variables[_DEVIATION] = library.transfer_function_deviation
+    return xr.Dataset(
+        variables,
+        attrs={
+            "Conventions": "CF-1.11",
+            "title": _TITLE,
+            "layout_version": _LAYOUT_VERSION,
+            "fidelity": library.fidelity,
+            "time_convention": "exp(+j omega t)",
+            "design_toml": write_design(library.design),
+            "medium": json.dumps(asdict(library.medium)),
+            "provenance": json.dumps(dict(library.provenance)),
+        },
+    )
+
+
+def load(path: str | os.PathLike[str]) -> Library:
+    """Read a library that :func:`save` wrote; every number is the one that was saved.
+
+    The arrays are compared with the design in the file: another number of points, other microphones or values
+    that are not finite are refused.
+
+    Raises:
+        LibraryError: no such file, cut short, not a library, or altered; names the attribute or variable.
+    """
+    path = Path(path)
+    if not path.is_file():
+        raise LibraryError(f"{path}: {'is a folder, not a library' if path.is_dir() else 'no such file'}")
+    try:
+        with xr.open_dataset(path, engine="netcdf4", decode_times=False, mask_and_scale=False) as opened:
+            dataset = opened.load()
+    except Exception as error:  # foreign and damaged files make netCDF4 and xarray raise all kinds
+        raise LibraryError(f"{path}: is no netCDF file or is cut short ({_one_line(error)})") from None
+    if dataset.attrs.get("title") != _TITLE:
+        raise LibraryError(f"{path}: is a netCDF file but no library (title is not {_TITLE!r})")
+    if dataset.attrs.get("layout_version") != _LAYOUT_VERSION:
+        found = dataset.attrs.get("layout_version")
+        raise LibraryError(f"{path}: layout_version = {found} must be {_LAYOUT_VERSION}")
+    try:
+        return library_of(dataset)
+    except ValueError as error:
+        raise LibraryError(f"{path}: {_one_line(error)}") from None
+
+
+def library_of(dataset: xr.Dataset) -> Library:
+    """The library in a data set.
+
+    Raises:
+        Refusal: an attribute or variable is not that of a library; says which.
+    """
+    absent = {name for name in OPTIONAL if f"{name}_real" not in dataset and f"{name}_imag" not in dataset}
+    present = [name for name in VARIABLES if name not in absent]
+    missing = [f"{name}_{part}" for name in present for part in ("real", "imag")]
+    missing = [name for name in (*missing, *_COORDINATES) if name not in dataset.variables]
+    missing += [name for name in ATTRIBUTES if name not in dataset.attrs]
+    if missing:
+        raise Refusal(f"is no complete library, {missing[0]} is missing")
+    for name in ATTRIBUTES:
+        if not isinstance(dataset.attrs[name], str):
+            raise Refusal(f"attribute {name} must be a text")
+    fidelity = dataset.attrs["fidelity"]
+    known = (*FIDELITIES, MEASURED)
+    if fidelity not in known:
+        raise Refusal(f"attribute fidelity = {fidelity!r} must be one of: {', '.join(known)}")
+    design = read_design(dataset.attrs["design_toml"], "attribute design_toml")
+    layout = lay_out(design)
+    for name, expected in (
+        ("point", [point.number for point in layout.points]),
+        ("line", [point.line for point in layout.points]),
+        ("place", [point.place for point in layout.points]),
+        ("microphone", list(design.microphones)),
+    ):
+        _check_coordinate(dataset[name], expected)
+    return library_from_arrays(
+        design,
+        layout,
+        _frequency(dataset["frequency"]),
+        {name: _complex(dataset, name) for name in present},
+        fidelity,
+        _medium(dataset.attrs["medium"]),
+        _json_object(dataset.attrs["provenance"], "provenance"),
+        _deviation(dataset) if _DEVIATION in dataset else None,
+    )
+
+
+def _check_coordinate(found: xr.DataArray, expected: list[int] | list[str]) -> None:
+    """A coordinate must be what the design in the same file says."""
+    values = found.values.ravel().tolist()
+    if len(values) != len(expected):
+        raise Refusal(f"variable {found.name} has {len(values)} values, its design has {len(expected)}")
+    for index, (value, wanted) in enumerate(zip(values, expected, strict=True)):
+        if value != wanted:
+            raise Refusal(f"variable {found.name}[{index}] = {value!r} must be {wanted!r} as in its design")
+
+
+def _frequency(found: xr.DataArray) -> NDArray[np.float64]:
+    if found.dtype.kind not in "fiu":
+        raise Refusal(f"variable frequency holds {found.dtype}, not numbers")
+    return frequency_grid(found.values)
+
+
+def _complex(dataset: xr.Dataset, name: str) -> NDArray[np.complex128]:
+    dimensions = VARIABLES[name][0]
+    parts = [_real(dataset, f"{name}_{part}", dimensions) for part in ("real", "imag")]
+    values = np.empty(parts[0].shape, dtype=np.complex128)
+    values.real, values.imag = parts
+    return values
+
+
+def _deviation(dataset: xr.Dataset) -> NDArray[np.float64]:
+    values = _real(dataset, _DEVIATION, DEVIATION[0])
+    if (values < 0).any():
+        raise Refusal(f"variable {_DEVIATION} = {values.min():g} must be at least 0")
+    return values
+
+
+def _real(dataset: xr.Dataset, variable: str, dimensions: tuple[str, ...]) -> NDArray[np.float64]:
+    array = dataset[variable]
+    if sorted(map(str, array.dims)) != sorted(dimensions):
+        found = ", ".join(map(str, array.dims))
+        raise Refusal(f"variable {variable} has the dimensions ({found}), must be ({', '.join(dimensions)})")
+    if array.dtype.kind != "f":
+        raise Refusal(f"variable {variable} holds {array.dtype}, not floating-point numbers")
+    array = array.transpose(*dimensions)
+    bad = np.argwhere(~np.isfinite(array.values))
+    if len(bad):
+        where = ", ".join(f"{key} {dataset[key].values[k]}" for key, k in zip(dimensions, bad[0], strict=True))
+        raise Refusal(f"variable {variable} = {array.values[tuple(bad[0])]} at {where}; it must be finite")
+    return np.asarray(array.values, np.float64)
+
+
+def _medium(text: str) -> Medium:
+    values = _json_object(text, "medium")
+    known = [field.name for field in fields(Medium)]
+    for name in known:
+        if name not in values:
+            raise Refusal(f"attribute medium: {name} is missing")
+    for name, value in values.items():
+        if name not in known:
+            raise Refusal(f"attribute medium: {name!r} is unknown; known: {', '.join(known)}")
+        if not isinstance(value, (int, float)) or isinstance(value, bool):
+            raise Refusal(f"attribute medium: {name} = {value!r} must be a number")
+    try:
+        return Medium(**values)
+    except (ValueError, OverflowError) as error:
+        raise Refusal(f"attribute medium: {error}") from None
+
+
+def _json_object(text: str, attribute: str) -> dict[str, Any]:
+    try:
+        values = json.loads(text)
+    except (ValueError, RecursionError) as error:
+        raise Refusal(f"attribute {attribute} is not JSON: {error}") from None
+    if not isinstance(values, dict):
+        raise Refusal(f"attribute {attribute} must be a JSON object")
+    return values
+
+
+def _one_line(error: Exception) -> str:
+    return " ".join(str(error).split())

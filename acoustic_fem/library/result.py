@@ -1,0 +1,165 @@
+"""Transfer functions of a whole array: ``solve`` and its labelled result."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from numpy.typing import NDArray
+
+from acoustic_fem.library.touch import touch_response
+from acoustic_fem.quantities.medium import Medium
+from geometry.design.array_design import ArrayDesign
+from geometry.layout.placement import ArrayLayout
+
+#: What the air of a cell may be computed with; the last is the one to trust.
+FIDELITIES = ("lumped", "helmholtz", "navier-stokes")
+#: What stands in place of a fidelity in a library made from recordings (:mod:`acoustic_fem.calibration`).
+MEASURED = "measured"
+
+#: Name -> dimensions, units and description of the results.
+VARIABLES = {
+    "transfer_function": (
+        ("point", "microphone", "frequency"),
+        "Pa/Pa",
+        "pressure at the microphone per pressure in the touched cavity",
+    ),
+    "source_response": (
+        ("point", "microphone", "frequency"),
+        "Pa s/m^3",
+        "pressure at the microphone per volume velocity injected at the membrane of the point",
+    ),
+    "point_impedance": (
+        ("point", "frequency"),
+        "Pa s/m^3",
+        "pressure in the cavity per volume velocity injected at its membrane",
+    ),
+    "microphone_impedance": (
+        ("microphone", "microphone_2", "frequency"),
+        "Pa s/m^3",
+        "pressure at the microphone per volume velocity injected at the front of the second microphone",
+    ),
+}
+
+#: Attributes of the response per newton, which follows from the source response and the design.
+FORCE_RESPONSE = {
+    "units": "Pa/N",
+    "long_name": "pressure at the microphone per force on the middle quarter of the membrane's radius",
+}
+
+#: Real, unlike the others: what is known of the errors of measured transfer functions.
+DEVIATION = (
+    ("point", "microphone", "frequency"),
+    "Pa/Pa",
+    "standard deviation of the real part, and of the imaginary part, of the transfer function",
+)
+
+#: Those of them that older files and measured libraries may lack.
+OPTIONAL = frozenset({"microphone_impedance"})
+
+
+@dataclass(frozen=True, eq=False)
+class Library:
+    """Responses of one array at a grid of frequencies, with everything needed to make them again.
+
+    The volume velocity is injected in parallel with the membrane's own compliance, which stays part of
+    the array: a touch that would sweep the volume q of a membrane in vacuo injects j w q.
+
+    Attributes:
+        transfer_function: (point, microphone, frequency) complex128, microphone pressure / pressure in the
+            touched cavity, Pa/Pa. Microphone pressure: on the diaphragm, behind the sound hole.
+        source_response: (point, microphone, frequency) complex128, microphone pressure per injected
+            volume velocity, Pa s/m^3.
+        point_impedance: (point, frequency) complex128, cavity pressure per injected volume velocity, Pa s/m^3.
+        microphone_impedance: (microphone, microphone_2, frequency) complex128, pressure at a microphone per
+            volume velocity injected at the front of another, Pa s/m^3, the microphones' own load included:
+            what thermal noise needs. None in files of older versions and in measured libraries.
+        transfer_function_deviation: (point, microphone, frequency) float64, one standard deviation of the real part
+            and of the imaginary part of the transfer function, Pa/Pa. None where it was computed.
+        design: the array.
+        fidelity: how the cells were computed, one of :data:`FIDELITIES`, or :data:`MEASURED`.
+        medium: the air.
+        provenance: code and library versions, creation time, seed, hash of the frequency grid, and how each
+            distinct cell was solved.
+    """
+
+    transfer_function: xr.DataArray
+    source_response: xr.DataArray
+    point_impedance: xr.DataArray
+    design: ArrayDesign
+    fidelity: str
+    medium: Medium
+    provenance: Mapping[str, Any]
+    microphone_impedance: xr.DataArray | None = None
+    transfer_function_deviation: xr.DataArray | None = None
+
+    @property
+    def frequency(self) -> NDArray[np.float64]:
+        """The grid of frequencies, Hz."""
+        return np.asarray(self.transfer_function["frequency"].values)
+
+    @property
+    def force_response(self) -> xr.DataArray:
+        """(point, microphone, frequency) complex128, microphone pressure per force on the membrane, Pa/N.
+
+        The force is spread over a patch of a quarter of the opening's radius in the middle of the membrane and
+        pushes inwards; it injects j w V(w) per newton, V from the elastic solution of the design's membrane.
+        Other patches, and responses per displacement and per outside pressure: :meth:`touch_response`.
+        """
+        return self.touch_response("force").rename("force_response").assign_attrs(FORCE_RESPONSE)
+
+    def touch_response(self, touch: str, *, contact_radius: float | None = None) -> xr.DataArray:
+        """Pressure at the microphones per touch of each membrane, (point, microphone, frequency) complex128.
+
+        Args:
+            touch: "displacement" (m), "force" (N) or "pressure" (Pa).
+            contact_radius: of the patch that is touched, m; by default a quarter of the opening's radius.
+
+        Raises:
+            Refusal: an unknown touch, or a contact radius out of range.
+        """
+        return touch_response(
+            self.design, self.source_response, self.point_impedance, touch, contact_radius=contact_radius
+        )
+
+
+def library_from_arrays(
+    design: ArrayDesign,
+    layout: ArrayLayout,
+    frequency: NDArray[np.float64],
+    values: Mapping[str, NDArray[np.complex128]],
+    fidelity: str,
+    medium: Medium,
+    provenance: Mapping[str, Any],
+    deviation: NDArray[np.float64] | None = None,
+) -> Library:
+    """A library from bare arrays, one per name of :data:`VARIABLES` and shaped as listed there.
+
+    Those of :data:`OPTIONAL` may be missing; ``deviation`` is that of the transfer function, where it was measured.
+    """
+    coordinates = {
+        "point": ("point", [point.number for point in layout.points], {"long_name": "sensing point, from 1"}),
+        "line": ("point", [point.line for point in layout.points], {"long_name": "index of its line, from 0"}),
+        "place": ("point", [point.place for point in layout.points], {"long_name": "index along its line, from 0"}),
+        "microphone": ("microphone", list(design.microphones), {"long_name": "microphone"}),
+        "microphone_2": ("microphone_2", list(design.microphones), {"long_name": "second microphone"}),
+        "frequency": ("frequency", frequency, {"units": "Hz", "long_name": "frequency"}),
+    }
+    rows: dict[str, NDArray[Any]] = {name: values[name] for name in VARIABLES if name in values or name not in OPTIONAL}
+    if deviation is not None:
+        rows["transfer_function_deviation"] = deviation
+    described = {**VARIABLES, "transfer_function_deviation": DEVIATION}
+    arrays = {}
+    for name, row in rows.items():
+        dimensions, units, description = described[name]
+        arrays[name] = xr.DataArray(
+            row,
+            dims=dimensions,
+            coords={key: value for key, value in coordinates.items() if value[0] in dimensions},
+            name=name,
+            attrs={"units": units, "long_name": description},
+        )
+    return Library(**arrays, design=design, fidelity=fidelity, medium=medium, provenance=dict(provenance))

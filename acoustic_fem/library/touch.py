@@ -1,0 +1,61 @@
+"""The pressure at the microphones after a touch of given kind."""
+
+from __future__ import annotations
+
+import numpy as np
+import xarray as xr
+
+from acoustic_fem.membrane.disc import design_disc
+from geometry.design.array_design import ArrayDesign
+from geometry.refusal import Refusal
+
+#: What a touch is measured by, and its unit.
+TOUCHES = {"displacement": "m", "force": "N", "pressure": "Pa"}
+
+
+def touch_response(
+    design: ArrayDesign,
+    source_response: xr.DataArray,
+    point_impedance: xr.DataArray,
+    touch: str,
+    *,
+    contact_radius: float | None = None,
+) -> xr.DataArray:
+    """Pressure at the microphones per touch of each membrane.
+
+    A force F on the patch in the middle of the membrane injects j w V F, with V the volume per force in vacuo;
+    a pressure on the upper face j w times its volume per pressure. The patch moves by
+    (D - j w V^2 Z) F, with D its displacement per force in vacuo and Z the point impedance: the air in
+    the cavity pushes back. A displacement is that of the patch, on average.
+
+    Args:
+        design: the array, for its membrane.
+        source_response: (point, microphone, frequency) complex128, as in :class:`acoustic_fem.Library`.
+        point_impedance: (point, frequency) complex128, as there.
+        touch: "displacement" (m), "force" (N) or "pressure" (Pa).
+        contact_radius: of the patch, m, as for :func:`acoustic_fem.membrane.disc.solve_disc`.
+
+    Returns:
+        (point, microphone, frequency) complex128, Pa per unit of the touch.
+
+    Raises:
+        Refusal: an unknown touch, or a contact radius out of range.
+    """
+    if touch not in TOUCHES:
+        raise Refusal(f"touch = {touch!r} must be one of: {', '.join(TOUCHES)}")
+    grid = np.asarray(source_response["frequency"].values)
+    disc = design_disc(design, contact_radius=contact_radius)
+    vacuum = disc.response(grid, design.material(design.membrane.material).loss_factor)
+    omega = 2j * np.pi * xr.DataArray(grid, dims="frequency")
+    volume = xr.DataArray(vacuum.volume_per_force, dims="frequency")
+    if touch == "pressure":
+        injected = omega * xr.DataArray(vacuum.volume_per_pressure, dims="frequency")
+    elif touch == "force":
+        injected = omega * volume
+    else:
+        compliance = xr.DataArray(vacuum.displacement_per_force, dims="frequency")
+        injected = omega * volume / (compliance - omega * volume**2 * point_impedance)
+    response = (source_response * injected).transpose("point", "microphone", "frequency")
+    return response.assign_attrs(
+        {"units": f"Pa/{TOUCHES[touch]}", "long_name": f"pressure at the microphone per {touch} of the touch"}
+    ).rename(f"response_to_{touch}")

@@ -1,0 +1,9 @@
+from .array_network import TwoPort as TwoPort, join as join, solve_network as solve_network
+from .microphone import (
+    circuit_elements as circuit_elements,
+    load_admittance as load_admittance,
+    noise_density as noise_density,
+    noise_density_behind_vent as noise_density_behind_vent,
+    response as response,
+    vent_ratio as vent_ratio,
+)

@@ -1,0 +1,119 @@
+"""A MEMS microphone: what it loads its chamber with, how it responds, and its noise.
+
+A compliant diaphragm in front of a closed back volume, with a vent through it. The vent makes the
+high-pass corner: below it the pressures on both sides become equal.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from acoustic_fem.cavity.closed_forms import closed_sphere_compliance
+from acoustic_fem.quantities.checks import positive
+from acoustic_fem.quantities.medium import Medium
+from acoustic_fem.quantities.units import cubic_metres
+from geometry.refusal import Refusal
+from geometry.stated.parts import Microphone
+
+
+def load_admittance(microphone: Microphone, frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
+    """Volume velocity into the microphone per pressure on its front, in m^3/(Pa s).
+
+    Y = j w Cb (j w Cd + 1/R) / (j w (Cb + Cd) + 1/R): diaphragm Cd and vent R side by side, in series with
+    the back volume Cb. Cd is the adiabatic compliance of the diaphragm's equivalent volume; Cb that of a
+    sphere of the back volume with isothermal walls.
+
+    Args:
+        microphone: from the design.
+        frequency: Hz, any shape.
+        medium: the gas.
+
+    Raises:
+        Refusal: a frequency that is not finite and positive.
+    """
+    omega = 2 * np.pi * positive("frequency", frequency, "Hz")
+    diaphragm, back, leak = circuit_elements(microphone, frequency, medium)
+    return 1j * omega * back * (1j * omega * diaphragm + leak) / (1j * omega * (back + diaphragm) + leak)
+
+
+def response(microphone: Microphone, frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
+    """(p - p_back) / p across the diaphragm: what the electrical output follows, Pa/Pa.
+
+    Arguments and model as :func:`load_admittance`; the resonance of the diaphragm (above 10 kHz) is left out.
+    """
+    omega = 2 * np.pi * positive("frequency", frequency, "Hz")
+    diaphragm, back, leak = circuit_elements(microphone, frequency, medium)
+    return 1j * omega * back / (1j * omega * (back + diaphragm) + leak)
+
+
+def vent_ratio(microphone: Microphone, frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
+    """Admittance of the compliances over that of the vent R that discharges them, v = j w R (Cb + Cd).
+
+    The response is Cb / (Cb + Cd) v / (1 + v); a vent that conducts s times as well makes v / s of it.
+
+    Arguments and errors as :func:`response`.
+    """
+    omega = 2 * np.pi * positive("frequency", frequency, "Hz")
+    diaphragm, back, leak = circuit_elements(microphone, frequency, medium)
+    return 1j * omega * (back + diaphragm) / leak
+
+
+def sensitivity(microphone: Microphone) -> float:
+    """Output per pressure across the diaphragm, V/Pa."""
+    return float(10 ** (microphone.sensitivity / 20))
+
+
+def noise_density(microphone: Microphone, frequency: ArrayLike) -> NDArray[np.float64]:
+    """Equivalent input noise n sqrt(1 + fc / f) in Pa/sqrt(Hz): white, and 1/f in power below fc.
+
+    Args:
+        microphone: from the design.
+        frequency: Hz, any shape.
+
+    Raises:
+        Refusal: a frequency that is not finite and positive.
+    """
+    ratio = microphone.noise_corner / positive("frequency", frequency, "Hz")
+    return microphone.noise_density * np.sqrt(1 + ratio)
+
+
+def noise_rms(microphone: Microphone, low: float, high: float) -> float:
+    """Equivalent input noise in a band, n sqrt(f2 - f1 + fc ln(f2 / f1)), Pa rms: :func:`noise_density` integrated.
+
+    Args:
+        microphone: from the design.
+        low: lower edge f1 of the band, Hz.
+        high: upper edge f2, above f1, Hz.
+
+    Raises:
+        Refusal: an edge that is not finite and positive, or edges that do not ascend.
+    """
+    low, high = (float(positive(name, edge, "Hz")) for name, edge in (("low", low), ("high", high)))
+    if high <= low:
+        raise Refusal(f"high = {high:g} Hz must be above low = {low:g} Hz")
+    return float(microphone.noise_density * np.sqrt(high - low + microphone.noise_corner * np.log(high / low)))
+
+
+def noise_density_behind_vent(microphone: Microphone, frequency: ArrayLike, medium: Medium) -> NDArray[np.float64]:
+    """The same figures read as noise of the output over the sensitivity, referred to the pressure in front.
+
+    n sqrt(1 + fc / f) / |response|, Pa/sqrt(Hz). A data sheet states noise at the output divided by the
+    sensitivity above the vent's corner; since the vent takes signal away below its corner but not noise of
+    the electronics, the pressure in front that such noise is worth rises there by 20 dB per decade more.
+
+    Arguments and errors as :func:`response`.
+    """
+    return noise_density(microphone, frequency) / np.abs(response(microphone, frequency, medium))
+
+
+def circuit_elements(
+    microphone: Microphone, frequency: ArrayLike, medium: Medium
+) -> tuple[float, NDArray[np.complex128], float]:
+    """Compliances of diaphragm and back volume, m^3/Pa, and 1/R of the vent, m^3/(Pa s)."""
+    diaphragm = cubic_metres(microphone.diaphragm_equivalent_volume) / (medium.gamma * medium.pressure)
+    radius = (3 * cubic_metres(microphone.back_volume) / (4 * np.pi)) ** (1 / 3)
+    corner = microphone.vent_corner
+    # the response is 3 dB down where 1/R = w (Cb + Cd)
+    leak = 2 * np.pi * corner * (float(closed_sphere_compliance(radius, corner, medium).real) + diaphragm)
+    return diaphragm, closed_sphere_compliance(radius, frequency, medium), leak

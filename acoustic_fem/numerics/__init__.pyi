@@ -1,0 +1,7 @@
+from .disk_cache import CacheWarning as CacheWarning
+from .rational_sweep import (
+    ReducedModel as ReducedModel,
+    reduce_system as reduce_system,
+    require_passive as require_passive,
+)
+from .refinement import BEST_ORDER as BEST_ORDER, Refinement as Refinement, refined as refined

@@ -1,0 +1,292 @@
+r"""Adaptive frequency sweep: a few full solves, then a small rational model for every other frequency.
+
+The system is affine in functions of frequency, K(f) = sum_k theta_k(f) K_k with real symmetric K_k, and so
+is its excitation R(f) = sum_k phi_k(f) R_k. Diffusion has its poles on the negative real axis of s = j 2 pi f, so
+the sweep solves at *real* s: the matrices are then real, and a factorisation costs a quarter of a complex one.
+At each of these shifts the first derivatives of the solution follow from the same factors. Together they span a
+real basis V; the projected system V^T K V answers at any frequency in microseconds. The response H = R^T K^-1 R
+of a symmetric system is reproduced to second order in the error of the basis (moment matching; Villemagne and
+Skelton 1987; real shifts for diffusive systems: Druskin, Knizhnerman and Zaslavsky 2009).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+import scipy.sparse as sp
+from numpy.typing import NDArray
+
+from acoustic_fem.numerics.linear_solver import SymmetricSolver
+from geometry.refusal import Refusal
+
+#: Frequency (n_freq,) in Hz -> coefficients (n_freq, n_term) complex. They are analytic functions of s = j 2 pi f,
+#: real where s is real and positive, and are asked for there as well, at f = -j s / (2 pi).
+Coefficients = Callable[[NDArray], NDArray[np.complex128]]
+
+#: Solution and derivatives taken at each shift, and the most shifts.
+_MOMENTS = 4
+_MOST_SHIFTS = 12
+#: Taylor coefficients come from values on a circle around the shift of this radius, relative to it.
+_CIRCLE = 0.5
+_ON_CIRCLE = 32
+
+
+#: Smallest eigenvalue of a passive admittance's real part, relative to its diagonal, that counts as rounding.
+PASSIVITY_TOLERANCE = 1e-9
+
+
+class RationalFitError(Refusal):
+    """The reduced model did not reach its tolerance, or gives energy."""
+
+
+@dataclass(frozen=True)
+class ReducedModel:
+    """Projected matrices of one system; valid from ``lowest`` to ``highest`` (Hz)."""
+
+    matrices: NDArray[np.float64]
+    """(n_term, r, r)."""
+    excitations: NDArray[np.float64]
+    """(n_excitation_term, r, m)."""
+    basis: NDArray[np.float64] | None
+    """(n, r), where the field itself is wanted."""
+    sampled: tuple[float, ...]
+    """Shifts s / (2 pi) of the full solves, Hz; of the one frequency, where there is but one."""
+    error: float
+    """Largest relative change of the response with the last derivative."""
+    lowest: float
+    highest: float
+
+    def coordinates(self, theta: NDArray, phi: NDArray) -> tuple[NDArray, NDArray]:
+        """Solution in the basis and excitation, (n_freq, r, m) each."""
+        excitation = np.einsum("fk,krm->frm", phi, self.excitations)
+        return np.linalg.solve(np.einsum("fk,krs->frs", theta, self.matrices), excitation), excitation
+
+    def leading(self, size: int) -> ReducedModel:
+        """The model on the first functions of the basis."""
+        return replace(
+            self,
+            matrices=self.matrices[:, :size, :size],
+            excitations=self.excitations[:, :size],
+            basis=None if self.basis is None else self.basis[:, :size],
+        )
+
+    def response(self, theta: NDArray, phi: NDArray) -> NDArray[np.complex128]:
+        """R^T K^-1 R, (n_freq, m, m), symmetric."""
+        solution, excitation = self.coordinates(theta, phi)
+        response = np.einsum("frm,frn->fmn", excitation, solution)
+        return (response + response.transpose(0, 2, 1)) / 2
+
+
+def reduce_system(
+    matrices: Sequence[sp.csr_array],
+    theta: Coefficients,
+    excitations: Sequence[NDArray[np.float64]],
+    phi: Coefficients,
+    band: tuple[float, float],
+    tolerance: float = 1e-6,
+    keep_basis: bool = False,
+    progress: Callable[[float], None] | None = None,
+) -> ReducedModel:
+    """Build the reduced model of a system over a band of frequencies.
+
+    Shifts are added where the response changes most with the last derivative, until it changes no more. At a
+    band of one frequency the system is solved there, in complex numbers.
+
+    Args:
+        matrices: real symmetric (n, n) terms of the system.
+        theta: their coefficients.
+        excitations: (n, m) terms of the excitation.
+        phi: their coefficients.
+        band: lowest and highest frequency, Hz.
+        tolerance: on the change of H_ij / sqrt(|H_ii H_jj|) with the last derivative; what remains is smaller.
+        keep_basis: store the basis, to recover the field.
+        progress: called with the fraction done, estimated from the decay of the error.
+
+    Raises:
+        SweepError: 12 shifts do not reach the tolerance.
+        LinearSolverError: a solve fails its residual check.
+    """
+    lowest, highest = band
+    terms = np.stack(excitations)
+    pattern = _combined(np.ones(len(matrices)), [abs(matrix) for matrix in matrices])
+    if lowest == highest:
+        at = np.array([lowest])
+        with SymmetricSolver(pattern) as solver:
+            solution = solver.solve(_combined(theta(at)[0], matrices), np.einsum("k,knm->nm", phi(at)[0], terms))
+        basis = _extended(np.zeros((len(solution), 0)), np.hstack([solution.real, solution.imag]))
+        return _model(matrices, terms, basis, keep_basis, (lowest,), 0.0, band)
+    candidates = np.geomspace(lowest, highest, 61)
+    system_at, excitation_at = theta(candidates), phi(candidates)
+    waiting, taken = [0, len(candidates) - 1], list[int]()
+    early, last = list[NDArray[np.float64]](), list[NDArray[np.float64]]()
+    with SymmetricSolver(pattern) as solver:
+        while True:
+            taken.append(waiting.pop(0))
+            moments = _moments(float(candidates[taken[-1]]), matrices, theta, terms, phi, solver)
+            early += moments[:-1]
+            last.append(moments[-1])
+            if waiting:
+                continue
+            basis = _extended(np.zeros((pattern.shape[0], 0)), np.hstack(early))
+            shorter = basis.shape[1]
+            model = _model(
+                matrices,
+                terms,
+                _extended(basis, np.hstack(last)),
+                keep_basis,
+                tuple(sorted(float(candidates[k]) for k in taken)),
+                np.inf,
+                band,
+            )
+            response = model.response(system_at, excitation_at)
+            change = _change(model.leading(shorter).response(system_at, excitation_at), response)
+            error = float(change.max())
+            if progress is not None:
+                done = np.log(max(error, tolerance)) / np.log(tolerance) if np.isfinite(error) else 0.0
+                progress(float(np.clip(max(done, len(taken) / 6), 0, 0.95)))
+            if error <= tolerance:
+                return replace(model, error=error)
+            if len(taken) >= _MOST_SHIFTS:
+                raise RationalFitError(
+                    f"{len(taken)} solves between {lowest:g} and {highest:g} Hz leave a change of {error:.2g}, "
+                    f"above the tolerance {tolerance:g}"
+                )
+            change[taken] = 0.0
+            waiting = [int(np.argmax(change))]
+
+
+def _moments(
+    frequency: float,
+    matrices: Sequence[sp.csr_array],
+    theta: Coefficients,
+    excitations: NDArray[np.float64],
+    phi: Coefficients,
+    solver: SymmetricSolver,
+) -> list[NDArray[np.float64]]:
+    """Solution at s = 2 pi frequency and its scaled derivatives there, ``_MOMENTS`` blocks (n, m).
+
+    With K = sum K_j z^j and R = sum R_j z^j around the shift, K_0 x_i = R_i - sum_{j>0} K_j x_{i-j}.
+    """
+    system, excitation = (_taylor(function, frequency) for function in (theta, phi))
+    shifted = _combined(system[0], matrices)
+    moments: list[NDArray[np.float64]] = []
+    for order in range(_MOMENTS):
+        load = np.einsum("k,knm->nm", excitation[order], excitations)
+        for earlier, moment in enumerate(moments):
+            for coefficient, matrix in zip(system[order - earlier], matrices, strict=True):
+                if coefficient != 0:
+                    load -= coefficient * (matrix @ moment)
+        moments.append(solver.solve(shifted, load))
+    return moments
+
+
+def _taylor(function: Coefficients, frequency: float) -> NDArray[np.float64]:
+    """Real Taylor coefficients around a shift in units of the circle's radius, (``_MOMENTS``, n_term) (Cauchy)."""
+    around = 1 + _CIRCLE * np.exp(2j * np.pi * np.arange(_ON_CIRCLE) / _ON_CIRCLE)
+    values = function(-1j * frequency * around)
+    coefficients = np.fft.fft(values, axis=0)[:_MOMENTS].real / _ON_CIRCLE
+    coefficients[np.abs(coefficients) < 1e-12 * np.abs(coefficients).max(axis=0)] = 0
+    return np.asarray(coefficients)
+
+
+def _change(shorter: NDArray[np.complex128], longer: NDArray[np.complex128]) -> NDArray[np.float64]:
+    """Largest difference of two responses per frequency, each entry against its row and column."""
+    scale = np.sqrt(np.abs(np.einsum("fmm->fm", longer)))
+    change: NDArray[np.float64] = np.max(
+        np.abs(longer - shorter) / (scale[:, :, None] * scale[:, None, :]), axis=(1, 2)
+    )
+    return change
+
+
+def passivity_margin(admittance: NDArray[np.complex128]) -> NDArray[np.float64]:
+    """How far a network of ports is from giving energy, per frequency.
+
+    The power it takes at port pressures p is p^H (Y + Y^H) p / 4 (peak values), so the least eigenvalue of
+    (Y + Y^H) / 2 must not be negative (Anderson and Vongpanitlerd, Network Analysis and Synthesis (1973),
+    section 2.3); for a reciprocal network that is Re Y. Rows and columns are scaled to |Y_ii| = 1 first, so
+    that no small port hides behind a large one.
+
+    Args:
+        admittance: (n_freq, m, m), m^3/(Pa s); impedances serve as well.
+
+    Returns:
+        (n_freq,) the least eigenvalue, at most 1; -inf where a value is not finite.
+    """
+    values = np.asarray(admittance, dtype=np.complex128)
+    if values.ndim != 3 or values.shape[1] != values.shape[2] or values.shape[1] == 0:
+        raise Refusal(f"admittance has shape {values.shape}; it must be (n_freq, m, m)")
+    finite = np.isfinite(values).all(axis=(1, 2))
+    hermitian = (values + values.conj().transpose(0, 2, 1))[finite] / 2
+    diagonal = np.abs(np.einsum("fii->fi", values[finite]))
+    scale = np.sqrt(np.where(diagonal > 0, diagonal, 1.0))
+    margin = np.full(len(values), -np.inf)
+    margin[finite] = np.linalg.eigvalsh(hermitian / (scale[:, :, None] * scale[:, None, :])).min(axis=1)
+    return margin
+
+
+def require_passive(
+    admittance: NDArray[np.complex128], frequency: NDArray[np.float64], tolerance: float = PASSIVITY_TOLERANCE
+) -> float:
+    """Refuse an admittance that gives energy at any of the frequencies.
+
+    Args:
+        admittance: (n_freq, m, m).
+        frequency: (n_freq,) Hz.
+        tolerance: on the negative side of :func:`passivity_margin`.
+
+    Returns:
+        The smallest margin.
+
+    Raises:
+        SweepError: not passive, or not finite, with the worst frequency.
+    """
+    margin = passivity_margin(admittance)
+    worst = int(np.argmin(margin))
+    if not np.isfinite(margin[worst]):
+        raise RationalFitError(f"the response at {frequency[worst]:g} Hz is not finite")
+    if margin[worst] < -tolerance:
+        raise RationalFitError(
+            f"the response at {frequency[worst]:g} Hz gives energy: the least eigenvalue of Re Y is "
+            f"{margin[worst]:.2g} of its diagonal, below -{tolerance:g}"
+        )
+    return float(margin[worst])
+
+
+def _combined(coefficients: NDArray, matrices: Sequence[sp.csr_array]) -> sp.csr_array:
+    total = matrices[0] * coefficients[0]
+    for coefficient, matrix in zip(coefficients[1:], matrices[1:], strict=True):
+        total = total + matrix * coefficient
+    return sp.csr_array(total)
+
+
+def _extended(basis: NDArray[np.float64], new: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Orthonormal basis with the columns added, where they are new."""
+    norms = np.linalg.norm(new, axis=0)
+    new = new[:, norms > 0] / norms[norms > 0]
+    for _ in range(2):  # the second pass restores orthogonality lost to cancellation
+        new = new - basis @ (basis.T @ new)
+    q, singular, _ = np.linalg.svd(new, full_matrices=False)
+    return np.hstack([basis, q[:, singular > 1e-11]])
+
+
+def _model(
+    matrices: Sequence[sp.csr_array],
+    excitations: NDArray[np.float64],
+    basis: NDArray[np.float64],
+    keep_basis: bool,
+    sampled: tuple[float, ...],
+    error: float,
+    band: tuple[float, float],
+) -> ReducedModel:
+    """The system projected on a basis."""
+    return ReducedModel(
+        matrices=np.stack([basis.T @ (matrix @ basis) for matrix in matrices]),
+        excitations=np.stack([basis.T @ excitation for excitation in excitations]),
+        basis=basis if keep_basis else None,
+        sampled=sampled,
+        error=error,
+        lowest=band[0],
+        highest=band[1],
+    )

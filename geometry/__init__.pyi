@@ -1,0 +1,29 @@
+from . import (
+    air as air,
+    assembly as assembly,
+    design as design,
+    files as files,
+    formats as formats,
+    layout as layout,
+    molds as molds,
+    pictures as pictures,
+    plan as plan,
+    printing as printing,
+    solids as solids,
+    stated as stated,
+)
+from .assembly.bill import bill_of_materials as bill_of_materials
+from .assembly.model import build_assembly as build_assembly
+from .assembly.parts import build_parts as build_parts
+from .design.array_design import ArrayDesign as ArrayDesign
+from .design.design_file import (
+    load_design as load_design,
+    prototype as prototype,
+    prototype_names as prototype_names,
+    resolve_design as resolve_design,
+    save_design as save_design,
+)
+from .formats.part_files import export as export
+from .printing.report import print_report as print_report
+from .refusal import Refusal as Refusal
+from .stated.fields import DesignError as DesignError

@@ -1,0 +1,8 @@
+"""The air of the distinct cells: catalogue, solid, mesh (the only place that knows gmsh).
+
+Stands on: design, layout, stated.
+"""
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

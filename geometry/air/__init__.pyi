@@ -1,0 +1,17 @@
+from .cells import Cell as Cell, CellUse as CellUse, cell_catalogue as cell_catalogue
+from .mesh import (
+    InvertedElementsError as InvertedElementsError,
+    MeshSizes as MeshSizes,
+    Point as Point,
+    SolidMesh as SolidMesh,
+    mesh_solid as mesh_solid,
+)
+from .mirror import mirror_half as mirror_half
+from .volume import MIRROR as MIRROR, OPENING as OPENING, air_volume as air_volume
+from .wound_tube import (
+    FIRST as FIRST,
+    LAST as LAST,
+    Winding as Winding,
+    closest_pitch as closest_pitch,
+    swept_mesh as swept_mesh,
+)

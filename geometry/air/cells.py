@@ -1,0 +1,190 @@
+"""The distinct cells of a design: an array of many points has only a few air volumes that differ.
+
+A cell is the air of one resonator or microphone chamber with a short stub of every tube. Cells that
+differ by a rotation, a reflection or the order of their ports are acoustically one; they are brought to
+one canonical form here, so that each is meshed and solved once.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Literal
+
+from geometry.design.array_design import ArrayDesign
+from geometry.layout.placement import ArrayLayout
+from geometry.stated.cavity_shapes import Box, Dome, wall_distance
+from geometry.stated.parts import Resonator
+from geometry.stated.ports import CellPort, Port, in_common_rotation, port_rank
+
+#: Angles closer than this are one cell, degrees.
+ANGLE_STEP = 0.1
+
+
+@dataclass(frozen=True)
+class Cell:
+    """Air of one resonator or microphone chamber with tube stubs and an opening on top.
+
+    It is a cylinder where no other shape is given. The opening is the membrane (as wide as the cavity, length 0)
+    or the microphone's sound hole.
+    Lengths in mm.
+    """
+
+    kind: Literal["resonator", "microphone"]
+    diameter: float
+    height: float
+    port_height: float
+    ports: tuple[CellPort, ...]
+    opening_diameter: float
+    opening_length: float
+    shape: Box | Dome | None = None
+
+    @property
+    def label(self) -> str:
+        """Short name for progress displays and reports."""
+        ports = ", ".join(f"{p.angle:g} deg bore {p.bore_diameter:g}" for p in self.ports)
+        shape = "" if self.shape is None else f"{type(self.shape).__name__.lower()} "
+        return f"{self.kind} {shape}{self.diameter:g} x {self.height:g} mm ({ports})"
+
+    @property
+    def smallest_extent(self) -> float:
+        """Height or width of the cavity, whichever is less, mm."""
+        sides = (self.shape.length, self.shape.width) if isinstance(self.shape, Box) else ()
+        return min(self.height, self.diameter, *sides)
+
+    def height_of(self, port: CellPort) -> float:
+        """Height of a port's axis above the floor, mm."""
+        return self.port_height if port.height is None else port.height
+
+    def mouth_of(self, port: CellPort) -> float:
+        """From the axis to where the port's axis meets the wall of the cavity, mm."""
+        return wall_distance(self.shape, self.diameter / 2, self.height_of(port), port.angle)
+
+    def bore_of(self, port: CellPort) -> float:
+        """Length of a stub from the wall of the cavity, mm; stubs count from the cavity's radius."""
+        return self.diameter / 2 + port.stub_length - self.mouth_of(port)
+
+
+@dataclass(frozen=True)
+class CellUse:
+    """One place of the array that a cell fills: ``order[k]`` is the cell's port at the place's k-th tube."""
+
+    cell: Cell
+    order: tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class CellCatalogue:
+    """Cells of an array: per point (tubes to the previous and to the next node) and per microphone.
+
+    The tubes of a microphone are ordered as :attr:`geometry.layout.place.MicrophonePlacement.ports`.
+    """
+
+    points: tuple[CellUse, ...]
+    microphones: tuple[CellUse, ...]
+
+    @property
+    def distinct(self) -> tuple[Cell, ...]:
+        """Every cell that must be solved, in order of first use."""
+        return tuple(dict.fromkeys(use.cell for use in self.points + self.microphones))
+
+
+def canonical_ports(
+    ports: Sequence[CellPort], shape: Box | Dome | None = None
+) -> tuple[tuple[CellPort, ...], tuple[int, ...]]:
+    """Bring ports to canonical rotation, reflection and order.
+
+    Args:
+        ports: at any angles; those of a box as seen from its own x axis.
+        shape: of the cavity: a box is turned and reflected into itself only.
+
+    Returns:
+        The canonical ports, and for each given port its place among them.
+    """
+    turns = [port.angle for port in ports]
+    if isinstance(shape, Box):
+        turns = [0.0, 90.0, 180.0, 270.0] if shape.length == shape.width else [0.0, 180.0]
+    candidates = []
+    for turn in turns:
+        for sense in (1.0, -1.0):
+            moved = [
+                CellPort(
+                    round(round(sense * (port.angle - turn) / ANGLE_STEP) * ANGLE_STEP % 360.0, 6),
+                    port.bore_diameter,
+                    port.height,
+                )
+                for port in ports
+            ]
+            ranked = sorted(range(len(moved)), key=[port_rank(port) for port in moved].__getitem__)
+            candidates.append((tuple(moved[k] for k in ranked), ranked))
+    best, ranking = min(candidates, key=lambda candidate: [port_rank(port) for port in candidate[0]])
+    return best, tuple(ranking.index(k) for k in range(len(best)))
+
+
+def resonator_cell(resonator: Resonator, ports: Sequence[Port]) -> CellUse:
+    """The air that a shell with these ports leaves, in its canonical form.
+
+    Args:
+        resonator: as :func:`geometry.solids.shell.build_shell` takes it.
+        ports: as it takes them, at any angles: a box lies as in the one shell that serves all its rotations.
+    """
+    shape, own = resonator.cavity_shape, resonator.port_axis_height
+    placed = [replace(port, height=None if port.height == own else port.height) for port in ports]
+    turn = in_common_rotation(placed, ANGLE_STEP)[1]
+    canonical, order = canonical_ports(
+        [CellPort(port.angle - turn, port.bore_diameter, port.height) for port in placed], shape
+    )
+    cell = Cell(
+        kind="resonator",
+        diameter=resonator.cavity_diameter,
+        height=resonator.cavity_height,
+        port_height=own,
+        ports=canonical,
+        opening_diameter=resonator.cavity_diameter,
+        opening_length=0.0,
+        shape=shape,
+    )
+    return CellUse(cell, order)
+
+
+def cell_catalogue(design: ArrayDesign, layout: ArrayLayout) -> CellCatalogue:
+    """Distinct cells of a design whose parts lie as the layout says."""
+    resonator, microphone = design.resonator, design.microphone
+    points = []
+    for placement in layout.points:
+        line = design.lines[placement.line]
+        segment, outer = design.tube_of(line), design.microphone_tube_of(line)
+        before = outer if placement.place == 0 else segment
+        after = outer if placement.place == line.points - 1 else segment
+        points.append(
+            resonator_cell(
+                resonator,
+                [
+                    Port(angle, tube.inner_diameter, tube.outer_diameter)
+                    for angle, tube in zip(placement.port_angles, (before, after), strict=True)
+                ],
+            )
+        )
+    microphones = []
+    for housing in layout.microphones:
+        ports, order = canonical_ports(
+            [
+                CellPort(port.angle, design.microphone_tube_of(design.lines[port.line]).inner_diameter)
+                for port in housing.ports
+            ]
+        )
+        microphones.append(
+            CellUse(
+                Cell(
+                    kind="microphone",
+                    diameter=microphone.chamber_diameter,
+                    height=microphone.chamber_height,
+                    port_height=microphone.chamber_height / 2,
+                    ports=ports,
+                    opening_diameter=microphone.sound_hole_diameter,
+                    opening_length=microphone.sound_hole_length,
+                ),
+                order,
+            )
+        )
+    return CellCatalogue(tuple(points), tuple(microphones))

@@ -1,0 +1,121 @@
+"""The air of a cell as a CAD solid, with a point on every face that a port or a membrane occupies."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from itertools import combinations
+from typing import TYPE_CHECKING
+
+from geometry.air.cells import Cell
+from geometry.refusal import Refusal
+from geometry.stated.cavity_shapes import draw_cavity, separation
+from geometry.stated.ports import CellPort
+
+if TYPE_CHECKING:
+    import cadquery
+
+    from geometry.air.mesh import Point
+
+#: Name of the face that the membrane or the microphone's diaphragm closes.
+OPENING = "opening"
+#: Name of the plane that halves a symmetric cell.
+MIRROR = "mirror"
+
+
+@dataclass(frozen=True)
+class AirVolume:
+    """Air of a cell, mm. The cavity's floor lies at z = 0, its axis is z."""
+
+    solid: cadquery.Solid
+    ports: dict[str, Point]
+    """Per tube port a point on the flat end of its stub, in the order of ``Cell.ports``."""
+    opening: Point
+    """A point on the membrane, or on the inner end of the microphone's sound hole."""
+    centre: Point
+    """Centre of the opening."""
+    mirror: Point | None
+    """A point on the plane y = 0 where only one half of the cell is drawn, that of positive y."""
+
+
+def port_names(cell: Cell) -> tuple[str, ...]:
+    """Names of a cell's tube ports, in the order of ``Cell.ports``."""
+    return tuple(f"port-{k}" for k in range(len(cell.ports)))
+
+
+def air_solid(cell: Cell) -> cadquery.Solid:
+    """Draw the whole air of a cell: the cavity, its tube stubs and, for a microphone, the sound hole.
+
+    A stub of length L ends at the distance diameter / 2 + L from the axis: tube lengths count from the radius
+    of the cavity, where the tube's axis meets the wall of a cylinder.
+
+    Raises:
+        Refusal: no port, two ports overlap, or the drawn solid is not one valid solid.
+    """
+    return _checked(_drawn(cell), cell)
+
+
+def air_volume(cell: Cell) -> AirVolume:
+    """Draw the air of a cell as :func:`air_solid` does, with its faces.
+
+    Where every tube lies in the plane y = 0 the cell is its own mirror image and one half is drawn.
+
+    Raises:
+        Refusal: no port, two ports overlap, or the drawn solid is not one valid solid.
+    """
+    import cadquery as cq
+
+    air = _drawn(cell)
+    radius = cell.diameter / 2
+    ports = {}
+    for name, port in zip(port_names(cell), cell.ports, strict=True):
+        end = _direction(port) * (radius + port.stub_length)
+        ports[name] = (end.x, end.y, cell.height_of(port))
+    opening = centre = (0.0, 0.0, cell.height + cell.opening_length)
+    mirror = None
+    if all(port.angle in (0.0, 180.0) for port in cell.ports):
+        size = 2 * max(radius + port.stub_length for port in cell.ports) + 2 * (cell.height + cell.opening_length)
+        half = cq.Solid.makeBox(2 * size, size, 2 * size, cq.Vector(-size, 0, -size))
+        air = air.intersect(half)
+        inwards = 0.1 * min(cell.opening_diameter, *(port.bore_diameter for port in cell.ports))
+        ports = {name: (x, y + inwards, z) for name, (x, y, z) in ports.items()}
+        opening = (0.0, inwards, centre[2])
+        mirror = (0.0, 0.0, cell.height / 2)
+    return AirVolume(_checked(air, cell), ports, opening, centre, mirror)
+
+
+def _drawn(cell: Cell) -> cadquery.Shape:
+    import cadquery as cq
+
+    if not cell.ports:
+        raise Refusal(f"the air of {cell.label} has no port; it needs at least one tube")
+    radius = cell.diameter / 2
+    for first, second in combinations(cell.ports, 2):
+        near = min(cell.mouth_of(first), cell.mouth_of(second))
+        apart = separation(near, first.angle - second.angle, cell.height_of(first) - cell.height_of(second))
+        if apart <= (first.bore_diameter + second.bore_diameter) / 2:
+            raise Refusal(f"the air of {cell.label} has overlapping ports at {first.angle:g} and {second.angle:g} deg")
+    air: cq.Shape = draw_cavity(cell.shape, radius, cell.height)
+    for port in cell.ports:
+        direction, middle = _direction(port), cq.Vector(0, 0, cell.height_of(port))
+        # Wholly inside the cavity, where the floor of a bowl rises towards the wall.
+        start = radius / 2 if cell.shape is None else cell.mouth_of(port) / 10
+        length = radius + port.stub_length - start
+        air = air.fuse(cq.Solid.makeCylinder(port.bore_diameter / 2, length, middle + direction * start, direction))
+    if cell.opening_length > 0:
+        hole = cell.opening_diameter / 2
+        air = air.fuse(cq.Solid.makeCylinder(hole, cell.opening_length, cq.Vector(0, 0, cell.height)))
+    return air
+
+
+def _direction(port: CellPort) -> cadquery.Vector:
+    import cadquery as cq
+
+    return cq.Vector(math.cos(math.radians(port.angle)), math.sin(math.radians(port.angle)), 0)
+
+
+def _checked(air: cadquery.Shape, cell: Cell) -> cadquery.Solid:
+    solids = air.Solids()
+    if len(solids) != 1 or not solids[0].isValid():
+        raise Refusal(f"the air of {cell.label} is not one valid solid")
+    return solids[0].clean()

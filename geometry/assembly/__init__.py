@@ -1,0 +1,8 @@
+"""All parts of an array: which, how many, where; bill and fit.
+
+Stands on: design, files, layout, molds, plan, stated, solids.
+"""
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -1,0 +1,258 @@
+"""The bill of materials: what one array takes of everything, and what that costs.
+
+Volumes are those of the solids, lengths those of the cutting list. Prices are data: replace them with your own.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import math
+import os
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass, fields, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Literal
+
+from geometry.assembly.parts import PartSet, build_parts, origin
+from geometry.design.array_design import ArrayDesign
+from geometry.files.writing import write_text
+from geometry.layout.cutting import Cut, cutting_list
+from geometry.refusal import Refusal
+from geometry.stated.parts import BOARD_SEAL
+
+if TYPE_CHECKING:
+    import cadquery as cq
+
+Use = Literal["printed", "cast", "bought", "tooling"]
+
+
+@dataclass(frozen=True)
+class Prices:
+    """What materials cost and how much of them is lost; every value is an assumption to be replaced.
+
+    Attributes:
+        currency: of all prices.
+        resin: photopolymer, per ml.
+        silicone: both parts mixed, per ml.
+        spring: close-wound coil spring, per metre.
+        sheath: heat-shrink or catheter tube, per metre.
+        microphone: MEMS microphone, each.
+        board: that carries it, each.
+        gasket: under a board, each.
+        glue: per joint of a tube, a membrane or a board.
+        resin_factor: resin used per resin in the parts, for supports and what stays in the tank.
+        silicone_factor: silicone mixed per silicone in the membranes, for the overflow and the cup.
+        cutting_loss: of spring and sheath per cut, mm.
+        source: where the values come from.
+    """
+
+    currency: str = "USD"
+    resin: float = 0.06
+    silicone: float = 0.04
+    spring: float = 3.0
+    sheath: float = 0.5
+    microphone: float = 1.5
+    board: float = 0.3
+    gasket: float = 0.05
+    glue: float = 0.01
+    resin_factor: float = 1.3
+    silicone_factor: float = 2.0
+    cutting_loss: float = 0.5
+    source: str = "assumed: orders of magnitude of small retail quantities in 2025, no quotation"
+
+    def __post_init__(self) -> None:
+        """Refuse prices that are none.
+
+        Raises:
+            Refusal: a value is negative or not finite, or a factor below 1.
+        """
+        for field in fields(self):
+            value, least = getattr(self, field.name), 1.0 if field.name.endswith("factor") else 0.0
+            if isinstance(value, (int, float)) and not least <= value < math.inf:
+                raise Refusal(f"prices.{field.name} = {value:g} must be at least {least:g} and finite")
+
+
+@dataclass(frozen=True)
+class BillItem:
+    """One line of the bill."""
+
+    item: str
+    use: Use
+    count: int
+    """Pieces."""
+    quantity: float
+    """Of all pieces together, with what is lost, in ``unit``."""
+    unit: Literal["ml", "m", "pieces"]
+    unit_price: float
+    note: str = ""
+
+    @property
+    def cost(self) -> float:
+        """Of all pieces."""
+        return self.quantity * self.unit_price
+
+
+@dataclass(frozen=True)
+class Bill:
+    """What one array takes. Costs are in ``prices.currency``."""
+
+    design: str
+    items: tuple[BillItem, ...]
+    prices: Prices
+    resin_ml: float
+    """In the parts that stay in the array, without supports."""
+    tooling_resin_ml: float
+    """In the molds, which serve many arrays."""
+    silicone_ml: float
+    """In the membranes."""
+    tube_m: float
+    """Of sheath, cut to length; springs of bent tubes are a little shorter."""
+
+    @property
+    def cost(self) -> float:
+        """Of the materials of one array, without its tools and without work."""
+        return sum(item.cost for item in self.items if item.use != "tooling")
+
+    @property
+    def tooling_cost(self) -> float:
+        """Of the molds."""
+        return sum(item.cost for item in self.items if item.use == "tooling")
+
+    def to_dict(self) -> dict[str, object]:
+        """The bill as JSON knows it."""
+        rows = [{**asdict(item), "cost": round(item.cost, 4)} for item in self.items]
+        return {**asdict(replace(self, items=())), "items": rows, "cost": self.cost, "tooling_cost": self.tooling_cost}
+
+    def to_csv(self) -> str:
+        """One line per item, with a header."""
+        text = io.StringIO()
+        table = csv.writer(text, lineterminator="\n")
+        table.writerow(
+            ["item", "use", "count", "quantity", "unit", f"unit price ({self.prices.currency})", "cost", "note"]
+        )
+        for item in self.items:
+            row = [item.item, item.use, item.count, f"{item.quantity:.4g}", item.unit, f"{item.unit_price:g}"]
+            table.writerow([*row, f"{item.cost:.2f}", item.note])
+        return text.getvalue()
+
+    def __str__(self) -> str:
+        rows = [("item", "pieces", "quantity", "cost", "note")]
+        rows += [
+            (item.item, str(item.count), f"{item.quantity:.3g} {item.unit}", f"{item.cost:.2f}", item.note)
+            for item in self.items
+        ]
+        widths = [max(len(row[k]) for row in rows) for k in range(4)]
+        lines = []
+        for *cells, note in rows:
+            aligned = [f"{cell:>{width}}" for cell, width in zip(cells[1:], widths[1:], strict=True)]
+            lines.append("  ".join([f"{cells[0]:<{widths[0]}}", *aligned, note]).rstrip())
+        money = self.prices.currency
+        return "\n".join(
+            [
+                f"Bill of materials of one {self.design}",
+                "",
+                *lines,
+                "",
+                f"array {self.cost:.2f} {money}, molds {self.tooling_cost:.2f} {money}; prices {self.prices.source}",
+            ]
+        )
+
+
+def bill_of_materials(design: ArrayDesign, parts: PartSet | None = None, prices: Prices | None = None) -> Bill:
+    """What one array takes of resin, silicone, spring, sheath, microphones, gaskets and glue.
+
+    Args:
+        design: the array.
+        parts: of :func:`geometry.build_parts`, where they exist already.
+        prices: instead of the assumed ones.
+    """
+    parts = build_parts(design) if parts is None else parts
+    prices = prices or Prices()
+    volumes = _millilitres(parts)
+    made = [name for name in parts if origin(name) != "bought" and parts.counts[name]]
+    items = [_made(name, volumes[name], parts.counts[name], design, prices) for name in made]
+    cuts = cutting_list(design)
+    items += _springs(cuts, prices) + _sheaths(cuts, prices)
+    microphone, count = design.microphone, len(design.microphones)
+    items.append(BillItem(microphone.model, "bought", count, count, "pieces", prices.microphone))
+    items.append(BillItem("microphone-board", "bought", count, count, "pieces", prices.board))
+    joints, note = 2 * sum(cut.count for cut in cuts) + design.point_count, "two per tube, one per membrane"
+    if microphone.gasket_width is None:
+        joints, note = joints + count, f"{note}, one per board"
+    else:
+        inside = microphone.chamber_diameter + 2 * BOARD_SEAL
+        outside = inside + 2 * microphone.gasket_width
+        sizes = f"ring of {inside:g} x {outside:g} mm, thicker than its groove of {microphone.gasket_depth:g} mm"
+        items.append(BillItem("gasket", "bought", count, count, "pieces", prices.gasket, sizes))
+    items.append(BillItem("glue joint", "bought", joints, joints, "pieces", prices.glue, note))
+    used = {
+        use: math.fsum(volumes[item.item] * item.count for item in items if item.use == use)
+        for use in ("printed", "tooling", "cast")
+    }
+    length = math.fsum(cut.total_length for cut in cuts) / 1000
+    return Bill(design.name, tuple(items), prices, used["printed"], used["tooling"], used["cast"], length)
+
+
+def write_bill(bill: Bill, folder: str | os.PathLike[str]) -> tuple[Path, Path, Path]:
+    """Write ``bill.csv``, ``bill.json`` and ``bill.txt``; existing files are replaced only by complete ones.
+
+    Returns:
+        The three paths.
+    """
+    folder = Path(folder)
+    folder.mkdir(parents=True, exist_ok=True)
+    texts = {
+        "bill.csv": bill.to_csv(),
+        "bill.json": json.dumps(bill.to_dict(), indent=2) + "\n",
+        "bill.txt": f"{bill}\n",
+    }
+    for name, text in texts.items():
+        write_text(folder / name, text)
+    table, record, page = (folder / name for name in texts)
+    return table, record, page
+
+
+def _millilitres(parts: Mapping[str, cq.Workplane]) -> dict[str, float]:
+    return {name: part.val().Volume() / 1000 for name, part in parts.items()}
+
+
+def _made(name: str, volume: float, count: int, design: ArrayDesign, prices: Prices) -> BillItem:
+    """A printed or cast part."""
+    if origin(name) == "cast":
+        quantity = volume * count * prices.silicone_factor
+        return BillItem(name, "cast", count, quantity, "ml", prices.silicone, design.membrane.material)
+    use: Use = "tooling" if name.startswith("mold") else "printed"
+    quantity = volume * count * prices.resin_factor
+    return BillItem(name, use, count, quantity, "ml", prices.resin, design.printing.material)
+
+
+def _springs(cuts: Sequence[Cut], prices: Prices) -> list[BillItem]:
+    return [
+        BillItem(
+            f"spring {cut.tube.spring_outer_diameter:g} mm, wire {cut.tube.wire_diameter:g} mm",
+            "bought",
+            cut.count,
+            cut.count * (cut.spring_length + prices.cutting_loss) / 1000,
+            "m",
+            prices.spring,
+            f"cut to {cut.spring_length:g} mm, {cut.turns:.0f} turns, {cut.place}",
+        )
+        for cut in cuts
+    ]
+
+
+def _sheaths(cuts: Sequence[Cut], prices: Prices) -> list[BillItem]:
+    return [
+        BillItem(
+            f"sheath {cut.tube.outer_diameter:g} mm outside over the spring",
+            "bought",
+            cut.count,
+            cut.count * (cut.cut_length + prices.cutting_loss) / 1000,
+            "m",
+            prices.sheath,
+            f"cut to {cut.cut_length:g} mm, {cut.place}",
+        )
+        for cut in cuts
+    ]

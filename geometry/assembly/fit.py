@@ -1,0 +1,257 @@
+"""Does it go together: overlaps and gaps of placed solids, and the fit of tubes in their ports, by measurement."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from geometry.assembly.model import ArrayModel, Kind, plane_of
+from geometry.assembly.parts import PlacedPart
+from geometry.refusal import Refusal
+
+if TYPE_CHECKING:
+    import cadquery as cq
+
+#: Common volumes below this are contact, mm^3: rounding the directions of ports to 0.1 degrees makes 1e-5.
+CONTACT_VOLUME = 1e-4
+#: A hole belongs to a tube where their axes are within this angle (sine) and distance (mm).
+_SAME_DIRECTION, _SAME_AXIS = 0.01, 0.1
+#: Kinds that stand apart from each other unless they belong to one point, tube or microphone.
+_BODIES: tuple[Kind, ...] = ("shell", "housing", "sheath")
+
+
+@dataclass(frozen=True)
+class Interference:
+    """Two placed parts that are in each other's way, by their labels."""
+
+    first: str
+    second: str
+    volume: float
+    """Of what they share, mm^3."""
+
+
+@dataclass(frozen=True)
+class Clearance:
+    """The smallest distance of two placed parts that do not belong together, by their labels."""
+
+    first: str
+    second: str
+    distance: float
+    """mm."""
+
+
+@dataclass(frozen=True)
+class PortFit:
+    """A tube in a port, as measured on the faces of their solids; lengths mm."""
+
+    tube: str
+    """Label of the sheath."""
+    part: str
+    """Label of the shell or housing."""
+    bore: float
+    """Diameter of the hole through the lip."""
+    counterbore: float
+    """Diameter of the socket."""
+    spring_bore: float
+    """Inside diameter of the spring."""
+    tube_outside: float
+    """Outside diameter of the sheath."""
+    axis_offset: float
+    """Largest distance of the spring's axis from that of the bore, from its shoulder to the outside of the part."""
+
+    @property
+    def glue_gap(self) -> float:
+        """Radial gap between tube and socket."""
+        return (self.counterbore - self.tube_outside) / 2
+
+
+def interferences(model: ArrayModel) -> tuple[Interference, ...]:
+    """Every pair of placed parts whose solids share more than :data:`CONTACT_VOLUME`.
+
+    Boxes only sieve the pairs, solids decide; pairs that lie to each other as one before are not computed again.
+    """
+    found = []
+    shared: dict[object, float] = {}
+    for i, j in _near(model, 0.0):
+        key, other = _relative(model, i, j)
+        if key not in shared:
+            shared[key] = model.shapes[model.placed[i].part].intersect(other()).Volume()
+        if shared[key] > CONTACT_VOLUME:
+            found.append(Interference(model.placed[i].label, model.placed[j].label, shared[key]))
+    return tuple(found)
+
+
+def clearances(model: ArrayModel, within: float = 1.0) -> tuple[Clearance, ...]:
+    """Distances of shells, housings and tubes that are not joined, the closest first.
+
+    Args:
+        model: the array.
+        within: pairs further apart are left out, mm.
+    """
+    joined = _joined(model)
+    found = []
+    known: dict[object, float] = {}
+    for i, j in _near(model, within):
+        first, second = model.placed[i], model.placed[j]
+        if not {model.kind(first.part), model.kind(second.part)} <= set(_BODIES):
+            continue
+        if frozenset((first.group, second.group)) in joined:
+            continue
+        key, other = _relative(model, i, j)
+        if key not in known:
+            known[key] = model.shapes[first.part].distance(other())
+        if known[key] <= within:
+            found.append(Clearance(first.label, second.label, known[key]))
+    return tuple(sorted(found, key=lambda c: c.distance))
+
+
+def port_fits(model: ArrayModel) -> tuple[PortFit, ...]:
+    """Every tube end with the port it is glued in: twice as many as tubes that are not schematic.
+
+    Raises:
+        Refusal: a tube ends in no port, or in a port without a bore and a socket.
+    """
+    joined = _joined(model)
+    holes = {name: _cylinders(shape) for name, shape in model.shapes.items()}
+    bodies = {p.group: p for p in model.placed if model.kind(p.part) in ("shell", "housing")}
+    springs = {p.group: p for p in model.placed if model.kind(p.part) == "spring"}
+    fits = []
+    for sheath in model.placed:
+        if model.kind(sheath.part) != "sheath":
+            continue
+        sleeve, spring = _in_space(holes[sheath.part], sheath), _in_space(holes[springs[sheath.group].part], sheath)
+        for group in sorted(other for pair in joined if sheath.group in pair for other in pair - {sheath.group}):
+            body = bodies[group]
+            fits.append(_port_fit(sheath, sleeve, spring, body, _in_space(holes[body.part], body)))
+    return tuple(fits)
+
+
+# -- pairs ----------------------------------------------------------------------------------------------
+def _near(model: ArrayModel, within: float) -> Iterator[tuple[int, int]]:
+    """Pairs of placed parts whose boxes are no further apart than this, mm."""
+    local = {}
+    for name, shape in model.shapes.items():
+        box = shape.BoundingBox()
+        local[name] = np.array([[box.xmin, box.ymin, box.zmin], [box.xmax, box.ymax, box.zmax]])
+    lows, highs = [], []
+    for part in model.placed:
+        corners = np.stack(np.meshgrid(*local[part.part].T, indexing="ij"), -1).reshape(-1, 3)
+        moved = corners @ part.matrix[:3, :3].T + part.matrix[:3, 3]
+        lows.append(moved.min(axis=0))
+        highs.append(moved.max(axis=0))
+    low, high = np.array(lows), np.array(highs)
+    for i in range(len(low) - 1):
+        apart = np.maximum(low[i + 1 :] - high[i], low[i] - high[i + 1 :]).max(axis=1)
+        for j in np.flatnonzero(apart <= within):
+            yield i, int(i + 1 + j)
+
+
+def _relative(model: ArrayModel, i: int, j: int) -> tuple[object, _Placed]:
+    """What makes two pairs alike, and part j as seen from part i."""
+    first, second = model.placed[i], model.placed[j]
+    matrix: NDArray[np.float64] = np.linalg.solve(first.matrix, second.matrix).astype(np.float64)
+    key = (first.part, second.part, tuple((np.round(matrix[:3], 5) + 0.0).ravel().tolist()))
+    return key, _Placed(model.shapes[second.part], matrix)
+
+
+@dataclass(frozen=True)
+class _Placed:
+    """A shape to be moved where it is needed."""
+
+    shape: cq.Shape
+    matrix: NDArray[np.float64]
+
+    def __call__(self) -> cq.Shape:
+        import cadquery as cq
+
+        return self.shape.moved(cq.Location(plane_of(self.matrix)))
+
+
+def _joined(model: ArrayModel) -> set[frozenset[str]]:
+    """Pairs of groups that touch by design: tubes with the points and microphones at their ends, each with itself."""
+    pairs = {frozenset((part.group,)) for part in model.placed}
+    number = {(p.line, p.place): p.number for p in model.layout.points}
+    for tube in model.layout.tubes:
+        line = model.design.lines[tube.line]
+        for place, microphone in ((tube.segment - 1, line.between[0]), (tube.segment, line.between[1])):
+            inside = 0 <= place < line.points
+            end = f"point {number[tube.line, place]}" if inside else f"microphone {microphone}"
+            pairs.add(frozenset((tube.label, end)))
+    return pairs
+
+
+# -- faces ----------------------------------------------------------------------------------------------
+@dataclass(frozen=True)
+class _Cylinder:
+    """A cylindrical face: a point on its axis, the direction, radius and both ends along the axis, mm."""
+
+    point: NDArray[np.float64]
+    direction: NDArray[np.float64]
+    radius: float
+    ends: NDArray[np.float64]
+    """(2, 3) float64."""
+
+
+def _cylinders(shape: cq.Shape) -> list[_Cylinder]:
+    from OCP.BRepAdaptor import BRepAdaptor_Surface
+
+    found = []
+    for face in shape.Faces():
+        if face.geomType() != "CYLINDER":
+            continue
+        surface = BRepAdaptor_Surface(face.wrapped)
+        cylinder = surface.Cylinder()
+        place, way = cylinder.Axis().Location(), cylinder.Axis().Direction()
+        point, direction = np.array([place.X(), place.Y(), place.Z()]), np.array([way.X(), way.Y(), way.Z()])
+        ends = point + np.outer([surface.FirstVParameter(), surface.LastVParameter()], direction)
+        found.append(_Cylinder(point, direction, cylinder.Radius(), ends))
+    return found
+
+
+def _in_space(cylinders: list[_Cylinder], part: PlacedPart) -> list[_Cylinder]:
+    turn, move = part.matrix[:3, :3], part.matrix[:3, 3]
+    return [_Cylinder(turn @ c.point + move, turn @ c.direction, c.radius, c.ends @ turn.T + move) for c in cylinders]
+
+
+def _port_fit(
+    sheath: PlacedPart, sleeve: list[_Cylinder], spring: list[_Cylinder], body: PlacedPart, walls: list[_Cylinder]
+) -> PortFit:
+    centre = np.array(body.position)
+    outside = max(sleeve, key=lambda c: (round(c.radius, 9), -_distance(centre, c)))
+    inside = min(spring, key=lambda c: (round(c.radius, 9), _distance(centre, c)))
+    ports = [
+        wall
+        for wall in walls
+        if np.linalg.norm(np.cross(wall.direction, inside.direction)) < _SAME_DIRECTION
+        and _offset(wall.point, inside) < _SAME_AXIS
+        and float((wall.ends.mean(axis=0) - centre) @ (_nearest_end(centre, inside) - centre)) > 0
+    ]
+    radii = sorted({round(port.radius, 9) for port in ports})
+    if len(radii) < 2:
+        raise Refusal(f"{sheath.label} ends in {body.label} where no bore with a socket is")
+    return PortFit(
+        tube=sheath.label,
+        part=body.label,
+        bore=2 * radii[0],
+        counterbore=2 * radii[-1],
+        spring_bore=2 * inside.radius,
+        tube_outside=2 * outside.radius,
+        axis_offset=max(_offset(end, inside) for port in ports for end in port.ends),
+    )
+
+
+def _offset(point: NDArray[np.float64], cylinder: _Cylinder) -> float:
+    """Distance of a point from the axis of a cylinder, mm."""
+    return float(np.linalg.norm(np.cross(point - cylinder.point, cylinder.direction)))
+
+
+def _distance(point: NDArray[np.float64], cylinder: _Cylinder) -> float:
+    return float(np.linalg.norm(cylinder.ends - point, axis=1).min())
+
+
+def _nearest_end(point: NDArray[np.float64], cylinder: _Cylinder) -> NDArray[np.float64]:
+    return np.asarray(cylinder.ends[np.linalg.norm(cylinder.ends - point, axis=1).argmin()])

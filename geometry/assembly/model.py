@@ -1,0 +1,196 @@
+"""The whole array as solids: made and bought parts, each distinct shape once, and where every copy lies."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from geometry.assembly.parts import PlacedPart, build_parts, place_parts
+from geometry.design.array_design import ArrayDesign
+from geometry.layout.place import lay_out
+from geometry.layout.placement import ArrayLayout, TubePlacement
+from geometry.solids.tube import TubePiece, build_tube, piece_of
+
+if TYPE_CHECKING:
+    import cadquery as cq
+
+Kind = Literal["shell", "membrane", "spring", "sheath", "housing", "board", "package"]
+#: Colour and opacity of each kind of part in pictures and models; solids in CAD files are opaque.
+LOOKS: dict[Kind, tuple[str, float]] = {
+    "shell": ("#9fb8cc", 0.45),
+    "membrane": ("#e39a7b", 0.6),
+    "spring": ("#c9a227", 1.0),
+    "sheath": ("#4a4a4a", 1.0),
+    "housing": ("#4f7f6b", 1.0),
+    "board": ("#2f2f2f", 1.0),
+    "package": ("#b8b8b8", 1.0),
+}
+_KINDS: dict[str, Kind] = {
+    "shell": "shell",
+    "membrane": "membrane",
+    "spring": "spring",
+    "sheath": "sheath",
+    "microphone-housing": "housing",
+    "microphone-board": "board",
+    "microphone-package": "package",
+}
+
+
+@dataclass(frozen=True)
+class ArrayModel:
+    """An array put together.
+
+    Attributes:
+        design: what it was drawn from.
+        layout: where everything lies.
+        shapes: each distinct part in its own coordinates, mm.
+        placed: every copy.
+        schematic: tubes that are not among the parts, since their way is drawn for the eye only.
+    """
+
+    design: ArrayDesign
+    layout: ArrayLayout
+    shapes: Mapping[str, cq.Shape]
+    placed: tuple[PlacedPart, ...]
+    schematic: tuple[TubePlacement, ...]
+
+    def kind(self, part: str) -> Kind:
+        """What a part is."""
+        return kind_of(part)
+
+
+def kind_of(part: str) -> Kind:
+    """What a part is, by its name."""
+    return next(kind for start, kind in _KINDS.items() if part.startswith(start))
+
+
+def array_model(design: ArrayDesign, parts: Mapping[str, cq.Workplane] | None = None) -> ArrayModel:
+    """Put an array together from its printed and cast parts, its tubes and its microphones.
+
+    Membranes are shown as mounted, stretched where the design stretches them.
+
+    Args:
+        design: the array.
+        parts: of :func:`geometry.build_parts`, where they exist already.
+
+    Raises:
+        Refusal: a part is not one valid solid.
+    """
+    parts = build_parts(design) if parts is None else parts
+    layout = lay_out(design)
+    placed = place_parts(design, layout)
+    shapes = {name: parts[name].val() for name in dict.fromkeys(part.part for part in placed)}
+    if design.membrane.stretch != 1:
+        shapes["membrane"] = _mounted_membrane(design)
+    tubes, tube_shapes = _tubes(design, layout)
+    packages, package = _packages(design, placed)
+    return ArrayModel(
+        design,
+        layout,
+        {**shapes, **tube_shapes, "microphone-package": package},
+        (*placed, *tubes, *packages),
+        tuple(tube for tube in layout.tubes if tube.schematic),
+    )
+
+
+def build_assembly(design: ArrayDesign, parts: Mapping[str, cq.Workplane] | None = None) -> cq.Assembly:
+    """The array as a CadQuery assembly with a named component per point, microphone and tube.
+
+    Copies of a part share its shape. Tubes that are drawn schematically are left out. To write it as STEP with the
+    names of its parts, use :func:`geometry.formats.step_assembly.write_step`.
+
+    Args:
+        design: the array.
+        parts: of :func:`geometry.build_parts`, where they exist already.
+    """
+    return assembly_of(array_model(design, parts))
+
+
+def assembly_of(model: ArrayModel) -> cq.Assembly:
+    """An array put together as a CadQuery assembly, see :func:`build_assembly`."""
+    import cadquery as cq
+
+    root = cq.Assembly(name=model.design.name)
+    groups: dict[str, cq.Assembly] = {}
+    for part in model.placed:
+        groups.setdefault(part.group, cq.Assembly(name=part.group)).add(
+            model.shapes[part.part],
+            name=component_name(model, part),
+            loc=cq.Location(plane_of(part.matrix)),
+            color=cq.Color(*_rgb(LOOKS[model.kind(part.part)][0])),
+        )
+    for group in groups.values():
+        root.add(group)
+    return root
+
+
+def component_name(model: ArrayModel, part: PlacedPart) -> str:
+    """What a placed part is called in an assembly, where its group has the name of its place."""
+    return part.label if part.label != part.group else f"{part.label} {model.kind(part.part)}"
+
+
+def plane_of(matrix: NDArray[np.float64]) -> cq.Plane:
+    """The CadQuery plane of a (4, 4) matrix that turns and moves, mm."""
+    import cadquery as cq
+
+    return cq.Plane(
+        origin=tuple(matrix[:3, 3].tolist()), xDir=tuple(matrix[:3, 0].tolist()), normal=tuple(matrix[:3, 2].tolist())
+    )
+
+
+def _mounted_membrane(design: ArrayDesign) -> cq.Shape:
+    """The membrane at its mounted size: lengths in the plane times the stretch, thickness at constant volume."""
+    from geometry.solids.membrane import build_membrane
+
+    mounted = design.membrane.model_copy(update={"stretch": 1.0, "thickness": design.membrane.mounted_thickness})
+    return build_membrane(design.model_copy(update={"membrane": mounted})).val()
+
+
+def _tubes(design: ArrayDesign, layout: ArrayLayout) -> tuple[list[PlacedPart], dict[str, cq.Shape]]:
+    placed: list[PlacedPart] = []
+    shapes: dict[str, cq.Shape] = {}
+    names: dict[TubePiece, str] = {}
+    for tube in layout.tubes:
+        if tube.schematic:
+            continue
+        piece, matrix = piece_of(tube.tube, tube.course, design.printing.port_lip)
+        if piece not in names:
+            alike = sum(name.rsplit("_", 1)[0] == piece.name for name in names.values())
+            names[piece] = piece.name + (f"_{alike + 1}" if alike else "")
+            spring, sheath = build_tube(piece)
+            shapes[f"spring-{names[piece]}"], shapes[f"sheath-{names[piece]}"] = spring.val(), sheath.val()
+        x, y, z = ((float(a), float(b), float(c)) for a, b, c in matrix[:3, :3].T)
+        for kind in ("spring", "sheath"):
+            label = f"{kind} of {tube.label}"
+            at = tuple(matrix[:3, 3].tolist())
+            placed.append(PlacedPart(f"{kind}-{names[piece]}", label, at, 0.0, (x, y, z), tube.label))
+    return placed, shapes
+
+
+def _packages(design: ArrayDesign, placed: tuple[PlacedPart, ...]) -> tuple[list[PlacedPart], cq.Shape]:
+    """The bought microphones: on each board, their sound hole over that of the board."""
+    import cadquery as cq
+
+    microphone = design.microphone
+    package = cq.Solid.makeBox(
+        microphone.package_length,
+        microphone.package_width,
+        microphone.package_height,
+        cq.Vector(-microphone.package_length / 2, -microphone.package_width / 2, 0),
+    )
+    packages = []
+    for board in placed:
+        if kind_of(board.part) == "board":
+            x, y, z = (np.array(board.position) + microphone.sound_hole_length * np.array(board.axes[2])).tolist()
+            label = board.group.replace("microphone", "package")
+            packages.append(replace(board, part="microphone-package", label=label, position=(x, y, z)))
+    return packages, package
+
+
+def _rgb(colour: str) -> tuple[float, float, float]:
+    red, green, blue = (int(colour[k : k + 2], 16) / 255 for k in (1, 3, 5))
+    return red, green, blue

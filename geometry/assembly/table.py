@@ -1,0 +1,183 @@
+"""Which part goes where: the order in which an array is put together, as a table. Lengths mm, angles degrees."""
+
+from __future__ import annotations
+
+import csv
+import io
+import os
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from geometry.assembly.parts import place_parts
+from geometry.design.array_design import ArrayDesign
+from geometry.files.writing import write_text
+from geometry.layout.cutting import cut_lengths
+from geometry.layout.place import lay_out
+from geometry.layout.placement import TubePlacement
+from geometry.plan.routing import tightest_bend
+
+_HOUSINGS = ("shell", "microphone-housing")
+_COLUMNS = (
+    *("line", "place", "part", "rotation (degrees)", "x (mm)", "y (mm)", "z (mm)"),
+    *("port before (degrees)", "port after (degrees)", "tube to the next", "bore (mm)", "outside (mm)"),
+    *("sheath length (mm)", "spring length (mm)", "turns", "bend radius (mm)"),
+)
+
+
+@dataclass(frozen=True)
+class JoinedTube:
+    """The tube from one place of a line to the next."""
+
+    name: str
+    """``tube 2 of line 1``."""
+    bore: float
+    outside: float
+    sheath_length: float
+    spring_length: float
+    turns: float
+    bend_radius: float
+    """Smallest radius of its axis; infinite where it lies straight."""
+    schematic: bool
+    """It is drawn to show what is joined: how it bends is not known, and its spring is that of a straight tube."""
+
+
+@dataclass(frozen=True)
+class AssemblyStep:
+    """One place of a line, from its first microphone to its second: what stands there and what leads on."""
+
+    line: int
+    """From 1."""
+    place: str
+    """``microphone A`` or ``point 3``."""
+    part: str
+    """Name of its shell or housing, as of its files."""
+    rotation: float
+    """By which the part is turned about its axis, anticlockwise from above."""
+    position: tuple[float, float, float]
+    port_before: float | None
+    """Port of the part for the tube before, in the part's own degrees; None at the first microphone."""
+    port_after: float | None
+    """Port for the tube that follows; None at the second microphone."""
+    tube: JoinedTube | None
+    """The tube that follows; None at the second microphone."""
+
+
+def assembly_steps(design: ArrayDesign) -> tuple[AssemblyStep, ...]:
+    """Line by line from microphone to microphone; a microphone that joins several lines stands at the end of each."""
+    layout = lay_out(design)
+    parts = {part.group: part for part in place_parts(design, layout) if part.part.startswith(_HOUSINGS)}
+    tubes = {(tube.line, tube.segment): tube for tube in layout.tubes}
+    ports = {m.name: {(p.line, p.end): p.angle for p in m.ports} for m in layout.microphones}
+    steps = []
+    for index, line in enumerate(design.lines):
+        first, second = line.between
+        points = [point for point in layout.points if point.line == index]
+        places: list[tuple[str, float | None, float | None]] = [
+            (f"microphone {first}", None, ports[first][index, 0]),
+            *((f"point {point.number}", *point.port_angles) for point in points),
+            (f"microphone {second}", ports[second][index, 1], None),
+        ]
+        for number, (name, before, after) in enumerate(places):
+            part = parts[name]
+            tube = _joined(design, tubes[index, number]) if number <= line.points else None
+            own = [None if angle is None else _own(angle - part.rotation) for angle in (before, after)]
+            steps.append(
+                AssemblyStep(index + 1, name, part.part, _own(part.rotation), part.position, own[0], own[1], tube)
+            )
+    return tuple(steps)
+
+
+def write_assembly_table(design: ArrayDesign, folder: str | os.PathLike[str]) -> tuple[Path, Path]:
+    """Write ``assembly.csv`` and ``assembly.txt`` into a folder that exists; each whole or not at all.
+
+    Returns:
+        The two paths.
+    """
+    steps, folder = assembly_steps(design), Path(folder)
+    table, page = folder / "assembly.csv", folder / "assembly.txt"
+    write_text(table, _csv(steps))
+    write_text(page, assembly_text(design, steps))
+    return table, page
+
+
+def assembly_text(design: ArrayDesign, steps: Sequence[AssemblyStep] | None = None) -> str:
+    """The table for people.
+
+    Args:
+        design: the array.
+        steps: of :func:`assembly_steps`, where they exist already.
+    """
+    steps = assembly_steps(design) if steps is None else steps
+    header = (
+        "place",
+        "part",
+        "turned",
+        "ports in, out",
+        "tube to the next",
+        "bore x outside",
+        "sheath",
+        "spring",
+        "bent",
+    )
+    rows = {step: _row(step) for step in steps}
+    widths = [max(len(row[k]) for row in (header, *rows.values())) for k in range(len(header))]
+    lines = [
+        f"Assembly of {design.name}, line by line",
+        "",
+        "Lengths in mm, angles in degrees anticlockwise from above. A part is turned from how its file is drawn; its",
+        "ports are named by their angle in the file. Every point also takes a membrane, every microphone a board.",
+    ]
+    for index, line in enumerate(design.lines, start=1):
+        lines += ["", f"line {index}: from microphone {line.between[0]} to microphone {line.between[1]}"]
+        for cells in (header, *(row for step, row in rows.items() if step.line == index)):
+            lines.append("  ".join(f"{cell:<{width}}" for cell, width in zip(cells, widths, strict=True)).rstrip())
+    if any(step.tube is not None and step.tube.schematic for step in steps):
+        lines += ["", "* drawn schematically: how it bends is not known, its spring is cut as if it lay straight"]
+    return "\n".join(lines) + "\n"
+
+
+def _row(step: AssemblyStep) -> tuple[str, ...]:
+    ports = ", ".join("-" if angle is None else f"{angle:g}" for angle in (step.port_before, step.port_after))
+    cells = (step.place, step.part, f"{step.rotation:g}", ports)
+    if step.tube is None:
+        return (*cells, "", "", "", "", "")
+    tube = step.tube
+    bent = "*" if tube.schematic else "straight" if tube.bend_radius == float("inf") else f"to {tube.bend_radius:.3g}"
+    spring = f"{tube.spring_length:g}, {tube.turns:.0f} turns"
+    return (*cells, tube.name, f"{tube.bore:g} x {tube.outside:g}", f"{tube.sheath_length:g}", spring, bent)
+
+
+def _csv(steps: Sequence[AssemblyStep]) -> str:
+    text = io.StringIO()
+    table = csv.writer(text, lineterminator="\n")
+    table.writerow(_COLUMNS)
+    for step in steps:
+        ports = ["" if angle is None else f"{angle:g}" for angle in (step.port_before, step.port_after)]
+        row = [step.line, step.place, step.part, f"{step.rotation:g}", *(f"{c:.4g}" for c in step.position), *ports]
+        if step.tube is not None:
+            tube = step.tube
+            bent = "schematic" if tube.schematic else f"{tube.bend_radius:.4g}"
+            row += [tube.name, f"{tube.bore:g}", f"{tube.outside:g}", f"{tube.sheath_length:g}"]
+            row += [f"{tube.spring_length:g}", f"{tube.turns:.0f}", bent]
+        table.writerow(row + [""] * (len(_COLUMNS) - len(row)))
+    return text.getvalue()
+
+
+def _joined(design: ArrayDesign, placed: TubePlacement) -> JoinedTube:
+    tube, (sheath, spring) = placed.tube, cut_lengths(design, placed)
+    return JoinedTube(
+        name=placed.label,
+        bore=tube.inner_diameter,
+        outside=tube.outer_diameter,
+        sheath_length=sheath,
+        spring_length=spring,
+        turns=spring / tube.wire_diameter,
+        bend_radius=tightest_bend(placed.course),
+        schematic=placed.schematic,
+    )
+
+
+def _own(angle: float) -> float:
+    """An angle in [0, 360) as parts are named, in tenths of a degree."""
+    return round(angle % 360, 1) % 360

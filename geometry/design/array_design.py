@@ -1,0 +1,66 @@
+"""The design of an array: its parts, how they are joined, laid out and made.
+
+Lengths are millimetres, moduli megapascals, frequencies hertz. A design is immutable; changed copies
+come from :meth:`ArrayDesign.with_values`. Every section refuses unknown keys and non-finite numbers
+with a :class:`geometry.DesignError` of one line. The fields of the parts live in
+:mod:`geometry.stated.parts`, reading and writing in :mod:`geometry.design.design_file`, the rules between fields in
+:mod:`geometry.design.rules`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, Self
+
+from pydantic import ValidationError, model_validator
+
+from geometry.design.changes import changed
+from geometry.design.rules import check_consistency
+from geometry.plan.topology import check_topology
+from geometry.stated.array import StatedArray
+from geometry.stated.fields import error_from_validation
+
+
+class ArrayDesign(StatedArray):
+    """Everything one array is made of: what a :class:`StatedArray` states, checked as a whole."""
+
+    @model_validator(mode="after")
+    def _consistent(self) -> Self:
+        check_topology(self.microphones, [(line.between, line.points) for line in self.lines])
+        check_consistency(self)
+        return self
+
+    # -- changed copies -----------------------------------------------------------------------------
+    def with_values(self, values: Mapping[str, Any]) -> ArrayDesign:
+        """A copy with fields changed by dotted name, checked again as a whole.
+
+        Args:
+            values: for example ``{"tube.inner_diameter": 0.5, "lines.0.points": 6}``.
+
+        Raises:
+            DesignError: no such field, or the changed design is not valid.
+        """
+        return validated(changed(self.model_dump(), values, self.name), self.name)
+
+    def completed(self) -> ArrayDesign:
+        """The same design with the built-in materials it uses written out, so that it stands alone."""
+        used = {self.membrane.material, self.printing.material}
+        return self.model_copy(
+            update={"materials": {**{name: self.material(name) for name in sorted(used)}, **self.materials}}
+        )
+
+
+def validated(data: Mapping[str, Any], source: str) -> ArrayDesign:
+    """A design from plain values.
+
+    Args:
+        data: tables as dictionaries, as TOML gives them.
+        source: name of the file or design, for messages.
+
+    Raises:
+        DesignError: not a valid design.
+    """
+    try:
+        return ArrayDesign.model_validate(data)
+    except ValidationError as error:
+        raise error_from_validation(error, ArrayDesign, data, source) from None

@@ -1,0 +1,66 @@
+"""Changed copies of a design as plain dictionaries, by dotted names; no rule of a design is known here."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from pydantic import BaseModel
+
+from geometry.stated.fields import DERIVED_FROM, DesignError, nearest
+
+
+def changed(data: Mapping[str, Any], values: Mapping[str, Any], name: str) -> dict[str, Any]:
+    """Plain values of a design with some of them changed by dotted name.
+
+    Args:
+        data: tables as dictionaries, tuples or lists of tables.
+        values: new values, for example ``{"tube.inner_diameter": 0.5, "lines.0.points": 6}``; a whole
+            table is given as a mapping or a section, and None takes an optional field back to its default.
+        name: of the design, for messages.
+
+    Raises:
+        DesignError: no such field.
+    """
+    copy: dict[str, Any] = as_lists(data)
+    for field, value in values.items():
+        _set(copy, field, value.model_dump() if isinstance(value, BaseModel) else value, name)
+    return copy
+
+
+def _set(data: Any, name: str, value: Any, source: str) -> None:
+    """Put a value at a dotted name of a design as lists and dictionaries."""
+    *way, last = name.split(".")
+    place = data
+    for depth, step in enumerate([*way, last]):
+        if place is None:
+            raise DesignError(f"{source}: {'.'.join(way[:depth])} is not given; give the whole table, not {name} alone")
+        free = way[:depth] == ["materials"]  # the one table whose keys are the user's own
+        known = keys_of(place)
+        if step not in known and not (free and step == last):
+            raise DesignError(f"{source}: {name} = {value!r} is not a field of this design{nearest(step, known)}")
+        if depth < len(way):
+            place = place[int(step)] if isinstance(place, list) else place[step]
+    if isinstance(place, list):
+        place[int(last)] = value
+        return
+    for derived, (given, _) in DERIVED_FROM.items():
+        if last == given:
+            place.pop(derived, None)
+    place[last] = value
+
+
+def keys_of(place: Any) -> list[str]:
+    """Names that may follow in a dotted name: indices of a list, keys of a table and what may stand in their place."""
+    if isinstance(place, list):
+        return [str(index) for index in range(len(place))]
+    if not isinstance(place, dict):
+        return []
+    return [*place, *(given for derived, (given, _) in DERIVED_FROM.items() if derived in place)]
+
+
+def as_lists(value: Any) -> Any:
+    """A copy of plain values with every tuple as a list."""
+    if isinstance(value, dict):
+        return {key: as_lists(entry) for key, entry in value.items()}
+    return [as_lists(entry) for entry in value] if isinstance(value, (list, tuple)) else value

@@ -1,0 +1,183 @@
+"""Design files: TOML in and out, the prototypes that come with the package, and changed copies.
+
+A design that is read, written and read again is equal to the first: floats are written with every digit
+they need. Every refusal is a :class:`DesignError` of one line.
+"""
+
+from __future__ import annotations
+
+import os
+import tomllib
+from collections.abc import Iterator, Mapping
+from importlib import resources
+from pathlib import Path
+from typing import Any
+
+import tomlkit
+from pydantic import BaseModel
+from tomlkit.items import AbstractTable, Item
+
+from geometry.design.array_design import ArrayDesign, validated
+from geometry.design.changes import as_lists, keys_of
+from geometry.files.reading import read_text
+from geometry.files.writing import write_text
+from geometry.stated.fields import DesignError, fields_of, nearest
+
+
+def load_design(path: str | os.PathLike[str]) -> ArrayDesign:
+    """Read a design file.
+
+    Raises:
+        DesignError: no such file, not a text in UTF-8, not TOML, or not a valid design.
+    """
+    return read_design(read_text(path, "a design file", DesignError), str(Path(path)))
+
+
+def read_design(text: str, source: str = "design.toml") -> ArrayDesign:
+    """Read a design from the text of a file.
+
+    Args:
+        text: TOML.
+        source: name of the file, for messages.
+
+    Raises:
+        DesignError: not TOML, or not a valid design.
+    """
+    try:
+        data = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise DesignError(f"{source}: is not TOML: {error}") from None
+    return validated(data, source)
+
+
+def write_design(design: ArrayDesign) -> str:
+    """Text of a design file: every field with its value, its unit in a comment."""
+    document = tomlkit.document()
+    document.add(tomlkit.comment("Lengths in mm; fields and their ranges: docs/design-file.md"))
+    notes = {field.name: field.unit for field in fields_of(ArrayDesign)}
+    for key, item in _items(design, "", notes):
+        document.add(key, item)
+    return tomlkit.dumps(document)
+
+
+def save_design(design: ArrayDesign, path: str | os.PathLike[str]) -> None:
+    """Write a design file: written beside, then renamed, so that it is whole or not there.
+
+    Raises:
+        DesignError: the file cannot be written.
+    """
+    try:
+        write_text(path, write_design(design))
+    except OSError as error:
+        raise DesignError(f"{path}: cannot be written: {error.strerror}") from None
+
+
+def value_of(design: ArrayDesign, name: str) -> Any:
+    """What a dotted name stands for: a field, a property of a section, or what a file may give in place of a field.
+
+    Args:
+        design: the design.
+        name: for example ``tube.inner_diameter``, ``lines.0.points``, ``resonator.cavity_volume``.
+
+    Raises:
+        DesignError: no such name.
+    """
+    place: Any = design
+    steps = name.split(".")
+    for depth, step in enumerate(steps):
+        if isinstance(place, BaseModel):
+            derived = [key for key in dir(type(place)) if isinstance(getattr(type(place), key), property)]
+            known = [*type(place).model_fields, *(key for key in derived if not key.startswith(("_", "model_")))]
+        else:
+            known = keys_of(as_lists(place))
+        if step not in known:
+            if place is None:
+                raise DesignError(f"{design.name}: {'.'.join(steps[:depth])} is not given, so there is no {name}")
+            raise DesignError(f"{design.name}: {name} is not a field of this design{nearest(step, known)}")
+        if isinstance(place, BaseModel):
+            place = getattr(place, step)
+        else:
+            place = place[int(step)] if isinstance(place, tuple) else place[step]
+    return place
+
+
+def prototype_names() -> list[str]:
+    """Names of the designs that come with the package."""
+    folder = resources.files("geometry") / "prototypes"
+    return sorted(entry.name.removesuffix(".toml") for entry in folder.iterdir() if entry.name.endswith(".toml"))
+
+
+def prototype_text(name: str) -> str:
+    """The design file of a prototype, with its comments.
+
+    Raises:
+        DesignError: no prototype of that name.
+    """
+    names = prototype_names()
+    if name not in names:
+        raise DesignError(f"no prototype is named {name!r}{nearest(name, names)}")
+    return (resources.files("geometry") / "prototypes" / f"{name}.toml").read_text(encoding="utf-8")
+
+
+def prototype(name: str) -> ArrayDesign:
+    """A design that comes with the package.
+
+    Raises:
+        DesignError: no prototype of that name.
+    """
+    return read_design(prototype_text(name), f"{name}.toml")
+
+
+def resolve_design(argument: str | os.PathLike[str]) -> ArrayDesign:
+    """The design a user names: a prototype, else a file.
+
+    Raises:
+        DesignError: neither a prototype nor a file that can be read, or not a valid design.
+    """
+    text = os.fspath(argument)
+    names = prototype_names()
+    if text in names:
+        return prototype(text)
+    if text.endswith(".toml") or Path(text).exists():
+        return load_design(text)
+    raise DesignError(f"{text}: neither a design file nor a prototype{nearest(text, names)}")
+
+
+# -- writing ----------------------------------------------------------------------------------------
+def _items(section: BaseModel, prefix: str, notes: Mapping[str, str]) -> Iterator[tuple[str, Item]]:
+    """Keys and TOML items of a section: plain values first, as TOML wants them before tables."""
+    plain: list[tuple[str, Item]] = []
+    tables: list[tuple[str, Item]] = []
+    for key in type(section).model_fields:
+        value = getattr(section, key)
+        name = prefix + key
+        if value is None or value == {}:
+            continue
+        if isinstance(value, BaseModel):
+            table = _table(value, f"{name}.", notes)
+            if table:
+                tables.append((key, table))
+        elif isinstance(value, dict):
+            group = tomlkit.table(is_super_table=True)
+            for own, entry in value.items():
+                group.add(own, _table(entry, f"{name}.*.", notes))
+            tables.append((key, group))
+        elif isinstance(value, tuple) and value and isinstance(value[0], BaseModel):
+            array = tomlkit.aot()
+            for entry in value:
+                array.append(_table(entry, f"{name}.*.", notes))
+            tables.append((key, array))
+        else:
+            item = tomlkit.item(list(value) if isinstance(value, tuple) else value)
+            if notes.get(name):
+                item.comment(notes[name])
+            plain.append((key, item))
+    yield from plain
+    yield from tables
+
+
+def _table(section: BaseModel, prefix: str, notes: Mapping[str, str]) -> AbstractTable:
+    table = tomlkit.table()
+    for key, item in _items(section, prefix, notes):
+        table.add(key, item)
+    return table

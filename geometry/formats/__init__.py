@@ -1,0 +1,8 @@
+"""STL, STEP, 3MF: written, read back, compared.
+
+Stands on: assembly, files, solids.
+"""
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

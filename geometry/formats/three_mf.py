@@ -1,0 +1,95 @@
+"""3MF files: bodies with their unit, names, part numbers and generating parameters, in one or many places."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from geometry.refusal import Refusal
+
+if TYPE_CHECKING:
+    import trimesh
+
+    from geometry.solids.measure import Tessellation
+
+#: Namespace of our metadata.
+_NAMESPACE = "urn:acoustic-fem:part"
+
+
+@dataclass(frozen=True)
+class Body:
+    """A part as it is written: once, however many copies are placed."""
+
+    name: str
+    facets: Tessellation
+    parameters: Mapping[str, Any] = field(default_factory=dict)
+    places: tuple[NDArray[np.float64], ...] = (np.eye(4),)
+    """How each copy is turned and moved, mm: (4, 4) float64."""
+
+
+def write_3mf(bodies: Sequence[Body], title: str, path: Path) -> None:
+    """Write bodies, lengths in mm."""
+    import lib3mf
+
+    wrapper = lib3mf.get_wrapper()
+    model = wrapper.CreateModel()
+    model.SetUnit(lib3mf.ModelUnit.MilliMeter)
+    model.GetMetaDataGroup().AddMetaData("", "Title", title, "xs:string", True)
+    model.GetMetaDataGroup().AddMetaData("", "Application", "acoustic-fem", "xs:string", True)
+    for body in bodies:
+        mesh = model.AddMeshObject()
+        mesh.SetName(body.name)
+        mesh.SetPartNumber(body.name)
+        for key, value in body.parameters.items():
+            mesh.GetMetaDataGroup().AddMetaData(_NAMESPACE, key, str(value), "xs:string", True)
+        mesh.SetGeometry(
+            [_filled(lib3mf.Position(), vertex) for vertex in body.facets.vertices.tolist()],
+            [_filled(lib3mf.Triangle(), corners) for corners in body.facets.triangles.tolist()],
+        )
+        for place in body.places:
+            transform = lib3mf.Transform()
+            for row, numbers in zip(transform.Fields, place[:3].T.tolist(), strict=True):  # coordinates are rows there
+                row[:] = numbers
+            model.AddBuildItem(mesh, transform)
+    writer = model.QueryWriter("3mf")
+    writer.SetDecimalPrecision(7)
+    writer.WriteToFile(str(path))
+
+
+def read_3mf(path: Path) -> dict[str, trimesh.Trimesh]:
+    """The bodies of a file in mm by name, as written, wherever they are placed.
+
+    Raises:
+        Refusal: another unit, or two bodies of one name.
+    """
+    import lib3mf
+    import trimesh
+
+    model = lib3mf.get_wrapper().CreateModel()
+    model.QueryReader("3mf").ReadFromFile(str(path))
+    if model.GetUnit() != lib3mf.ModelUnit.MilliMeter:
+        raise Refusal(f"{path.name}: is in another unit than mm")
+    found: dict[str, trimesh.Trimesh] = {}
+    bodies = model.GetMeshObjects()
+    while bodies.MoveNext():
+        body = bodies.GetCurrentMeshObject()
+        if body.GetName() in found:
+            raise Refusal(f"{path.name}: holds two bodies named {body.GetName()}")
+        found[body.GetName()] = trimesh.Trimesh(
+            np.array([list(vertex.Coordinates) for vertex in body.GetVertices()]),
+            np.array([list(triangle.Indices) for triangle in body.GetTriangleIndices()]),
+            process=False,
+        )
+    return found
+
+
+def _filled(record: Any, numbers: list[Any]) -> Any:
+    (entry,) = (getattr(record, name) for name, _ in record._fields_)
+    for index, number in enumerate(numbers):
+        entry[index] = number
+    return record

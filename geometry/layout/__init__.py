@@ -1,0 +1,8 @@
+"""Where every shell, tube and microphone of one design lies; overlaps; the cutting list.
+
+Stands on: design, plan, stated.
+"""
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

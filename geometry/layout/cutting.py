@@ -1,0 +1,88 @@
+"""The tubes of an array: their ports in the housings, and the cutting list - they are bought, not printed."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from geometry.design.array_design import ArrayDesign
+from geometry.layout.place import lay_out
+from geometry.layout.placement import TubePlacement
+from geometry.plan.routing import turning
+from geometry.stated.parts import Tube
+
+#: Axes that turn by less are straight, rad: the rounding of directions.
+_STRAIGHT = 1e-3
+
+
+@dataclass(frozen=True)
+class Cut:
+    """Equal pieces of tube, lengths in mm."""
+
+    use: Literal["segment", "microphone"]
+    """``segment`` between points or ``microphone`` from the end of a line."""
+    tube: Tube
+    cut_length: float
+    """Of the sheath, along the axis: its ends stop on the lips of the ports, which carry on the bore to the walls."""
+    count: int
+    spring_length: float
+    """Of the coil before it is bent, see :func:`spring_length`."""
+    lines: tuple[int, ...]
+    """Numbers of the lines that it is for, from 1."""
+
+    @property
+    def total_length(self) -> float:
+        """Length of all sheaths, without the saw."""
+        return self.count * self.cut_length
+
+    @property
+    def turns(self) -> float:
+        """Turns of one coil."""
+        return self.spring_length / self.tube.wire_diameter
+
+    @property
+    def place(self) -> str:
+        """Where it goes, for people: ``between points of lines 2, 4``."""
+        where = "between points of" if self.use == "segment" else "to microphones of"
+        return f"{where} line{'s' if len(self.lines) > 1 else ''} {', '.join(map(str, self.lines))}"
+
+
+def spring_length(tube: Tube, length: float, bend: float) -> float:
+    """Length to which a close-wound coil is cut that lies in a bent tube, mm.
+
+    In a bend its turns touch on the inside and gape on the axis. The wires touch at half a mean coil diameter D from
+    the axis, so a turn takes the angle w / (R - D / 2) of an axis of radius R, w the wire, and w R / (R - D / 2) of its
+    length. Over a bend by the angle b the coil grows by b D / 2, whatever R: a coil as long as the axis would push the
+    tube out of its sockets by that.
+
+    Args:
+        tube: its spring.
+        length: of the axis between the lips of the ports, mm.
+        bend: angle by which the axis turns in all, radians.
+    """
+    return length - bend * (tube.spring_outer_diameter - tube.wire_diameter) / 2
+
+
+def cut_lengths(design: ArrayDesign, placed: TubePlacement) -> tuple[float, float]:
+    """Of sheath and spring of one tube, mm; one that is drawn schematically is taken as straight."""
+    tube, bend = placed.tube, 0.0 if placed.schematic else turning(placed.course)
+    sheath = round(tube.length - 2 * design.printing.port_lip, 6)
+    # In hundredths, finer than any blade, so that pieces which differ by rounding are one.
+    return sheath, round(spring_length(tube, sheath, bend), 2) if bend > _STRAIGHT else sheath
+
+
+def cutting_list(design: ArrayDesign) -> tuple[Cut, ...]:
+    """Every kind of piece with its count, in order of first use, those to microphones before the others."""
+    pieces: dict[tuple[Literal["segment", "microphone"], Tube, float, float], list[int]] = {}
+    last = [line.points for line in design.lines]
+    # Of every line its two ends first.
+    tubes = sorted(
+        lay_out(design).tubes, key=lambda placed: (placed.line, placed.segment not in (0, last[placed.line]))
+    )
+    for placed in tubes:
+        use: Literal["segment", "microphone"] = "microphone" if placed.segment in (0, last[placed.line]) else "segment"
+        pieces.setdefault((use, placed.tube, *cut_lengths(design, placed)), []).append(placed.line + 1)
+    return tuple(
+        Cut(use, tube, sheath, len(lines), spring, tuple(sorted(set(lines))))
+        for (use, tube, sheath, spring), lines in pieces.items()
+    )

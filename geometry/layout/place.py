@@ -1,0 +1,215 @@
+"""Where every resonator, tube and microphone lies."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from geometry.design.array_design import ArrayDesign
+from geometry.layout.overlaps import overlaps
+from geometry.layout.placement import ArrayLayout, MicrophonePlacement, MicrophonePort, PointPlacement, TubePlacement
+from geometry.layout.runs import End, Run, hand_runs, ring_runs, serpentine_runs
+from geometry.plan.cylinder import Cylinder, Plane, surface_of
+from geometry.plan.routing import bearing, bow_angle, bowed_path, drawn_path, path_length, tidy, unit
+
+#: Directions are rounded to 1e-6 degrees: places closer than this are one, mm.
+_SAME_PLACE = 1e-4
+
+
+def lay_out(design: ArrayDesign) -> ArrayLayout:
+    """Lay out a design in plan and in space.
+
+    ``serpentine``: rows of ``columns`` points, every second row backwards; lines are blocks above each
+    other. Where the pitch is shorter than a straight tube, tubes bow out along one circular arc of exactly
+    their length: in rows towards +y, at the turns outwards. The microphone of a single line end lies
+    straight out at its tube's length. A microphone that joins several ends cannot lie at its tubes' length
+    from all of them: it is drawn beside the blocks and noted.
+
+    ``cylinder``: a serpentine whose rows run around a cylinder; the plan is unrolled at the height of the ports.
+    Tubes of a row are arcs between the shells, those from row to row straight, all of exactly their length.
+
+    ``hand``: see :mod:`geometry.plan.hand`.
+
+    ``ring``: the lines are the sides of a polygon at their true length, the microphones its corners (see
+    :func:`geometry.plan.ring.corners`). Microphone tubes lie straight, other tubes bow outwards.
+
+    Overlaps of shells, housings and tubes are measured and noted by name.
+    """
+    builders = {"serpentine": serpentine_runs, "cylinder": serpentine_runs, "ring": ring_runs, "hand": hand_runs}
+    runs = builders[design.layout.kind](design)
+    ends = [end for run in runs for end in run.ends]
+    microphones = _microphones(design, ends, np.vstack([run.positions for run in runs]))
+    points, tubes = _points_and_tubes(design, runs, {m.name: m for m in microphones})
+    layout = ArrayLayout(tuple(points), tuple(microphones), tuple(tubes), (), surface_of(design))
+    return replace(layout, notes=(*_schematic_notes(design, layout), *overlaps(design, layout)))
+
+
+# -- microphones --------------------------------------------------------------------------------------
+def _microphones(design: ArrayDesign, ends: list[End], points: NDArray[np.float64]) -> list[MicrophonePlacement]:
+    """Where straight tubes of all its ends meet, else beside the array."""
+    housing = design.microphone.chamber_diameter / 2 + design.microphone.wall_thickness
+    joined = {name: [end for end in ends if end.microphone == name] for name in design.microphones}
+    middle = (points[:, 0].min() + points[:, 0].max()) / 2
+    # Beside the blocks and beyond every chamber that lies at its tube's length.
+    beyond = max(end.distance for end in ends) + 4 * housing
+    sides: dict[int, list[tuple[float, str]]] = {-1: [], 1: []}
+    for name, own in joined.items():
+        if any(np.linalg.norm(end.target - own[0].target) > _SAME_PLACE for end in own):
+            mean = np.mean([end.target for end in own], axis=0)
+            sides[1 if mean[0] > middle + 1e-9 else -1].append((float(mean[1]), name))
+    drawn = {}
+    for side, column in sides.items():
+        edge = points[:, 0].max() if side > 0 else points[:, 0].min()
+        heights = _spread([height for height, _ in sorted(column)], 4 * housing)
+        for height, (_, name) in zip(heights, sorted(column), strict=True):
+            drawn[name] = np.array([edge + side * beyond, height])
+    microphones = []
+    for name, own in joined.items():
+        if name in drawn:
+            position = drawn[name]
+            angles = _equally_spaced([bearing(position, end.point) for end in own])
+        else:
+            position = own[0].target
+            angles = [end.direction + 180 for end in own]
+        ports = tuple(MicrophonePort(e.line, e.end, tidy(angle)) for e, angle in zip(own, angles, strict=True))
+        microphones.append(MicrophonePlacement(name, _pair(position), ports))
+    return microphones
+
+
+def _spread(values: list[float], least: float) -> list[float]:
+    """Sorted values moved apart to at least ``least`` with their mean kept."""
+    moved: list[float] = []
+    for value in values:
+        moved.append(max(value, moved[-1] + least) if moved else value)
+    shift = (sum(values) - sum(moved)) / len(values) if values else 0.0
+    return [value + shift for value in moved]
+
+
+def _equally_spaced(bearings: list[float]) -> list[float]:
+    """Directions at equal angles, dealt out so that each is as close as possible to its bearing (degrees)."""
+    count = len(bearings)
+    ranking = sorted(range(count), key=lambda k: (bearings[k], k))
+    best: tuple[float, list[float]] = (math.inf, [])
+    for shift in range(count):
+        slots = [0.0] * count
+        for rank, k in enumerate(ranking):
+            slots[k] = 360 * ((rank + shift) % count) / count
+        left = [math.radians(b - s) for b, s in zip(bearings, slots, strict=True)]
+        offset = math.atan2(sum(map(math.sin, left)), sum(map(math.cos, left)))
+        cost = -sum(math.cos(x - offset) for x in left)
+        if cost < best[0] - 1e-9:
+            best = (cost, [slot + math.degrees(offset) for slot in slots])
+    return best[1]
+
+
+# -- points and tubes ---------------------------------------------------------------------------------
+def _points_and_tubes(
+    design: ArrayDesign, runs: list[Run], microphones: dict[str, MicrophonePlacement]
+) -> tuple[list[PointPlacement], list[TubePlacement]]:
+    cavity, outer = design.resonator.cavity_diameter / 2, design.resonator.outer_diameter / 2
+    surface = surface_of(design)
+    points: list[PointPlacement] = []
+    tubes: list[TubePlacement] = []
+    for index, (line, run) in enumerate(zip(design.lines, runs, strict=True)):
+        tube, first, last = design.tube_of(line), *run.ends
+        backward, forward = [first.direction], []
+        placed: list[TubePlacement] = []
+        for start, end, side in zip(run.positions[:-1], run.positions[1:], run.sides, strict=True):
+            # On a cylinder the points lie where unbowed tubes put them.
+            distance = float(np.linalg.norm(end - start))
+            bow = bow_angle(tube.length, distance, cavity, outer) if isinstance(surface, Plane) else 0.0
+            direction = bearing(start, end)
+            forward.append(direction + side * bow)
+            backward.append(direction + 180 - side * bow)
+            path = _at_port_height(design, bowed_path(start, end, bow, side, cavity, outer))
+            course = _course(surface, path, (start, end), (cavity, cavity), (outer, outer))
+            placed.append(TubePlacement(index, len(placed) + 1, tube, path, course))
+        forward.append(last.direction)
+        for place_, position in enumerate(run.positions):
+            angles = (tidy(backward[place_]), tidy(forward[place_]))
+            points.append(PointPlacement(len(points) + 1, index, place_, _pair(position), angles))
+        tubes.append(_microphone_tube(design, first, microphones[first.microphone], runs))
+        tubes += placed
+        tubes.append(_microphone_tube(design, last, microphones[last.microphone], runs))
+    return points, tubes
+
+
+def _microphone_tube(design: ArrayDesign, end: End, microphone: MicrophonePlacement, runs: list[Run]) -> TubePlacement:
+    """The tube of a line's end, always drawn from the line's first microphone towards its second."""
+    line = design.lines[end.line]
+    tube = design.microphone_tube_of(line)
+    cavity, chamber = design.resonator.cavity_diameter / 2, design.microphone.chamber_diameter / 2
+    centre = np.array(microphone.position)
+    if np.linalg.norm(centre - end.target) < _SAME_PLACE:
+        out = unit(end.direction)
+        path = _at_port_height(design, np.array([end.point + cavity * out, end.target - chamber * out]))
+        outer = (design.resonator.outer_diameter / 2, chamber + design.microphone.wall_thickness)
+        course = _course(surface_of(design), path, (end.point, end.target), (cavity, chamber), outer)
+        schematic = False
+    else:
+        port = next(port for port in microphone.ports if (port.line, port.end) == (end.line, end.end))
+        plan = drawn_path(
+            end.point,
+            end.direction,
+            (cavity, design.resonator.outer_diameter / 2),
+            centre,
+            port.angle,
+            (chamber, chamber + design.microphone.wall_thickness),
+        )
+        path, schematic = _at_port_height(design, plan), True
+        others = np.vstack([run.positions for run in runs])
+        others = others[np.linalg.norm(others - end.point, axis=1) > 1e-6]
+        gaps = np.linalg.norm(plan[:, None] - others[None], axis=2)
+        if gaps.size and gaps.min() < design.resonator.outer_diameter / 2 + tube.outer_diameter:
+            # Lead it over the membranes, so that the picture shows which ends are joined.
+            resonator = design.resonator
+            lift = resonator.cavity_height - resonator.port_axis_height + design.membrane.thickness
+            s = np.linspace(0, 1, len(plan) - 2)
+            path[1:-1, 2] += (lift + 2 * tube.outer_diameter) * np.minimum(1, 4 * np.sin(np.pi * s) ** 2)
+        course = surface_of(design).mapped(path)
+    if end.end == 0:
+        path, course = path[::-1].copy(), course[::-1].copy()
+    return TubePlacement(end.line, 0 if end.end == 0 else line.points, tube, path, course, schematic)
+
+
+def _course(
+    surface: Plane | Cylinder,
+    path: NDArray[np.float64],
+    axes: tuple[NDArray[np.float64], NDArray[np.float64]],
+    inner: tuple[float, float],
+    outer: tuple[float, float],
+) -> NDArray[np.float64]:
+    """The way of a tube in space between two housings (axes in plan, inner and outer radii, mm)."""
+    if isinstance(surface, Plane) or abs(axes[0][0] - axes[1][0]) < _SAME_PLACE:
+        return surface.mapped(path)
+    (x0, y0), (x1, y1) = axes
+    return surface.wound((x0, y0), (x1, y1), inner, outer)
+
+
+def _schematic_notes(design: ArrayDesign, layout: ArrayLayout) -> list[str]:
+    notes = []
+    for microphone in layout.microphones:
+        drawn = []
+        for port in microphone.ports:
+            segment = 0 if port.end == 0 else design.lines[port.line].points
+            tube = next(t for t in layout.tubes if (t.line, t.segment) == (port.line, segment))
+            if tube.schematic:
+                drawn.append(f"{tube.label} is {tube.tube.length:g} mm, drawn {path_length(tube.path):.1f} mm")
+        if drawn:
+            ends = f"{len(microphone.ports)} line end" + ("s" if len(microphone.ports) > 1 else "")
+            notes.append(f"microphone {microphone.name} joins {ends} and is drawn schematically: {'; '.join(drawn)}")
+    if notes:
+        count = sum(tube.schematic for tube in layout.tubes)
+        notes.insert(0, f"simulated study: not buildable as drawn; {count} microphone tubes are drawn schematically")
+    return notes
+
+
+def _at_port_height(design: ArrayDesign, plan: NDArray[np.float64]) -> NDArray[np.float64]:
+    return np.column_stack([plan, np.full(len(plan), design.resonator.port_axis_height)])
+
+
+def _pair(position: NDArray[np.float64]) -> tuple[float, float]:
+    return (round(float(position[0]), 9) + 0.0, round(float(position[1]), 9) + 0.0)

@@ -1,0 +1,149 @@
+"""Where the points of each line lie in plan, and which way its ends point: a serpentine, flat or wound, and a ring."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from geometry.design.array_design import ArrayDesign
+from geometry.plan import ring
+from geometry.plan.cylinder import Cylinder, surface_of, wound_turn
+from geometry.plan.hand import finger_positions, meeting_at
+from geometry.plan.routing import bearing, unit
+
+
+@dataclass(frozen=True)
+class End:
+    """An end of a line: its last point and the direction from there to the microphone, degrees."""
+
+    line: int
+    end: Literal[0, 1]
+    microphone: str
+    point: NDArray[np.float64]
+    direction: float
+    distance: float
+    """From the axis of the point to the axis of the chamber if the tube lies straight, mm."""
+
+    @property
+    def target(self) -> NDArray[np.float64]:
+        """Axis of the chamber at the end of a straight tube, (2,) float64."""
+        return self.point + self.distance * unit(self.direction)
+
+
+@dataclass(frozen=True)
+class Run:
+    """The points of one line in plan and the side (+1 left, -1 right) to which each tube bows."""
+
+    positions: NDArray[np.float64]
+    sides: tuple[int, ...]
+    ends: tuple[End, End]
+
+
+def run_of(
+    design: ArrayDesign, line: int, positions: NDArray[np.float64], sides: tuple[int, ...], out: tuple[float, float]
+) -> Run:
+    """A line whose two ends point in the directions ``out``, degrees, its microphone tubes straight."""
+    microphones = design.lines[line].between
+    around, along = _microphone_reach(design, line)
+    ends = [
+        End(line, end, microphones[end], positions[-end], out[end], around if out[end] in (0.0, 180.0) else along)
+        for end in (0, 1)
+    ]
+    return Run(positions, sides, (ends[0], ends[1]))
+
+
+def serpentine_runs(design: ArrayDesign) -> list[Run]:
+    """Rows of ``columns`` points, every second row backwards; lines are blocks above each other.
+
+    On a cylinder x runs around it: the pitch along the rows is then that of tubes wound between the shells.
+    """
+    runs, bottom = [], 0.0
+    for index, line in enumerate(design.lines):
+        pitch, columns = design.pitch_of(line), min(design.layout.columns, line.points)
+        place = np.arange(line.points)
+        row, column = place // columns, place % columns
+        column = np.where(row % 2 == 0, column, columns - 1 - column)
+        # A wound array lies on both sides of the top of its cylinder.
+        middle = (columns - 1) / 2 if isinstance(surface_of(design), Cylinder) else 0.0
+        positions = np.column_stack([(column - middle) * _pitch_around(design, index), row * pitch + bottom])
+        sides = []
+        for k in range(1, line.points):
+            backwards = row[k - 1] % 2 == 1
+            turn = row[k] != row[k - 1]
+            sides.append((1 if backwards else -1) if turn else (-1 if backwards else 1))
+        if line.points == 1:
+            out = (180.0, 0.0)
+        else:
+            out = (bearing(positions[1], positions[0]), bearing(positions[-2], positions[-1]))
+        runs.append(run_of(design, index, positions, tuple(sides), out))
+        bottom = float(positions[-1, 1]) + pitch + design.resonator.outer_diameter
+    return runs
+
+
+def ring_runs(design: ArrayDesign) -> list[Run]:
+    """The sides of the polygon whose corners are the microphones."""
+    # Lines join neighbouring corners only (a rule of the design), so every line is a side.
+    corners = dict(zip(design.microphones, ring.corners(ring.side_lengths(design)), strict=True))
+    runs = []
+    for index, line in enumerate(design.lines):
+        start, end = (corners[name] for name in line.between)
+        direction = bearing(start, end)
+        middle, along = (start + end) / 2, (end - start) / np.linalg.norm(end - start)
+        steps = (np.arange(line.points) - (line.points - 1) / 2) * design.pitch_of(line)
+        positions = middle + np.outer(steps, along)
+        outward = float(middle @ unit(direction + 90)) > 0
+        sides = (1 if outward else -1,) * (line.points - 1)
+        runs.append(run_of(design, index, positions, sides, ((direction + 180) % 360, direction)))
+    return runs
+
+
+def _pitch_around(design: ArrayDesign, line: int) -> float:
+    """Distance of neighbours in a row of a serpentine, in the plan, mm."""
+    surface, resonator = surface_of(design), design.resonator
+    if not isinstance(surface, Cylinder):
+        return design.pitch_of(design.lines[line])
+    inner, outer = resonator.cavity_diameter / 2, resonator.outer_diameter / 2
+    length, radius = design.tube_of(design.lines[line]).length, surface.port_radius
+    return radius * wound_turn(length, (inner, inner), (outer, outer), radius)
+
+
+def _microphone_reach(design: ArrayDesign, line: int) -> tuple[float, float]:
+    """From the last point of a line to its microphone: in the plan along x and in every other direction, mm."""
+    surface, straight = surface_of(design), design.microphone_reach_of(design.lines[line])
+    if not isinstance(surface, Cylinder):
+        return straight, straight
+    inner = (design.resonator.cavity_diameter / 2, design.microphone.chamber_diameter / 2)
+    outer = (design.resonator.outer_diameter / 2, inner[1] + design.microphone.wall_thickness)
+    length, radius = design.microphone_tube_of(design.lines[line]).length, surface.port_radius
+    return radius * wound_turn(length, inner, outer, radius), straight
+
+
+def hand_runs(design: ArrayDesign) -> list[Run]:
+    """The lines of a glove. The tube of a line's end points on along its finger, away from the point before.
+
+    Where two ends of one microphone can both be reached with straight tubes, the microphone lies where they meet,
+    on the side of the wrist.
+    """
+    from geometry.layout.runs import run_of
+
+    columns, positions = design.layout.columns, finger_positions(design)
+    out = []
+    for points in positions:
+        wrist = [bearing(point, np.zeros(2)) for point in (points[0], points[-1])]
+        upwards = len(points) > 1 and np.linalg.norm(points[-1]) > np.linalg.norm(points[-2]) + 1e-9
+        out.append([wrist[0], (wrist[1] + 180) % 360 if upwards else wrist[1]])
+    for name in design.microphones:
+        meeting = meeting_at(design, positions, name)
+        for index, line in enumerate(design.lines):
+            if meeting is not None and name in line.between:
+                end = line.between.index(name)
+                out[index][end] = bearing(positions[index][-end], meeting)
+    runs = []
+    for index, points in enumerate(positions):
+        # Outwards over the fingertips, towards the wrist between the roots of the fingers.
+        sides = tuple(-1 if k % columns == 0 and (k // columns) % 2 == 0 else 1 for k in range(1, len(points)))
+        runs.append(run_of(design, index, points, sides, (out[index][0], out[index][1])))
+    return runs

@@ -1,0 +1,71 @@
+"""The casting mold of the membranes: what parts it has, and how a membrane lies in it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from geometry.design.array_design import ArrayDesign
+from geometry.molds.plan import MoldPlan, plan_mold
+
+if TYPE_CHECKING:
+    import cadquery as cq
+
+
+@dataclass(frozen=True)
+class Mold:
+    """The parts of a mold as they lie when it is closed, mm; shims lie at the origin.
+
+    Attributes:
+        parts: name to workplane with one solid: ``mold-base`` and, of a two-part mold, ``mold-lid`` and
+            ``mold-shim-1``, ... for one step, two steps, ...; of an open-face mold ``mold-scraper``.
+        counts: how many of each part one mold has; a set of shims has one per pin.
+        plan: its numbers.
+    """
+
+    parts: Mapping[str, cq.Workplane]
+    counts: Mapping[str, int]
+    plan: MoldPlan
+
+    def cast(self, membrane: cq.Workplane) -> list[cq.Workplane]:
+        """Copies of the membrane as they fill the cavities: turned over, and larger by the shrinkage."""
+        import cadquery as cq
+
+        solid = membrane.val()
+        turned_over = solid.scale(self.plan.mold.scale).rotate(cq.Vector(0, 0, 0), cq.Vector(1, 0, 0), 180)
+        return [cq.Workplane(turned_over.moved(cq.Location(cq.Vector(x, y, 0)))) for x, y in self.plan.centres]
+
+
+def mold_counts(design: ArrayDesign) -> dict[str, int]:
+    """How many of each part one mold has, by the names of :func:`build_mold`."""
+    if design.mold.kind == "open-face":
+        return {"mold-base": 1, "mold-scraper": 1}
+    shims = len(plan_mold(design).pins)
+    return {
+        "mold-base": 1,
+        "mold-lid": 1,
+        **{f"mold-shim-{step}": shims for step in range(1, design.mold.shim_count + 1)},
+    }
+
+
+def build_mold(design: ArrayDesign) -> Mold:
+    """Draw the mold of a design's membranes, two-part or open-face as ``mold.kind`` says.
+
+    Raises:
+        Refusal: a part is not one valid solid.
+    """
+    from geometry.molds.base import base_block, mark, mark_text
+    from geometry.molds.open_mold import scraper, with_rails
+    from geometry.molds.two_part_mold import lid, shim, with_pins
+    from geometry.solids.bodies import one_solid
+
+    plan = plan_mold(design)
+    base = mark(base_block(plan), plan, mark_text(design))
+    if design.mold.kind == "open-face":
+        shapes = {"mold-base": with_rails(base, plan), "mold-scraper": scraper(plan)}
+    else:
+        shapes = {"mold-base": with_pins(base, plan), "mold-lid": lid(plan)}
+        for step in range(1, design.mold.shim_count + 1):
+            shapes[f"mold-shim-{step}"] = shim(plan, step)
+    return Mold({name: one_solid(shape, name) for name, shape in shapes.items()}, mold_counts(design), plan)

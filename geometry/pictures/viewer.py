@@ -1,0 +1,165 @@
+"""The array as a model to turn on the screen: glTF (.glb) for other programs, and one HTML page that opens offline."""
+
+from __future__ import annotations
+
+import html
+import json
+import os
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from geometry.assembly.model import LOOKS, ArrayModel, Kind, array_model
+from geometry.assembly.table import assembly_text
+from geometry.design.array_design import ArrayDesign
+from geometry.files.writing import whole_file
+
+if TYPE_CHECKING:
+    import cadquery as cq
+    import trimesh
+
+#: Facets for the eye: within this part of a shape's size and this angle (rad).
+_DEVIATION, _FACET_ANGLE = 0.002, 0.35
+#: Turns of the page's first view about x, y and z, rad: from above and in front.
+_SEEN_FROM = (0.7, 0.0, 0.0)
+_NAMES: dict[Kind, str] = {
+    "shell": "shells",
+    "membrane": "membranes",
+    "sheath": "tube sheaths",
+    "spring": "tube springs",
+    "housing": "microphone housings",
+    "board": "boards",
+    "package": "microphones",
+}
+
+
+def write_gltf(
+    design: ArrayDesign, path: str | os.PathLike[str], parts: Mapping[str, cq.Workplane] | None = None
+) -> Path:
+    """Write the array as binary glTF: metres, y up, one node per part by its label, each shape stored once.
+
+    Args:
+        design: the array.
+        path: of the ``.glb`` file; an existing one is replaced only by a complete one.
+        parts: of :func:`geometry.build_parts`, where they exist already.
+    """
+    # glTF is in metres with y up; ours is in millimetres with z up.
+    to_gltf = np.array([[1, 0, 0, 0], [0, 0, 1, 0], [0, -1, 0, 0], [0, 0, 0, 1000]]) / 1000
+    return _whole(path, _scene(array_model(design, parts), to_gltf).export(file_type="glb"))
+
+
+def write_viewer(
+    design: ArrayDesign, path: str | os.PathLike[str], parts: Mapping[str, cq.Workplane] | None = None
+) -> Path:
+    """Write one HTML page that shows the array in any browser, without a network: turn, zoom, hide kinds of parts.
+
+    The page holds the model as glTF and trimesh's viewer, which is made with three.js (both MIT licence).
+
+    Args:
+        design: the array.
+        path: of the page; an existing one is replaced only by a complete one.
+        parts: of :func:`geometry.build_parts`, where they exist already.
+    """
+    from trimesh.viewer import scene_to_html
+
+    model = array_model(design, parts)
+    scene = _scene(model, np.eye(4))
+    scene.set_camera(angles=_SEEN_FROM)
+    page = scene_to_html(scene)
+    # The page's own title and switches go beside trimesh's canvas; its three.js objects carry our labels.
+    kinds = [kind for kind in _NAMES if any(model.kind(part.part) == kind for part in model.placed)]
+    labels = {kind: [_node(p.label) for p in model.placed if model.kind(p.part) == kind] for kind in kinds}
+    switches = "".join(
+        f'<label><input type="checkbox" checked data-kind="{kind}"> '
+        f'<b style="color:{LOOKS[kind][0]}">&#9632;</b> {_NAMES[kind]} ({len(labels[kind])})</label><br>'
+        for kind in kinds
+    )
+    panel = _PANEL.format(
+        name=html.escape(design.name),
+        facts=html.escape(f"{design.point_count} points, {len(design.microphones)} microphones"),
+        switches=switches,
+        table=html.escape(assembly_text(design)),
+        labels=json.dumps(labels),
+    )
+    title = f"<title>{html.escape(design.name)}</title>"
+    for old, new in (("<title>trimesh: threejs viewer</title>", title), ("</body>", panel + "</body>")):
+        if page.count(old) != 1:
+            raise RuntimeError(f"trimesh's viewer page has changed: {old!r} appears {page.count(old)} times")
+        page = page.replace(old, new)
+    return _whole(path, page.encode())
+
+
+_PANEL = """<div style="position:fixed;left:12px;top:12px;font:14px sans-serif;background:#fffc;padding:8px">
+<b>{name}</b><br>{facts}<br><small>drag: turn; wheel: zoom; right button: move</small><br>{switches}
+<details><summary>which part goes where</summary>
+<pre style="max-height:60vh;max-width:90vw;overflow:auto;font-size:12px">{table}</pre></details></div>
+<script>
+const partsOfKind = {labels};
+scene.background = new THREE.Color(0xf4f5f7);
+scene.add(new THREE.HemisphereLight(0xffffff, 0x9aa0a8, 0.9));
+tracklight.intensity = 0.9;
+renderer.outputEncoding = THREE.sRGBEncoding;
+for (const box of document.querySelectorAll("input[data-kind]")) {{
+  box.addEventListener("change", () => {{
+    for (const name of partsOfKind[box.dataset.kind]) {{
+      const part = scene.getObjectByName(name);
+      if (part) part.visible = box.checked;
+    }}
+    render();
+  }});
+}}
+</script>
+"""
+
+
+def _scene(model: ArrayModel, outer: np.ndarray) -> trimesh.Scene:
+    """Every shape once as triangles, every placed part as a node."""
+    import trimesh
+
+    from geometry.solids.measure import tessellate
+
+    scene = trimesh.Scene(base_frame="array")
+    for part in model.placed:
+        if part.part not in scene.geometry:
+            shape = model.shapes[part.part]
+            facets = tessellate(shape, _DEVIATION * shape.BoundingBox().DiagonalLength, _FACET_ANGLE)
+            mesh = trimesh.Trimesh(facets.vertices, facets.triangles, process=False)
+            # Corners where faces meet at an edge are not shared, so that edges stay sharp.
+            mesh = trimesh.graph.smooth_shade(mesh, angle=np.radians(30))
+            mesh.visual = trimesh.visual.TextureVisuals(material=_material(model.kind(part.part)))
+            scene.geometry[part.part] = mesh
+        scene.graph.update(
+            frame_to=_node(part.label), frame_from="array", matrix=outer @ part.matrix, geometry=part.part
+        )
+    return scene
+
+
+def _node(label: str) -> str:
+    """A label as the name of a node; three.js allows no blanks in names."""
+    return label.replace(" ", "_")
+
+
+def _material(kind: Kind) -> trimesh.visual.material.PBRMaterial:
+    from trimesh.visual.material import PBRMaterial
+
+    colour, opacity = LOOKS[kind]
+    # glTF's factors are linear in light, colours as written on pages are not (sRGB, IEC 61966-2-1).
+    red, green, blue = (round(255 * (int(colour[k : k + 2], 16) / 255) ** 2.2) for k in (1, 3, 5))
+    return PBRMaterial(
+        name=kind,
+        baseColorFactor=[red, green, blue, round(255 * opacity)],
+        alphaMode="OPAQUE" if opacity == 1 else "BLEND",
+        metallicFactor=0.0,
+        roughnessFactor=0.7,
+        doubleSided=opacity < 1,
+    )
+
+
+def _whole(path: str | os.PathLike[str], content: bytes) -> Path:
+    path = Path(path)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with whole_file(path) as beside:
+        beside.write_bytes(content)
+    return path

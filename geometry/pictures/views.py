@@ -1,0 +1,289 @@
+"""Pictures of an array and of one point, rendered off screen to PNG."""
+
+from __future__ import annotations
+
+import itertools
+import math
+import os
+from collections import Counter
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import cadquery as cq
+import numpy as np
+import pyvista as pv
+from numpy.typing import NDArray
+
+from geometry.assembly.model import LOOKS, ArrayModel, Kind, array_model, kind_of
+from geometry.assembly.parts import build_parts
+from geometry.design.array_design import ArrayDesign
+from geometry.pictures.canvas import aim, draw_labels, open_plotter, polydata, save_picture
+from geometry.plan.cylinder import Cylinder
+from geometry.plan.routing import unit
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+_MOLD, _SCHEMATIC = "#d9c27a", "#b08fc7"
+#: Layers of the exploded view, from below.
+_LEVELS: dict[Kind, int] = {
+    "shell": 0,
+    "housing": 0,
+    "spring": 1,
+    "sheath": 2,
+    "membrane": 3,
+    "board": 3,
+    "package": 4,
+}
+_PLURALS: dict[Kind, str] = {
+    "shell": "shells",
+    "housing": "housings",
+    "spring": "springs",
+    "sheath": "sheaths",
+    "membrane": "membranes",
+    "board": "boards",
+    "package": "microphones",
+}
+#: Arrays of more points are shown exploded in an excerpt of so many.
+_MOST_EXPLODED, _EXCERPT = 24, 5
+#: Part of the exploded view's width that is kept for names, and the angles from which it is seen, degrees.
+_NAMES_LEFT, _STEEPEST, _FLATTEST = 0.2, 27, 10
+#: Tubes of a microphone lead away from the viewer where their directions add up to more than this.
+_LEADS_AWAY = 0.1
+
+
+def draw_array(
+    design: ArrayDesign,
+    path: str | os.PathLike[str],
+    parts: Mapping[str, cq.Workplane] | None = None,
+    size: tuple[int, int] = (1600, 1000),
+) -> Path:
+    """Render the whole array with translucent shells, numbered points and named microphones.
+
+    Tubes drawn schematically (see :func:`geometry.layout.place.lay_out`) have a colour of their own.
+
+    Args:
+        design: the array.
+        path: of the PNG.
+        parts: of :func:`geometry.build_parts`, where they exist already.
+        size: width and height in pixels.
+    """
+    model = array_model(design, parts)
+    plotter = open_plotter(size)
+    _add_parts(plotter, model)
+    _add_schematic(plotter, model)
+    x0, x1, y0, y1, _, _ = plotter.bounds
+    # Tall arrays are seen from their right side, so that they lie along the picture's longer edge.
+    seen_from = (0.0, -0.7, 1.0) if x1 - x0 >= y1 - y0 else (0.7, 0.0, 1.0)
+    _add_labels(plotter, model, seen_from)
+    aim(plotter, seen_from)
+    return save_picture(plotter, path)
+
+
+def top_view(
+    design: ArrayDesign,
+    path: str | os.PathLike[str],
+    parts: Mapping[str, cq.Workplane] | None = None,
+    size: tuple[int, int] = (1600, 1000),
+) -> Path:
+    """Render the whole array from straight above, with a scale bar. Arguments as for :func:`draw_array`."""
+    model = array_model(design, parts)
+    plotter = open_plotter(size)
+    _add_parts(plotter, model)
+    _add_schematic(plotter, model)
+    x0, x1, y0, y1, _, z1 = plotter.bounds
+    _add_labels(plotter, model, (0.0, 0.0, 1.0))
+    length = _round_length(max(x1 - x0, y1 - y0) / 4)
+    y = y0 - 0.06 * max(x1 - x0, y1 - y0)
+    plotter.add_mesh(pv.Line((x0, y, z1), (x0 + length, y, z1)), color="black", line_width=5)
+    draw_labels(plotter, [(x0 + length / 2, y - 0.01 * (x1 - x0), z1)], [f"{length:g} mm"], 20, ("center", "top"))
+    aim(plotter, (0.0, 0.0, 1.0), (0.0, 1.0, 0.0))
+    return save_picture(plotter, path)
+
+
+def exploded_view(
+    design: ArrayDesign,
+    path: str | os.PathLike[str],
+    parts: Mapping[str, cq.Workplane] | None = None,
+    size: tuple[int, int] = (1600, 1000),
+) -> Path:
+    """Render the array pulled apart, away from what it stands on, one layer per kind, each named with its count.
+
+    From below: shells and housings, springs, sheaths, membranes, boards, microphones. Of an array of many points
+    the first microphone and the points next to it are shown. Tubes that are drawn schematically are left out.
+    Arguments as for :func:`draw_array`.
+    """
+    model = array_model(design, parts)
+    counts = Counter(model.kind(part.part) for part in model.placed)
+    if design.point_count > _MOST_EXPLODED:
+        model = _first_of(model, _EXCERPT)
+    boxes = {kind: _bounds(model, kind) for kind in _LEVELS if any(model.kind(p.part) == kind for p in model.placed)}
+    low, high = np.min([low for low, _ in boxes.values()], axis=0), np.max([high for _, high in boxes.values()], axis=0)
+    # Long sides lie across the picture.
+    tall = bool(high[1] - low[1] > high[0] - low[0])
+    width, depth = sorted((high - low)[:2].tolist(), reverse=True)
+    thick = max(float(high[2] - low[2]) for low, high in boxes.values())
+    slope, step = _exploded(width, depth, thick, max(_LEVELS.values()) + 1, size)
+    plotter = open_plotter(size)
+    _add_parts(plotter, model, {kind: step * level for kind, level in _LEVELS.items()})
+    aside = 0.03 * width
+    if isinstance(model.layout.surface, Cylinder):
+        aside += step * max(_LEVELS.values())  # its layers spread sideways too
+    start = (float(high[0]), float(low[1]) - aside) if tall else (float(low[0]) - aside, float(low[1]))
+    names, anchors = [], []
+    for level in sorted(set(_LEVELS.values())):
+        kinds = [kind for kind, own in _LEVELS.items() if own == level and counts[kind]]
+        names.append(", ".join(f"{counts[kind]} {_PLURALS[kind]}" for kind in kinds))
+        anchors.append((*start, step * level))
+    if design.point_count > _MOST_EXPLODED:
+        names.append(f"shown: {_EXCERPT} of {design.point_count} points")
+        anchors.append((*start, -step))
+    draw_labels(plotter, anchors, names, 20, ("right", "center"))
+    aim(plotter, (1.0, 0.25, slope) if tall else (0.25, -1.0, slope), left=_NAMES_LEFT)
+    return save_picture(plotter, path)
+
+
+def _bounds(model: ArrayModel, kind: Kind) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Lowest and highest x, y and z of all parts of a kind, mm."""
+    corners = []
+    for part in model.placed:
+        if model.kind(part.part) == kind:
+            box = model.shapes[part.part].BoundingBox()
+            sides = itertools.product((box.xmin, box.xmax), (box.ymin, box.ymax), (box.zmin, box.zmax))
+            corners.append(np.array(list(sides)) @ part.matrix[:3, :3].T + part.matrix[:3, 3])
+    points = np.vstack(corners)
+    return points.min(axis=0), points.max(axis=0)
+
+
+def _exploded(width: float, depth: float, thick: float, layers: int, size: tuple[int, int]) -> tuple[float, float]:
+    """Slope at which layers are looked at from above, and what lifts each clear of the one below, mm.
+
+    A layer of that depth and thickness takes ``depth sin a + thick cos a`` of the picture's height at an angle ``a``,
+    so that a deep array is seen flatly: as steeply as fills the picture, within what shows membranes and rows.
+
+    Args:
+        width: of the array across the picture, mm.
+        depth: of the array away from the viewer, mm.
+        thick: of a layer, mm.
+        layers: how many lie above each other.
+        size: width and height of the picture in pixels.
+    """
+    room = width * size[1] / (size[0] * (1 - _NAMES_LEFT))
+    for degrees in range(_STEEPEST, _FLATTEST, -1):
+        rise, lean = math.sin(math.radians(degrees)), math.cos(math.radians(degrees))
+        if layers * (depth * rise + thick * lean) <= room:
+            break
+    # Seen a little from the side, the direction has more than 1 in the plan.
+    return math.hypot(1.0, 0.25) * rise / lean, (depth * rise + thick * lean) / lean
+
+
+def draw_point(
+    design: ArrayDesign,
+    path: str | os.PathLike[str],
+    parts: Mapping[str, cq.Workplane] | None = None,
+    size: tuple[int, int] = (1600, 1000),
+) -> Path:
+    """Render the parts of one point pulled apart: shell and membrane, beside them the open mold.
+
+    A quarter of the shell and of the mold is cut away to show the cavity, a port and the groove. Arguments as
+    for :func:`draw_array`; the shell is the first one of the design.
+    """
+    parts = build_parts(design) if parts is None else parts
+    shell = next(name for name in parts if name.startswith("shell"))
+    mold = parts["mold-base"].val().BoundingBox()
+    cover = "mold-scraper" if design.mold.kind == "open-face" else "mold-lid"
+    top, thickness = design.resonator.cavity_height, design.membrane.thickness
+    # The cover hangs clear of the pins, the mold clear of the shell although the view is oblique.
+    lift, aside = 1.3 * max(mold.zmax - thickness, mold.zlen / 2), design.resonator.outer_diameter / 2 + 0.8 * mold.xlen
+    plotter = open_plotter(size)
+    labels, anchors = [], []
+    for name, offset, cut in (
+        (shell, (0.0, 0.0, 0.0), True),
+        ("membrane", (0.0, 0.0, top + lift), False),
+        ("mold-base", (aside, 0.0, 0.0), True),
+        ("membrane", (aside, 0.0, 1.2 * lift), False),
+        (cover, (aside, 0.0, 3.2 * lift), True),
+    ):
+        solid = parts[name].val()
+        box = solid.BoundingBox()
+        if cut:
+            # The quarter towards the viewer; ports lie at 0 degrees and beyond, so one of them is cut in half.
+            reach = 2 * (box.DiagonalLength + 1)
+            solid = solid.cut(cq.Solid.makeBox(reach, reach, reach, cq.Vector(0, -reach, -reach / 2)))
+        mesh = polydata(solid).translate(offset)
+        plotter.add_mesh(mesh, color=_look(name)[0], split_sharp_edges=True, smooth_shading=True)
+        labels.append(name)
+        anchors.append((offset[0] + box.xmin, offset[1] + box.ymin, offset[2] + box.zmin))
+    draw_labels(plotter, anchors, labels, 22, ("left", "top"))
+    aim(plotter, (0.25, -1.0, 0.6))
+    return save_picture(plotter, path)
+
+
+def _look(name: str) -> tuple[str, float]:
+    """Colour and opacity of a part."""
+    return (_MOLD, 1.0) if name.startswith("mold") else LOOKS[kind_of(name)]
+
+
+def _round_length(length: float) -> float:
+    """The largest of 1, 2, 5, 10, ... that is not above a length, mm."""
+    ten = 10 ** math.floor(math.log10(length))
+    return float(max(step * ten for step in (1, 2, 5) if step * ten <= length))
+
+
+def _first_of(model: ArrayModel, count: int) -> ArrayModel:
+    """The first points of the first line with their tubes and the line's first microphone."""
+    line = model.design.lines[0]
+    count = min(count, line.points)
+    tubes = [tube.label for tube in model.layout.tubes if tube.line == 0 and tube.segment < count]
+    groups = {*tubes, *(f"point {k + 1}" for k in range(count))}
+    if not any(tube.line == 0 and tube.segment == 0 for tube in model.schematic):
+        groups.add(f"microphone {line.between[0]}")
+    return replace(model, placed=tuple(part for part in model.placed if part.group in groups))
+
+
+def _add_parts(plotter: pv.Plotter, model: ArrayModel, lifted: Mapping[Kind, float] | None = None) -> None:
+    """All placed parts, each kind raised away from what the array stands on (mm)."""
+    copies: dict[str, list[NDArray[np.float64]]] = {}
+    for placed in model.placed:
+        matrix = placed.matrix
+        if lifted:
+            matrix[:3, 3] += lifted[model.kind(placed.part)] * model.layout.surface.outwards(matrix[:3, 3])
+        copies.setdefault(placed.part, []).append(matrix)
+    for name, matrices in copies.items():
+        colour, opacity = LOOKS[model.kind(name)]
+        mesh = _copies(polydata(model.shapes[name]), matrices)
+        plotter.add_mesh(mesh, color=colour, opacity=opacity, split_sharp_edges=True, smooth_shading=True)
+
+
+def _copies(mesh: pv.PolyData, matrices: list[NDArray[np.float64]]) -> pv.PolyData:
+    """One mesh of all copies, each moved by a (4, 4) matrix."""
+    points = [mesh.points @ matrix[:3, :3].T + matrix[:3, 3] for matrix in matrices]
+    triangles = [mesh.regular_faces + count * mesh.n_points for count in range(len(matrices))]
+    return pv.PolyData.from_regular_faces(np.vstack(points), np.vstack(triangles))
+
+
+def _add_schematic(plotter: pv.Plotter, model: ArrayModel) -> None:
+    meshes = [
+        pv.MultipleLines(tube.course).tube(radius=tube.tube.outer_diameter / 2, n_sides=16) for tube in model.schematic
+    ]
+    if meshes:
+        plotter.add_mesh(pv.merge(meshes), color=_SCHEMATIC, smooth_shading=True)
+
+
+def _add_labels(plotter: pv.Plotter, model: ArrayModel, seen_from: tuple[float, float, float]) -> None:
+    design, layout = model.design, model.layout
+    top = design.resonator.cavity_height + design.membrane.total_height
+    numbers = [tuple(layout.frame(point).at(0.0, 0.0, top).tolist()) for point in layout.points]
+    draw_labels(plotter, numbers, [str(point.number) for point in layout.points], 16)
+    # Names stand behind their housing as seen in the picture, before it where its tubes lead away from the viewer.
+    towards = np.array(seen_from[:2])
+    towards = towards / np.linalg.norm(towards) if towards.any() else np.array([0.0, -1.0])
+    housing = design.microphone.chamber_diameter + 2 * design.microphone.wall_thickness
+    reach = max(0.8 * housing, design.resonator.outer_diameter / 2)
+    for microphone in layout.microphones:
+        before = sum(float(unit(port.angle) @ towards) for port in microphone.ports) < -_LEADS_AWAY
+        x, y = (reach if before else -reach) * towards
+        height = -design.resonator.floor_thickness if before else top
+        anchor = tuple(layout.frame(microphone).at(float(x), float(y), height).tolist())
+        draw_labels(plotter, [anchor], [f"microphone {microphone.name}"], 20, ("center", "top" if before else "bottom"))

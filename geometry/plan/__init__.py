@@ -1,0 +1,8 @@
+"""Where points could lie in plan, from lengths alone: ring, hand, cylinder, routes, wiring counts.
+
+Stands on: stated.
+"""
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -1,0 +1,122 @@
+"""Everything to print, in the numbers needed, laid out on the plates of a machine: one 3MF file per plate."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from geometry.assembly.parts import PartSet, origin
+from geometry.files.writing import whole_file
+from geometry.formats.part_files import SharedShape, tessellate_distinct
+from geometry.formats.three_mf import Body, write_3mf
+from geometry.printing.pose import Pose, find_pose
+from geometry.refusal import Refusal
+from geometry.stated.print_processes import PrintProcess
+
+if TYPE_CHECKING:
+    import cadquery as cq
+
+#: Between the boxes of neighbouring parts, mm: supports and a knife go in.
+SPACING = 3.0
+
+
+@dataclass(frozen=True)
+class Plate:
+    """A plate of a machine and what lies on it."""
+
+    path: Path
+    copies: dict[str, int]
+    """Parts and how many of each."""
+
+
+@dataclass(frozen=True)
+class Plates:
+    """All plates of a job."""
+
+    plates: tuple[Plate, ...]
+    too_large: tuple[str, ...]
+    """Parts that lie on no plate, since they are wider than it."""
+
+
+def export_plates(
+    parts: Mapping[str, cq.Workplane],
+    folder: str | os.PathLike[str],
+    process: PrintProcess,
+    shapes: Sequence[SharedShape] | None = None,
+) -> Plates:
+    """Write ``folder/plate-1.3mf``, ...: every printed part as often as it is needed, in rows, none over another.
+
+    Each shape is stored once however often it lies there, in its own coordinates, and laid on the plate, z = 0, in the
+    pose in which the report judges it.
+
+    Args:
+        parts: name to workplane with one solid, mm; cast and bought ones are left out.
+        folder: exists.
+        process: its build volume is the size of a plate.
+        shapes: of :func:`geometry.formats.part_files.tessellate_distinct`, where they exist already.
+
+    Raises:
+        Refusal: nothing is printed, or nothing fits.
+    """
+    counts = parts.counts if isinstance(parts, PartSet) else {}
+    parameters = parts.parameters if isinstance(parts, PartSet) else {}
+    copies: list[tuple[SharedShape, Pose]] = []
+    too_large: list[str] = []
+    for shape in tessellate_distinct(parts) if shapes is None else shapes:
+        if origin(shape.names[0]) != "printed":
+            continue
+        pose = find_pose(shape.facets, process)
+        if not pose.fits:
+            too_large += shape.names
+            continue
+        copies += [(shape, pose)] * sum(counts.get(name, 1) for name in shape.names)
+    if not copies:
+        raise Refusal(f"parts: none of {', '.join(parts) or 'none'} can be laid on the plate of {process.name}")
+    copies.sort(key=lambda copy: -copy[1].size[1])
+    plates = []
+    for number, placed in enumerate(_packed(copies, process), start=1):
+        distinct = {shape.names[0]: shape for shape, _ in placed}
+        bodies = [
+            Body(
+                name,
+                shape.facets,
+                parameters.get(name, {}),
+                tuple(place for other, place in placed if other.names == shape.names),
+            )
+            for name, shape in distinct.items()
+        ]
+        path = Path(folder) / f"plate-{number}.3mf"
+        with whole_file(path) as beside:
+            write_3mf(bodies, path.stem, beside)
+        plates.append(Plate(path, {body.name: len(body.places) for body in bodies}))
+    return Plates(tuple(plates), tuple(too_large))
+
+
+Placed = list[tuple[SharedShape, NDArray[np.float64]]]
+
+
+def _packed(copies: list[tuple[SharedShape, Pose]], process: PrintProcess) -> list[Placed]:
+    """Rows of copies from the deepest on, a new plate where the next row does not fit."""
+    width, depth, _ = process.build_volume
+    plates: list[Placed] = [[]]
+    x = y = row = 0.0
+    for shape, pose in copies:
+        size = pose.size
+        if x + size[0] > width:
+            x, y, row = 0.0, y + row + SPACING, 0.0
+        if y + size[1] > depth:
+            plates.append([])
+            x = y = row = 0.0
+        matrix = np.eye(4)
+        matrix[:3, :3] = pose.rotation
+        matrix[:3, 3] = np.array([x, y, 0.0]) - (shape.facets.vertices @ pose.rotation.T).min(axis=0)
+        plates[-1].append((shape, matrix))
+        x += size[0] + SPACING
+        row = max(row, size[1])
+    return plates

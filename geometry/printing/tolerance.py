@@ -1,0 +1,110 @@
+"""What the tolerance of a print does to the acoustics: ratios of closed forms, from lengths alone.
+
+In a narrow bore the flow is viscous: its resistance goes as length / radius^4 (Hagen 1839, Poiseuille 1840). The
+compliance of a cavity goes as its volume. The volume compliance of a thin clamped disc goes as radius^6 / thickness^3
+(Timoshenko and Woinowsky-Krieger, Theory of Plates and Shells, 1959, section 15).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+
+from geometry.design.array_design import ArrayDesign
+from geometry.refusal import Refusal
+
+#: What small printed lengths are commonly true to, mm: told for every process, so that designs compare.
+USUAL_TOLERANCE = 0.05
+
+
+@dataclass(frozen=True)
+class AcousticEffect:
+    """A quantity as a printed length goes off by the tolerance, both ways; all else as designed."""
+
+    feature: str
+    """What is printed too small or too large."""
+    nominal: tuple[float, ...]
+    """Its lengths, mm."""
+    tolerance: float
+    """mm, plus or minus."""
+    quantity: str
+    """What changes."""
+    law: str
+    smaller: float | None
+    """Relative change when every length is printed smaller by the tolerance; None where nothing is left open."""
+    larger: float | None
+    """The same, larger."""
+
+
+def acoustic_effects(design: ArrayDesign, tolerance: float) -> tuple[AcousticEffect, ...]:
+    """What a tolerance does to the printed bores, cavities, chambers and membranes of a design.
+
+    Springs and sheaths are bought: of a tube only the bore through the lips of its two ports is printed, and its
+    share of the whole tube's resistance is given too.
+
+    Args:
+        design: the design.
+        tolerance: of a printed length, mm.
+
+    Raises:
+        Refusal: a tolerance that is not above 0.
+    """
+    if not tolerance > 0:
+        raise Refusal(f"tolerance = {tolerance!r} mm must be above 0")
+    lip = design.printing.port_lip
+    tubes = [design.tube_of(line) for line in design.lines if line.points > 1]
+    tubes += [design.microphone_tube_of(line) for line in design.lines]
+    effects = []
+    for bore, length in dict.fromkeys((tube.inner_diameter, tube.length) for tube in tubes):
+        feature, share = f"bore of the ports, {bore:g} mm", min(2 * lip / length, 1.0)
+        effects += [
+            _effect(feature, (bore,), tolerance, "resistance of the printed bore", "d^-4", _resistance),
+            _effect(
+                f"{feature}, tube of {length:g} mm",
+                (bore,),
+                tolerance,
+                "resistance of the whole tube",
+                f"{100 * share:.2g} % of its length is printed",
+                partial(_resistance, share=share),
+            ),
+        ]
+    resonator, microphone, membrane = design.resonator, design.microphone, design.membrane
+    cavity = (resonator.cavity_diameter, resonator.cavity_height)
+    chamber = (microphone.chamber_diameter, microphone.chamber_height)
+    effects += [
+        _effect("cavity", cavity, tolerance, "compliance of the cavity", "d^2 h", _volume),
+        _effect("microphone chamber", chamber, tolerance, "compliance of the chamber", "d^2 h", _volume),
+        _effect("gap of the mold", (membrane.thickness,), tolerance, "compliance of the membrane", "h^-3", _stiffness),
+        _effect("rim of the cavity", cavity[:1], tolerance, "compliance of the membrane", "a^6", _disc),
+    ]
+    return tuple(effects)
+
+
+Ratio = Callable[[tuple[float, ...], tuple[float, ...]], float]
+
+
+def _effect(
+    feature: str, nominal: tuple[float, ...], tolerance: float, quantity: str, law: str, ratio: Ratio
+) -> AcousticEffect:
+    changes: list[float | None] = []
+    for sign in (-1, 1):
+        printed = tuple(length + sign * tolerance for length in nominal)
+        changes.append(ratio(printed, nominal) - 1 if min(printed) > 0 else None)
+    return AcousticEffect(feature, nominal, tolerance, quantity, law, *changes)
+
+
+def _resistance(new: tuple[float, ...], old: tuple[float, ...], share: float = 1.0) -> float:
+    return 1 - share + share * (new[0] / old[0]) ** -4
+
+
+def _volume(new: tuple[float, ...], old: tuple[float, ...]) -> float:
+    return (new[0] / old[0]) ** 2 * new[1] / old[1]
+
+
+def _stiffness(new: tuple[float, ...], old: tuple[float, ...]) -> float:
+    return (new[0] / old[0]) ** -3
+
+
+def _disc(new: tuple[float, ...], old: tuple[float, ...]) -> float:
+    return (new[0] / old[0]) ** 6

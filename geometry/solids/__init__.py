@@ -1,0 +1,8 @@
+"""Single parts as CAD solids, and what is measured on a solid.
+
+Stands on: design, plan, stated.
+"""
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -1,0 +1,133 @@
+"""Shells joined for printing: a row or a sheet of them in one piece, with necks that snap off. Lengths in mm.
+
+Between neighbours lies a web as thick as the floor, and between a web and a shell a short neck, the only thing to
+break. Webs lie at the height of the floor, below the sockets, so that the shells stay open at the top.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import cadquery as cq
+
+from geometry.design.array_design import ArrayDesign
+from geometry.refusal import Refusal
+from geometry.solids.bodies import one_solid
+from geometry.solids.shell import build_shell
+from geometry.stated.making import Printing
+from geometry.stated.parts import Resonator
+from geometry.stated.ports import Port
+
+#: Length of a neck, and the width of the webs.
+_NECK_LENGTH = 0.6
+_WEB_WIDTH = 1.5
+#: How far a neck reaches into shell and web, so that they become one.
+_ROOT = 0.1
+
+
+@dataclass(frozen=True)
+class Carrier:
+    """Shells in one piece."""
+
+    part: cq.Workplane
+    places: tuple[tuple[float, float], ...]
+    """Axis of each shell, in the order given."""
+    necks: int
+    """Number of necks to snap."""
+
+
+def carrier_places(count: int, kind: str, pitch: float) -> tuple[tuple[float, float], ...]:
+    """Where the shells of a carrier lie: side by side along x, or in rows of about as many as there are rows.
+
+    Args:
+        count: number of shells.
+        kind: ``"row"`` or ``"sheet"``.
+        pitch: from axis to axis.
+    """
+    columns = count if kind == "row" else math.ceil(math.sqrt(count))
+    return tuple((pitch * (k % columns), -pitch * (k // columns)) for k in range(count))
+
+
+def array_carrier(design: ArrayDesign, ports: Sequence[Sequence[Port]]) -> Carrier:
+    """All shells of an array in one piece, numbered where ``shell.label`` asks for it.
+
+    Args:
+        design: the array.
+        ports: of the shell of each point, in the order of their numbers from 1.
+
+    Raises:
+        Refusal: as :func:`geometry.solids.shell.build_shell` and :func:`build_carrier`.
+    """
+    numbered = design.shell.label != "none"
+    drawn: dict[tuple[object, ...], cq.Workplane] = {}
+    shells = []
+    for number, of_point in enumerate(ports, 1):
+        label = str(number) if numbered else None
+        key = (*of_point, label)
+        if key not in drawn:
+            drawn[key] = build_shell(design.resonator, design.membrane, design.printing, of_point, design.shell, label)
+        shells.append(drawn[key])
+    return build_carrier(design.resonator, design.printing, shells)
+
+
+def build_carrier(resonator: Resonator, printing: Printing, shells: Sequence[cq.Workplane]) -> Carrier:
+    """Join shells by webs and necks into one solid, as ``printing.carrier`` says.
+
+    Args:
+        resonator: what the shells were drawn from.
+        printing: kind of carrier, gap between shells and size of the necks.
+        shells: at least one, each with its axis at the origin; without feet.
+
+    Raises:
+        Refusal: no carrier is asked for, there are no shells, necks thicker than the floor, a shell that reaches
+            beyond its outer diameter, or the drawn carrier is not one valid solid.
+    """
+    kind, gap, neck = printing.carrier, printing.carrier_gap, printing.carrier_neck
+    if kind == "none":
+        raise Refusal("printing.carrier = 'none' must be 'row' or 'sheet' for shells to be joined")
+    if not shells:
+        raise Refusal("carrier: there are no shells to join; it must have at least one")
+    if neck > resonator.floor_thickness:
+        raise Refusal(
+            f"printing.carrier_neck = {neck:g} mm must be at most resonator.floor_thickness "
+            f"({resonator.floor_thickness:g} mm)"
+        )
+    outer = resonator.outer_diameter / 2
+    for number, shell in enumerate(shells):
+        box = shell.val().BoundingBox()
+        reach = max(-box.xmin, box.xmax, -box.ymin, box.ymax)
+        if reach > outer + (gap - 2 * _NECK_LENGTH) / 2:
+            raise Refusal(
+                f"carrier: shell {number} reaches {reach:.4g} mm from its axis; it must stay within "
+                f"{outer + (gap - 2 * _NECK_LENGTH) / 2:.4g} mm, half of printing.carrier_gap beyond its wall"
+            )
+    pitch = 2 * outer + gap
+    places = carrier_places(len(shells), kind, pitch)
+    taken = {(round(x / pitch), round(y / pitch)) for x, y in places}
+    link = _link(resonator, outer, gap, neck)
+    links: list[cq.Shape] = []
+    for x, y in places:
+        for right, down, turn in ((1, 0, 0.0), (0, 1, -90.0)):
+            if (round(x / pitch) + right, round(y / pitch) - down) in taken:
+                turned = [piece.rotate(cq.Vector(), cq.Vector(0, 0, 1), turn) for piece in link]
+                links += [piece.translate(cq.Vector(x, y, 0)) for piece in turned]
+    solids = [shell.val().translate(cq.Vector(x, y, 0)) for shell, (x, y) in zip(shells, places, strict=True)]
+    whole = solids[0].fuse(*solids[1:], *links) if len(solids) > 1 else solids[0]
+    return Carrier(one_solid(whole, "carrier"), places, len(links) // 3 * 2)
+
+
+def _link(resonator: Resonator, outer: float, gap: float, neck: float) -> tuple[cq.Solid, cq.Solid, cq.Solid]:
+    """The web from a shell at the origin to its neighbour along x, and its two necks."""
+    floor, width = resonator.floor_thickness, max(_WEB_WIDTH, neck)
+    # The wall is round: at the edge of a neck it has drawn back by this much.
+    sagitta = outer - math.sqrt(max(outer**2 - (neck / 2) ** 2, 0.0))
+    web = _bar(outer + _NECK_LENGTH, outer + gap - _NECK_LENGTH, width, floor, -floor)
+    near = _bar(outer - sagitta - _ROOT, outer + _NECK_LENGTH + _ROOT, neck, neck, -floor)
+    far = _bar(outer + gap - _NECK_LENGTH - _ROOT, outer + gap + sagitta + _ROOT, neck, neck, -floor)
+    return web, near, far
+
+
+def _bar(start: float, end: float, width: float, height: float, bottom: float) -> cq.Solid:
+    return cq.Solid.makeBox(end - start, width, height, cq.Vector(start, -width / 2, bottom))

@@ -1,0 +1,171 @@
+"""The printed shell of a sensing point: a cup with a port per tube and a seat for the membrane."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import combinations
+
+import cadquery as cq
+
+from geometry.design.shell_rules import cavity_problems, feature_problems
+from geometry.plan.routing import unit
+from geometry.refusal import Refusal
+from geometry.solids.bodies import cylinder, one_solid
+from geometry.solids.shell_features import add_feet, add_label, cut_groove
+from geometry.stated.cavity_shapes import draw_cavity, wall_distance
+from geometry.stated.making import Printing
+from geometry.stated.parts import SOCKET_COVER, Membrane, Resonator, Shell
+from geometry.stated.ports import Port, port_web
+
+#: Narrowest rim that is raised around the membrane to centre it, mm; narrower ones break off.
+_LEDGE_WIDTH = 0.4
+#: Most ports of a shell.
+MOST_PORTS = 6
+
+
+def build_shell(
+    resonator: Resonator,
+    membrane: Membrane,
+    printing: Printing,
+    ports: Sequence[Port],
+    features: Shell | None = None,
+    label: str | None = None,
+) -> cq.Workplane:
+    """Draw a shell. The cavity's floor lies at z = 0, its axis is z, the membrane's seat at the cavity's height.
+
+    Each port is a bore through the lip at the cavity, on which the tube stops, and a socket from there out: the
+    lip ends at the cavity's radius plus ``printing.port_lip``, whatever the shape of the cavity. A box has its
+    first side along x. Where the shell is wide enough, a ledge half as high as the membrane surrounds the seat and
+    centres it.
+
+    Args:
+        resonator: sizes of the cavity and its walls.
+        membrane: what the seat carries.
+        printing: lip and glue gap of the ports.
+        ports: one to six, at any angles and heights.
+        features: glue groove, feet and label; by default none.
+        label: digits, drawn where ``features.label`` asks for them.
+
+    Raises:
+        Refusal: ports that do not fit, or the drawn shell is not one valid solid.
+    """
+    features = features or Shell()
+    for problem in cavity_problems(resonator):
+        raise Refusal(f"shell: {problem}")
+    check_ports(resonator, printing, ports)
+    sockets = [(port_height(port, resonator), port.tube_diameter / 2 + printing.glue_gap) for port in ports]
+    for problem in feature_problems(features, resonator, membrane.rim_width, sockets):
+        raise Refusal(f"shell: {problem}")
+    if membrane.rim_width > resonator.wall_thickness:
+        raise Refusal(
+            f"shell: membrane.rim_width = {membrane.rim_width:g} mm must be at most resonator.wall_thickness "
+            f"({resonator.wall_thickness:g} mm)"
+        )
+    radius, outer = resonator.cavity_diameter / 2, resonator.outer_diameter / 2
+    top = resonator.cavity_height
+    seat = radius + membrane.rim_width + printing.glue_gap
+    ledge = membrane.thickness / 2 if outer - seat >= _LEDGE_WIDTH - 1e-9 else 0.0
+    solid: cq.Shape = cylinder(outer, -resonator.floor_thickness, top + ledge)
+    if features.feet:
+        solid = add_feet(solid, outer, resonator.floor_thickness, [port.angle for port in ports], features)
+    if ledge:
+        solid = solid.cut(cylinder(seat, top, top + 2 * ledge))
+    solid = solid.cut(draw_cavity(resonator.cavity_shape, radius, top, top + ledge))
+    if features.groove_width is not None:
+        solid = cut_groove(solid, radius + membrane.rim_width / 2, top, features)
+    solid = cut_ports(solid, ports, printing, radius, outer, resonator.port_axis_height)
+    if label is not None and features.label != "none":
+        sides = [(port.angle, hole) for port, (_, hole) in zip(ports, sockets, strict=True)]
+        # Beside the floor are feet, and in a carrier its webs and necks: digits stand above it.
+        solid = add_label(solid, label, outer, resonator.wall_thickness, (0.0, top + ledge), sides, features)
+    return one_solid(solid, "shell")
+
+
+def check_ports(resonator: Resonator, printing: Printing, ports: Sequence[Port]) -> None:
+    """Refuse ports that the wall of a shell has no room for.
+
+    Raises:
+        Refusal: none or more than six, one that leaves the wall, or two that leave no wall between them.
+    """
+    if not 1 <= len(ports) <= MOST_PORTS:
+        raise Refusal(f"shell: has {len(ports)} ports; it must have 1 to {MOST_PORTS}")
+    radius, outer, lip = resonator.cavity_diameter / 2, resonator.outer_diameter / 2, printing.port_lip
+    for port in ports:
+        where = f"shell: the port at {port.angle:g} deg"
+        height = port_height(port, resonator)
+        hole, bore = port.tube_diameter / 2 + printing.glue_gap, port.bore_diameter / 2
+        if not 0 < bore < hole:
+            raise Refusal(f"{where} has a bore of {2 * bore:g} mm; it must be above 0 and below {2 * hole:g} mm")
+        lowest = max(bore, hole + SOCKET_COVER - resonator.floor_thickness)
+        highest = resonator.cavity_height - hole - SOCKET_COVER
+        if not lowest - 1e-9 <= height <= highest + 1e-9:
+            raise Refusal(f"{where} lies at {height:g} mm; it must lie between {lowest:g} and {highest:g} mm")
+        if hole >= outer or (outer**2 - hole**2) ** 0.5 <= radius + lip:
+            raise Refusal(f"{where}: its socket of {2 * hole:g} mm is not wholly in the wall beyond the lip")
+        problem = resonator.port_problem(height, 2 * bore)
+        if problem:
+            raise Refusal(f"{where} {problem}")
+    for pair in combinations(ports, 2):
+        heights = [port_height(port, resonator) for port in pair]
+        mouths = tuple(
+            wall_distance(resonator.cavity_shape, radius, height, port.angle)
+            for port, height in zip(pair, heights, strict=True)
+        )
+        refuse_thin_web("shell", pair, mouths, radius + lip, printing.glue_gap, heights[0] - heights[1])
+
+
+def refuse_thin_web(
+    name: str, ports: Sequence[Port], mouths: Sequence[float], shoulder: float, glue_gap: float, rise: float = 0.0
+) -> None:
+    """Refuse two ports that leave less than :data:`geometry.design.rules.SOCKET_COVER` of wall between them.
+
+    Args: see :func:`geometry.stated.ports.port_web`; ``name`` is that of the part.
+
+    Raises:
+        Refusal: they do.
+    """
+    first, second = ports
+    wall = port_web((first, second), (mouths[0], mouths[1]), shoulder, glue_gap, rise)
+    where = f"{name}: the ports at {first.angle:g} and {second.angle:g} deg"
+    if wall <= 0:
+        raise Refusal(f"{where} overlap")
+    if wall < SOCKET_COVER - 1e-9:
+        raise Refusal(
+            f"{where} leave a wall of {wall:.3g} mm between them; it must be at least {SOCKET_COVER:g} mm: turn them "
+            "apart, or widen the cavity or printing.port_lip"
+        )
+
+
+def port_height(port: Port, resonator: Resonator) -> float:
+    """Height of a port's axis above the floor of the cavity, mm."""
+    return resonator.port_axis_height if port.height is None else port.height
+
+
+def cut_ports(
+    solid: cq.Shape,
+    ports: Sequence[Port],
+    printing: Printing,
+    inner_radius: float,
+    outer_radius: float,
+    height: float,
+) -> cq.Shape:
+    """Cut bores and sockets through the wall of a hollow housing whose axis is z (mm).
+
+    Args:
+        solid: the housing, hollow already.
+        ports: at their own heights, else at ``height``.
+        printing: lip and glue gap.
+        inner_radius: from where the lip counts.
+        outer_radius: of the housing.
+        height: of the ports' axes.
+    """
+    for port in ports:
+        x, y = unit(port.angle)
+        direction, centre = cq.Vector(x, y, 0), cq.Vector(0, 0, height if port.height is None else port.height)
+        shoulder = inner_radius + printing.port_lip
+        bore = cq.Solid.makeCylinder(port.bore_diameter / 2, shoulder + printing.port_lip, centre, direction)
+        socket = cq.Solid.makeCylinder(
+            port.tube_diameter / 2 + printing.glue_gap, outer_radius, centre + direction * shoulder, direction
+        )
+        solid = solid.cut(bore, socket)
+    return solid

@@ -1,0 +1,8 @@
+"""What a design file states: sections, fields, units, ranges; materials, processes and cavity shapes as data.
+
+Stands on: nothing.
+"""
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -1,0 +1,85 @@
+"""Where tubes enter: ports of housings and of cells, and what they leave of the wall between them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, fields, replace
+from itertools import product
+
+from geometry.stated.cavity_shapes import web
+from geometry.stated.parts import STUB_LENGTH_IN_RADII
+
+
+@dataclass(frozen=True, order=True)
+class Port:
+    """Where a tube enters a housing: direction in degrees, bore and outside of the tube in mm."""
+
+    angle: float
+    bore_diameter: float
+    tube_diameter: float
+    height: float | None = None
+    """Of its axis above the floor of the cavity, mm; None: that of the housing's ports."""
+
+
+@dataclass(frozen=True, order=True)
+class CellPort:
+    """A tube port of a cell: direction seen from the cell's axis (degrees) and bore (mm)."""
+
+    angle: float
+    bore_diameter: float
+    height: float | None = None
+    """Of its axis above the floor, mm; None: that of the cell's ports."""
+
+    @property
+    def stub_length(self) -> float:
+        """Length of the stub that belongs to the cell, mm."""
+        return STUB_LENGTH_IN_RADII * self.bore_diameter / 2
+
+
+def port_web(
+    ports: tuple[Port, Port], mouths: tuple[float, float], shoulder: float, glue_gap: float, rise: float = 0.0
+) -> float:
+    """Least material between two ports of a housing, bores and sockets, mm; see :func:`web`.
+
+    Args:
+        ports: at their angles.
+        mouths: from the axis to the wall where the bores begin, mm.
+        shoulder: from the axis to where the sockets begin, mm.
+        glue_gap: around the tubes in their sockets, mm.
+        rise: difference of the ports' heights, mm.
+    """
+    holes = []
+    for port, mouth in zip(ports, mouths, strict=True):
+        bore = port.bore_diameter / 2
+        # The sides of a bore reach further in than its axis: the wall is round.
+        begin = math.sqrt(max(mouth**2 - bore**2, 0.0))
+        holes.append(((begin, bore), (shoulder, port.tube_diameter / 2 + glue_gap)))
+    turn = ports[0].angle - ports[1].angle
+    return min(web(first, second, turn, rise) for first, second in product(*holes))
+
+
+def in_common_rotation(ports: Sequence[Port], step: float) -> tuple[tuple[Port, ...], float]:
+    """Ports in the one rotation that all equal housings share, and the angle that turns them back.
+
+    The direction that comes to lie along x is also that of a box's first side. Only rotations are tried: a
+    mirrored housing is another part, since its floor stays below.
+
+    Args:
+        ports: of a housing, at any angles.
+        step: to which angles are rounded, degrees.
+    """
+    candidates = []
+    for reference in ports:
+        moved = [
+            replace(port, angle=round(round((port.angle - reference.angle) / step) * step % 360.0, 6)) for port in ports
+        ]
+        moved.sort(key=port_rank)
+        candidates.append((tuple(moved), reference.angle))
+    return min(candidates, key=lambda candidate: (*map(port_rank, candidate[0]), candidate[1]))
+
+
+def port_rank(port: Port | CellPort) -> tuple[float, ...]:
+    """What ports are sorted by; those without a height of their own come first."""
+    sizes = [getattr(port, field.name) for field in fields(port)]
+    return tuple(-1.0 if size is None else size for size in sizes)

@@ -1,0 +1,44 @@
+from . import (
+    decoders as decoders,
+    evaluation as evaluation,
+    learned as learned,
+    live as live,
+    recalibration as recalibration,
+    recordings as recordings,
+    signals as signals,
+)
+from .decoders.bayes import BayesDecoder as BayesDecoder
+from .decoders.family import FamilyDecoder as FamilyDecoder
+from .decoders.frequency_ratio import FrequencyRatioDecoder as FrequencyRatioDecoder
+from .decoders.judgement import Judgement as Judgement, ResidualTest as ResidualTest, judge as judge
+from .decoders.reconstruct import (
+    Reconstructor as Reconstructor,
+    Waveform as Waveform,
+    short_window_waveform as short_window_waveform,
+)
+from .decoders.sound_test import SoundTest as SoundTest
+from .decoders.two_touches import TwoTouchDecoder as TwoTouchDecoder, TwoTouches as TwoTouches
+from .evaluation.accuracy import Evaluation as Evaluation, evaluate as evaluate
+from .learned.localizer import (
+    Localizer as Localizer,
+    LocalizerError as LocalizerError,
+    load_localizer as load_localizer,
+)
+from .learned.onnx import OnnxLocalizer as OnnxLocalizer, export_onnx as export_onnx
+from .learned.plan import TrainingPlan as TrainingPlan
+from .learned.training import TrainingProgress as TrainingProgress, train as train
+from .live.stream import Decision as Decision, Fault as Fault, TouchStream as TouchStream
+from .live.touch_filter import TouchFilter as TouchFilter
+from .live.touches import Touch as Touch, touches_of as touches_of
+from .recalibration.self_calibration import (
+    SelfCalibration as SelfCalibration,
+    SelfCalibrationError as SelfCalibrationError,
+    self_calibrate as self_calibrate,
+)
+from .recordings.recording import (
+    Recording as Recording,
+    RecordingError as RecordingError,
+    read_recording as read_recording,
+)
+from .signals.array_response import ArrayResponse as ArrayResponse
+from .signals.touch_generator import TouchGenerator as TouchGenerator

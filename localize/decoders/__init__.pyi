@@ -1,0 +1,19 @@
+from .bayes import (
+    POWERS as POWERS,
+    ROOM as ROOM,
+    SCREEN_ERROR as SCREEN_ERROR,
+    SURE as SURE,
+    TEMPERATURE as TEMPERATURE,
+    BayesDecoder as BayesDecoder,
+    DecoderTables as DecoderTables,
+    sound_levels as sound_levels,
+)
+from .frame_covariance import (
+    low_pass as low_pass,
+    sampled_waves as sampled_waves,
+    source_density as source_density,
+    whitening as whitening,
+)
+from .judgement import ResidualTest as ResidualTest
+from .reconstruct import Reconstructor as Reconstructor
+from .sound_test import SoundTest as SoundTest

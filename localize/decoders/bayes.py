@@ -1,0 +1,309 @@
+"""The decoder that needs no training: maximum likelihood over points, from the library alone.
+
+If point i is touched, the microphones' samples of a frame, stacked into one vector x, are a zero-mean Gaussian with
+covariance g C_i + N: C_i from :mod:`localize.decoders.frame_covariance`, g the unknown power of the touch, N the
+covariance of the noise. The likelihood of each point, maximised over g, ranks the points (Gaussian-process
+classification; Rasmussen and Williams 2006, chapter 2, for the likelihood). In coordinates where N is the identity, the
+eigenvectors of C_i make the likelihood a sum over a few dozen terms.
+
+Sound from outside presses on all membranes alike: at each frequency it adds a covariance of rank one to N, whose
+shape the library knows and whose level is assumed, or found among several as the likeliest.
+
+A touch with few spectral lines fills far fewer of those terms than a flat spectrum, so that the likelihood weighs the
+noise of the empty ones too high against the shape of the signal: the decoder assumes a share of the noise that it is
+told, and divides its log-likelihoods by a temperature, so that its probabilities are as sure as they are right.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from torch import Tensor
+
+from geometry.refusal import Refusal
+from localize.decoders.frame_covariance import (
+    SAMPLES,
+    check_level,
+    check_noise,
+    joint_whitening,
+    low_pass,
+    touch_covariances,
+)
+from localize.signals.array_response import ArrayResponse, response_of
+from localize.signals.frames import checked_signals, cut_frames
+from localize.signals.noise import NoiseChoice, NoiseSpectrum
+from localize.signals.threads import one_thread
+
+if TYPE_CHECKING:
+    from acoustic_fem import Library
+
+POWERS = 10 ** (np.arange(-80.0, 40.1, 4.0) / 10)
+"""Values of g that are tried; a parabola through the best one and its neighbours gives the maximum."""
+WEAKEST = 1e-2
+"""Eigenvectors that hold less than this share of the assumed noise at g = 1 are left out: 1e-4 names the same points,
+40 dB louder ones as well."""
+NOISE_SHARE = 0.25
+"""Of the noise that is told, in amplitude; tried on 216 points were 1, 1/2, 0.3, 1/5 and 1/10. See docs/decoder.md."""
+TEMPERATURE = NOISE_SHARE**-2
+"""Counts misfits by the noise that is told again: probabilities are then calibrated, see docs/decoder.md."""
+QUIET_BONUS = 30.0
+"""Nats, after the temperature: the likelihood assumes less noise than there is, and would take the rest for sound. In
+quiet, sound was preferred by at most 35 nats on line-2 (1 of 100 by 27 or more), at 60 dB SPL by at least 90."""
+SURE = 20.0
+"""Nats: points this far behind the best one, and what single precision may err, are not scored again in double."""
+SCREEN_ERROR = 8 * float(np.finfo(np.float32).eps) / (2 * TEMPERATURE)
+"""Nats that a score in single precision may err, per unit of the sum of squares of a frame's white samples."""
+CHUNK = 64
+"""Frames that are decoded at once."""
+
+
+def sound_levels(loudest: float | None) -> tuple[float | None, ...]:
+    """Levels that cover sound up to one in dB SPL, quiet (None) among them; of None quiet alone.
+
+    15 dB apart from 40 on: 10 apart was tried on line-2, better at some levels and worse at others by up to 1.7 %.
+    """
+    if loudest is None:
+        return (None,)
+    return (None, *(float(level) for level in np.arange(40.0, loudest + 7.5, 15.0)))
+
+
+ROOM = sound_levels(90.0)
+"""Levels among which the sound of a room is looked for, dB SPL; None is quiet."""
+
+#: Sound around: none, a level in dB SPL, or several, of which each frame takes the likeliest.
+Ambient = float | None | Sequence[float | None]
+
+
+@dataclass(frozen=True, eq=False)
+class DecoderTables:
+    """What the likelihood of a frame is computed from, for one level of the sound around."""
+
+    reduce: NDArray[np.float64]
+    """(n_microphone 250, n_microphone SAMPLES): from the samples to fewer ones whose noise is white of variance 1."""
+    vectors: NDArray[np.float64]
+    """(n_point, n_microphone SAMPLES, rank) eigenvectors of each C_i."""
+    weight: NDArray[np.float64]
+    """(n_point, rank, n_power) of the energy along each of them, per value of g."""
+    log_determinant: NDArray[np.float64]
+    """(n_point, n_power) of the covariance."""
+    offset: float
+    """Nats: of the noise and sound alone, which tells levels apart."""
+
+
+class BayesDecoder:
+    """Gaussian-process maximum likelihood over the points of one array.
+
+    Args:
+        library: transfer functions that cover 1 to 100 Hz, of at least two points and two microphones.
+        microphone_noise: the noise floor to assume: white, Pa rms over 0 to 500 Hz, 1e-9 to 10; or "design" for
+            that of the library's design, see :mod:`localize.signals.noise`. It also stands for what the library does
+            not know; a higher one is kinder to a sensor that differs from its design.
+        ambient: pink sound around, the same pressure on all membranes: its level in dB SPL, 0 to 140; None for
+            quiet; or several levels, such as :data:`ROOM`, of which each frame takes the likeliest. Tables, and where
+            there is sound also time, grow with their number. Needs a library with a design.
+
+    Raises:
+        Refusal: the library does not cover 1 to 100 Hz, the noise or the sound is outside its range, or sound is
+            assumed without a design.
+    """
+
+    @one_thread()
+    def __init__(
+        self,
+        library: Library | ArrayResponse,
+        microphone_noise: NoiseChoice = 1e-3,
+        ambient: Ambient = None,
+    ) -> None:
+        check_noise(microphone_noise)
+        response = response_of(library)
+        self.ambient = checked_levels(response, ambient)
+        self.design = response.name
+        self.microphones = response.microphones
+        self.line = response.line
+        self.place = response.place
+        self.microphone_noise = microphone_noise
+        self.provenance = response.provenance
+        noise = response.noise(microphone_noise)
+        self.noise_rms = noise.rms if isinstance(noise, NoiseSpectrum) else noise
+        touched = touch_covariances(response, np.eye(SAMPLES))
+        self.tables = tuple(
+            _tables(touched, joint_whitening(response, share_of(noise), level), level) for level in self.ambient
+        )
+        self._screens = tuple(_Screen(tables, len(self.tables) > 1) for tables in self.tables)
+
+    @property
+    def point_count(self) -> int:
+        """Number of sensing points."""
+        return len(self.line)
+
+    @one_thread()
+    def locate(self, signals: ArrayLike | Tensor) -> NDArray[np.float64]:
+        """Where the array was touched, all points equally likely beforehand.
+
+        A recording longer than 250 samples is cut into frames, the last one ending with it, which are taken as
+        independent observations of one touch.
+
+        Args:
+            signals: (n_microphone, n_sample) or (n, n_microphone, n_sample), Pa, at 1 kHz, at least 250 samples.
+
+        Returns:
+            (n_point,) or (n, n_point) float64: probability per point.
+
+        Raises:
+            Refusal: wrong number of channels, too few samples, a value that is not finite, a silent channel.
+        """
+        batch, batched = checked_signals(signals, self.microphones)
+        probability = np.exp(self._log_probability(batch))
+        return probability if batched else probability[0]
+
+    @one_thread()
+    def log_probability(self, signals: ArrayLike | Tensor) -> NDArray[np.float64]:
+        """The logarithm of what :meth:`locate` gives, which does not end at the smallest number there is.
+
+        Args:
+            signals: (n, n_microphone, n_sample), Pa, at 1 kHz, at least 250 samples.
+
+        Returns:
+            (n, n_point) float64, nats.
+
+        Raises:
+            Refusal: as :meth:`locate`.
+        """
+        batch, _ = checked_signals(signals, self.microphones)
+        return self._log_probability(batch)
+
+    def _log_probability(self, batch: Tensor) -> NDArray[np.float64]:
+        frames = cut_frames(batch)
+        flat = frames.flatten(0, 1).numpy()
+        score = np.concatenate([self.log_likelihood(flat[k : k + CHUNK]) for k in range(0, len(flat), CHUNK)])
+        total = score.reshape(*frames.shape[:2], -1).sum(1)
+        total -= total.max(1, keepdims=True)
+        return np.asarray(total - np.log(np.exp(total).sum(1, keepdims=True)))
+
+    def log_likelihood(self, frames: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Log-likelihood of every point, maximised over the power of the touch and divided by the temperature.
+
+        Args:
+            frames: (n, n_microphone, 250), Pa.
+
+        Returns:
+            (n, n_point) float64, nats, up to a constant per frame.
+        """
+        flat = frames.reshape(len(frames), -1)
+        levels = [screen(flat) for screen in self._screens]
+        # Points are left to single precision only where none of any level may come near the best of all.
+        least = np.max([level.score.max(1) - level.error for level in levels], axis=0) - SURE
+        for screen, level in zip(self._screens, levels, strict=True):
+            screen.score_again(level, least)
+        return np.max([level.score for level in levels], axis=0) if len(levels) > 1 else levels[0].score
+
+
+@dataclass(eq=False)
+class _Level:
+    """Frames and their scores at one level of the sound around."""
+
+    x: NDArray[np.float64]
+    """(n, size), where noise and sound are white."""
+    alone: NDArray[np.float64]
+    """(n, 1) nats, of noise and sound without a touch."""
+    score: NDArray[np.float64]
+    """(n, n_point) nats."""
+    error: NDArray[np.float64]
+    """(n,) nats, that single precision may err by."""
+
+
+class _Screen:
+    """Likelihood of all points in single precision, and of those that may be the best in double.
+
+    Reading the tables is what takes the time, and single precision halves it. Likelihoods are differences of large
+    numbers, which it cannot tell apart: every point that may come within 20 nats of the best is scored again.
+    """
+
+    def __init__(self, tables: DecoderTables, is_one_of_several: bool) -> None:
+        self.tables = tables
+        self.is_one_of_several = is_one_of_several
+        self.points, self.size, self.rank = tables.vectors.shape
+        # One matrix for all points: (n_microphone SAMPLES, n_point rank).
+        self.vectors = np.ascontiguousarray(tables.vectors.astype(np.float32).transpose(1, 0, 2).reshape(self.size, -1))
+        self.weight = tables.weight.astype(np.float32)
+        self.log_determinant = tables.log_determinant.astype(np.float32)
+
+    def __call__(self, flat: NDArray[np.float64]) -> _Level:
+        """Scores of (n, n_microphone 250) samples."""
+        x = flat @ self.tables.reduce
+        energy = ((x.astype(np.float32) @ self.vectors) ** 2).reshape(len(x), self.points, self.rank)
+        # (point, frame, ...): one matrix product per point.
+        gain = energy.transpose(1, 0, 2) @ self.weight
+        values = -0.5 * (gain + self.log_determinant[:, None, :])
+        power = (x**2).sum(1)
+        # Large, and the same for all points: left out where there is no other level to compare with.
+        alone = np.where(self.is_one_of_several, self.tables.offset - power / (2 * TEMPERATURE), 0.0)[:, None]
+        # Of large numbers single precision knows no parabola; a true one rises by less than a nat above its samples.
+        score = np.minimum(vertex(values), values.max(-1) + 1).T + alone
+        return _Level(x, alone, score, SCREEN_ERROR * power)
+
+    def score_again(self, level: _Level, least: NDArray[np.float64]) -> None:
+        """Put scores of double precision in the place of those that may reach ``least``, (n,) nats."""
+        again = level.score > (least - level.error)[:, None]
+        tables = self.tables
+        for point in np.flatnonzero(again.any(0)):
+            frames = np.flatnonzero(again[:, point])
+            exact = (level.x[frames] @ tables.vectors[point]) ** 2 @ tables.weight[point]
+            found = vertex(-0.5 * (exact + tables.log_determinant[point]))
+            level.score[frames, point] = found + level.alone[frames, 0]
+
+
+def vertex(values: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Maximum over the last axis of samples of a smooth curve: that of the parabola around the largest one."""
+    # A flat view and whole indices: for a single frame the calls take the time, not the numbers.
+    flat = values.reshape(-1, values.shape[-1])
+    row = np.arange(len(flat))
+    best = flat.argmax(1)
+    inner = np.minimum(np.maximum(best, 1), flat.shape[1] - 2)
+    left, middle, right = flat[row, inner - 1], flat[row, inner], flat[row, inner + 1]
+    bend = left - 2 * middle + right
+    # At an end of the range the curve may still be rising: then the sample itself is taken.
+    is_top = (best == inner) & (bend < 0)
+    rise = -((right - left) ** 2) / (8 * np.where(is_top, bend, -1.0))
+    top = np.where(is_top, middle + rise, flat[row, best])
+    return np.asarray(top.reshape(values.shape[:-1]))
+
+
+def share_of(noise: float | NoiseSpectrum) -> float | NoiseSpectrum:
+    """The noise that likelihoods are computed with."""
+    if isinstance(noise, NoiseSpectrum):
+        return NoiseSpectrum(noise.power * NOISE_SHARE**2, noise.source)
+    return noise * NOISE_SHARE
+
+
+def checked_levels(response: ArrayResponse, ambient: Ambient) -> tuple[float | None, ...]:
+    """The levels of an ``ambient``, from quiet to loud.
+
+    Raises:
+        Refusal: no level, or as :func:`localize.decoders.frame_covariance.check_level`.
+    """
+    levels = tuple(ambient) if isinstance(ambient, Sequence) else (ambient,)
+    if not levels:
+        raise Refusal("ambient is empty: it must hold at least one level, or None for quiet")
+    for level in levels:
+        check_level(response, level)
+    return tuple(sorted(set(levels), key=lambda level: -1.0 if level is None else level))
+
+
+def _tables(touched: NDArray[np.float64], whiten: NDArray[np.float64], level: float | None) -> DecoderTables:
+    """From covariances of touches, (n_point, n, n) Pa^2, and what makes noise and sound white."""
+    values, vectors = np.linalg.eigh(whiten @ touched @ whiten.T)
+    # The largest eigenvalues come last. The same number for every point keeps the tables rectangular.
+    rank = max(1, int((values > WEAKEST).sum(1).max()))
+    gain = np.clip(values[:, -rank:, None], 0, None) * POWERS
+    return DecoderTables(
+        reduce=(whiten @ np.kron(np.eye(len(whiten) // SAMPLES), low_pass())).T.copy(),
+        vectors=np.ascontiguousarray(vectors[:, :, -rank:]),
+        weight=-gain / (1 + gain) / TEMPERATURE,
+        log_determinant=np.log1p(gain).sum(1) / TEMPERATURE,
+        offset=float(np.log(np.diag(whiten)).sum() / TEMPERATURE) + (QUIET_BONUS if level is None else 0.0),
+    )

@@ -1,0 +1,94 @@
+"""Parameters that are not known: several libraries of one array, one for each hypothesis.
+
+A made sensor has one set of parameters (the modulus of its membranes, its tolerances), which of those drawn is not
+known. Given hypothesis k with prior p_k, the likelihood of point i is L_ki; what counts is sum_k p_k L_ki. The sensor
+is the same in all frames of a recording, so likelihoods are multiplied over frames first and summed over hypotheses
+last.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from scipy.special import logsumexp, softmax
+from torch import Tensor
+
+from geometry.refusal import Refusal
+from localize.decoders.bayes import CHUNK, BayesDecoder
+from localize.signals.array_response import ArrayResponse
+from localize.signals.frames import checked_signals, cut_frames
+from localize.signals.noise import NoiseChoice
+from localize.signals.threads import one_thread
+
+if TYPE_CHECKING:
+    from acoustic_fem import Library
+
+
+class FamilyDecoder:
+    """Maximum likelihood over points, the hypotheses summed out.
+
+    Args:
+        libraries: of the same points and microphones, one per hypothesis.
+        microphone_noise: as of :class:`localize.BayesDecoder`.
+        prior: weight of each hypothesis, above 0; by default all alike.
+
+    Raises:
+        Refusal: no library, or libraries of different points or microphones; a wrong prior; as
+            :class:`localize.BayesDecoder`.
+    """
+
+    def __init__(
+        self,
+        libraries: Sequence[Library | ArrayResponse],
+        microphone_noise: NoiseChoice = 1e-3,
+        prior: ArrayLike | None = None,
+    ) -> None:
+        if not libraries:
+            raise Refusal("libraries is empty: at least one hypothesis is needed")
+        weight = np.ones(len(libraries)) if prior is None else np.asarray(prior, np.float64)
+        if weight.shape != (len(libraries),) or not (np.isfinite(weight) & (weight > 0)).all():
+            raise Refusal(f"prior must hold {len(libraries)} finite values above 0, one per library")
+        self.decoders = tuple(BayesDecoder(library, microphone_noise) for library in libraries)
+        first = self.decoders[0]
+        for k, other in enumerate(self.decoders):
+            same = other.point_count == first.point_count and (other.line == first.line).all()
+            if not (same and (other.place == first.place).all() and other.microphones == first.microphones):
+                raise Refusal(f"library {k} has other points or microphones than the first one")
+        self.microphones = first.microphones
+        self.line = first.line
+        self.place = first.place
+        self._log_prior = np.log(weight / weight.sum())
+
+    @property
+    def point_count(self) -> int:
+        """Number of sensing points."""
+        return len(self.line)
+
+    def locate(self, signals: ArrayLike | Tensor) -> NDArray[np.float64]:
+        """Where the array was touched: (n_point,) or (n, n_point), as :meth:`localize.BayesDecoder.locate`."""
+        joint, batched = self._joint(signals)
+        probability = softmax(logsumexp(joint, axis=2), axis=1)
+        return np.asarray(probability if batched else probability[0])
+
+    def hypotheses(self, signals: ArrayLike | Tensor) -> NDArray[np.float64]:
+        """Which hypothesis the signals speak for: probability of each, (n_hypothesis,) or (n, n_hypothesis)."""
+        joint, batched = self._joint(signals)
+        probability = softmax(logsumexp(joint, axis=1), axis=1)
+        return np.asarray(probability if batched else probability[0])
+
+    @one_thread()
+    def _joint(self, signals: ArrayLike | Tensor) -> tuple[NDArray[np.float64], bool]:
+        """Log of likelihood times prior, (n, n_point, n_hypothesis), all frames of each signal together."""
+        batch, batched = checked_signals(signals, self.microphones)
+        frames = cut_frames(batch)
+        flat = frames.flatten(0, 1).numpy()
+        joint = [
+            np.concatenate([decoder.log_likelihood(flat[k : k + CHUNK]) for k in range(0, len(flat), CHUNK)])
+            .reshape(*frames.shape[:2], -1)
+            .sum(1)
+            for decoder in self.decoders
+        ]
+        return np.stack(joint, -1) + self._log_prior, batched

@@ -1,0 +1,167 @@
+"""Second moments of a frame: what a touch of each point, and the noise, do to the microphones' samples.
+
+The touch is a source with a flat spectrum from 1 to 100 Hz (and the level of the stimulus noise beyond, as far as the
+library reaches), seen through the transfer functions of its point. Samples are low-passed and decimated by four
+first, which changes the covariances in a known way and loses nothing of the band.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+import scipy.linalg
+import scipy.signal
+from numpy.typing import NDArray
+
+from geometry.refusal import Refusal
+from localize.signals.array_response import ArrayResponse, interpolation
+from localize.signals.disturbances import LOWEST_SOUND, REFERENCE
+from localize.signals.frames import FRAME
+from localize.signals.noise import NoiseChoice, NoiseSpectrum
+from localize.signals.stimulus import BAND, NOISE, SAMPLE_RATE
+
+DECIMATION = 4
+TAPS = 35
+"""Length of the low-pass filter."""
+CUTOFF = 115.0
+"""Hz."""
+SAMPLES = (FRAME - TAPS) // DECIMATION + 1
+"""Samples of a frame and microphone after decimation."""
+SOURCE_RMS = 0.25
+"""Pa: the touch at power 1, typical of the multi-sine stimuli."""
+INTEGRATION_STEP = 0.5
+"""Hz: covariances repeat after 2 s, eight frames."""
+
+
+def check_noise(choice: NoiseChoice) -> None:
+    """Refuse a noise that nothing can be divided by.
+
+    Raises:
+        Refusal: neither "design" nor 1e-9 to 10 Pa.
+    """
+    if choice != "design" and not 1e-9 <= choice <= 10.0:
+        raise Refusal(f"microphone_noise = {choice} Pa must be between 1e-9 and 10 Pa")
+
+
+def low_pass() -> NDArray[np.float64]:
+    """Filter and decimation of a frame, (SAMPLES, 250); its last output sees the last sample."""
+    taps = scipy.signal.firwin(TAPS, CUTOFF, fs=SAMPLE_RATE)
+    matrix = np.zeros((SAMPLES, FRAME))
+    for row in range(SAMPLES):
+        end = FRAME - (SAMPLES - 1 - row) * DECIMATION
+        matrix[row, end - TAPS : end] = taps
+    return matrix
+
+
+def frame_noise_covariance(noise: float | NoiseSpectrum) -> NDArray[np.float64]:
+    """Covariance of filtered noise, white ones in Pa rms, at the lags of the decimated samples, (SAMPLES,), Pa^2."""
+    taps = scipy.signal.firwin(TAPS, CUTOFF, fs=SAMPLE_RATE)
+    if isinstance(noise, NoiseSpectrum):
+        frequency = np.arange(len(noise.power), dtype=np.float64)
+        _, gain = scipy.signal.freqz(taps, worN=frequency, fs=SAMPLE_RATE)
+        lag = np.arange(SAMPLES) * DECIMATION / SAMPLE_RATE
+        return np.asarray(np.cos(2 * math.pi * lag[:, None] * frequency) @ (noise.power * np.abs(gain) ** 2))
+    correlation = np.zeros(max(SAMPLES * DECIMATION, TAPS))
+    correlation[:TAPS] = np.correlate(taps, taps, "full")[TAPS - 1 :]
+    return noise**2 * correlation[: SAMPLES * DECIMATION : DECIMATION]
+
+
+def whitening(noise: float | NoiseSpectrum) -> NDArray[np.float64]:
+    """(SAMPLES, SAMPLES): makes filtered noise white, of variance 1."""
+    covariance = scipy.linalg.toeplitz(frame_noise_covariance(noise))
+    return np.asarray(np.linalg.inv(np.linalg.cholesky(covariance)))
+
+
+def joint_whitening(
+    response: ArrayResponse, noise: float | NoiseSpectrum, ambient: float | None
+) -> NDArray[np.float64]:
+    """(n, n), n = n_microphone SAMPLES: makes noise and sound at all microphones together white, of variance 1."""
+    alone = np.kron(np.eye(len(response.microphones)), scipy.linalg.toeplitz(frame_noise_covariance(noise)))
+    sound = 0.0 if ambient is None else ambient_covariance(response, ambient)
+    return np.asarray(scipy.linalg.solve_triangular(np.linalg.cholesky(alone + sound), np.eye(len(alone)), lower=True))
+
+
+def check_level(response: ArrayResponse, level: float | None) -> None:
+    """Refuse sound that is out of range, or that nobody knows the way of.
+
+    Raises:
+        Refusal: a level outside 0 to 140 dB SPL, or an array without a design.
+    """
+    if level is None:
+        return
+    if not 0 <= level <= 140:
+        raise Refusal(f"ambient = {level} dB SPL must be between 0 and 140, or None for quiet")
+    if response.ambient_response is None:
+        raise Refusal(f"ambient = {level} dB SPL needs a library with a design, which tells how sound comes in")
+
+
+def ambient_covariance(response: ArrayResponse, level: float) -> NDArray[np.float64]:
+    """Covariance of filtered sound from outside, the same pressure on all membranes, pink from 20 Hz.
+
+    Args:
+        response: the array, with its ``ambient_response``.
+        level: dB re 20 uPa, of the sound as :func:`localize.signals.disturbances.ambient_sound` makes it.
+
+    Returns:
+        (n, n) float64, n = n_microphone SAMPLES, microphone by microphone, Pa^2: of rank one at each frequency.
+    """
+    if response.ambient_response is None:
+        raise Refusal("sound needs a library with a design")
+    top = min(float(response.frequency[-1]), SAMPLE_RATE / 2)
+    frequency = np.arange(LOWEST_SOUND, top + 1e-9, INTEGRATION_STEP)
+    power = (REFERENCE * 10 ** (level / 20)) ** 2 / frequency / (1 / frequency).sum()
+    even, odd = interpolation(response.frequency, frequency)
+    h = response.ambient_response.real @ even.T + 1j * (response.ambient_response.imag @ odd.T)
+    turn, gain = sampled_waves(frequency)
+    return _second_moment(h, np.sqrt(power) * gain, turn)
+
+
+def source_density(frequency: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Power density of the touch at power 1, Pa^2/Hz, at frequencies from 1 Hz."""
+    return np.where(frequency <= BAND[1], SOURCE_RMS**2 / (BAND[1] - BAND[0]), NOISE**2 / (SAMPLE_RATE / 2))
+
+
+def touch_covariances(
+    response: ArrayResponse,
+    whiten: NDArray[np.float64],
+    density: Callable[[NDArray[np.float64]], NDArray[np.float64]] = source_density,
+) -> NDArray[np.float64]:
+    """C_i of every point at power 1, where the noise is white of variance 1.
+
+    Args:
+        response: the array.
+        whiten: of :func:`whitening`.
+        density: power density of the touch at frequencies in Hz, Pa^2/Hz.
+
+    Returns:
+        (n_point, n, n) float64, n = n_microphone SAMPLES, microphone by microphone.
+    """
+    top = min(float(response.frequency[-1]), SAMPLE_RATE / 2)
+    frequency = np.arange(BAND[0], top + 1e-9, INTEGRATION_STEP)
+    turn, gain = sampled_waves(frequency)
+    turn = turn @ whiten.T
+    amplitude = np.sqrt(density(frequency) * INTEGRATION_STEP) * gain
+    size = len(response.microphones) * SAMPLES
+    covariances = np.empty((response.point_count, size, size))
+    for point, of_point in enumerate(response.at(frequency)):
+        covariances[point] = _second_moment(of_point, amplitude, turn)
+    return covariances
+
+
+def sampled_waves(frequency: NDArray[np.float64]) -> tuple[NDArray[np.complex128], NDArray[np.float64]]:
+    """What the decimated samples see of a wave, (n, SAMPLES), and the gain of the filter, (n,)."""
+    taps = scipy.signal.firwin(TAPS, CUTOFF, fs=SAMPLE_RATE)
+    _, gain = scipy.signal.freqz(taps, worN=frequency, fs=SAMPLE_RATE)
+    time = np.arange(SAMPLES) * DECIMATION / SAMPLE_RATE
+    return np.exp(2j * math.pi * frequency[:, None] * time), np.abs(gain)
+
+
+def _second_moment(
+    h: NDArray[np.complex128], amplitude: NDArray[np.float64], turn: NDArray[np.complex128]
+) -> NDArray[np.float64]:
+    """Of a random cosine and a random sine per frequency: B^T B is positive semidefinite to the last bit."""
+    waves = ((h.T * amplitude[:, None])[:, :, None] * turn[:, None, :]).reshape(len(amplitude), -1)
+    both = np.concatenate([waves.real, waves.imag])
+    return np.asarray(both.T @ both)

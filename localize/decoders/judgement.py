@@ -1,0 +1,179 @@
+"""What a decision is worth: the best points, how far they are apart, and whether any point explains the signal.
+
+A touch of point i, whatever its waveform between 1 and 100 Hz, moves the microphones' samples almost only along those
+eigenvectors of its covariance C_i whose eigenvalue, for the loudest touch to be expected, stands above the noise. What
+the others hold is noise of the microphones: where that is white of variance 1, the energy in the m other directions
+follows the chi-squared distribution of m degrees of freedom (the noise subspace of Schmidt 1986; the test is Wald's).
+A residual that noise exceeds with a probability below the stated rate of false alarms means that the signal is none of
+these touches: two at once, sound from outside, a sensor that is not the one of the library.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+import scipy.stats
+from numpy.typing import ArrayLike, NDArray
+from torch import Tensor
+
+from geometry.refusal import Refusal
+from localize.decoders.bayes import BayesDecoder
+from localize.decoders.frame_covariance import (
+    ambient_covariance,
+    check_level,
+    check_noise,
+    low_pass,
+    touch_covariances,
+    whitening,
+)
+from localize.signals.array_response import ArrayResponse, response_of
+from localize.signals.frames import checked_signals, cut_frames
+from localize.signals.noise import NoiseChoice
+from localize.signals.stimulus import BAND, NOISE, SAMPLE_RATE
+from localize.signals.threads import one_thread
+
+if TYPE_CHECKING:
+    from acoustic_fem import Library
+
+TAIL = 10.0
+"""Power of what a touch may hold beyond 100 Hz, over that of the stimuli's noise."""
+LEAK = 1e-2
+"""Share of the noise's variance that the loudest touch may have in a direction that is left to the noise."""
+
+
+@dataclass(frozen=True, eq=False)
+class Judgement:
+    """Decisions on n signals."""
+
+    points: NDArray[np.int64]
+    """(n, top) the most probable points, from 0, best first."""
+    probability: NDArray[np.float64]
+    """(n, top) of those."""
+    margin: NDArray[np.float64]
+    """(n,) log of the ratio of the two highest probabilities, nats."""
+    p_value: NDArray[np.float64]
+    """(n,) probability that noise leaves as large a residual under the best point."""
+    explained: NDArray[np.bool_]
+    """(n,) the p-value is at least the rate of false alarms; where not, "none of these"."""
+
+
+class ResidualTest:
+    """Whether a touch of a given point can have made a signal.
+
+    Args:
+        library: transfer functions of the array that was made. An error of them of 1 % leaves a residual 40 dB below
+            the signal, which stands above a noise that is lower.
+        microphone_noise: the noise there is, as of :class:`localize.BayesDecoder`.
+        loudest: Pa rms in the touched cavity, 1e-3 to 1e3: up to here a true touch passes.
+        ambient: sound around up to this level in dB SPL, 0 to 140, passes with a touch; None for quiet. It takes as
+            many directions as there are lines below half the sample rate: with two microphones next to none is then
+            left to test. Needs a library with a design.
+
+    Raises:
+        Refusal: an argument out of range; touches too far above the noise for double precision; or as
+            :func:`localize.signals.array_response.response_of`.
+    """
+
+    @one_thread()
+    def __init__(
+        self,
+        library: Library | ArrayResponse,
+        microphone_noise: NoiseChoice = 1e-3,
+        loudest: float = 1.0,
+        ambient: float | None = None,
+    ) -> None:
+        if not 1e-3 <= loudest <= 1e3:
+            raise Refusal(f"loudest = {loudest} Pa must be between 1e-3 and 1e3 Pa")
+        check_noise(microphone_noise)
+        response = response_of(library)
+        check_level(response, ambient)
+        self.microphones = response.microphones
+        whiten = whitening(response.noise(microphone_noise))
+        self._reduce = (whiten @ low_pass()).T.copy()
+        inside, above = loudest**2 / (BAND[1] - BAND[0]), TAIL * NOISE**2 / (SAMPLE_RATE / 2)
+        covariance = touch_covariances(response, whiten, lambda f: np.where(f <= BAND[1], inside, above))
+        if ambient is not None:
+            each = np.kron(np.eye(len(response.microphones)), whiten)
+            covariance += each @ ambient_covariance(response, ambient) @ each.T
+        values, vectors = np.linalg.eigh(covariance)
+        if values.max() * np.finfo(np.float64).eps > LEAK:
+            raise Refusal(
+                f"loudest = {loudest} Pa or ambient = {ambient} dB SPL stands too far above microphone_noise = "
+                f"{microphone_noise}: in double precision nothing can be told from rounding; take a lower one, or "
+                "expect more noise"
+            )
+        held = values > LEAK
+        self.freedom = (~held).sum(1)
+        """(n_point,) degrees of freedom of one frame's residual."""
+        rank = int(held.sum(1).max())
+        self._vectors = np.ascontiguousarray(vectors[:, :, values.shape[1] - rank :])
+        self._held = held[:, values.shape[1] - rank :].astype(np.float64)
+
+    @one_thread()
+    def p_value(self, signals: ArrayLike | Tensor, point: ArrayLike) -> NDArray[np.float64]:
+        """Probability that noise leaves a residual as large as the signal's.
+
+        Args:
+            signals: (n, n_microphone, n_sample), Pa, at 1 kHz, at least 250 samples; cut into frames that do not
+                overlap, whose residuals are added.
+            point: (n,) from 0.
+
+        Returns:
+            (n,) float64.
+
+        Raises:
+            Refusal: as :meth:`localize.BayesDecoder.locate`, or points of another number than signals.
+        """
+        batch, _ = checked_signals(signals, self.microphones)
+        points = np.asarray(point, np.int64)
+        if points.shape != (len(batch),) or not ((points >= 0) & (points < len(self.freedom))).all():
+            raise Refusal(f"point must hold {len(batch)} values from 0 to {len(self.freedom) - 1}, one per signal")
+        frames = cut_frames(batch).numpy()
+        x = (frames @ self._reduce).reshape(*frames.shape[:2], -1)
+        residual = np.empty(len(x))
+        for here in np.unique(points):
+            of_point = points == here
+            energy = (x[of_point] @ self._vectors[here]) ** 2 @ self._held[here]
+            residual[of_point] = ((x[of_point] ** 2).sum(2) - energy).sum(1)
+        freedom = self.freedom[points] * frames.shape[1]
+        # Where no direction is left to the noise, nothing can be refused.
+        return np.where(freedom > 0, scipy.stats.chi2.sf(residual, np.maximum(freedom, 1)), 1.0)
+
+
+def judge(
+    decoder: BayesDecoder,
+    test: ResidualTest,
+    signals: ArrayLike | Tensor,
+    top: int = 3,
+    false_alarm: float = 1e-3,
+) -> Judgement:
+    """Name the best points of signals, and say where none of them explains the signal.
+
+    Args:
+        decoder: of the array.
+        test: of the same array, with the noise that there is.
+        signals: (n, n_microphone, n_sample), Pa, at 1 kHz, at least 250 samples.
+        top: how many points to name, 1 to the number of points.
+        false_alarm: share of true touches that may be called none of these, above 0, below 1.
+
+    Raises:
+        Refusal: an argument out of range, or as :meth:`localize.BayesDecoder.locate`.
+    """
+    if not 1 <= top <= decoder.point_count:
+        raise Refusal(f"top = {top} must be between 1 and {decoder.point_count}, the number of points")
+    if not 0 < false_alarm < 1:
+        raise Refusal(f"false_alarm = {false_alarm} must be between 0 and 1, both excluded")
+    batch, _ = checked_signals(signals, decoder.microphones)
+    score = decoder.log_probability(batch)
+    order = np.argsort(-score, axis=1, kind="stable")
+    ranked = np.take_along_axis(score, order, 1)
+    p_value = test.p_value(batch, order[:, 0])
+    return Judgement(
+        points=order[:, :top],
+        probability=np.exp(ranked[:, :top]),
+        margin=ranked[:, 0] - ranked[:, 1],
+        p_value=p_value,
+        explained=p_value >= false_alarm,
+    )

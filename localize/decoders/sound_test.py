@@ -1,0 +1,146 @@
+"""Whether what the microphones hear is sound alone: the same pressure on all membranes, and no touch.
+
+Sound moves all microphones by one function of frequency, whatever its level and spectrum: with two microphones it
+fills half of the directions in which a frame can lie, with four a quarter. The energy beside them is noise, and follows
+the chi-squared distribution where the library is that of the sensor (as in :mod:`localize.decoders.judgement`). A made
+sensor is not: sound then leaves a share of itself beside them, which is no touch either. Most of that share comes from
+gains of the microphones, which are therefore fitted.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+import scipy.special
+from numpy.typing import ArrayLike, NDArray
+from torch import Tensor
+
+from geometry.refusal import Refusal
+from localize.decoders.frame_covariance import ambient_covariance, check_level, check_noise, low_pass, whitening
+from localize.signals.array_response import ArrayResponse, response_of
+from localize.signals.frames import checked_signals, cut_frames
+from localize.signals.noise import NoiseChoice
+from localize.signals.threads import one_thread
+
+if TYPE_CHECKING:
+    from acoustic_fem import Library
+
+FALSE_ALARM = 1e-6
+"""Share of frames of sound on the library's own sensor that are not called so: one in four hours at 62 a second."""
+GAIN = 0.15
+"""Gains of the microphones that differ from their mean by less than this share do not matter: they are fitted to each
+frame."""
+MISMATCH = 0.04
+"""Of a frame, in amplitude: what sound may leave beside its directions on a mis-made sensor, gains apart; see
+docs/decoder.md for how many sensors that holds of."""
+LEAK = 1e-2
+"""Share of the noise's variance that the loudest sound may have in a direction that is left to the noise."""
+
+
+class SoundTest:
+    """Tells sound without a touch from everything else.
+
+    Args:
+        library: of a design, which tells how sound comes in.
+        microphone_noise: the noise there is, as of :class:`localize.BayesDecoder`.
+        loudest: dB SPL, 0 to 140: up to here sound is recognised. The louder, the more of what lies below 20 Hz passes
+            for sound: from 100 dB SPL on all of it.
+
+    Raises:
+        Refusal: an argument out of range; a library without a design; sound too far above the noise for double
+            precision; or as :func:`localize.signals.array_response.response_of`.
+    """
+
+    @one_thread()
+    def __init__(
+        self, library: Library | ArrayResponse, microphone_noise: NoiseChoice = 1e-3, loudest: float = 80.0
+    ) -> None:  # fmt: skip
+        check_noise(microphone_noise)
+        response = response_of(library)
+        check_level(response, loudest)
+        self.microphones = response.microphones
+        each = np.eye(len(response.microphones))
+        whiten = whitening(response.noise(microphone_noise))
+        together = np.kron(each, whiten)
+        values, vectors = np.linalg.eigh(together @ ambient_covariance(response, loudest) @ together.T)
+        if values.max() * np.finfo(np.float64).eps > LEAK:
+            raise Refusal(
+                f"loudest = {loudest} dB SPL stands too far above microphone_noise = {microphone_noise}: in double "
+                "precision nothing can be told from rounding; take a lower one, or expect more noise"
+            )
+        reduce = np.kron(each, whiten @ low_pass())
+        self._all = np.asarray(reduce.T, np.float64, copy=True)
+        self._beside = np.asarray((vectors[:, values <= LEAK].T @ reduce).T, np.float64, copy=True)
+        self.freedom = self._beside.shape[1]
+        """Degrees of freedom of one frame's residual."""
+
+    @one_thread()
+    def p_value(self, signals: ArrayLike | Tensor) -> NDArray[np.float64]:
+        """Probability that noise leaves a residual as large as the signal's beside sound.
+
+        Args:
+            signals: (n, n_microphone, n_sample), Pa, at 1 kHz, at least 250 samples; cut into frames that do not
+                overlap, whose residuals are added.
+
+        Returns:
+            (n,) float64.
+
+        Raises:
+            Refusal: as :meth:`localize.BayesDecoder.locate`.
+        """
+        frames = self._frames(signals)
+        return np.asarray(scipy.special.chdtrc(self.freedom * frames.shape[1], _energy(frames, self._beside)))
+
+    @one_thread()
+    def beside(self, signals: ArrayLike | Tensor) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """How much of signals sound does not explain, and how much it and noise may leave, see :data:`MISMATCH`.
+
+        Args:
+            signals: as :meth:`p_value`.
+
+        Returns:
+            Two of (n,) float64, energies; the unit is that of the noise in one direction.
+
+        Raises:
+            Refusal: as :meth:`p_value`.
+        """
+        frames = self._frames(signals)
+        count = len(self.microphones)
+        apart = frames.reshape(*frames.shape[:2], count, -1)
+        # What each microphone contributes; its gain u multiplies that. Of u' G u the least with gains of mean 1 lies
+        # where G u is the same for all; where they would leave their bounds, the least on the way from all equal.
+        parts = np.einsum("nfms,msd->nmfd", apart, self._beside.reshape(count, -1, self.freedom)).reshape(
+            len(frames), count, -1
+        )
+        gram = parts @ parts.swapaxes(1, 2)
+        gains = np.linalg.solve(gram + np.eye(count), np.ones((len(frames), count, 1)))
+        change = gains / gains.mean(1, keepdims=True) - 1
+        gains = 1 + change * np.minimum(1.0, GAIN / np.maximum(np.abs(change).max(1, keepdims=True), 1e-12))
+        found = (gains * (gram @ gains)).sum((1, 2))
+        usual = float(scipy.special.chdtri(self.freedom * frames.shape[1], FALSE_ALARM))
+        return found, usual + MISMATCH**2 * _energy(frames, self._all)
+
+    def is_sound(self, signals: ArrayLike | Tensor) -> NDArray[np.bool_]:
+        """Whether sound explains signals, on the library's sensor or on one that is made a little differently.
+
+        Args:
+            signals: as :meth:`p_value`.
+
+        Returns:
+            (n,) bool; True also of noise alone.
+
+        Raises:
+            Refusal: as :meth:`p_value`.
+        """
+        found, most = self.beside(signals)
+        return found <= most
+
+    def _frames(self, signals: ArrayLike | Tensor) -> NDArray[np.float64]:
+        batch, _ = checked_signals(signals, self.microphones)
+        return np.asarray(cut_frames(batch).flatten(2).numpy())
+
+
+def _energy(frames: NDArray[np.float64], directions: NDArray[np.float64]) -> NDArray[np.float64]:
+    """(n, n_frame, n_microphone 250) along (n_microphone 250, m), summed over frames, (n,)."""
+    return np.asarray(((frames @ directions) ** 2).sum((1, 2)))

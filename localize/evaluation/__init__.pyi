@@ -1,0 +1,12 @@
+from .accuracy import (
+    Evaluation as Evaluation,
+    Locator as Locator,
+    check_evaluation as check_evaluation,
+    evaluate as evaluate,
+    wilson_interval as wilson_interval,
+)
+from .conditions import (
+    Outcome as Outcome,
+    evaluate_conditions as evaluate_conditions,
+    evaluate_sensors as evaluate_sensors,
+)

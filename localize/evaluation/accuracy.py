@@ -1,0 +1,277 @@
+"""How well a localizer names the touched point, on touches it has never seen."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass
+from typing import TYPE_CHECKING, Any, Protocol
+
+import numpy as np
+import scipy.stats
+from numpy.typing import ArrayLike, NDArray
+
+from geometry.refusal import Refusal
+from localize.signals.array_response import ArrayResponse, response_of
+from localize.signals.frames import FRAME
+from localize.signals.noise import NoiseChoice, NoiseSpectrum
+from localize.signals.stimulus import COMPONENT_INTERVALS, SAMPLE_LENGTH, StimulusSource, multi_sines
+from localize.signals.threads import one_thread
+from localize.signals.touch_generator import TouchGenerator
+
+if TYPE_CHECKING:
+    from acoustic_fem import Library
+
+
+RELIABILITY_BINS = 10
+"""Equal ranges of the stated probability."""
+
+
+class Locator(Protocol):
+    """What can be evaluated: the network's localizer and the model-based decoder alike."""
+
+    @property
+    def microphones(self) -> Sequence[str]:
+        """Names of the microphones."""
+
+    @property
+    def point_count(self) -> int:
+        """Number of sensing points."""
+
+    def locate(self, signals: ArrayLike) -> NDArray[np.float64]:
+        """(n, n_microphone, n_sample) to (n, n_point)."""
+
+
+def wilson_interval(share: float, touches: int, confidence: float = 0.95) -> tuple[float, float]:
+    """Interval of a share that was counted (Wilson 1927, "Probable inference, the law of succession, and statistical
+    inference"): as good near 0 and 1, where the usual one has no width.
+
+    Args:
+        share: counted, from 0 to 1.
+        touches: of which, at least 1.
+        confidence: share of such intervals that hold the true one.
+    """
+    z = scipy.stats.norm.ppf(0.5 + confidence / 2)
+    middle = share + z**2 / (2 * touches)
+    half = z * math.sqrt(share * (1 - share) / touches + (z / (2 * touches)) ** 2)
+    low, high = ((middle + sign * half) / (1 + z**2 / touches) for sign in (-1, 1))
+    # Rounding must not leave the share itself outside.
+    return min(float(low), share), max(float(high), share)
+
+
+@dataclass(frozen=True)
+class ReliabilityBin:
+    """Touches whose named point was given a probability within a range."""
+
+    low: float
+    high: float
+    touches: int
+    stated: float | None
+    """Mean stated probability; None where there is no touch."""
+    right: float | None
+    """Share of them that were named right."""
+
+
+@dataclass(frozen=True)
+class Reliability:
+    """Whether stated probabilities are kept: of touches named with 80 %, four in five should be right."""
+
+    bins: tuple[ReliabilityBin, ...]
+
+    @property
+    def expected_error(self) -> float:
+        """Expected calibration error: mean over all touches of |right - stated| of their bin (Guo et al. 2017, "On
+        calibration of modern neural networks", equation 3).
+        """
+        touches = sum(each.touches for each in self.bins)
+        return sum(
+            each.touches / touches * abs(each.right - each.stated)
+            for each in self.bins
+            if each.right is not None and each.stated is not None
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class Evaluation:
+    """Results over a set of touches; shares run from 0 to 1."""
+
+    top1: float
+    """Share of touches whose most probable point is the right one."""
+    top2: float
+    """Share of touches whose right point is among the two most probable ones."""
+    within_one: float
+    """Share of touches whose most probable point is the right one or a neighbour on its line."""
+    confusion: NDArray[np.int64]
+    """(n_point, n_point): touches of the point of the row for which the point of the column was named."""
+    by_components: dict[str, tuple[float, int]]
+    """Per interval of the number of sinusoids: top-1 and number of touches."""
+    reliability: Reliability
+    touches: int
+    seed: int
+    microphone_noise: float
+    """Pa rms: over 0 to 500 Hz where white, over 1 to 500 Hz where that of the design's microphone."""
+    noise_source: str
+    """"white", or what the noise is that of."""
+    samples: int
+    """Samples of each signal, at 1 kHz."""
+
+    def interval(self, name: str = "top1") -> tuple[float, float]:
+        """95 % interval of ``top1``, ``top2`` or ``within_one``, by :func:`wilson_interval`."""
+        return wilson_interval(getattr(self, name), self.touches)
+
+    @property
+    def hardest_pair(self) -> tuple[int, int, float] | None:
+        """The two points most often taken for each other, numbered from 1, and how often, as a share of their touches.
+
+        None where no touch was missed.
+        """
+        mistaken = self.confusion + self.confusion.T
+        np.fill_diagonal(mistaken, 0)
+        touches = self.confusion.sum(1)
+        share = mistaken / np.maximum(touches[:, None] + touches[None, :], 1)
+        a, b = np.unravel_index(int(share.argmax()), share.shape)
+        return (int(a) + 1, int(b) + 1, float(share[a, b])) if share[a, b] > 0 else None
+
+    def to_dict(self) -> dict[str, Any]:
+        """All of it as JSON can hold it."""
+        return {
+            "top1": self.top1,
+            "top2": self.top2,
+            "within_one": self.within_one,
+            "intervals": {name: list(self.interval(name)) for name in ("top1", "top2", "within_one")},
+            "hardest_pair": self.hardest_pair,
+            "confusion": self.confusion.tolist(),
+            "by_components": {name: list(value) for name, value in self.by_components.items()},
+            "reliability": [asdict(each) for each in self.reliability.bins],
+            "expected_calibration_error": self.reliability.expected_error,
+            "touches": self.touches,
+            "seed": self.seed,
+            "microphone_noise": self.microphone_noise,
+            "noise_source": self.noise_source,
+            "samples": self.samples,
+        }
+
+
+@one_thread()
+def evaluate(
+    localizer: Locator,
+    library: Library | ArrayResponse,
+    touches_per_point: int = 200,
+    microphone_noise: NoiseChoice = 0.0,
+    samples: int = FRAME,
+    seed: int = 0,
+    *,
+    stimuli: StimulusSource = multi_sines,
+    ambient: float | None = None,
+) -> Evaluation:
+    """Let a localizer name the points of held-out touches.
+
+    The stimuli come from a stream of their own: none was seen in training, whatever the seeds.
+
+    Args:
+        localizer: anything with ``locate``, ``microphones`` and ``point_count``.
+        library: the array that is touched, which need not be the one the localizer was made for, as long as points
+            and microphones agree.
+        touches_per_point: at least 1.
+        microphone_noise: added to every microphone: Pa rms over 0 to 500 Hz, white, or "design" for that of the
+            microphone of the library's design, see :mod:`localize.signals.noise`.
+        samples: length of each signal, 250 (one frame) to 1000.
+        seed: any non-negative integer.
+        stimuli: what the touches are, see :mod:`localize.signals.finger_stimuli`; by default the paper's sums of
+        sinusoids.
+        ambient: level of the sound outside, dB SPL, which the library must be of a design for.
+
+    Raises:
+        Refusal: points or microphones do not agree, or an argument is outside its range.
+    """
+    response = response_of(library)
+    check_evaluation(localizer, response, touches_per_point, microphone_noise, samples)
+    levels = None if ambient is None else (ambient, ambient)
+    touches = TouchGenerator(
+        response, seed, "evaluation", microphone_noise, stimuli=stimuli, ambient=levels
+    )  # fmt: skip
+    probability, point, interval = [], [], []
+    for part in touches.stream(0, touches_per_point * response.point_count):
+        probability.append(localizer.locate(part.signals[..., -samples:].numpy()))
+        point.append(part.point.numpy())
+        interval.append(part.interval.numpy())
+    return _judged(
+        np.concatenate(probability), np.concatenate(point), np.concatenate(interval), touches, samples
+    )  # fmt: skip
+
+
+def check_evaluation(
+    localizer: Locator,
+    response: ArrayResponse,
+    touches_per_point: int,
+    microphone_noise: NoiseChoice,
+    samples: int = FRAME,
+) -> None:
+    """Refuse what :func:`evaluate` would, before any work.
+
+    Raises:
+        Refusal: points or microphones do not agree, or an argument is outside its range.
+    """
+    if tuple(localizer.microphones) != response.microphones or localizer.point_count != response.point_count:
+        raise Refusal(
+            f"the localizer is for {localizer.point_count} points and microphones {', '.join(localizer.microphones)}; "
+            f"the library has {response.point_count} points and microphones {', '.join(response.microphones)}"
+        )
+    if touches_per_point < 1:
+        raise Refusal(f"touches_per_point = {touches_per_point} must be at least 1")
+    if not FRAME <= samples <= SAMPLE_LENGTH:
+        raise Refusal(f"samples = {samples} must be between {FRAME} and {SAMPLE_LENGTH}")
+    response.noise(microphone_noise)
+
+
+def _judged(
+    probability: NDArray[np.float64],
+    point: NDArray[np.int64],
+    interval: NDArray[np.int64],
+    touches: TouchGenerator,
+    samples: int,
+) -> Evaluation:
+    response, noise = touches.response, touches.microphone_noise
+    order = np.argsort(-probability, axis=1, kind="stable")
+    named = order[:, 0]
+    right = named == point
+    same_line = response.line[named] == response.line[point]
+    near = np.abs(response.place[named] - response.place[point]) <= 1
+    confusion = np.zeros((response.point_count, response.point_count), np.int64)
+    np.add.at(confusion, (point, named), 1)
+    return Evaluation(
+        top1=float(right.mean()),
+        top2=float((order[:, :2] == point[:, None]).any(1).mean()),
+        within_one=float((same_line & near).mean()),
+        confusion=confusion,
+        by_components={
+            f"{low} to {high - 1}": (float(right[interval == k].mean()), int((interval == k).sum()))
+            for k, (low, high) in enumerate(COMPONENT_INTERVALS)
+            if (interval == k).any()
+        },
+        reliability=_reliability(np.take_along_axis(probability, order[:, :1], 1)[:, 0], right),
+        touches=len(point),
+        seed=touches.seed,
+        microphone_noise=noise.rms if isinstance(noise, NoiseSpectrum) else noise,
+        noise_source=noise.source if isinstance(noise, NoiseSpectrum) else "white",
+        samples=samples,
+    )
+
+
+def _reliability(stated: NDArray[np.float64], right: NDArray[np.bool_]) -> Reliability:
+    edges = np.linspace(0.0, 1.0, RELIABILITY_BINS + 1)
+    which = np.clip(np.digitize(stated, edges) - 1, 0, RELIABILITY_BINS - 1)
+    bins = []
+    for k in range(RELIABILITY_BINS):
+        own = which == k
+        filled = bool(own.any())
+        bins.append(
+            ReliabilityBin(
+                low=float(edges[k]),
+                high=float(edges[k + 1]),
+                touches=int(own.sum()),
+                stated=float(stated[own].mean()) if filled else None,
+                right=float(right[own].mean()) if filled else None,
+            )
+        )
+    return Reliability(tuple(bins))

@@ -1,0 +1,158 @@
+"""How well a localizer does where things are not as they were in training: one condition changed at a time.
+
+Sensors that are made differently from their design need a model of their scatter, which is not this package's:
+:func:`evaluate_sensors` takes their transfer functions from whoever has one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+import scipy.stats
+from numpy.typing import NDArray
+
+from localize.evaluation.accuracy import Evaluation, Locator, evaluate
+from localize.signals.array_response import ArrayResponse
+from localize.signals.finger_stimuli import STIMULI
+from localize.signals.frames import FRAME
+from localize.signals.noise import NoiseChoice
+
+NOISES = (0.0, 1e-4, 1e-3, 3e-3, 1e-2, 3e-2, 1e-1)
+"""Pa rms of white noise over 0 to 500 Hz; 1e-3 is 60 dB below 94 dB SPL."""
+AMBIENT_LEVELS = (50.0, 60.0, 70.0, 80.0, 90.0)
+"""dB SPL."""
+LENGTHS = (250, 500, 750, 1000)
+"""Samples, one to four frames."""
+
+
+@dataclass(frozen=True)
+class Condition:
+    """One departure from the usual evaluation."""
+
+    group: str
+    """What is changed."""
+    name: str
+    """To what, in words with the unit."""
+    value: float | None
+    """To what, as a number where it is one."""
+    arguments: dict[str, Any]
+    """Those of :func:`localize.evaluate` that differ."""
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What came of a condition; shares run from 0 to 1."""
+
+    group: str
+    name: str
+    value: float | None
+    top1: float
+    top2: float
+    within_one: float
+    expected_calibration_error: float
+    touches: int
+    low: float
+    """95 % interval of top-1: of touches by :func:`localize.evaluation.accuracy.wilson_interval`; where there were
+    several sensors, of their mean by Student's t, for they differ more than chance."""
+    high: float
+    worst: float | None = None
+    """Top-1 of the worst sensor, where there were several."""
+
+
+def conditions(response: ArrayResponse) -> tuple[Condition, ...]:
+    """The conditions that an array allows: ambient sound needs a design that tells what it does."""
+    loud = AMBIENT_LEVELS if response.ambient_response is not None else ()
+    return (
+        *(Condition("microphone noise", f"{rms:g} Pa", rms, {"microphone_noise": rms}) for rms in NOISES),
+        *(Condition("ambient sound", f"{level:g} dB SPL", level, {"ambient": level}) for level in loud),
+        *(Condition("stimulus", name, None, {"stimuli": source}) for name, source in STIMULI.items()),
+        *(Condition("length", f"{count} ms", float(count), {"samples": count}) for count in LENGTHS),
+    )
+
+
+def evaluate_conditions(
+    localizer: Locator,
+    response: ArrayResponse,
+    touches_per_point: int,
+    microphone_noise: NoiseChoice,
+    seed: int = 0,
+    progress: Callable[[str, float], None] | None = None,
+) -> list[Outcome]:
+    """Evaluate one condition after the other.
+
+    Args:
+        localizer: anything that :func:`localize.evaluate` takes.
+        response: the array that is touched.
+        touches_per_point: in each condition.
+        microphone_noise: where the condition is not the noise.
+        seed: any non-negative integer.
+        progress: called with the condition and the fraction done.
+
+    Raises:
+        Refusal: as :func:`localize.evaluate`.
+    """
+    wanted = conditions(response)
+    found = []
+    for number, condition in enumerate(wanted):
+        if progress:
+            progress(f"{condition.group} {condition.name}", number / len(wanted))
+        arguments = {"microphone_noise": microphone_noise, "samples": FRAME, "seed": seed, **condition.arguments}
+        result = evaluate(localizer, response, touches_per_point, **arguments)
+        found.append(_outcome(condition.group, condition.name, condition.value, [result]))
+    return found
+
+
+def evaluate_sensors(
+    localizer: Locator,
+    response: ArrayResponse,
+    sensors: Sequence[tuple[str, float, NDArray[np.complex128]]],
+    touches_per_point: int,
+    microphone_noise: NoiseChoice,
+    seed: int = 0,
+) -> list[Outcome]:
+    """Evaluate on sensors that were made differently from the library's.
+
+    Args:
+        localizer: anything that :func:`localize.evaluate` takes.
+        response: the array of the library.
+        sensors: sets of sensors: name, scatter as a number, and (n_sensor, n_point, n_microphone, n_freq) transfer
+            functions on the frequencies of the library.
+        touches_per_point: of each sensor.
+        microphone_noise: as :func:`localize.evaluate`.
+        seed: any non-negative integer.
+    """
+    found = []
+    for name, value, made in sensors:
+        results = [
+            evaluate(localizer, replace(response, transfer_function=h), touches_per_point, microphone_noise, seed=seed)
+            for h in made
+        ]
+        found.append(_outcome("mis-made sensors", name, value, results))
+    return found
+
+
+def _outcome(group: str, name: str, value: float | None, results: Sequence[Evaluation]) -> Outcome:
+    def mean(field: str) -> float:
+        return float(np.mean([getattr(result, field) for result in results]))
+
+    shares = np.array([result.top1 for result in results])
+    low, high = results[0].interval()
+    if len(results) > 1:
+        half = scipy.stats.t.ppf(0.975, len(shares) - 1) * shares.std(ddof=1) / np.sqrt(len(shares))
+        low, high = np.clip([shares.mean() - half, shares.mean() + half], 0.0, 1.0)
+    return Outcome(
+        group=group,
+        name=name,
+        value=value,
+        top1=mean("top1"),
+        top2=mean("top2"),
+        within_one=mean("within_one"),
+        expected_calibration_error=float(np.mean([result.reliability.expected_error for result in results])),
+        touches=sum(result.touches for result in results),
+        low=float(low),
+        high=float(high),
+        worst=min(result.top1 for result in results) if len(results) > 1 else None,
+    )

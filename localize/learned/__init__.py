@@ -1,0 +1,8 @@
+"""The network: features, training, files, ONNX.
+
+Stands on: decoders, evaluation, live, recordings, signals.
+"""
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -1,0 +1,10 @@
+from .features import (
+    BANDWIDTH as BANDWIDTH,
+    CONTINUATION as CONTINUATION,
+    GRID as GRID,
+    TAIL as TAIL,
+    PairFeatures as PairFeatures,
+    wavelet_transform as wavelet_transform,
+)
+from .onnx import OnnxLocalizer as OnnxLocalizer
+from .recorded_frames import RecordedFrames as RecordedFrames

@@ -1,0 +1,147 @@
+"""The state of a training in one file, from which it goes on to the very same weights.
+
+One safetensors file, written beside and renamed: whatever stops the process, the file on disk is a whole one, the last
+or the one before it. Its metadata hold, as JSON, the progress and what the training is of; a file of another training
+is refused.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import torch
+from torch import Tensor, nn
+
+from geometry.files.writing import whole_file
+from geometry.refusal import Refusal
+from localize.signals.touch_generator import TouchGenerator
+
+FORMAT = "acoustic-fem checkpoint 1"
+_MOMENTS = ("step", "exp_avg", "exp_avg_sq")
+"""Of AdamW, per parameter."""
+
+
+class CheckpointError(Refusal):
+    """A checkpoint that cannot be gone on from: one line that names the file and the reason."""
+
+
+@dataclass
+class Progress:
+    """How far a training has come."""
+
+    step: int = 0
+    turned: float = 0.0
+    """Share of the cosine that is behind."""
+    seconds: float = 0.0
+    """That it has taken, in all processes together."""
+    losses: list[float] = field(default_factory=list)
+    """Of the steps of the epoch under way."""
+    curve: list[list[Any]] = field(default_factory=list)
+    """Fields of :class:`localize.learned.training.TrainingProgress`, per epoch."""
+
+
+def training_identity(plan: Mapping[str, Any], touches: TouchGenerator) -> dict[str, str]:
+    """What must agree for one training to be the continuation of another.
+
+    Args:
+        plan: fields of the plan, as JSON can hold them.
+        touches: what it is trained on.
+    """
+    return {
+        **{f"plan.{name}": json.dumps(value) for name, value in plan.items()},
+        "transfer_function": touches.transfer_function_sha256(),
+        "device": torch.device(touches.device).type,
+        "torch": torch.__version__,
+    }
+
+
+class Checkpoint:
+    """The checkpoint of one training.
+
+    Args:
+        path: of the file; its folder must exist.
+        identity: from :func:`training_identity`.
+    """
+
+    def __init__(self, path: str | os.PathLike[str], identity: Mapping[str, str]) -> None:
+        self.path = Path(path)
+        self.identity = dict(identity)
+        # What a process that was killed while writing has left behind.
+        for stale in self.path.parent.glob(f".{self.path.stem}.*{self.path.suffix}"):
+            stale.unlink(missing_ok=True)
+
+    def save(self, network: nn.Module, optimizer: torch.optim.Optimizer, progress: Progress) -> None:
+        """Replace the file by the present state."""
+        from safetensors.torch import save
+
+        tensors = {f"network.{name}": value for name, value in network.state_dict().items()}
+        for number, state in optimizer.state_dict()["state"].items():
+            tensors |= {f"optimizer.{number}.{name}": state[name] for name in _MOMENTS}
+        metadata = {
+            "format": FORMAT,
+            "identity": json.dumps(self.identity),
+            "progress": json.dumps(vars(progress)),
+        }
+        content = save({name: value.cpu().contiguous() for name, value in tensors.items()}, metadata)
+        with whole_file(self.path) as beside:
+            beside.write_bytes(content)
+
+    def load(self, network: nn.Module, optimizer: torch.optim.Optimizer) -> Progress | None:
+        """Take the state from the file, if there is one.
+
+        Raises:
+            CheckpointError: the file is damaged, no checkpoint, or that of another training.
+        """
+        from safetensors import SafetensorError, safe_open
+
+        if not self.path.exists():
+            return None
+        try:
+            with safe_open(self.path, "pt") as file:
+                metadata = file.metadata() or {}
+                names = file.keys()
+                tensors = {name: file.get_tensor(name) for name in names}
+        except (SafetensorError, OSError) as error:
+            raise CheckpointError(f"{self.path}: damaged or no checkpoint ({error}); remove it to train anew") from None
+        if metadata.get("format") != FORMAT:
+            raise CheckpointError(f"{self.path}: is no checkpoint; remove it to train anew")
+        identity, progress = json.loads(metadata["identity"]), Progress(**json.loads(metadata["progress"]))
+        self._compare(identity)
+        network.load_state_dict(_with_prefix(tensors, "network."))
+        parameters = optimizer.param_groups[0]["params"]
+        state = {
+            number: {
+                name: _laid_out_as(parameter, tensors[f"optimizer.{number}.{name}"])
+                for name in _MOMENTS
+            }
+            for number, parameter in enumerate(parameters)
+            if f"optimizer.{number}.step" in tensors
+        }  # fmt: skip
+        optimizer.load_state_dict({**optimizer.state_dict(), "state": state})
+        return progress
+
+    def remove(self) -> None:
+        """Delete the file: the training is done and its result is safe."""
+        self.path.unlink(missing_ok=True)
+
+    def _compare(self, found: Mapping[str, str]) -> None:
+        for name in sorted({*self.identity, *found}):
+            mine, other = (source.get(name, "absent") for source in (self.identity, found))
+            if mine != other:
+                readable = name != "transfer_function"
+                what = f"{name} was {other}, is {mine}" if readable else f"{name} has changed"
+                raise CheckpointError(f"{self.path}: is of another training: {what}; remove it to train anew")
+
+
+def _with_prefix(tensors: Mapping[str, Tensor], prefix: str) -> dict[str, Tensor]:
+    return {name.removeprefix(prefix): value for name, value in tensors.items() if name.startswith(prefix)}
+
+
+def _laid_out_as(parameter: Tensor, value: Tensor) -> Tensor:
+    """The same values in the parameter's memory layout, without which sums may come in another order."""
+    return torch.empty_like(parameter).copy_(value) if value.shape == parameter.shape else value

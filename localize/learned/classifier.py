@@ -1,0 +1,160 @@
+"""A small convolutional classifier in the manner of FasterNet (Chen et al. 2023, "Run, Don't Walk").
+
+An embedding cuts the maps into patches; stages of partial-convolution blocks follow, with a merging layer between them
+that halves both sides and doubles the channels; the mean over what is left feeds a linear layer. Partial convolution
+means that the 3 x 3 filter sees a quarter of the channels, the 1 x 1 filters all of them.
+
+:data:`NETWORKS` names the shapes that are offered. That of the paper merges after the last stage as well: five
+mergings leave 2 x 1 of 64 x 32, which only an embedding that cuts nothing survives.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import torch
+from torch import Tensor, nn
+
+from geometry.refusal import Refusal
+from localize.learned.features import COLUMNS, FREQUENCIES, FeatureChoice, PairFeatures
+
+EXPANSION = 2
+"""Channels inside a block, in multiples of its width."""
+PARTIAL = 4
+"""One of this many channels is filtered in space."""
+
+
+@dataclass(frozen=True)
+class NetworkShape:
+    """Sizes of the network; checked against the maps when it is made."""
+
+    maps: int
+    """Maps at its input."""
+    points: int
+    """Probabilities at its output."""
+    width: int = 32
+    """Channels of the embedding; each merging doubles them."""
+    depths: tuple[int, ...] = (1, 2, 2)
+    """Blocks per stage."""
+    patch: tuple[int, int] = (4, 8)
+    """Rows (frequency) and columns (time) of the embedding's patches."""
+    merge_last: bool = False
+    """Whether a merging layer follows the last stage too."""
+    features: FeatureChoice = "phasors"
+    """Which maps they are, see :mod:`localize.learned.features`."""
+
+    def __post_init__(self) -> None:
+        for name, value, least in (
+            ("maps", self.maps, 1),
+            ("points", self.points, 2),
+            ("width", self.width, PARTIAL),
+            ("stages in depths", len(self.depths), 1),
+            ("smallest of depths", min(self.depths, default=1), 1),
+        ):
+            if value < least:
+                raise Refusal(f"network: {name} = {value} must be at least {least}")
+        if self.width % PARTIAL:
+            raise Refusal(f"network: width = {self.width} must be a multiple of {PARTIAL}")
+        merged = self.mergings
+        for name, size, patch in (("rows", FREQUENCIES, self.patch[0]), ("columns", COLUMNS, self.patch[1])):
+            if patch < 1 or size % (patch * 2**merged):
+                raise Refusal(
+                    f"network: {size} {name} of a map cannot be cut into patches of {patch} and halved "
+                    f"{merged} times; patch x {2**merged} must divide {size}"
+                )
+
+    @property
+    def mergings(self) -> int:
+        """How often both sides are halved behind the embedding."""
+        return len(self.depths) - (0 if self.merge_last else 1)
+
+
+#: What a training plan may ask for by name.
+NETWORKS: Mapping[str, Mapping[str, Any]] = {
+    "patches": {"width": 32, "depths": (1, 2, 2), "patch": (4, 8)},
+    "stride-2": {"width": 12, "depths": (1, 1, 2, 2, 2), "patch": (2, 2)},
+    "paper": {"width": 12, "depths": (1, 1, 2, 2, 2), "patch": (1, 1), "merge_last": True},
+}
+
+
+class PartialBlock(nn.Module):
+    """3 x 3 on the first quarter of the channels, then 1 x 1 up and down, added to its input."""
+
+    def __init__(self, width: int) -> None:
+        super().__init__()
+        self.part = width // PARTIAL
+        self.spatial = nn.Conv2d(self.part, self.part, 3, padding=1, bias=False)
+        self.mix = nn.Sequential(
+            nn.Conv2d(width, EXPANSION * width, 1, bias=False),
+            nn.BatchNorm2d(EXPANSION * width),
+            nn.ReLU(inplace=True),
+            nn.Conv2d(EXPANSION * width, width, 1, bias=False),
+        )
+
+    def forward(self, x: Tensor) -> Tensor:
+        """(n, width, rows, columns) in and out."""
+        filtered = torch.cat([self.spatial(x[:, : self.part]), x[:, self.part :]], 1)
+        return x + self.mix(filtered)
+
+
+class TouchNetwork(nn.Module):
+    """Maps (n, maps, 64, 32) to one logit per point, (n, points)."""
+
+    def __init__(self, shape: NetworkShape) -> None:
+        super().__init__()
+        width = shape.width
+        layers: list[nn.Module] = [
+            nn.Conv2d(shape.maps, width, shape.patch, stride=shape.patch, bias=False),
+            nn.BatchNorm2d(width),
+        ]
+        for stage, depth in enumerate(shape.depths):
+            layers += [PartialBlock(width) for _ in range(depth)]
+            if stage < shape.mergings:
+                layers += [nn.Conv2d(width, 2 * width, 2, stride=2, bias=False), nn.BatchNorm2d(2 * width)]
+                width *= 2
+        self.stages = nn.Sequential(*layers)
+        self.head = nn.Linear(width, shape.points)
+
+    def forward(self, maps: Tensor) -> Tensor:
+        """Logits of a batch of normalised maps."""
+        return self.head(self.stages(maps).mean((-2, -1)))
+
+
+class TouchClassifier(nn.Module):
+    """Frames (n, n_microphone, 250) to one logit per point, (n, n_point): features, normalisation, network."""
+
+    mean: Tensor
+    scale: Tensor
+
+    def __init__(self, microphones: int, shape: NetworkShape) -> None:
+        super().__init__()
+        self.features = PairFeatures(microphones, shape.features)
+        if shape.maps != self.features.map_count:
+            raise Refusal(
+                f"network: maps = {shape.maps} must be {self.features.map_count} for {microphones} microphones"
+            )
+        # One mean and one scale per map and frequency, found from the training signals.
+        self.register_buffer("mean", torch.zeros(1, shape.maps, FREQUENCIES, 1))
+        self.register_buffer("scale", torch.ones(1, shape.maps, FREQUENCIES, 1))
+        self.network = TouchNetwork(shape)
+        for parameter in self.network.parameters():
+            if parameter.ndim == 4:  # the faster layout for small convolutions on a processor
+                parameter.data = parameter.data.contiguous(memory_format=torch.channels_last)
+
+    def fit_normalisation(self, frames: Tensor) -> None:
+        """Take mean and standard deviation of the maps over these frames."""
+        maps = self.features(frames)
+        self.mean.copy_(maps.mean((0, 3), keepdim=True))
+        self.scale.copy_(maps.std((0, 3), keepdim=True).clamp_min(1e-3))
+
+    def maps(self, frames: Tensor) -> Tensor:
+        """Normalised maps of a batch of frames, (n, maps, 64, 32); nothing is differentiated through them."""
+        with torch.no_grad():
+            maps = (self.features(frames) - self.mean) / self.scale
+        return maps.contiguous(memory_format=torch.channels_last)
+
+    def forward(self, frames: Tensor) -> Tensor:
+        """Logits of a batch of frames."""
+        return self.network(self.maps(frames))

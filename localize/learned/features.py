@@ -1,0 +1,169 @@
+"""Level and phase differences of microphone pairs over time and frequency: what the network looks at.
+
+A frame of 250 samples at 1 kHz is continued by its last sample 250 times and analysed by a Morlet wavelet at 64
+linear frequencies from 1 to 100 Hz. Of the last 47 samples of the frame, the ratio of every pair of microphones is
+averaged over 16 consecutive ones: 64 x 32 values per map. Each pair gives three maps: its level
+20 log10 |X1/X2| in dB, and the real and imaginary part of the averaged unit phasor of X1 conj(X2), whose angle is
+the phase difference and whose length falls below 1 where the phase is not steady. Phasors, unlike angles, have no jump.
+One more map tells where there is a signal at all, for ratios elsewhere mean nothing: the power of all microphones
+together, in dB below its maximum over the frame. It halves the errors and is ours, not the paper's.
+
+The paper's own choice is there for comparison: level and phase difference alone, two maps per pair. Its phases are
+averaged as phasors too, so that the mean of two angles beside the jump at pi lies there and not at zero.
+
+Continuation and wavelet are one fixed linear map from 250 samples to 64 x 47 complex values. Its numerical rank is
+low, so that it is applied as two small real factors.
+"""
+
+from __future__ import annotations
+
+import functools
+from itertools import combinations
+from typing import Literal
+
+import numpy as np
+import torch
+from numpy.typing import NDArray
+from torch import Tensor, nn
+
+from geometry.refusal import Refusal
+from localize.signals.frames import FRAME
+from localize.signals.stimulus import BAND, SAMPLE_RATE
+
+CONTINUATION = 250
+"""How often the last sample is repeated behind the frame."""
+FREQUENCIES = 64
+TAIL = 47
+"""Samples at the end of the frame whose ratios are used."""
+AVERAGE = 16
+"""Samples over which they are averaged."""
+COLUMNS = TAIL - AVERAGE + 1
+FeatureChoice = Literal["phasors", "paper"]
+"""Level, phasor and power: the default; or the paper's level and phase difference alone."""
+MAPS_PER_PAIR: dict[FeatureChoice, int] = {"phasors": 3, "paper": 2}
+GRID = 2048
+"""Samples of the circular wavelet grid: on 512 the wavelets below 20 Hz would wrap around onto the frame."""
+BANDWIDTH = 1.0
+"""Standard deviation of the wavelet's Gaussian envelope, in periods of its centre frequency."""
+RANK = 64
+"""Rank of the two factors of the linear map."""
+POWER_RANGE = 60.0
+"""dB: weaker parts of a frame are drawn as this far below its maximum."""
+
+
+def wavelet_frequencies() -> NDArray[np.float64]:
+    """Centre frequencies of the rows of a map, (64,) float64, Hz."""
+    return np.linspace(*BAND, FREQUENCIES)
+
+
+def map_count(microphones: int, choice: FeatureChoice = "phasors") -> int:
+    """Number of maps of an array: three for every pair of microphones and one of the power, or the paper's two.
+
+    Raises:
+        Refusal: an unknown choice.
+    """
+    if choice not in MAPS_PER_PAIR:
+        raise Refusal(f"features = {choice!r} must be one of: {', '.join(MAPS_PER_PAIR)}")
+    return MAPS_PER_PAIR[choice] * microphones * (microphones - 1) // 2 + (choice == "phasors")
+
+
+def wavelet_transform(frames: NDArray[np.float64]) -> NDArray[np.complex128]:
+    """The direct route: continue, transform, multiply, transform back.
+
+    The wavelet is exp(-(2 pi b (f/f0 - 1))^2 / 2) in frequency, an analytic Morlet wavelet of b = ``BANDWIDTH``
+    periods (Torrence and Compo 1998, table 1, with another scale).
+
+    Args:
+        frames: (..., 250) float64.
+
+    Returns:
+        (..., 64, 47) complex128: the last 47 samples of the frame.
+    """
+    last = np.repeat(frames[..., -1:], CONTINUATION, axis=-1)
+    spectrum = np.fft.fft(np.concatenate([frames, last], axis=-1), GRID, axis=-1)
+    product = spectrum[..., None, :] * _wavelet_spectra()
+    return np.fft.ifft(product, axis=-1)[..., FRAME - TAIL : FRAME]
+
+
+class PairFeatures(nn.Module):
+    """Maps of a batch of frames, (n, n_microphone, 250) to (n, n_map, 64, 32) float32.
+
+    Pairs run (1, 2), (1, 3), ..., (2, 3), ...; maps of a pair are level in dB, real and imaginary part of the
+    phasor, and the power comes last; with ``choice="paper"`` they are level in dB and phase in rad, and that is all.
+
+    Nothing but real matrix products and functions of one value: it runs on any device and can be exported.
+
+    Raises:
+        Refusal: an unknown choice.
+    """
+
+    analysis: Tensor
+    synthesis: Tensor
+
+    def __init__(self, microphones: int, choice: FeatureChoice = "phasors") -> None:
+        super().__init__()
+        analysis, synthesis = _factors()
+        # Where a wavelet hears little of a loud frame, its value is a small difference of large ones. What the first,
+        # small matrix rounds differs from one library to another, and with it the ratios: it is in double precision.
+        self.register_buffer("analysis", torch.from_numpy(analysis), persistent=False)
+        self.register_buffer("synthesis", torch.from_numpy(synthesis.astype(np.float32)), persistent=False)
+        self.pairs = tuple(combinations(range(microphones), 2))
+        self.map_count = map_count(microphones, choice)
+        self.choice = choice
+
+    def transform(self, frames: Tensor) -> tuple[Tensor, Tensor]:
+        """Real and imaginary part of the wavelet transform, (..., 250) to two of (..., 64, 47)."""
+        shares = (frames.double() @ self.analysis).to(self.synthesis.dtype)
+        parts = (shares @ self.synthesis).unflatten(-1, (2, FREQUENCIES, TAIL))
+        return parts.select(-3, 0), parts.select(-3, 1)
+
+    def forward(self, frames: Tensor) -> Tensor:
+        """Maps of a batch of frames; a common gain of all microphones changes nothing."""
+        # Scaled so that powers neither overflow nor vanish.
+        exact = frames.double()
+        real, imag = self.transform(exact / exact.abs().amax((-2, -1), keepdim=True))
+        power = (real * real + imag * imag).clamp_min(1e-30)
+        level = 10 * power.log10()
+        inverse = power.rsqrt()
+        cosine, sine = real * inverse, imag * inverse
+        maps = []
+        for a, b in self.pairs:
+            maps.append(level[:, a] - level[:, b])
+            maps.append(cosine[:, a] * cosine[:, b] + sine[:, a] * sine[:, b])
+            maps.append(sine[:, a] * cosine[:, b] - cosine[:, a] * sine[:, b])
+        if self.choice == "paper":
+            averaged = _averaged(torch.stack(maps, 1)).unflatten(1, (len(self.pairs), 3))
+            phase = torch.atan2(averaged[:, :, 2], averaged[:, :, 1])
+            return torch.stack([averaged[:, :, 0], phase], 2).flatten(1, 2)
+        averaged = _averaged(torch.stack([*maps, power.mean(1)], 1))
+        total = 10 * averaged[:, -1].log10()
+        total = (total - total.amax((-2, -1), keepdim=True)).clamp_min(-POWER_RANGE)
+        return torch.cat([averaged[:, :-1], total[:, None]], 1)
+
+
+def _averaged(maps: Tensor) -> Tensor:
+    """Means over 16 consecutive samples, (n, n_map, 64, 47) to (n, n_map, 64, 32)."""
+    return nn.functional.avg_pool2d(maps, (1, AVERAGE), stride=1)
+
+
+def _wavelet_spectra() -> NDArray[np.float64]:
+    """(64, GRID) float64; zero at negative frequencies."""
+    frequency = np.fft.fftfreq(GRID, 1 / SAMPLE_RATE)
+    centre = wavelet_frequencies()[:, None]
+    return np.where(frequency > 0, np.exp(-0.5 * (2 * np.pi * BANDWIDTH * (frequency / centre - 1)) ** 2), 0.0)
+
+
+@functools.lru_cache(maxsize=1)
+def _factors() -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Continuation and wavelet as (250, 64) and (64, 2 * 64 * 47): real rows first, then imaginary ones.
+
+    Rows are weighted alike: each wavelet has its peak at one, whatever its frequency.
+    """
+    kernel = np.fft.ifft(_wavelet_spectra(), axis=-1)
+    time = np.arange(FRAME - TAIL, FRAME)[:, None]
+    sample = np.arange(FRAME + CONTINUATION)[None, :]
+    dense = kernel[:, (time - sample) % GRID]
+    dense[..., FRAME - 1] += dense[..., FRAME:].sum(-1)
+    dense = dense[..., :FRAME].reshape(FREQUENCIES * TAIL, FRAME)
+    u, s, vt = np.linalg.svd(np.concatenate([dense.real, dense.imag]), full_matrices=False)
+    return vt[:RANK].T * s[:RANK], np.ascontiguousarray(u[:, :RANK].T)

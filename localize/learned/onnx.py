@@ -1,0 +1,277 @@
+"""A localizer as one ONNX graph, from a frame of samples to probabilities: for any runtime that reads ONNX.
+
+Both kinds have the same input, ``frames`` (n, n_microphone, 250) float32 in Pa at 1 kHz, and the same outputs,
+``probability`` and ``log_probability``, (n, n_point) float32. What else a runtime must know, the file says itself:
+points, microphones, sample rate, frame, noise, and the versions it was made with, as JSON under the key
+``acoustic-fem``.
+
+A network's graph holds its features. The model-based decoder's graph computes the likelihood of
+:mod:`localize.decoders.bayes`. Likelihoods are differences of large numbers, a million times larger than what decides
+between two points when the signal stands 60 dB above the noise: single precision is not enough to rank the best
+points, and double precision takes twice the time, which goes into reading the tables. So all points are scored in
+single precision, then those that may be the best in double, as many as they are: one in a clear frame, all in one
+that says nothing.
+"""
+
+from __future__ import annotations
+
+import json
+import logging
+import os
+import warnings
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import torch
+from numpy.typing import ArrayLike, NDArray
+from torch import Tensor, nn
+
+from acoustic_fem.library.provenance import versions
+from geometry.files.writing import whole_file
+from localize.decoders.bayes import SCREEN_ERROR, SURE, TEMPERATURE, BayesDecoder, DecoderTables
+from localize.learned.localizer import Localizer, LocalizerError
+from localize.signals.frames import FRAME, checked_signals, combined_probability, cut_frames
+from localize.signals.stimulus import SAMPLE_RATE
+
+if TYPE_CHECKING:
+    from onnx import ModelProto
+
+FORMAT = "acoustic-fem onnx"
+VERSION = 1
+KEY = "acoustic-fem"
+"""Of the JSON text among the metadata of a file."""
+OPSET = 20
+BATCH = 64
+"""Frames that are decoded at once."""
+
+
+def export_onnx(localizer: Localizer | BayesDecoder, path: str | os.PathLike[str]) -> None:
+    """Write a trained network or a model-based decoder as one ONNX file.
+
+    Args:
+        localizer: what :func:`localize.train` made, or a :class:`localize.BayesDecoder`.
+        path: of the file, such as ``localizer.onnx``; it is there whole or not at all.
+    """
+    graph = _NetworkGraph(localizer) if isinstance(localizer, Localizer) else DecoderGraph(localizer)
+    model = _translated(graph.eval(), len(localizer.microphones))
+    model.producer_name = "acoustic-fem"
+    entry = model.metadata_props.add()
+    entry.key, entry.value = KEY, json.dumps(_description(localizer))
+    with whole_file(Path(path)) as beside:
+        beside.write_bytes(model.SerializeToString())
+
+
+class OnnxLocalizer:
+    """A localizer read from an ONNX file, run by ONNX Runtime on one thread.
+
+    Args:
+        path: a file that :func:`export_onnx` wrote.
+
+    Raises:
+        LocalizerError: the file cannot be read, is cut short, or is not of a localizer.
+    """
+
+    def __init__(self, path: str | os.PathLike[str]) -> None:
+        import onnxruntime
+        from onnxruntime.capi import onnxruntime_pybind11_state as reasons
+
+        options = onnxruntime.SessionOptions()
+        options.intra_op_num_threads = options.inter_op_num_threads = 1
+        options.log_severity_level = 3
+        try:
+            content = Path(path).read_bytes()
+        except OSError as error:
+            raise LocalizerError(f"{path}: cannot be read: {error.strerror or error}") from None
+        try:
+            self._session = onnxruntime.InferenceSession(content, options, providers=["CPUExecutionProvider"])
+        except (reasons.InvalidProtobuf, reasons.InvalidGraph, reasons.Fail, reasons.InvalidArgument):
+            raise LocalizerError(f"{path}: cut short or not an ONNX file") from None
+        self.description = _checked_description(self._session.get_modelmeta().custom_metadata_map, path)
+        self.design = str(self.description["design"])
+        self.kind = str(self.description["kind"])
+        self.microphones = tuple(str(name) for name in self.description["microphones"])
+        self.line = np.asarray(self.description["line"], np.int64)
+        self.place = np.asarray(self.description["place"], np.int64)
+        self.noise_rms = float(self.description["noise_rms"])
+
+    @property
+    def point_count(self) -> int:
+        """Number of sensing points."""
+        return len(self.line)
+
+    def locate(self, signals: ArrayLike | Tensor) -> NDArray[np.float64]:
+        """Where the array was touched; as :meth:`localize.Localizer.locate`.
+
+        Args:
+            signals: (n_microphone, n_sample) or (n, n_microphone, n_sample), Pa, at 1 kHz, at least 250 samples.
+
+        Returns:
+            (n_point,) or (n, n_point) float64: probability per point.
+
+        Raises:
+            Refusal: wrong number of channels, too few samples, a value that is not finite, a silent channel.
+        """
+        batch, batched = checked_signals(signals, self.microphones)
+        frames = cut_frames(batch.to(torch.float32))
+        flat = frames.flatten(0, 1).numpy()
+        score = np.concatenate([self._run(flat[k : k + BATCH]) for k in range(0, len(flat), BATCH)])
+        per_frame = torch.from_numpy(score).double().unflatten(0, frames.shape[:2])
+        probability = combined_probability(per_frame).numpy()
+        return probability if batched else probability[0]
+
+    def _run(self, frames: NDArray[np.float32]) -> NDArray[np.float32]:
+        (score,) = self._session.run(["log_probability"], {"frames": np.ascontiguousarray(frames)})
+        return np.asarray(score)
+
+
+class _NetworkGraph(nn.Module):
+    """Frames to probabilities and their logarithms."""
+
+    def __init__(self, localizer: Localizer) -> None:
+        super().__init__()
+        self.classifier = localizer.classifier
+
+    def forward(self, frames: Tensor) -> tuple[Tensor, Tensor]:
+        """(n, n_microphone, 250) to two of (n, n_point)."""
+        logits = self.classifier(frames)
+        return logits.softmax(-1), logits.log_softmax(-1)
+
+
+class DecoderGraph(nn.Module):
+    """The likelihood of :class:`localize.BayesDecoder`, all points in single precision, the best in double."""
+
+    def __init__(self, decoder: BayesDecoder) -> None:
+        super().__init__()
+        several = len(decoder.tables) > 1
+        self._levels = tuple(_LevelGraph(tables, several) for tables in decoder.tables)
+        self.levels = nn.ModuleList(self._levels)
+
+    def forward(self, frames: Tensor) -> tuple[Tensor, Tensor]:
+        """(n, n_microphone, 250) to two of (n, n_point)."""
+        flat = frames.double().flatten(1)
+        levels = [(level, *level.screened(flat)) for level in self._levels]
+        # Points are left to single precision only where none of any level may come near the best of all.
+        least = torch.stack([score.amax(0) - error for _, _, score, error in levels]).amax(0) - SURE
+        score = torch.stack([level.again(x, score, least - error) for level, x, score, error in levels]).amax(0).T
+        return score.softmax(-1).float(), score.log_softmax(-1).float()
+
+
+class _LevelGraph(nn.Module):
+    """The same for one level of the sound around."""
+
+    reduce: Tensor
+    screen: Tensor
+    screen_weight: Tensor
+    screen_determinant: Tensor
+    vectors: Tensor
+    weight: Tensor
+    determinant: Tensor
+
+    def __init__(self, tables: DecoderTables, is_one_of_several: bool) -> None:
+        super().__init__()
+        self.is_one_of_several = is_one_of_several
+        reduce, vectors, weight, determinant = (
+            torch.from_numpy(table) for table in (tables.reduce, tables.vectors, tables.weight, tables.log_determinant)
+        )
+        self.points, size, self.rank = vectors.shape
+        self.offset = tables.offset
+        for name, table in (
+            ("reduce", reduce),
+            # One matrix for all points: (n_microphone SAMPLES, n_point rank).
+            ("screen", vectors.float().movedim(0, 1).reshape(size, -1).contiguous()),
+            ("screen_weight", weight.float()),
+            ("screen_determinant", determinant.float()),
+            ("vectors", vectors),
+            ("weight", weight),
+            ("determinant", determinant),
+        ):
+            self.register_buffer(name, table)
+
+    def screened(self, frames: Tensor) -> tuple[Tensor, Tensor, Tensor]:
+        """(n, n_microphone 250) to white frames, scores (n_point, n) in single precision, and their error (n,)."""
+        x = frames @ self.reduce
+        energy = (x.float() @ self.screen).square().unflatten(1, (self.points, self.rank))
+        # (point, n, power): one matrix product per point.
+        values = -0.5 * (energy.transpose(0, 1) @ self.screen_weight + self.screen_determinant[:, None, :])
+        # Of large numbers single precision knows no parabola; a true one rises by less than a nat above its samples.
+        score = torch.minimum(_vertex(values), values.amax(-1) + 1).double()
+        return x, score + self._alone(x), SCREEN_ERROR * x.square().sum(1)
+
+    def again(self, x: Tensor, score: Tensor, least: Tensor) -> Tensor:
+        """Scores (n_point, n), in double precision of the points that may reach ``least`` (n,)."""
+        # The points that any frame of the batch needs: tables are then gathered once for all of them.
+        # Never none of a level: ONNX Runtime multiplies no empty tables.
+        best = ((score > least) | (score == score.amax(0))).any(1).nonzero().squeeze(1)
+        gain = (x @ self.vectors[best]).square() @ self.weight[best]
+        exact = _vertex(-0.5 * (gain + self.determinant[best][:, None, :]))
+        return score.index_put((best,), exact + self._alone(x))
+
+    def _alone(self, x: Tensor) -> Tensor:
+        """(n,) nats, of noise and sound without a touch, as in :mod:`localize.decoders.bayes` of one level."""
+        if not self.is_one_of_several:
+            return torch.zeros_like(x[:, 0])
+        return self.offset - x.square().sum(1) / (2 * TEMPERATURE)
+
+
+def _vertex(values: Tensor) -> Tensor:
+    """Maximum of the parabola around the largest value along the last axis, as in :mod:`localize.decoders.bayes`."""
+    best = values.argmax(-1, keepdim=True)
+    inner = best.clamp(1, values.shape[-1] - 2)
+    left, middle, right = (values.gather(-1, inner + k) for k in (-1, 0, 1))
+    bend = left - 2 * middle + right
+    is_top = (best == inner) & (bend < 0)
+    rise = -((right - left) ** 2) / (8 * torch.where(is_top, bend, -1.0))
+    return torch.where(is_top, middle + rise, values.amax(-1, keepdim=True)).squeeze(-1)
+
+
+def _translated(graph: nn.Module, microphones: int) -> ModelProto:
+    """By torch's exporter, the batch left open."""
+    # It warns of operators of a package that is not installed and not used here, and of its own old habits.
+    logging.getLogger("torch.onnx._internal.exporter._registration").setLevel(logging.ERROR)
+    frames = torch.randn(2, microphones, FRAME, generator=torch.Generator().manual_seed(0))
+    with warnings.catch_warnings():
+        warnings.filterwarnings("ignore", r"`isinstance\(treespec, LeafSpec\)` is deprecated", FutureWarning)
+        program = torch.onnx.export(
+            graph,
+            (frames,),
+            input_names=["frames"],
+            output_names=["probability", "log_probability"],
+            opset_version=OPSET,
+            dynamo=True,
+            dynamic_shapes={"frames": {0: torch.export.Dim("n")}},
+            verbose=False,
+        )
+    if program is None:
+        raise RuntimeError("torch.onnx.export returned no program")
+    return program.model_proto
+
+
+def _description(localizer: Localizer | BayesDecoder) -> dict[str, Any]:
+    """What a file says of itself."""
+    return {
+        "format": FORMAT,
+        "version": VERSION,
+        "kind": "network" if isinstance(localizer, Localizer) else "model-based decoder",
+        "design": localizer.design,
+        "microphones": list(localizer.microphones),
+        "line": localizer.line.tolist(),
+        "place": localizer.place.tolist(),
+        "sample_rate": SAMPLE_RATE,
+        "frame": FRAME,
+        "unit": "Pa",
+        "noise_rms": localizer.noise_rms,
+        "opset": OPSET,
+        "versions": versions(0, ("numpy", "onnx", "onnxscript", "scipy", "torch")),
+        "provenance": dict(localizer.provenance),
+    }
+
+
+def _checked_description(metadata: Mapping[str, str], path: str | os.PathLike[str]) -> dict[str, Any]:
+    description = json.loads(metadata.get(KEY, "null"))
+    if not isinstance(description, dict) or description.get("format") != FORMAT:
+        raise LocalizerError(f"{path}: not a localizer: its metadata have no {KEY!r} of format {FORMAT!r}")
+    if description.get("version") != VERSION:
+        raise LocalizerError(f"{path}: version = {description.get('version')} must be {VERSION}")
+    return description

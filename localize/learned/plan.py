@@ -1,0 +1,119 @@
+"""How a localizer is trained."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from geometry.refusal import Refusal
+from localize.learned.classifier import NETWORKS
+from localize.learned.features import FeatureChoice, map_count
+from localize.signals.disturbances import MicrophoneMismatch, check_ambient
+from localize.signals.finger_stimuli import STIMULI, Mixture
+from localize.signals.noise import NoiseChoice
+from localize.signals.stimulus import StimulusSource
+
+
+@dataclass(frozen=True)
+class TrainingPlan:
+    """How to train. The same plan on the same library and machine gives the same localizer.
+
+    Raises:
+        Refusal: a field outside its range, with field, value and range.
+    """
+
+    seconds_per_point: int = 200
+    """One-second touches of every point in an epoch; each epoch draws new ones and each touch gives one frame."""
+    epochs: int = 20
+    held_out_fraction: float = 0.25
+    """Held-out touches, drawn once from seeds of their own, as a fraction of an epoch's: 4 to 1, as in the paper."""
+    batch: int = 128
+    learning_rate: float = 3e-3
+    """The highest; a cosine takes it to zero."""
+    weight_decay: float = 0.01
+    label_sigma: float = 0.35
+    """Places along a line over which labels are smoothed; 0 for hard labels. Lines never mix. The paper's 1 made half
+    a percent more errors on array-2x6 with microphone noise, and its probabilities say too little of the point."""
+    microphone_noise: NoiseChoice = 1e-3
+    """Added to the training signals; held-out ones have the same. Pa rms over 0 to 500 Hz, white; or "design" for the
+    noise of the microphone of the library's design, see :mod:`localize.signals.noise`."""
+    microphone_gain: float = 0.0
+    """dB, standard deviation of the microphones' gains, drawn anew for each touch."""
+    ambient: tuple[float, float] | None = None
+    """Lowest and highest level of the sound outside, dB SPL, drawn anew for each touch; None for silence."""
+    stimuli: tuple[str, ...] = ("multi-sines",)
+    """What the touches are, each as often as the others: names of :data:`localize.signals.finger_stimuli.STIMULI`."""
+    recorded: float = 0.5
+    """Share of the touches that are frames of recordings, where there are recordings to train on."""
+    seed: int = 0
+    time_limit: float | None = None
+    """Seconds; None trains as planned, with the same result on a busy machine. Where the plan would take longer,
+    training is cut short, the cosine still ending at zero: the result then depends on the speed of the machine, and
+    ``training["cut_short"]`` of the localizer says so."""
+    network: str = "patches"
+    """A name of :data:`localize.learned.classifier.NETWORKS`."""
+    features: FeatureChoice = "phasors"
+    """Maps of the network, see :mod:`localize.learned.features`."""
+    bfloat16: bool = False
+    """Whether the network computes in bfloat16 while it is trained: the paper's is half as fast again where the
+    processor has instructions for it, and slower elsewhere. Weights and finished localizer are in single precision."""
+
+    def __post_init__(self) -> None:
+        for name, least, most in (
+            ("seconds_per_point", 1, 1_000_000),
+            ("epochs", 1, 10_000),
+            ("batch", 2, 65_536),
+            ("seed", 0, 2**63 - 1),
+        ):
+            value = getattr(self, name)
+            if isinstance(value, bool) or not isinstance(value, int) or not least <= value <= most:
+                raise Refusal(f"{name} = {value!r} must be a whole number from {least} to {most}")
+        for name, low, high in (
+            ("held_out_fraction", 1e-6, 10.0),
+            ("learning_rate", 1e-8, 1.0),
+            ("weight_decay", 0.0, 1.0),
+            ("label_sigma", 0.0, 100.0),
+            ("microphone_noise", 0.0, 100.0),
+            ("microphone_gain", 0.0, 20.0),
+            ("recorded", 0.0, 1.0),
+            ("time_limit", 1e-3, 1e9),
+        ):
+            value = getattr(self, name)
+            if (name, value) in (("time_limit", None), ("microphone_noise", "design")):
+                continue
+            if isinstance(value, str) or not low <= value <= high:
+                raise Refusal(f"{name} = {value!r} must be between {low:g} and {high:g}")
+        if self.ambient is not None:
+            check_ambient(self.ambient)
+        for stimuli in self.stimuli or ("",):
+            if stimuli not in STIMULI:
+                raise Refusal(f"stimuli = {self.stimuli!r} must name at least one of: {', '.join(STIMULI)}")
+        if self.network not in NETWORKS:
+            raise Refusal(f"network = {self.network!r} must be one of: {', '.join(NETWORKS)}")
+        map_count(2, self.features)
+
+    @classmethod
+    def paper(cls) -> TrainingPlan:
+        """As the paper trains, except that it draws new touches in every epoch and far fewer of them in all.
+
+        FasterNet on level and phase, 30 epochs, learning rate 1e-3, labels smoothed over one place of the line, no
+        microphone noise. The paper has 14,000 touches of every point; ``dataclasses.replace`` sets them.
+        """
+        return cls(
+            epochs=30,
+            learning_rate=1e-3,
+            label_sigma=1.0,
+            microphone_noise=0.0,
+            network="paper",
+            features="paper",
+        )
+
+    @property
+    def source(self) -> StimulusSource:
+        """What makes the stimuli."""
+        sources = tuple(STIMULI[name] for name in self.stimuli)
+        return sources[0] if len(sources) == 1 else Mixture(sources)
+
+    @property
+    def mismatch(self) -> MicrophoneMismatch | None:
+        """What the microphones' gains are drawn from."""
+        return MicrophoneMismatch(self.microphone_gain) if self.microphone_gain else None

@@ -1,0 +1,335 @@
+"""Training of the network on touches made from a library, and on recorded ones beside them."""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Callable, Mapping
+from dataclasses import asdict, astuple, dataclass, field
+from time import perf_counter
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import torch
+from numpy.typing import NDArray
+from torch import Tensor, nn
+
+from acoustic_fem.library.provenance import versions
+from localize.learned.checkpoint import Checkpoint, Progress, training_identity
+from localize.learned.classifier import NETWORKS, NetworkShape, TouchClassifier
+from localize.learned.features import map_count
+from localize.learned.localizer import Localizer
+from localize.learned.plan import TrainingPlan
+from localize.learned.recorded_frames import RecordedFrames
+from localize.signals.array_response import ArrayResponse, TransferFunctionSource, response_of
+from localize.signals.frames import FRAME
+from localize.signals.noise import NoiseSpectrum
+from localize.signals.random_streams import Purpose
+from localize.signals.stimulus import Device
+from localize.signals.threads import one_thread
+from localize.signals.touch_generator import TouchGenerator, TouchSignals
+
+if TYPE_CHECKING:
+    from acoustic_fem import Library
+
+__all__ = ["TrainingPlan", "TrainingProgress", "soft_labels", "train"]
+
+WARM_UP = 20
+"""Steps over which the learning rate rises: a fresh batch normalisation does not bear the full one."""
+SETTLING = 0.25
+"""Share of a time limit after which the speed of training is judged."""
+NORMALISATION_TOUCHES = 20
+"""Touches per point from which the normalisation of the maps is taken."""
+SAVE_EVERY = 60.0
+"""Seconds between checkpoints within an epoch; there is one at the end of every epoch too."""
+
+
+@dataclass(frozen=True)
+class TrainingProgress:
+    """One finished epoch; where time runs out, the last one is a part of one."""
+
+    epoch: int
+    """From 1."""
+    epochs: int
+    """How many there will be."""
+    loss: float
+    """Mean soft-target cross-entropy over the epoch."""
+    accuracy: float
+    """Share of held-out touches whose most probable point is the right one."""
+    seconds: float
+    """Since training began."""
+    recorded: Mapping[str, float] = field(default_factory=dict)
+    """Share of the frames of held-out recordings that are named right, by part; empty without recordings."""
+
+
+def train(
+    library: Library | ArrayResponse,
+    plan: TrainingPlan | None = None,
+    progress: Callable[[TrainingProgress], None] | None = None,
+    source: TransferFunctionSource | None = None,
+    checkpoint: str | os.PathLike[str] | None = None,
+    recordings: str | os.PathLike[str] | None = None,
+) -> Localizer:
+    """Train a localizer for the array of a library, on the graphics processor where torch finds one.
+
+    Where the plan has a time limit and it is reached, training is cut short and the result depends on the machine's
+    load; without one it does not.
+
+    Args:
+        library: transfer functions that cover 1 to 100 Hz, of at least two points and two microphones.
+        plan: by default one that takes about 25 s for 12 points on one core.
+        progress: called after every epoch, those of a training that is gone on with included.
+        source: transfer functions of many sensors of this design, to train on in place of the library's own; read as
+            they are needed. The last fifth of the sensors is held out (of a single one, its stimuli only).
+        checkpoint: a file that keeps the state of the training, after every epoch and every minute. If it is there,
+            training goes on from it, and the weights become those that it would have led to, bit for bit. It stays
+            when training is done; remove it once the localizer is saved.
+        recordings: a manifest of touches of the made sensor (:mod:`localize.recordings.touch_manifest`), of which the
+            plan's share of the touches is taken. A fifth of the recordings is held out and only judged.
+
+    Raises:
+        Refusal: the library or the source does not cover 1 to 100 Hz, they hold different points or microphones,
+            the plan's network does not fit the maps, or it asks for sound where there is no design.
+        TouchManifestError, RecordingError: recordings that cannot be used.
+        CheckpointError: the checkpoint is damaged, or that of another plan, library, set of recordings or version of
+            torch.
+    """
+    plan = plan or TrainingPlan()
+    response = response_of(library)
+    microphones = len(response.microphones)
+    shape = NetworkShape(
+        maps=map_count(microphones, plan.features),
+        points=response.point_count,
+        features=plan.features,
+        **NETWORKS[plan.network],
+    )
+    seen, unseen = _split(source)
+    device = "cuda" if torch.cuda.is_available() else "cpu"
+    touches = _touches(response, plan, "training", source, seen, device)
+    noise = touches.microphone_noise
+    noise_rms = noise.rms if isinstance(noise, NoiseSpectrum) else noise
+    recorded = None if recordings is None else RecordedFrames(recordings, response, noise_rms, plan.seed, device)
+    # The global state of torch's generator is left as it was found.
+    with torch.random.fork_rng(devices=[]), one_thread():
+        torch.manual_seed(plan.seed)
+        held_out = _held_out(plan, _touches(response, plan, "held-out", source, unseen, device))
+        classifier = TouchClassifier(microphones, shape).to(device)
+        batches = _Batches(touches, recorded, plan)
+        classifier.fit_normalisation(batches.frames(0, NORMALISATION_TOUCHES * response.point_count)[0])
+        identity = {**training_identity(asdict(plan), touches), **(recorded.identity() if recorded else {})}
+        kept = None if checkpoint is None else Checkpoint(checkpoint, identity)
+        curve, touch_count = _run_epochs(classifier, batches, held_out, kept, progress)
+        of_recordings = _of_recordings(recorded, classifier, curve)
+    classifier.cpu().eval()
+    return Localizer(
+        classifier=classifier,
+        shape=shape,
+        design=response.name,
+        microphones=response.microphones,
+        line=response.line,
+        place=response.place,
+        plan=asdict(plan),
+        training={
+            "loss": [entry.loss for entry in curve],
+            "held_out_accuracy": [entry.accuracy for entry in curve],
+            "epochs": len(curve),
+            "touches": touch_count,
+            "held_out_touches": len(held_out.point),
+            "seconds": curve[-1].seconds,
+            "cut_short": touch_count < plan.epochs * _steps_per_epoch(plan, response) * plan.batch,
+            "microphone_noise": noise_rms,
+            "sensors": 1 if seen is None else len(seen),
+            "device": device,
+            **of_recordings,
+        },
+        provenance={
+            **response.provenance,
+            "localizer": versions(plan.seed, ("numpy", "safetensors", "scipy", "torch")),
+        },
+    )
+
+
+def soft_labels(line: NDArray[np.int64], place: NDArray[np.int64], sigma: float) -> NDArray[np.float64]:
+    """Target probabilities of each point: a Gaussian over places of its own line, zero on the others.
+
+    Args:
+        line: (n_point,).
+        place: (n_point,) along the line.
+        sigma: in places; 0 gives the identity.
+
+    Returns:
+        (n_point, n_point) float64, rows sum to 1.
+    """
+    distance = place[:, None] - place[None, :]
+    same_line = line[:, None] == line[None, :]
+    weight = np.exp(-0.5 * (distance / sigma) ** 2) if sigma > 0 else (distance == 0).astype(np.float64)
+    weight = np.where(same_line, weight, 0.0)
+    return np.asarray(weight / weight.sum(1, keepdims=True))
+
+
+class _Batches:
+    """Simulated touches, and recorded ones where there are recordings."""
+
+    def __init__(self, touches: TouchGenerator, recordings: RecordedFrames | None, plan: TrainingPlan) -> None:
+        self.touches, self.recordings, self.plan = touches, recordings, plan
+        self._share = 0.0 if recordings is None else plan.recorded
+
+    def frames(self, step: int, size: int) -> tuple[Tensor, Tensor]:
+        """(size, n_microphone, 250) and (size,) points, from 0: batch ``step`` of batches of this size."""
+        recorded = round(self._share * size)
+        simulated = size - recorded
+        parts = []
+        if simulated:
+            made = self.touches.samples(step * simulated, simulated)
+            parts.append((_frames(made), made.point))
+        if recorded and self.recordings is not None:
+            parts.append(self.recordings.samples(step * recorded, recorded))
+        frames, point = zip(*parts, strict=True)
+        return torch.cat(frames), torch.cat(point)
+
+
+def _run_epochs(
+    classifier: TouchClassifier,
+    batches: _Batches,
+    held_out: TouchSignals,
+    checkpoint: Checkpoint | None,
+    report: Callable[[TrainingProgress], None] | None,
+) -> tuple[list[TrainingProgress], int]:
+    """Train in place; one entry per epoch, and the number of touches used."""
+    plan, touches = batches.plan, batches.touches
+    response = touches.response
+    target = torch.from_numpy(soft_labels(response.line, response.place, plan.label_sigma)).float().to(touches.device)
+    optimizer = torch.optim.AdamW(classifier.parameters(), lr=plan.learning_rate, weight_decay=plan.weight_decay)
+    at = (checkpoint.load(classifier, optimizer) if checkpoint else None) or Progress()
+    curve = [TrainingProgress(int(entry[0]), int(entry[1]), *entry[2:]) for entry in at.curve]
+    if report:
+        for entry in curve:
+            report(entry)
+    saved = perf_counter()
+    started = saved - at.seconds
+    steps_per_epoch = _steps_per_epoch(plan, response)
+    planned = steps = plan.epochs * steps_per_epoch
+    if at.turned == 1.0:  # it had ended, by its limit of time perhaps
+        steps = at.step
+    while at.step < steps:
+        classifier.train()
+        rate = plan.learning_rate * min(1.0, (at.step + 1) / WARM_UP) * 0.5 * (1 + math.cos(math.pi * at.turned))
+        for group in optimizer.param_groups:
+            group["lr"] = rate
+        frames, point = batches.frames(at.step, plan.batch)
+        maps = classifier.maps(frames)
+        with torch.autocast(maps.device.type, torch.bfloat16, enabled=plan.bfloat16):
+            logits = classifier.network(maps)
+        loss = nn.functional.cross_entropy(logits.float(), target[point])
+        optimizer.zero_grad()
+        loss.backward()
+        optimizer.step()
+        at.losses.append(loss.item())
+        at.step += 1
+        if plan.time_limit is not None:
+            steps = _affordable(at.step, perf_counter() - started, plan.time_limit, planned)
+        # What is left of the cosine is spread evenly over the steps that are left.
+        at.turned += (1 - at.turned) / (max(steps - at.step, 0) + 1)
+        ended = at.step % steps_per_epoch == 0 or at.step >= steps
+        if ended:
+            epoch, epochs = (math.ceil(k / steps_per_epoch) for k in (at.step, max(at.step, steps)))
+            accuracy = float((_named(classifier, held_out.signals) == held_out.point).double().mean())
+            recorded = _by_part(classifier, batches.recordings)
+            seconds = perf_counter() - started
+            curve.append(TrainingProgress(epoch, epochs, float(np.mean(at.losses)), accuracy, seconds, recorded))
+            at.curve.append(list(astuple(curve[-1])))
+            at.losses = []
+        if checkpoint and (ended or perf_counter() - saved > SAVE_EVERY):
+            at.seconds = perf_counter() - started
+            checkpoint.save(classifier, optimizer, at)
+            saved = perf_counter()
+        if ended and report:
+            report(curve[-1])
+    return curve, at.step * plan.batch
+
+
+def _touches(
+    response: ArrayResponse,
+    plan: TrainingPlan,
+    purpose: Purpose,
+    source: TransferFunctionSource | None,
+    sensors: range | None,
+    device: Device,
+) -> TouchGenerator:
+    return TouchGenerator(
+        response,
+        plan.seed,
+        purpose,
+        plan.microphone_noise,
+        source,
+        sensors,
+        stimuli=plan.source,
+        ambient=plan.ambient,
+        mismatch=plan.mismatch,
+        device=device,
+    )
+
+
+def _steps_per_epoch(plan: TrainingPlan, response: ArrayResponse) -> int:
+    return math.ceil(plan.seconds_per_point * response.point_count / plan.batch)
+
+
+def _affordable(step: int, seconds: float, limit: float, planned: int) -> int:
+    """How many of the planned steps there may be in all, judged by those done so far."""
+    # The first ones are slow and say little; a plan that fits easily is then never touched, and repeats exactly.
+    if seconds < SETTLING * limit:
+        return planned
+    return min(planned, step + max(0, math.floor((limit - seconds) * step / seconds)))
+
+
+def _frames(touches: TouchSignals) -> Tensor:
+    """The last frame of each touch."""
+    return touches.signals[..., -FRAME:]
+
+
+def _split(source: TransferFunctionSource | None) -> tuple[range | None, range | None]:
+    """Sensors to train on, and those held out."""
+    if source is None:
+        return None, None
+    count = source.sensor_count
+    seen = max(1, count - max(1, round(count / 5)))
+    return range(seen), range(min(seen, count - 1), count)
+
+
+def _held_out(plan: TrainingPlan, touches: TouchGenerator) -> TouchSignals:
+    """Held-out touches, cut to their last frame at once to keep them small."""
+    count = max(1, round(plan.held_out_fraction * plan.seconds_per_point)) * touches.response.point_count
+    parts = list(touches.stream(0, count))
+    return TouchSignals(
+        signals=torch.cat([_frames(part).clone() for part in parts]),
+        point=torch.cat([part.point for part in parts]),
+        interval=torch.cat([part.interval for part in parts]),
+    )
+
+
+def _named(classifier: TouchClassifier, frames: Tensor) -> Tensor:
+    """(n,) most probable points, from 0."""
+    classifier.eval()
+    with torch.inference_mode():
+        return torch.cat([classifier(part).argmax(1) for part in frames.split(512)])
+
+
+def _by_part(classifier: TouchClassifier, recordings: RecordedFrames | None) -> dict[str, float]:
+    if recordings is None:
+        return {}
+    judged = recordings.judged(_named(classifier, recordings.judged_frames))
+    return {part: found.right for part, found in judged.items()}
+
+
+def _of_recordings(
+    recordings: RecordedFrames | None, classifier: TouchClassifier, curve: list[TrainingProgress]
+) -> dict[str, Any]:
+    """What the localizer keeps of its recordings: the split, the curves, and how the held-out ones are named."""
+    if recordings is None:
+        return {}
+    judged = recordings.judged(_named(classifier, recordings.judged_frames))
+    return {
+        "recordings": recordings.to_dict(),
+        "held_out_recordings": {part: asdict(found) for part, found in judged.items()},
+        "recorded_accuracy": [dict(entry.recorded) for entry in curve],
+    }

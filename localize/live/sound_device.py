@@ -1,0 +1,223 @@
+"""A sound card as a source of live samples, through PortAudio by the package ``sounddevice``, which is optional."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from importlib import import_module
+from threading import Event
+from time import perf_counter
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from localize.live.sources import BLOCK, QUEUE, Block, BlockQueue, SourceError, checked_channels
+from localize.recordings.recording import HIGHEST_RATE, LOWEST_RATE
+
+INSTALL = "pip install 'acoustic-fem[live]'; on Linux PortAudio itself: apt install libportaudio2"
+LARGEST = 32767 / 32768
+"""Of full scale: what 16 bits can hold; a sample at or above it is clipped, with more bits too."""
+_OLDEST = 10.0
+"""s: a sample that is older when it is handed on has a wrong time stamp."""
+
+
+def load_sounddevice() -> Any:
+    """The module ``sounddevice``.
+
+    Raises:
+        SourceError: it or PortAudio is not installed, with what to install.
+    """
+    try:
+        return import_module("sounddevice")
+    except ModuleNotFoundError as error:
+        if error.name != "sounddevice":
+            raise
+        raise SourceError(f"sounddevice is not installed: {INSTALL}") from None
+    except OSError as error:  # what it raises where it finds no PortAudio
+        raise SourceError(f"{error}: {INSTALL}") from None
+
+
+@dataclass(frozen=True)
+class InputDevice:
+    """What PortAudio knows of a device."""
+
+    number: int
+    name: str
+    host: str
+    """The audio system."""
+    channels: int
+    rate: float
+    """Hz, its own."""
+    default: bool
+
+
+def input_devices(sounddevice: Any | None = None) -> list[InputDevice]:
+    """Devices that can record.
+
+    Args:
+        sounddevice: the module, or one that behaves like it.
+
+    Raises:
+        SourceError: as :func:`load_sounddevice`, or PortAudio fails.
+    """
+    audio = sounddevice or load_sounddevice()
+    try:
+        hosts = [host["name"] for host in audio.query_hostapis()]
+        found = list(audio.query_devices())
+    except audio.PortAudioError as error:
+        raise SourceError(f"PortAudio: {_words(error)}") from None
+    try:
+        default = audio.query_devices(kind="input")["index"]
+    except audio.PortAudioError:  # there is none
+        default = -1
+    return [
+        InputDevice(
+            number=number,
+            name=str(each["name"]),
+            host=str(hosts[each["hostapi"]]),
+            channels=int(each["max_input_channels"]),
+            rate=float(each["default_samplerate"]),
+            default=number == default,
+        )
+        for number, each in enumerate(found)
+        if each["max_input_channels"] > 0
+    ]
+
+
+class DeviceSource:
+    """Microphones on a sound card, at its own rate.
+
+    Args:
+        microphones: names of the array's microphones.
+        device: number or a part of the name; by default that of the system.
+        full_scale: Pa, of the largest value of the device.
+        channels: microphone -> channel of the device, from 1; by default the first ones in order.
+        sounddevice: the module, or one that behaves like it.
+
+    Raises:
+        SourceError: the module, PortAudio, the device or a channel is not there, or its rate is outside 250 Hz to
+            1 MHz.
+    """
+
+    def __init__(
+        self,
+        microphones: Sequence[str],
+        device: int | str | None = None,
+        full_scale: float = 1.0,
+        channels: Mapping[str, int] | None = None,
+        sounddevice: Any | None = None,
+    ) -> None:
+        self._audio = sounddevice or load_sounddevice()
+        self._device = self._find(device)
+        self._channels = checked_channels(microphones, channels, self._device.channels, self._device.name)
+        if not LOWEST_RATE <= self._device.rate <= HIGHEST_RATE:
+            raise SourceError(
+                f"{self._device.name}: sample rate = {self._device.rate:g} Hz must be between {LOWEST_RATE:g} and "
+                f"{HIGHEST_RATE:g} Hz"
+            )
+        self.rate = self._device.rate
+        self._full_scale = full_scale
+        self.limit = LARGEST * full_scale
+        self._stream: Any = None
+        self._lost = Event()
+        self._opened = False
+        self.ended = False
+
+    @property
+    def name(self) -> str:
+        """The device."""
+        return f"{self._device.name} ({self._device.host}, {self.rate:g} Hz)"
+
+    @property
+    def trouble(self) -> str | None:
+        """Whether PortAudio has ended the stream by itself, as it does where a device is unplugged."""
+        return "the device has stopped" if self._lost.is_set() else None
+
+    def open(self) -> BlockQueue:
+        """Begin to record; after the first time on the device of the same name, whatever its number is by now."""
+        if self._opened:
+            self._look_again()
+        queue = BlockQueue(QUEUE, self.rate)
+        self._lost = lost = Event()
+        try:
+            self._stream = self._audio.InputStream(
+                device=self._device.number,
+                channels=int(self._channels.max()) + 1,
+                samplerate=self.rate,
+                blocksize=max(1, round(BLOCK * self.rate)),
+                dtype="float32",
+                latency="low",
+                callback=self._callback(queue),
+                finished_callback=lost.set,
+            )
+            self._stream.start()
+        except (self._audio.PortAudioError, ValueError) as error:
+            self.close()
+            raise SourceError(f"{self._device.name}: {_words(error)}") from None
+        self._opened = True
+        return queue
+
+    def close(self) -> None:
+        """Stop recording."""
+        stream, self._stream = self._stream, None
+        if stream is not None:
+            stream.close(ignore_errors=True)  # a device that is gone cannot be closed
+
+    def _callback(self, queue: BlockQueue) -> Any:
+        channels, rate, scale = self._channels, self.rate, self._full_scale
+        due, ended = 0, -np.inf
+
+        def heard(data: NDArray[np.float32], frames: int, time: Any, status: Any) -> None:
+            nonlocal due, ended
+            now = perf_counter()
+            age = time.currentTime - time.inputBufferAdcTime
+            stamped = time.inputBufferAdcTime > 0 and 0 <= age < _OLDEST
+            # Some audio systems give no time of the converter: then that of the arrival is the best there is.
+            begun = time.inputBufferAdcTime if stamped else now - frames / rate
+            if status.input_overflow:
+                due += max(1, round((begun - ended) * rate)) if due else 1
+            ended = begun + frames / rate
+            available = min(now, now - age + (frames - 1) / rate) if stamped else now
+            queue.put(Block(scale * data[:, channels].T.astype(np.float64), due, available))
+            due += frames
+
+        return heard
+
+    def _find(self, device: int | str | None) -> InputDevice:
+        devices = input_devices(self._audio)
+        if not devices:
+            raise SourceError("no device that can record is there; plug one in, or play a file with --replay")
+        if device is None:
+            found = [each for each in devices if each.default] or devices[:1]
+        elif isinstance(device, int):
+            found = [each for each in devices if each.number == device]
+        else:
+            found = [each for each in devices if each.name == device]
+            found = found or [each for each in devices if device.lower() in each.name.lower()]
+        if len(found) != 1:
+            names = ", ".join(f"{each.number} {each.name!r}" for each in found or devices)
+            what = "fits several" if found else "is not there"
+            raise SourceError(f"device = {device} {what}: {names}")
+        return found[0]
+
+    def _look_again(self) -> None:
+        """Find the device of the same name: PortAudio lists devices when it begins, and at no other time."""
+        with suppress(self._audio.PortAudioError):  # where an attempt before could not begin it again
+            self._audio._terminate()
+        try:
+            self._audio._initialize()
+        except self._audio.PortAudioError as error:
+            raise SourceError(f"PortAudio: {_words(error)}") from None
+        for each in input_devices(self._audio):
+            same = (each.name, each.host) == (self._device.name, self._device.host)
+            if same and each.channels > self._channels.max():
+                self._device = replace(each, rate=self.rate)
+                return
+        raise SourceError(f"{self._device.name}: is not there")
+
+
+def _words(error: Exception) -> str:
+    """PortAudio's message, without its code."""
+    return str(error.args[0]) if error.args else type(error).__name__

@@ -1,0 +1,220 @@
+"""Where live samples come from: what a source is, the queue behind it, and a WAV file played in real time.
+
+A source runs a thread of its own, that of the audio system or one that keeps the time, and puts blocks into a queue. It
+never waits for whoever takes them: what does not fit is dropped, and the numbers of the blocks tell how much it was.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from queue import Empty, SimpleQueue
+from threading import Event, Lock, Thread
+from time import perf_counter
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from acoustic_fem.sound.sound_file import read_wav
+from geometry.refusal import Refusal
+from localize.recordings.recording import HIGHEST_RATE, LOWEST_RATE
+
+Array = NDArray[np.float64]
+
+BLOCK = 0.004
+"""s: a source hands on its samples in blocks this long."""
+QUEUE = 2.0
+"""s of samples that wait to be taken; more are dropped."""
+
+
+class SourceError(Refusal):
+    """A source that cannot be listened to: one line with the reason."""
+
+
+@dataclass(frozen=True, eq=False)
+class Block:
+    """Samples that came in together."""
+
+    samples: Array
+    """(n_microphone, n) Pa at the rate of the source."""
+    first: int
+    """Number of the first sample since the source was opened; a step beyond the end of the block before is a loss."""
+    available: float
+    """s on the clock of ``time.perf_counter``: when the last sample was there, before any buffer."""
+
+
+class BlockQueue:
+    """Blocks on their way from the thread of a source to that which decodes; bounded, and never waits to put.
+
+    Args:
+        seconds: of samples that it holds.
+        rate: Hz.
+    """
+
+    def __init__(self, seconds: float, rate: float) -> None:
+        self._room = max(1, round(seconds * rate))
+        self._blocks: SimpleQueue[Block] = SimpleQueue()
+        self._lock = Lock()
+        self._held = 0
+        self.end = 0
+        """Number of the sample behind the last one that came in, dropped ones included."""
+
+    def put(self, block: Block) -> None:
+        """Take a block, or drop it where there is no room."""
+        count = block.samples.shape[1]
+        with self._lock:
+            self.end = block.first + count
+            if self._held + count > self._room:
+                return
+            self._held += count
+        self._blocks.put(block)
+
+    def get(self, timeout: float) -> Block | None:
+        """The oldest block; None where none comes within ``timeout`` s."""
+        try:
+            block = self._blocks.get(timeout=timeout)
+        except Empty:
+            return None
+        with self._lock:
+            self._held -= block.samples.shape[1]
+        return block
+
+
+class Source(Protocol):
+    """What can be listened to live."""
+
+    @property
+    def name(self) -> str:
+        """In words, for the user."""
+
+    @property
+    def rate(self) -> float:
+        """Hz; the same whenever it is opened."""
+
+    @property
+    def limit(self) -> float | None:
+        """Pa: a sample that reaches it is clipped; None where there is no such limit."""
+
+    def open(self) -> BlockQueue:
+        """Begin to put blocks into a new queue, numbered from 0.
+
+        Raises:
+            SourceError: it is not there.
+        """
+
+    def close(self) -> None:
+        """End, if it is open."""
+
+    @property
+    def ended(self) -> bool:
+        """Whether all there is has been put into the queue."""
+
+    @property
+    def trouble(self) -> str | None:
+        """Why no more samples come, though there should be more; None where all is well."""
+
+
+def checked_channels(
+    microphones: Sequence[str], channels: Mapping[str, int] | None, available: int, what: str
+) -> NDArray[np.int64]:
+    """Channels of a device or a file, from 0, in the order of the microphones.
+
+    Args:
+        microphones: of the array.
+        channels: microphone -> channel from 1; by default the first ones in order.
+        available: how many there are.
+        what: has them, for the refusal.
+
+    Raises:
+        SourceError: a microphone is missing, unknown, or has a channel that is not there or another's.
+    """
+    given = channels or {name: number for number, name in enumerate(microphones, 1)}
+    if set(given) != set(microphones) or len(set(given.values())) < len(given):
+        stated = ",".join(f"{name}={number}" for name, number in given.items())
+        raise SourceError(f"channels = {stated} must give {', '.join(microphones)} a number each, all different")
+    for name, number in given.items():
+        if not 1 <= number <= available:
+            raise SourceError(f"{what}: has {available} channels; channel {number} of microphone {name} is not there")
+    return np.array([given[name] - 1 for name in microphones])
+
+
+class ReplaySource:
+    """A WAV file, played as if it came in now.
+
+    Args:
+        path: of the file.
+        microphones: names of the array's microphones.
+        full_scale: Pa, of the largest value of the file.
+        channels: microphone -> channel of the file, from 1; by default the first ones in order.
+
+    Raises:
+        SoundFileError: the file cannot be read.
+        SourceError: a channel that is not there, no samples, or a rate outside 250 Hz to 1 MHz.
+    """
+
+    def __init__(
+        self,
+        path: str | os.PathLike[str],
+        microphones: Sequence[str],
+        full_scale: float = 1.0,
+        channels: Mapping[str, int] | None = None,
+    ) -> None:
+        self._path = Path(path)
+        if not self._path.is_file():
+            raise SourceError(f"{self._path}: no such file")
+        sound = read_wav(self._path)
+        own = list(sound.channels.values())
+        picked = checked_channels(microphones, channels, len(own), str(self._path))
+        if not LOWEST_RATE <= sound.rate <= HIGHEST_RATE:
+            raise SourceError(
+                f"{self._path}: sample rate = {sound.rate:g} Hz must be between {LOWEST_RATE:g} and {HIGHEST_RATE:g} Hz"
+            )
+        if not len(own[0]):
+            raise SourceError(f"{self._path}: holds no samples")
+        self._samples = np.stack([own[k] for k in picked]) * full_scale
+        self.rate = sound.rate
+        self.limit = None if sound.full_scale is None else sound.full_scale * full_scale
+        self._thread: Thread | None = None
+        self._stop = Event()
+        self._ended = Event()
+        self.trouble = None
+
+    @property
+    def name(self) -> str:
+        """The file."""
+        return f"{self._path}, played"
+
+    @property
+    def ended(self) -> bool:
+        """Whether the last sample was put."""
+        return self._ended.is_set()
+
+    def open(self) -> BlockQueue:
+        """Begin to play."""
+        queue = BlockQueue(QUEUE, self.rate)
+        self._stop.clear()
+        self._ended.clear()
+        self._thread = Thread(target=self._play, args=(queue,), name="replay", daemon=True)
+        self._thread.start()
+        return queue
+
+    def close(self) -> None:
+        """Stop playing."""
+        self._stop.set()
+        if self._thread is not None:
+            self._thread.join()
+
+    def _play(self, queue: BlockQueue) -> None:
+        size = max(1, round(BLOCK * self.rate))
+        started = perf_counter()
+        for first in range(0, self._samples.shape[1], size):
+            samples = self._samples[:, first : first + size]
+            # A late turn of this thread counts as latency, as that of an audio system would.
+            available = started + (first + samples.shape[1]) / self.rate
+            if self._stop.wait(max(0.0, available - perf_counter())):
+                return
+            queue.put(Block(samples, first, available))
+        self._ended.set()

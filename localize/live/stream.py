@@ -1,0 +1,340 @@
+"""Touches while they happen: samples in, in chunks of any size; a decision every 16 ms out.
+
+Every 16 samples the last 250 are judged. Where no microphone hears more than its noise there is no touch, and
+nothing is guessed; nor where sound explains what they hear, or where no point does, if the stream is given the tests of
+that. What goes wrong with a stream is reported and survived: lost or repeated samples, values that are
+not finite, clipping, a channel that is dead. Decisions depend on the samples alone, not on how they were cut up.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Literal, Protocol
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from geometry.refusal import Refusal
+from localize.signals.frames import FRAME
+from localize.signals.stimulus import SAMPLE_RATE
+
+if TYPE_CHECKING:
+    from localize.decoders.judgement import ResidualTest
+    from localize.decoders.reconstruct import Reconstructor
+    from localize.decoders.sound_test import SoundTest
+
+HOP = 16
+"""Samples from one decision to the next."""
+SILENCE = 2.0
+"""A microphone hears something where its level exceeds this many times its noise."""
+LEAST_SILENCE = 1e-6
+"""Pa rms: the threshold where no noise is assumed."""
+LARGEST_PRESSURE = 1e6
+"""Pa: a larger value is no pressure; ten atmospheres."""
+DEAD = 0.02
+"""A channel is dead where its level is below this share of a microphone's noise: its converter may still toggle."""
+RESTART = 1000
+"""Samples: a larger step back in their numbers is a device that was started anew; a smaller one repeats."""
+REFUSED = 1e-6
+"""Of the frames of true touches: at 62 a second one in four hours."""
+AGAIN = 500
+"""Samples: a fault that returns sooner still lasts."""
+LARGEST_NUMBER = 2**53
+"""Of a sample; its time is exact below."""
+_SPARE = 64 * HOP
+"""Samples of the ring buffer beyond those that are needed, so that it is moved seldom."""
+
+State = Literal["touch", "no touch", "sound", "other", "unreadable"]
+"""Sound: of a room, the same on all membranes, and no touch. Other: a touch of no single point explains what is heard.
+Unreadable: a channel is clipped or dead, or was not finite within the last 250 samples."""
+
+FaultKind = Literal["samples lost", "samples repeated", "restarted", "not finite", "clipped", "dead channel"]
+
+
+class StreamLocator(Protocol):
+    """What can listen to a stream: network, model-based decoder, and either as an ONNX file."""
+
+    @property
+    def microphones(self) -> tuple[str, ...]:
+        """Names of the microphones."""
+
+    @property
+    def noise_rms(self) -> float:
+        """Noise of a microphone, Pa rms."""
+
+    def locate(self, signals: ArrayLike) -> NDArray[np.float64]:
+        """(n_microphone, 250) to (n_point,)."""
+
+
+@dataclass(frozen=True)
+class Decision:
+    """What one frame says."""
+
+    time: float
+    """s, of the end of the frame; the stream's sample 0 is at 0."""
+    state: State
+    level: float
+    """Pa rms about the mean, of the loudest microphone."""
+    point: int | None = None
+    """The most probable one, from 1; None unless there is a touch."""
+    probability: float | None = None
+    """Of that point."""
+    distribution: NDArray[np.float64] | None = field(default=None, repr=False, compare=False)
+    """(n_point,) probabilities of all points; None unless there is a touch."""
+    weight: float | None = field(default=None, repr=False, compare=False)
+    """Where sound is expected, what stands out of it, in terms of the noise; None where it is not."""
+    waveform: tuple[float, ...] | None = None
+    """Pa: the pressure in the cavity of the point over the newest 16 samples less the latency of the reconstructor;
+    None without one, without a touch, and before its window is full."""
+
+    def json_line(self) -> str:
+        """One line of JSON, without the distribution."""
+        line: dict[str, object] = {"time": round(self.time, 6), "state": self.state, "level": self.level}
+        if self.state == "touch":
+            line |= {"point": self.point, "probability": self.probability}
+        if self.waveform is not None:
+            line["waveform"] = [float(f"{value:.6g}") for value in self.waveform]
+        return json.dumps(line)
+
+
+@dataclass(frozen=True)
+class Fault:
+    """What is wrong with the stream, told once when it begins."""
+
+    time: float
+    """s: of the sample where it begins; of clipping and dead channels, the end of the frame that showed it."""
+    kind: FaultKind
+    channel: str | None = None
+    """Name of the microphone; None where it is all of them."""
+    samples: int | None = None
+    """How many were lost, or repeated in this chunk."""
+
+    def json_line(self) -> str:
+        """One line of JSON."""
+        line: dict[str, object] = {"time": round(self.time, 6), "fault": self.kind}
+        line |= {} if self.channel is None else {"channel": self.channel}
+        line |= {} if self.samples is None else {"samples": self.samples}
+        return json.dumps(line)
+
+
+class TouchStream:
+    """Listens to microphones, 250 samples at a time.
+
+    Args:
+        locator: names the point of a frame.
+        silence: Pa rms about the mean over a frame; where no microphone is louder there is no touch. By default twice
+            the noise of a microphone that the locator was made for, at least 1e-6 Pa.
+        limit: Pa; a sample that reaches it is clipped. By default nothing is.
+        reconstructor: gives the waveform of the named point; the filters of a point are made when it is first named,
+            which takes some tens of milliseconds.
+        sound_test: tells the sound of a room from touches. By default sound is taken for a touch.
+        residual_test: tells what no point explains from touches. By default the likeliest point is named whatever it
+            is. On a sensor that differs from its library by a percent it refuses most touches.
+        refused: share of the frames of true touches that the residual test may refuse, above 0, below 1.
+
+    Raises:
+        Refusal: a threshold that is not finite and positive; a reconstructor or a test for other microphones; a
+            share out of range.
+    """
+
+    def __init__(
+        self,
+        locator: StreamLocator,
+        silence: float | None = None,
+        limit: float | None = None,
+        reconstructor: Reconstructor | None = None,
+        sound_test: SoundTest | None = None,
+        residual_test: ResidualTest | None = None,
+        refused: float = REFUSED,
+    ) -> None:
+        for name, part in (
+            ("reconstructor", reconstructor), ("sound_test", sound_test), ("residual_test", residual_test)
+        ):  # fmt: skip
+            if part is not None and part.microphones != tuple(locator.microphones):
+                raise Refusal(
+                    f"{name} is for microphones {', '.join(part.microphones)}, the locator for "
+                    f"{', '.join(locator.microphones)}"
+                )
+        if not 0 < refused < 1:
+            raise Refusal(f"refused = {refused} must be between 0 and 1, both excluded")
+        self.sound_test, self.residual_test, self.refused = sound_test, residual_test, refused
+        self.locator = locator
+        self.reconstructor = reconstructor
+        self.silence = max(SILENCE * locator.noise_rms, LEAST_SILENCE) if silence is None else silence
+        self.limit = limit
+        for name, value in (("silence", self.silence), ("limit", limit)):
+            if value is not None and not 0 < value < np.inf:
+                raise Refusal(f"{name} = {value} Pa must be finite and above 0")
+        self._microphones = locator.microphones
+        # An estimate needs a window, the 16 of a hop some samples more.
+        self._history = max(FRAME, 0 if reconstructor is None else reconstructor.window + HOP - 1)
+        self._buffer = np.empty((len(self._microphones), self._history + _SPARE))
+        self._next: int | None = None  # number of the sample that is due
+        self._repeated_to: int | None = None  # where repeated samples so far end
+        self._bad: dict[tuple[FaultKind, int], int] = {}  # number of the sample up to which a reported fault was seen
+        self._restart()
+
+    def push(self, chunk: ArrayLike, first: int | None = None) -> list[Decision | Fault]:
+        """Take the next samples.
+
+        Args:
+            chunk: (n_microphone, n) Pa at 1 kHz, any n.
+            first: number of the chunk's first sample in the stream. By default it follows the chunk before; a larger
+                number means that samples are lost, a smaller one that they are repeated, and those are left out; one
+                that is smaller by more than a second, that the device counts anew.
+
+        Returns:
+            Decisions and faults in the order in which they came about.
+
+        Raises:
+            Refusal: a chunk of another shape or of complex numbers, or ``first`` is no whole number from 0 to 2^53;
+                nothing has been taken then.
+        """
+        if first is not None and (
+            isinstance(first, bool) or not isinstance(first, (int, np.integer)) or not 0 <= first <= LARGEST_NUMBER
+        ):
+            raise Refusal(f"first = {first!r} must be a whole number from 0 to 2^53")
+        if np.iscomplexobj(chunk):
+            raise Refusal("chunk holds complex numbers, must hold pressures in Pa")
+        samples = np.asarray(chunk, np.float64)
+        if samples.ndim != 2 or len(samples) != len(self._microphones):
+            raise Refusal(
+                f"chunk has shape {samples.shape}, must be (n_microphone, n) = ({len(self._microphones)}, n): "
+                f"{', '.join(self._microphones)}"
+            )
+        events: list[Decision | Fault] = []
+        first = None if first is None else int(first)
+        due = self._next if self._next is not None else first or 0
+        lost = 0 if first is None else first - due
+        if first is not None and lost < -RESTART:
+            events.append(Fault(first / SAMPLE_RATE, "restarted"))
+            due = first
+            self._bad = {}
+            self._restart()
+        elif lost > 0:
+            events.append(Fault(due / SAMPLE_RATE, "samples lost", samples=lost))
+            due += lost
+            self._restart()
+        elif first is not None and lost < 0:
+            repeated = min(-lost, samples.shape[1])
+            if repeated and first != self._repeated_to:
+                events.append(Fault(first / SAMPLE_RATE, "samples repeated", samples=repeated))
+            self._repeated_to = first + repeated
+            samples = samples[:, repeated:]
+        self._next = due
+        for good, run in _runs(np.abs(samples) < LARGEST_PRESSURE, samples):
+            if good.all():
+                self._listen(run, events)
+            else:
+                self._skip(run, good, events)
+        return events
+
+    def _restart(self, tell: bool = False) -> None:
+        """Forget the samples so far: a frame never spans a gap.
+
+        Decisions begin with the first whole frame, or, to tell that there is none, at once.
+        """
+        self._end = 0
+        self._due = FRAME % HOP if tell else FRAME
+
+    def _skip(self, run: NDArray[np.float64], good: NDArray[np.bool_], events: list[Decision | Fault]) -> None:
+        """A run of samples in which the same channels hold no pressure."""
+        for channel in range(len(good)):
+            if not good[channel]:
+                self._tell("not finite", channel, self._number + run.shape[1], events)
+        self._restart(tell=True)
+        self._next = self._number + run.shape[1]
+
+    def _listen(self, run: NDArray[np.float64], events: list[Decision | Fault]) -> None:
+        taken = 0
+        while taken < run.shape[1]:
+            count = min(self._due, run.shape[1] - taken)
+            if self._end + count > self._buffer.shape[1]:
+                kept = min(self._end, self._history)
+                self._buffer[:, :kept] = self._buffer[:, self._end - kept : self._end]
+                self._end = kept
+            self._buffer[:, self._end : self._end + count] = run[:, taken : taken + count]
+            taken += count
+            self._end += count
+            self._due -= count
+            self._next = self._number + count
+            if self._due == 0:
+                self._due = HOP
+                if self._end < FRAME:
+                    level = float(self._buffer[:, : self._end].std(1).max())
+                    events.append(Decision(self._time, "unreadable", level))
+                else:
+                    self._judge(self._buffer[:, self._end - FRAME : self._end], events)
+
+    def _judge(self, frame: NDArray[np.float64], events: list[Decision | Fault]) -> None:
+        highest, lowest = frame.max(1), frame.min(1)
+        deviation = frame.std(1)
+        dead = (highest == lowest) | (deviation < DEAD * self.locator.noise_rms)
+        clipped = np.maximum(highest, -lowest) >= (np.inf if self.limit is None else self.limit)
+        unreadable = bool((dead | clipped).any())
+        if unreadable:
+            for channel in range(len(frame)):
+                if dead[channel]:
+                    self._tell("dead channel", channel, self._number, events)
+                if clipped[channel]:
+                    self._tell("clipped", channel, self._number, events)
+        level = float(deviation.max())
+        if unreadable:
+            events.append(Decision(self._time, "unreadable", level))
+        elif level <= self.silence:
+            events.append(Decision(self._time, "no touch", level))
+        elif (beside := self._beside_sound(frame)) is not None and beside[0] <= beside[1]:
+            events.append(Decision(self._time, "sound", level))
+        else:
+            found = self.locator.locate(frame)
+            best = int(found.argmax())
+            if self.residual_test is not None and self.residual_test.p_value(frame[None], [best])[0] < self.refused:
+                events.append(Decision(self._time, "other", level))
+                return
+            weight = None if beside is None else math.sqrt(beside[0])
+            shape = self._waveform(best)
+            events.append(Decision(self._time, "touch", level, best + 1, float(found[best]), found, weight, shape))
+
+    def _beside_sound(self, frame: NDArray[np.float64]) -> tuple[float, float] | None:
+        """Energy that sound does not explain, and the most that it leaves; None where it is not expected."""
+        if self.sound_test is None:
+            return None
+        found, most = self.sound_test.beside(frame[None])
+        return float(found[0]), float(most[0])
+
+    def _waveform(self, point: int) -> tuple[float, ...] | None:
+        """The newest 16 estimates that the samples so far allow."""
+        if self.reconstructor is None or self._end < self.reconstructor.window + HOP - 1:
+            return None
+        taps = self.reconstructor.filters(point)
+        newest = self._buffer[:, self._end - self.reconstructor.window - HOP + 1 : self._end]
+        # Tap k takes the sample k before the newest: a window times the taps backwards.
+        windows = np.lib.stride_tricks.sliding_window_view(newest, self.reconstructor.window, axis=1)
+        return tuple(np.einsum("mhk,mk->h", windows, taps[:, ::-1]).tolist())
+
+    def _tell(self, kind: FaultKind, channel: int, until: int, events: list[Decision | Fault]) -> None:
+        """Report a fault when it begins, not while it lasts or soon returns."""
+        seen = self._bad.get((kind, channel))
+        if seen is None or self._number - seen > AGAIN:
+            events.append(Fault(self._time, kind, self._microphones[channel]))
+        self._bad[kind, channel] = until
+
+    @property
+    def _number(self) -> int:
+        return self._next or 0
+
+    @property
+    def _time(self) -> float:
+        return self._number / SAMPLE_RATE
+
+
+def _runs(good: NDArray[np.bool_], samples: NDArray[np.float64]) -> list[tuple[NDArray[np.bool_], NDArray[np.float64]]]:
+    """Runs of samples over which the same channels are good: (n_microphone,) and (n_microphone, n) of each."""
+    if not samples.shape[1]:
+        return []
+    if good.all():
+        return [(good[:, 0], samples)]
+    cuts = np.flatnonzero((good[:, 1:] != good[:, :-1]).any(0)) + 1
+    return [(part[:, 0], run) for part, run in zip(np.split(good, cuts, 1), np.split(samples, cuts, 1), strict=True)]

@@ -1,0 +1,8 @@
+"""The library brought to the sensor from unlabelled touches.
+
+Stands on: decoders, evaluation, signals.
+"""
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -1,0 +1,224 @@
+"""How likely unlabelled touches are on a sensor, and the derivative by its transfer functions.
+
+A frame of an unknown point has the likelihood of the model-based decoder (:mod:`localize.decoders.bayes`), the power g
+profiled for each point, summed over the points, all equally likely beforehand. The derivative of its logarithm by the
+covariances is that of a Gaussian's (g is at its maximum and adds nothing), and is worked out by hand down to the
+transfer functions; from there to the parameters of a sensor it is left to torch.
+
+The noise that is assumed is white and stands for what a model does not know as well. Where it is high, neighbouring
+points blur into each other and the likelihood has one maximum; the lower, the sharper it is.
+
+Powers are counted from the loudness of the frames, so that louder touches say the same of a sensor, where the noise
+that is assumed is as much louder.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.special import logsumexp
+
+from localize.decoders.bayes import POWERS, TEMPERATURE
+from localize.decoders.frame_covariance import low_pass, sampled_waves, source_density, whitening
+from localize.signals.array_response import interpolation
+from localize.signals.stimulus import BAND, SAMPLE_RATE
+from localize.signals.threads import one_thread
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+STEP = 1.0
+"""Hz, of the integral over frequency: covariances then repeat after 1 s, four frames."""
+COARSE = 2
+"""Steps of it that the information is summed in."""
+NEAR = 25.0
+"""Nats: points this far behind the best one of a frame add nothing to it."""
+HELD = 1e-2
+"""Share of the noise that an eigenvector holds at least, at the loudest touch, to count in the information."""
+UNMOVED = 1e-4
+"""Share of the noise that a touch of power 1 must reach in a direction for it to count, where H = 1."""
+_NEWTON_STEPS = 4
+
+
+@dataclass(frozen=True, eq=False)
+class Evidence:
+    """What frames say of one sensor."""
+
+    frames: Array
+    """(n,) log-likelihood of each, nats, divided by the decoder's temperature."""
+    share: Array
+    """(n, n_point) probability of each point, each row summing to 1."""
+
+
+@dataclass(frozen=True, eq=False)
+class _Eigen:
+    """Covariances of touches C = B^T B, point by point."""
+
+    b: Array
+    values: Array
+    vectors: Array
+
+
+@dataclass(frozen=True, eq=False)
+class _Score:
+    """Frames and points that are near each other, with what the likelihood of each pair is made of."""
+
+    evidence: Evidence
+    along: Array
+    """(n_point, n, size) of the frames along the eigenvectors."""
+    frame: NDArray[np.int64]
+    point: NDArray[np.int64]
+    power: Array
+
+
+class MarginalLikelihood:
+    """Log-likelihood of unlabelled frames at one level of noise.
+
+    Args:
+        frequency: (n_freq,) Hz, of the transfer functions, covering 1 to 100 Hz.
+        frames: (n, n_microphone, 250) Pa at 1 kHz.
+        noise: Pa rms over 0 to 500 Hz, white, above 0.
+    """
+
+    def __init__(self, frequency: Array, frames: Array, noise: float) -> None:
+        self.noise = noise
+        fine = np.arange(BAND[0], min(float(frequency[-1]), SAMPLE_RATE / 2) + 1e-9, STEP)
+        turn, gain = sampled_waves(fine)
+        whiten = whitening(noise)
+        waves = (np.sqrt(source_density(fine) * STEP) * gain)[:, None] * (turn @ whiten.T)
+        white = frames @ (whiten @ low_pass()).T
+        # power 1 is that of half of the frames, at their loudest microphone and where H = 1
+        waves *= np.sqrt(np.median((white**2).sum(2).max(1)) / (np.abs(waves) ** 2).sum())
+        # directions that no touch moves hold noise alone, whatever the sensor
+        _, size, basis = np.linalg.svd(np.concatenate([waves.real, waves.imag]), full_matrices=False)
+        basis = basis[size**2 > UNMOVED]
+        self._waves = waves @ basis.T
+        self._x = (white @ basis.T).reshape(len(frames), -1)
+        self._even, self._odd = interpolation(frequency, fine)
+
+    @one_thread()
+    def evidence(self, h: Complex) -> Evidence:
+        """What the frames say of a sensor.
+
+        Args:
+            h: (n_point, n_microphone, n_freq) transfer functions, Pa/Pa.
+        """
+        return self._score(self._eigen(h)).evidence
+
+    @one_thread()
+    def slope(self, h: Complex) -> tuple[float, Complex]:
+        """Sum over the frames, and its derivative: that by the real part of h + j that by the imaginary part.
+
+        Args:
+            h: as :meth:`evidence`.
+
+        Returns:
+            nats, and (n_point, n_microphone, n_freq) nats.
+        """
+        eigen = self._eigen(h)
+        found = self._score(eigen)
+        weight = found.evidence.share[found.frame, found.point] / TEMPERATURE
+        slope = np.empty(h.shape, np.complex128)
+        for point, (b, values, vectors) in enumerate(zip(eigen.b, eigen.values, eigen.vectors, strict=True)):
+            chosen = found.point == point
+            g, share = found.power[chosen][:, None], weight[chosen][:, None]
+            inverse = 1 / (1 + g * values)
+            seen = np.sqrt(share * g) * inverse * found.along[point][found.frame[chosen]]
+            by_covariance = 0.5 * (seen.T @ seen - np.diag((share * g * inverse).sum(0)))
+            by_b = 2 * (b @ vectors) @ by_covariance @ vectors.T
+            slope[point] = self._by_response(by_b)
+        return float(found.evidence.frames.sum()), slope
+
+    @one_thread()
+    def information(self, h: Complex, jacobian: Complex) -> Array:
+        """What touches as loud as these, at the points that each may be of, say of parameters (Fisher).
+
+        For a Gaussian of covariance S it is tr(S^-1 dS_a S^-1 dS_b) / 2 per frame. The power of a touch is fitted with
+        the parameters (its derivative is dS = C), so that its share is taken out (Schur complement): whatever makes
+        all of a point louder, such as the level that the microphones have in common, is not told by touches of
+        unknown loudness. Each point of a frame counts by its probability, as if it were known; a point that no frame
+        may be of, or none that is above the noise, tells nothing.
+
+        Args:
+            h: as :meth:`evidence`.
+            jacobian: (count, n_point, n_microphone, n_freq) its derivatives by the parameters.
+
+        Returns:
+            (count, count) nats.
+        """
+        total = np.zeros((len(jacobian), len(jacobian)))
+        found = self._score(self._eigen(h))
+        eigen = self._eigen(h, COARSE)
+        share, energy = found.evidence.share[found.frame, found.point], (self._x**2).sum(1)
+        for point, (b, values, vectors) in enumerate(zip(eigen.b, eigen.values, eigen.vectors, strict=True)):
+            chosen = (found.point == point) & (share > 0)
+            if not chosen.any():
+                continue
+            weight = share[chosen]
+            # with a wrong sensor the likeliest power may be thousands of times that which is in the frame
+            power = np.minimum(found.power[chosen], energy[found.frame[chosen]] / values.sum())[:, None]
+            held = power.max() * values > HELD
+            if not held.any():
+                continue
+            # single precision halves the time, and what comes of it only steers and weighs
+            along = (b @ vectors[:, held]).astype(np.float32)
+            change = along.T @ (
+                self._sources(jacobian[:, point], COARSE).astype(np.float32) @ vectors.astype(np.float32)
+            )
+            # of each touch: g / (1 + g value), of S^-1 along the eigenvectors; C is diagonal along them too
+            inverse = power / (1 + power * values)
+            seen = np.sqrt((inverse[:, held] * weight[:, None]).T @ inverse).astype(np.float32)
+            inside = change[..., held]
+            both = inside + inside.transpose(0, 2, 1)
+            louder = (inverse * values)[:, held]
+            with_louder = 0.5 * np.einsum("akk->ak", both) @ (inverse[:, held] * louder).T
+            both = (both * seen[:, held]).reshape(len(jacobian), -1)
+            rest = (change * seen)[..., ~held].reshape(len(jacobian), -1)
+            total += 0.5 * (both @ both.T) + rest @ rest.T
+            total -= 2 * (with_louder * (weight / (louder**2).sum(1))) @ with_louder.T
+        return total / TEMPERATURE
+
+    def _sources(self, h: Complex, every: int = 1) -> Array:
+        """B of (..., n_microphone, n_freq) transfer functions, (..., 2 n_step, size)."""
+        fine = h.real @ self._even[::every].T + 1j * (h.imag @ self._odd[::every].T)
+        waves = np.sqrt(every) * self._waves[::every]
+        seen = (np.moveaxis(fine, -1, -2)[..., None] * waves[:, None]).reshape(*fine.shape[:-2], len(waves), -1)
+        return np.concatenate([seen.real, seen.imag], axis=-2)
+
+    def _by_response(self, by_b: Array) -> Complex:
+        """The derivative by transfer functions, (n_microphone, n_freq), from that by B: the transpose of the above."""
+        steps = len(self._waves)
+        by_wave = (by_b[:steps] + 1j * by_b[steps:]).reshape(steps, -1, self._waves.shape[1])
+        by_fine = np.einsum("fms,fs->mf", by_wave, self._waves.conj())
+        return np.asarray(by_fine.real @ self._even + 1j * (by_fine.imag @ self._odd))
+
+    def _eigen(self, h: Complex, every: int = 1) -> _Eigen:
+        b = self._sources(h, every)
+        values, vectors = np.linalg.eigh(b.transpose(0, 2, 1) @ b)
+        return _Eigen(b, np.maximum(values, 0), vectors)
+
+    def _score(self, eigen: _Eigen) -> _Score:
+        along = self._x @ eigen.vectors
+        energy = along**2
+        gain = eigen.values[..., None] * POWERS
+        tried = -(energy @ (1 / (1 + gain)) + np.log1p(gain).sum(1)[:, None]).transpose(1, 0, 2)
+        start = tried.argmax(-1)
+        rough = np.take_along_axis(tried, start[..., None], -1)[..., 0] / (2 * TEMPERATURE)
+        frame, point = np.nonzero(rough > rough.max(1, keepdims=True) - NEAR)
+        level, near, held = np.log(POWERS[start[frame, point]]), energy[point, frame], eigen.values[point]
+        for _ in range(_NEWTON_STEPS):
+            share = np.exp(level)[:, None] * held
+            share /= 1 + share
+            first = ((near * (1 - share) - 1) * share).sum(1)
+            second = ((near * (1 - 2 * share) - 1) * share * (1 - share)).sum(1)
+            # steps stay within the spacing of the powers tried, and where the curve bends upwards they only climb
+            step = np.where(second < 0, -first / np.minimum(second, -1e-12), np.sign(first))
+            level = np.clip(level + np.clip(step, -1, 1), np.log(POWERS[0]), np.log(POWERS[-1]))
+        gain = np.exp(level)[:, None] * held
+        fine = np.full(rough.shape, -np.inf)
+        fine[frame, point] = -(near / (1 + gain) + np.log1p(gain)).sum(1) / (2 * TEMPERATURE)
+        value = logsumexp(fine, axis=1)
+        evidence = Evidence(value - np.log(len(energy)), np.exp(fine - value[:, None]))
+        return _Score(evidence, along, frame, point, np.exp(level))

@@ -1,0 +1,223 @@
+"""What speaks against a sensor that was found from unlabelled touches.
+
+Touches that were held out of the search judge it: whether they are touches of that sensor, whether another one would
+do as well, and whether the present library does. Two things no likelihood tells: which channel is which, where a
+sensor is its own mirror image; and points that nobody touched.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import combinations
+
+import numpy as np
+import scipy.stats
+from numpy.typing import NDArray
+
+from acoustic_fem.calibration.fitted_model import Posterior
+from localize.recalibration.marginal_likelihood import MarginalLikelihood
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+NEEDED = (
+    "touches that fill 1 to 100 Hz (multi-sines or noise, no taps and no friction), one at a time, in a quiet room, "
+    "spread over all points"
+)
+"""What a calibration takes."""
+GAIN = 2.0
+"""Standard errors by which held-out frames must be likelier than with the present library."""
+RIVAL = 10.0
+"""Nats by which a sensor that names other points must be less probable."""
+EXPLAINED = 0.95
+"""Share of the held-out frames that must pass the residual test, with half of the noise that the fit assumes."""
+AGREEMENT = 0.95
+"""Share of the held-out frames that must keep their points when they join the fit."""
+FALSE_ALARM = 1e-3
+"""Rate of it, and probability below which the size of the parameters speaks against them."""
+EXCHANGED = 3.0
+"""Standard errors by which another order of the microphones must be likelier to be called so."""
+CLEARLY = 0.1
+"""Nats per frame that it must be likelier by, as rounding is not."""
+REGAINED = 0.6
+"""Share of what the fit gains that the order alone must gain: else a gain or a part has changed, not the order. With
+channels exchanged it was 0.9 or more, with a gain 6 dB higher at most 0.43."""
+GAP = 1 / 12
+"""Share of the points of a line that may follow each other without a touch inside of it. There one always may, and one
+at each end, from where a shift of all points by one place begins."""
+UNTOUCHED = 1 / 4
+"""Share of the points of a line that may be without a touch."""
+
+
+@dataclass(frozen=True)
+class Order:
+    """An order of the microphones, and how much likelier frames are in it than in the one they came in."""
+
+    microphones: tuple[str, ...]
+    """As the library names them."""
+    heard: tuple[str, ...]
+    """Those that the channels hold."""
+    gain: float
+    """Nats per frame."""
+    error: float
+    """Standard error of it."""
+
+    @property
+    def differs(self) -> bool:
+        """Whether it is clearly likelier than that of the channels."""
+        return self.gain > max(EXCHANGED * self.error, CLEARLY)
+
+
+def likeliest_order(likelihood: MarginalLikelihood, h: Complex, microphones: tuple[str, ...]) -> Order:
+    """Exchanges of two channels, one after the other, as long as frames become likelier.
+
+    Args:
+        likelihood: of the frames.
+        h: (n_point, n_microphone, n_freq) transfer functions of the library, Pa/Pa.
+        microphones: their names.
+    """
+    order = tuple(range(len(microphones)))
+    first = best = likelihood.evidence(h).frames
+    while True:
+        tried = {}
+        for a, b in combinations(range(len(order)), 2):
+            exchanged = list(order)
+            exchanged[a], exchanged[b] = order[b], order[a]
+            tried[tuple(exchanged)] = likelihood.evidence(h[:, exchanged]).frames
+        better = max(tried, key=lambda each: tried[each].sum())
+        if tried[better].sum() <= best.sum():
+            break
+        order, best = better, tried[better]
+    difference = best - first
+    return Order(
+        microphones,
+        tuple(microphones[k] for k in order),
+        float(difference.mean()),
+        float(difference.std(ddof=1) / np.sqrt(len(difference))),
+    )
+
+
+def gaps(touches: NDArray[np.int64], line: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Points without a touch, from 0, where they are too many of a line, or too many that follow each other.
+
+    Args:
+        touches: (n_point,) of each point.
+        line: (n_point,) of each point; points of a line follow each other.
+    """
+    found = [np.empty(0, np.int64)]
+    for number in np.unique(line):
+        points = np.flatnonzero(line == number)
+        is_free = touches[points] == 0
+        if is_free.mean() > UNTOUCHED:
+            found.append(points[is_free])
+            continue
+        for run in np.split(points, np.flatnonzero(np.diff(is_free)) + 1):
+            at_end = run[0] == points[0] or run[-1] == points[-1]
+            if touches[run[0]] == 0 and len(run) > (1 if at_end else max(1, GAP * len(points))):
+                found.append(run)
+    return np.concatenate(found)
+
+
+def numbers(points: NDArray[np.int64]) -> str:
+    """Points, from 0, as the user counts them: "3, 13-24"."""
+    runs = np.split(points, np.flatnonzero(np.diff(points) > 1) + 1)
+    return ", ".join(f"{run[0] + 1}" if len(run) == 1 else f"{run[0] + 1}-{run[-1] + 1}" for run in runs if len(run))
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Objections:
+    """The figures by which a sensor is accepted or refused."""
+
+    posterior: Posterior
+    """Of the parameters, about the present library."""
+    gain: float
+    """Nats by which a held-out frame is likelier than with the present library, on average."""
+    gain_error: float
+    """Standard error of it."""
+    rival: float
+    """Nats by which the next sensor, one that names other points, is less probable; infinite where all fall back."""
+    rival_held_out: float
+    """Nats by which it is less likely on the held-out frames."""
+    explained: float
+    """Share of the held-out frames that pass the residual test."""
+    agreement: float
+    """Share of the held-out frames whose point stays the same when they join the fit."""
+    order: Order
+    """Of the microphones, in which the held-out frames are likeliest with the present library."""
+    touches: NDArray[np.int64]
+    """(n_point,) frames that name each point."""
+    line: NDArray[np.int64]
+    """(n_point,) line of each point."""
+
+    @property
+    def size(self) -> float:
+        """|u|^2 of the parameters, in standard deviations of the priors."""
+        return float(self.posterior.parameters @ self.posterior.parameters)
+
+    @property
+    def expected_size(self) -> float:
+        """What it is on average for a sensor of these priors: the number of combinations that the touches determine."""
+        return float((self.posterior.eigenvalues / (1 + self.posterior.eigenvalues)).sum())
+
+    @property
+    def largest_size(self) -> float:
+        """Above, fewer than one sensor of these priors in a thousand lies."""
+        return float(scipy.stats.chi2.isf(FALSE_ALARM, max(self.expected_size, 1.0)))
+
+    @property
+    def untouched(self) -> NDArray[np.int64]:
+        """Points, from 0, that no frame names."""
+        return np.flatnonzero(self.touches == 0)
+
+    @property
+    def objection(self) -> str | None:
+        """Why it is refused; None where it is accepted."""
+        untouched = gaps(self.touches, self.line)
+        # an exchange looks like a bad fit too, and is the simpler reason
+        if self.order.differs and self.order.gain > REGAINED * self.gain:
+            return (
+                f"the channels look exchanged: {', '.join(self.order.microphones)} are likelier "
+                f"{', '.join(self.order.heard)}, by {self.order.gain:.2f} +- {self.order.error:.2f} nats per held-out "
+                "frame; or it is another sensor"
+            )
+        if self.explained < EXPLAINED:
+            found = f"; farthest off: {self.posterior.farthest}" if self.size > self.largest_size else ""
+            if len(untouched):
+                found += f"; no touch is named point {numbers(untouched)}"
+            return (
+                f"{100 * self.explained:.0f} % of the held-out frames are touches of the sensor found, fewer than "
+                f"{100 * EXPLAINED:.0f} %: touches of another kind, such as taps or friction, two at a time, sound "
+                f"from outside, a damaged or another sensor, or parts beyond their tolerances{found}; needed are "
+                f"{NEEDED}"
+            )
+        if self.size > self.largest_size:
+            return (
+                f"the parameters lie {self.size:.0f} off their priors, more than {self.largest_size:.0f}: the sensor "
+                f"is not one of this tolerance ({self.posterior.farthest})"
+            )
+        if len(untouched):
+            return (
+                f"no touch is named point {numbers(untouched)}: where touches are not spread over all points, a sensor "
+                "whose points are shifted by a place explains them as well; touch all points of the line"
+            )
+        if self.rival < RIVAL or self.rival_held_out <= 0:
+            return (
+                f"a sensor that names other points is only {self.rival:.1f} nats less probable, and "
+                f"{self.rival_held_out:.1f} less likely on held-out frames: the touches do not tell which it is"
+            )
+        if self.agreement < AGREEMENT:
+            return (
+                f"only {100 * self.agreement:.0f} % of the held-out frames keep their points when they join the fit: "
+                "it is not settled yet"
+            )
+        if self.gain < GAIN * self.gain_error:
+            return (
+                f"held-out frames are {self.gain:.3f} +- {self.gain_error:.3f} nats likelier than with the present "
+                "library, which is as good"
+            )
+        return None
+
+    @property
+    def accepted(self) -> bool:
+        """Whether the library is a new one."""
+        return self.objection is None

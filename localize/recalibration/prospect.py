@@ -1,0 +1,75 @@
+"""What a fitted library is worth before anything more is measured: the accuracy to be expected on the made sensor.
+
+A fit to a few points leaves sensors that differ and agree with the measurement equally well. The made one is a draw
+from that posterior, with what the model lacks; the decoder knows its mean only. How often it names touches of such
+draws right says whether another point should be measured.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from acoustic_fem.calibration.fitted_model import Posterior
+from acoustic_fem.calibration.model_discrepancy import draw
+from acoustic_fem.calibration.model_updating import Update
+from localize.decoders.bayes import BayesDecoder
+from localize.evaluation.accuracy import evaluate
+from localize.signals.array_response import response_of
+from localize.signals.noise import NoiseChoice
+
+DRAWS, TOUCHES = 20, 5
+"""Sensors, and touches of each of their points."""
+ENOUGH = 0.95
+"""Of touches named right: where the worst of these sensors is below, another point should be measured. One in ten would
+be fairer, were the posterior exact."""
+FEWEST = 2
+"""Measured points: what fewer of them say of all others rests on the priors, and so does what is expected of them."""
+
+
+def expected_accuracy(
+    posterior: Posterior, microphone_noise: NoiseChoice = "design", seed: int = 0
+) -> NDArray[np.float64]:
+    """Shares of touches named right on sensors that agree with a measurement, by a decoder that has the likeliest.
+
+    Args:
+        posterior: of :func:`acoustic_fem.calibration.model_updating.update` or a self-calibration, on 1 to 100 Hz.
+        microphone_noise: as of :class:`localize.BayesDecoder`.
+        seed: of the sensors and touches.
+
+    Returns:
+        (DRAWS,) float64 from 0 to 1, ascending.
+
+    Raises:
+        Refusal: frequencies that do not cover 1 to 100 Hz, or a noise out of range.
+    """
+    response = response_of(posterior.model.library)
+    random = np.random.default_rng(seed)
+    apart = random.standard_normal((DRAWS, posterior.model.count)) / np.sqrt(1 + posterior.eigenvalues)
+    drawn = posterior.parameters + apart @ posterior.directions.T
+    decoder = BayesDecoder(replace(response, transfer_function=posterior.transfer_function), microphone_noise)
+    sensors = np.asarray(posterior.model.transfer_function(drawn))
+    sensors = sensors * (1 + draw(random, posterior.model.frequency, sensors.shape[:3]))
+    shares = [
+        evaluate(decoder, replace(response, transfer_function=h), TOUCHES, microphone_noise, seed=seed).top1
+        for h in sensors
+    ]
+    return np.sort(shares)
+
+
+def is_enough(fit: Update, shares: NDArray[np.float64]) -> bool:
+    """Whether no other point needs to be measured.
+
+    Args:
+        fit: to some points.
+        shares: of :func:`expected_accuracy`.
+    """
+    return len(fit.points) >= FEWEST and bool(shares.min() >= ENOUGH)
+
+
+def least_known(posterior: Posterior) -> int:
+    """Number of the point, from 1, whose transfer functions are known least: the one to measure next."""
+    relative = posterior.deviation / np.abs(posterior.transfer_function)
+    return int(np.sqrt((relative**2).mean((1, 2))).argmax()) + 1

@@ -1,0 +1,164 @@
+"""The sensors that unlabelled touches may have come from: maxima of their likelihood times the priors.
+
+With sharp likelihoods there are many: a sensor whose points are all taken for their neighbours explains most touches
+too. With a high assumed noise there is one, so that the noise is lowered in stages and the maximum followed. To learn
+whether it is the right one, others are sought on purpose from the second stage on: from sensors whose points lie one
+place further along a line, both ways, and from a higher and a lower modulus. What a stage leaves at the same sensor,
+or far behind the best, is followed no further.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+import scipy.optimize
+import torch
+from numpy.typing import NDArray
+
+from acoustic_fem.calibration.fitted_model import UpdatedModel
+from localize.recalibration.marginal_likelihood import MarginalLikelihood
+from localize.signals.threads import one_thread
+
+Array = NDArray[np.float64]
+
+DISTINCT = 0.02
+"""Share of the frames that two sensors must name differently to be two."""
+BEHIND = 30.0
+"""Nats: a sensor this far behind the best one of its stage is given up."""
+FARTHEST = 8.0
+"""Standard deviations of a prior: beyond, nothing is looked for."""
+COARSE, FINE = 1e-5, 1e-6
+"""Of the objective: an ascent ends where a step gains less. The coarse one may leave a point in ten unsettled."""
+_ITERATIONS = 30
+_SHIFT_ERROR = 0.1  # to which the logarithms of ratios between microphones are to meet those of the next point
+
+
+@dataclass(frozen=True, eq=False)
+class Candidate:
+    """A maximum."""
+
+    start: str
+    """What it was found from."""
+    parameters: Array
+    """(count,) in standard deviations of the priors."""
+    value: float
+    """Log-likelihood of the frames - |u|^2 / 2, nats."""
+    named: NDArray[np.int64]
+    """(n,) most probable point of each frame, from 0."""
+
+    def isdistinct(self, other: Candidate) -> bool:
+        """Whether the two name different points."""
+        return bool((self.named != other.named).mean() > DISTINCT)
+
+
+@one_thread()
+def search(model: UpdatedModel, stages: tuple[MarginalLikelihood, ...], line: NDArray[np.int64]) -> list[Candidate]:
+    """Distinct maxima at the last stage, the best one first.
+
+    Args:
+        model: the family.
+        stages: the same frames at falling noise, two or more.
+        line: (n_point,) line of each point; points of a line follow each other.
+    """
+    nominal = np.zeros(model.count)
+    starts = [("present", nominal), *_moduli(model)]
+    found: list[Candidate] = []
+    for number, stage in enumerate(stages):
+        scale = _scale(model, stage, starts[0][1])
+        found = distinct([ascend(model, stage, u, start, scale) for start, u in starts])
+        starts = [(one.start, one.parameters) for one in found]
+        if number == 0:
+            starts += _shifted(model, found[0].parameters, line)
+    best = ascend(model, stages[-1], found[0].parameters, found[0].start, precision=FINE)
+    return distinct([best, *found[1:]])
+
+
+def distinct(candidates: list[Candidate]) -> list[Candidate]:
+    """Without repetitions and those far behind, the best one first."""
+    kept: list[Candidate] = []
+    for one in sorted(candidates, key=lambda candidate: -candidate.value):
+        if all(one.isdistinct(other) for other in kept) and (not kept or one.value > kept[0].value - BEHIND):
+            kept.append(one)
+    return kept
+
+
+def ascend(
+    model: UpdatedModel,
+    likelihood: MarginalLikelihood,
+    u: Array,
+    start: str,
+    scale: Array | None = None,
+    precision: float = COARSE,
+) -> Candidate:
+    """The maximum near u (count,), by L-BFGS in coordinates in which the likelihood is about as wide everywhere.
+
+    Args:
+        model: the family.
+        likelihood: of the frames.
+        u: where to begin.
+        start: what to call it.
+        scale: (count, count) from those coordinates to parameters; by default that at u.
+        precision: gain of a step, over the objective, below which it ends.
+    """
+    scale = _scale(model, likelihood, u) if scale is None else scale
+
+    def falling(v: Array) -> tuple[float, Array]:
+        here = scale @ v
+        # no part is that far from what it should be, and a long step there would end in one that is none
+        possible = np.clip(here, -FARTHEST, FARTHEST)
+        value, slope = value_and_slope(model, likelihood, possible)
+        return 0.5 * float(here @ here) - value, scale.T @ (here - np.where(possible == here, slope, 0))
+
+    best = scipy.optimize.minimize(
+        falling,
+        np.linalg.solve(scale, u),
+        jac=True,
+        method="L-BFGS-B",
+        options={"maxiter": _ITERATIONS, "maxcor": 20, "ftol": precision},
+    )
+    there = np.clip(scale @ best.x, -FARTHEST, FARTHEST)
+    named = likelihood.evidence(model.transfer_function(there[None])[0]).share.argmax(1)
+    return Candidate(start, there, -float(best.fun), named)
+
+
+def value_and_slope(model: UpdatedModel, likelihood: MarginalLikelihood, u: Array) -> tuple[float, Array]:
+    """Log-likelihood of the frames at parameters u (count,), and its derivative (count,)."""
+    parameters = torch.tensor(u[None], requires_grad=True)
+    h = model.transfer_function(parameters)[0]
+    value, slope = likelihood.slope(h.detach().numpy())
+    # the product's derivative is the slope carried on to the parameters
+    torch.view_as_real(h.resolve_conj()).mul(torch.view_as_real(torch.from_numpy(slope))).sum().backward()
+    assert parameters.grad is not None
+    return value, parameters.grad[0].numpy()
+
+
+def _scale(model: UpdatedModel, likelihood: MarginalLikelihood, u: Array) -> Array:
+    information = likelihood.information(model.transfer_function(u[None])[0], model.jacobian(u))
+    values, vectors = np.linalg.eigh(information)
+    return np.asarray(vectors / np.sqrt(1 + np.maximum(values, 0)))
+
+
+def _moduli(model: UpdatedModel) -> Iterator[tuple[str, Array]]:
+    of_all = np.eye(model.count)[model.names.index("modulus of all membranes")]
+    yield "higher modulus", of_all
+    yield "lower modulus", -of_all
+
+
+def _shifted(model: UpdatedModel, u: Array, line: NDArray[np.int64]) -> Iterator[tuple[str, Array]]:
+    """Sensors that may be mistaken for the one at u: each point of a line answers as its neighbour does there."""
+    h, jacobian = model.transfer_function(u[None])[0], model.jacobian(u)
+    # the source's spectrum is not known: what tells points apart is one microphone by another
+    by_parameters = jacobian[:, :, 1:] / h[:, 1:] - jacobian[:, :, :1] / h[:, :1]
+    for number in np.unique(line):
+        points = np.flatnonzero(line == number)
+        if len(points) < 3:
+            continue
+        for here, there, text in ((points[:-1], points[1:], "forwards"), (points[1:], points[:-1], "backwards")):
+            ratio = (h[there, 1:] / h[there, :1]) / (h[here, 1:] / h[here, :1])
+            wanted = np.log(ratio) / _SHIFT_ERROR
+            rows = (by_parameters[:, here] / _SHIFT_ERROR).reshape(model.count, -1)
+            a = np.concatenate([rows.real, rows.imag], axis=1)
+            b = np.concatenate([wanted.real.ravel(), wanted.imag.ravel()])
+            yield f"line {number + 1} {text}", u + np.linalg.solve(a @ a.T + np.eye(model.count), a @ b)

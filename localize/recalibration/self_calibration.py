@@ -1,0 +1,274 @@
+"""A library brought to the sensor as it is now, from touches of which nobody knows the points.
+
+The parameters are those of :mod:`acoustic_fem.calibration.model_updating`, with their priors, about the present
+library: the nominal one or the last calibration. The most probable ones given the touches
+(:mod:`localize.recalibration.search`) are accepted only where touches that were held out of the search speak for them;
+otherwise the present library stays.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import warnings
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from itertools import combinations
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from acoustic_fem.calibration.fitted_model import Posterior, Priors, UpdatedModel
+from acoustic_fem.library.provenance import versions
+from acoustic_fem.library.result import MEASURED, Library, library_from_arrays
+from geometry.layout.place import lay_out
+from geometry.refusal import Refusal
+from localize.decoders.judgement import ResidualTest
+from localize.recalibration.marginal_likelihood import MarginalLikelihood
+from localize.recalibration.objections import FALSE_ALARM, NEEDED, Objections, likeliest_order
+from localize.recalibration.search import FINE, ascend, distinct, search
+from localize.signals.array_response import ArrayResponse, response_of
+from localize.signals.frames import FRAME, checked_signals
+from localize.signals.stimulus import SAMPLE_RATE
+from localize.signals.threads import one_thread
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+FEWEST = 100
+"""Frames with a touch that are needed."""
+STAGES = (0.25, 0.12, 0.03)
+"""Noise that is assumed, over the level of the touches: half of the frames are louder at their loudest microphone."""
+QUIET = 4.0
+"""Times the microphones' noise: frames that are nowhere louder hold no touch."""
+ONE_SIGNAL = 1e-2
+"""Share of a channel's energy that another one, at the best gain, must leave unexplained to be another microphone.
+Copies differ by rounding and by the noise of two inputs; microphones of arrays and of a glove leave 0.36 or more."""
+SEARCHED = 300
+"""Frames that a search is made with at most; the last ascent takes all."""
+HELD_OUT = 0.25
+"""Share of the frames that the search does not see."""
+LOUDEST = 8.0
+"""Times the level of the touches: the loudest touch that the residual test passes."""
+LEVELS = (1e-3 / LOUDEST, 1e3 / LOUDEST)
+"""Pa rms at the loudest microphone that half of the touches may be above."""
+
+
+class SelfCalibrationError(Refusal):
+    """Touches that nothing can be learned from."""
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class SelfCalibration(Objections):
+    """The most probable sensor of unlabelled touches, and what speaks against it."""
+
+    present: Library
+    """What it began from, and what stays where it is refused."""
+    frames: int
+    """With a touch."""
+    held_out: int
+    """Of them, not seen by the search."""
+    seed: int
+    noise: float
+    """Pa rms that was assumed in the end."""
+
+    def library(self) -> Library:
+        """The calibrated library, like any other; the present one where the calibration is refused."""
+        if not self.accepted:
+            return self.present
+        present, h = self.present, self.posterior.transfer_function
+        impedance = present.point_impedance.transpose("point", "frequency").values
+        return library_from_arrays(
+            present.design,
+            lay_out(present.design),
+            present.frequency,
+            {"transfer_function": h, "source_response": h * impedance[:, None], "point_impedance": impedance},
+            MEASURED,
+            present.medium,
+            {
+                **versions(None, ("numpy", "scipy", "torch", "xarray")),
+                "frequency_sha256": hashlib.sha256(present.frequency.tobytes()).hexdigest(),
+                "self_calibration": self.summary(),
+                "present": {"fidelity": present.fidelity, **present.provenance},
+            },
+            self.posterior.deviation,
+        )
+
+    def summary(self) -> dict[str, Any]:
+        """Plain values for a report."""
+        return {
+            "frames": self.frames,
+            "held_out": self.held_out,
+            "seed": self.seed,
+            "noise": self.noise,
+            "gain_per_frame": self.gain,
+            "gain_error": self.gain_error,
+            "rival": None if np.isinf(self.rival) else self.rival,
+            "rival_held_out": None if np.isinf(self.rival_held_out) else self.rival_held_out,
+            "explained": self.explained,
+            "agreement": self.agreement,
+            "size": self.size,
+            "expected_size": self.expected_size,
+            "likeliest_order": list(self.order.heard),
+            "order_gain_per_frame": self.order.gain,
+            "order_gain_error": self.order.error,
+            "touches_per_point": self.touches.tolist(),
+            "objection": self.objection,
+            **self.posterior.summary(),
+        }
+
+
+@one_thread()
+def self_calibrate(
+    library: Library,
+    frames: ArrayLike,
+    microphone_noise: float = 1e-3,
+    priors: Priors | None = None,
+    seed: int = 0,
+    progress: Callable[[str, float], None] | None = None,
+) -> SelfCalibration:
+    """Bring a library to the sensor that made unlabelled touches.
+
+    Args:
+        library: the nominal one, or the last calibration, of the sensor's design, covering 1 to 100 Hz.
+        frames: (n, n_microphone, 250) Pa at 1 kHz; those without a touch are passed over.
+        microphone_noise: of the microphones, Pa rms over 0 to 500 Hz, 1e-9 to 10.
+        priors: how far the sensor may be from the library; by default those of a fresh one.
+        seed: of the choice of the frames that are held out.
+        progress: called with what is being done and the fraction done.
+
+    Raises:
+        SelfCalibrationError: fewer than 100 frames with a touch, or touches of a level that is none in pascals; a frame
+            given twice, which could lie on both sides of the hold-out; two channels of one signal.
+        Refusal: frames of a wrong shape, a silent channel, values that are not finite; a noise out of range; a
+            library without the band, or of a design that the lumped batch does not take.
+    """
+    if not 1e-9 <= microphone_noise <= 10:
+        raise Refusal(f"microphone_noise = {microphone_noise} Pa must be between 1e-9 and 10 Pa")
+    response = response_of(library)
+    heard = _usable(np.asarray(frames, np.float64), response, microphone_noise)
+    _check_channels(heard, response.microphones)
+    level = float(np.median(heard.std(2).max(1)))
+    if not LEVELS[0] <= level <= LEVELS[1]:
+        raise SelfCalibrationError(
+            f"the touches are {level:.3g} Pa rms at their loudest microphone, where {LEVELS[0]:g} to {LEVELS[1]:g} Pa "
+            f"can be judged: are the samples pascals? Needed are {NEEDED}"
+        )
+    noises = [max(share * level, 2 * microphone_noise) for share in STAGES]
+    heard = heard[np.random.default_rng(seed).permutation(len(heard))]
+    kept, held_out = np.split(heard, [round((1 - HELD_OUT) * len(heard))])
+    with warnings.catch_warnings():
+        # a search also passes through sensors of which these would be right; of the one it ends at they are told
+        # when its library is made, outside of here
+        warnings.filterwarnings("ignore", "entrance loss of a tube|membrane: ", UserWarning)
+        return _calibrated(
+            UpdatedModel(library, priors), response, kept, held_out, noises, level, seed, progress or _silent
+        )
+
+
+def touched(frames: Array, noise: float) -> NDArray[np.bool_]:
+    """(n,) which frames, (n, n_microphone, 250), hold a touch; one that is not finite is no quiet one."""
+    return np.asarray(~(frames.std(2).max(1, initial=0) <= QUIET * noise))
+
+
+def _usable(frames: Array, response: ArrayResponse, noise: float) -> Array:
+    """Frames that hold a touch, each once."""
+    if frames.ndim != 3 or frames.shape[2] != FRAME:
+        raise Refusal(f"frames have shape {frames.shape}, must be (n, n_microphone, {FRAME})")
+    number = np.flatnonzero(touched(frames, noise))
+    heard = frames[number]
+    if len(heard):
+        checked_signals(heard, response.microphones)
+        _check_copies(heard, number)
+    if len(heard) < FEWEST:
+        raise SelfCalibrationError(
+            f"{len(heard)} of {len(frames)} frames hold a touch; a calibration needs at least {FEWEST} "
+            f"({FEWEST * FRAME / SAMPLE_RATE:g} s of touches)"
+        )
+    return heard
+
+
+def _check_copies(frames: Array, number: NDArray[np.int64]) -> None:
+    """Refuse frames, of these numbers, that are there twice."""
+    seen: dict[bytes, int] = {}
+    earlier = [seen.setdefault(frame.tobytes(), k) for k, frame in zip(number.tolist(), frames, strict=True)]
+    copies = np.flatnonzero(earlier != number)
+    if len(copies):
+        raise SelfCalibrationError(
+            f"{len(copies)} of {len(frames)} frames with a touch are copies of others, such as frame "
+            f"{number[copies[0]]} of frame {earlier[copies[0]]} (from 0): a copy of what the search saw judges "
+            "nothing; give each touch once"
+        )
+
+
+def _check_channels(frames: Array, microphones: tuple[str, ...]) -> None:
+    """Refuse channels that hold one signal, at whatever gain and sign."""
+    channels = (frames - frames.mean(2, keepdims=True)).transpose(1, 0, 2).reshape(len(microphones), -1)
+    product = channels @ channels.T
+    for one, other in combinations(range(len(microphones)), 2):
+        correlation = product[one, other] / np.sqrt(product[one, one] * product[other, other])
+        if 1 - correlation**2 < ONE_SIGNAL:
+            raise SelfCalibrationError(
+                f"channels {microphones[one]} and {microphones[other]} hold one signal: in the frames with a touch "
+                f"{microphones[other]} is {product[one, other] / product[one, one]:.3g} times {microphones[one]}, "
+                f"their correlation {correlation:.4f}; each microphone needs a channel of its own"
+            )
+
+
+def _silent(message: str, fraction: float) -> None:
+    """Nobody is told."""
+
+
+def _calibrated(
+    model: UpdatedModel,
+    response: ArrayResponse,
+    kept: Array,
+    held_out: Array,
+    noises: list[float],
+    level: float,
+    seed: int,
+    report: Callable[[str, float], None],
+) -> SelfCalibration:
+    def responses(u: Array) -> Complex:
+        return np.asarray(model.transfer_function(u[None])[0])
+
+    grid, noise = response.frequency, noises[-1]
+    report("search", 0.0)
+    found = search(model, tuple(MarginalLikelihood(grid, kept[:SEARCHED], each) for each in noises), response.line)
+    report("judgement", 0.7)
+    if len(kept) > SEARCHED:
+        likelihood = MarginalLikelihood(grid, kept, noise)
+        found = distinct([ascend(model, likelihood, one.parameters, one.start, precision=FINE) for one in found])
+    unseen = MarginalLikelihood(grid, held_out, noise)
+    best, *rivals = (unseen.evidence(responses(one.parameters)) for one in found)
+    named = best.share.argmax(1)
+    present = responses(np.zeros(model.count))
+    difference = best.frames - unseen.evidence(present).frames
+    order = likeliest_order(unseen, present, response.microphones)
+    test = ResidualTest(
+        replace(response, transfer_function=responses(found[0].parameters)),
+        noise / 2,
+        LOUDEST * level,
+    )
+    report("all frames", 0.8)
+    whole = MarginalLikelihood(grid, np.concatenate([kept, held_out]), noise)
+    u = ascend(model, whole, found[0].parameters, found[0].start, precision=FINE).parameters
+    information = whole.information(responses(u), model.jacobian(u))
+    report("done", 1.0)
+    return SelfCalibration(
+        present=model.library,
+        posterior=Posterior.of(model, u, information),
+        frames=len(kept) + len(held_out),
+        held_out=len(held_out),
+        seed=seed,
+        noise=noise,
+        gain=float(difference.mean()),
+        gain_error=float(difference.std(ddof=1) / np.sqrt(len(held_out))),
+        rival=min((found[0].value - one.value for one in found[1:]), default=np.inf),
+        rival_held_out=min((float((best.frames - one.frames).sum()) for one in rivals), default=np.inf),
+        explained=float((test.p_value(held_out, named) >= FALSE_ALARM).mean()),
+        agreement=float((unseen.evidence(responses(u)).share.argmax(1) == named).mean()),
+        order=order,
+        touches=np.bincount(whole.evidence(responses(u)).share.argmax(1), minlength=response.point_count),
+        line=response.line,
+    )

@@ -1,0 +1,141 @@
+"""Recordings of an array's microphones, from files to pascals at 1 kHz; bad ones are refused by name."""
+
+from __future__ import annotations
+
+import math
+import os
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from acoustic_fem.sound.sound_file import MATRIX, Sound, SoundFileError, read_sound
+from geometry.refusal import Refusal
+from localize.signals.frames import FRAME
+from localize.signals.resampling import at_one_kilohertz
+from localize.signals.stimulus import SAMPLE_RATE
+
+LOWEST_RATE, HIGHEST_RATE = 250.0, 1e6
+"""Hz; below the lowest the band of 1 to 100 Hz is not in a recording."""
+FLAT = 8
+"""Consecutive equal samples at the extreme of a channel that show clipping."""
+FINE = 2000
+"""Flat tops count where the extreme is this many of the channel's smallest steps or more: smaller ones are coarse."""
+
+
+class RecordingError(Refusal):
+    """A recording that cannot be used: one line that names the file and the reason."""
+
+
+@dataclass(frozen=True, eq=False)
+class Recording:
+    """Signals at 1 kHz."""
+
+    signals: NDArray[np.float64]
+    """(n_microphone, n_sample) Pa."""
+    rate: float
+    """Hz, of the file."""
+
+    @property
+    def seconds(self) -> float:
+        """Length."""
+        return self.signals.shape[1] / SAMPLE_RATE
+
+
+def read_recording(
+    path: str | os.PathLike[str], microphones: tuple[str, ...], full_scale: float | None = None
+) -> Recording:
+    """Read a recording and bring it to 1 kHz.
+
+    Files are those of :func:`acoustic_fem.sound.sound_file.read_sound`. Channels with names, of CSV, NPZ and MAT, are
+    the microphones in any order; numbered ones, of WAV files and of ``signals`` in NPZ and MAT, are in the order of the
+    design. Samples are pascals, of WAV files fractions of full scale. Files that give no rate are at 1 kHz; other rates
+    are brought to it by a polyphase filter, see :mod:`localize.signals.resampling`.
+
+    Args:
+        path: of the file; its suffix says what it is.
+        microphones: names of the array's microphones.
+        full_scale: Pa: of WAV files the pressure at full scale, 1 Pa by default; of others the pressure at which they
+            clip, which by default is recognised by flat tops.
+
+    Raises:
+        RecordingError: the file cannot be read or is cut short; a wrong number of channels, or others; a channel that
+            is silent, clipped or not finite; less than one frame; a sample rate outside 250 Hz to 1 MHz.
+        Refusal: a full scale that is not finite and positive.
+    """
+    path = Path(path)
+    check_full_scale(full_scale)
+    try:
+        sound = read_sound(path, default_rate=SAMPLE_RATE)
+    except SoundFileError as error:
+        raise RecordingError(str(error)) from None
+    samples, rate = _in_order(path, sound, microphones), sound.rate
+    limit = full_scale
+    if path.suffix.lower() == ".wav":
+        scale = full_scale or 1.0
+        samples, limit = samples * scale, None if sound.full_scale is None else sound.full_scale * scale
+    _check(path, samples, rate, microphones, limit)
+    return Recording(at_one_kilohertz(samples, rate), rate)
+
+
+def check_full_scale(full_scale: float | None) -> None:
+    """Refuse what is no pressure.
+
+    Raises:
+        Refusal: it is not finite and positive.
+    """
+    if full_scale is not None and not 0 < full_scale < math.inf:
+        raise Refusal(f"full_scale = {full_scale} Pa must be finite and above 0")
+
+
+def _in_order(path: Path, sound: Sound, microphones: tuple[str, ...]) -> NDArray[np.float64]:
+    """(n_microphone, n_sample) in the order of the microphones."""
+    names = list(sound.channels)
+    wanted = ", ".join(microphones)
+    if sound.numbered and len(names) != len(microphones):
+        raise RecordingError(f"{path}: has {len(names)} channels, must have {len(microphones)}: {wanted}")
+    if not sound.numbered and sorted(names) != sorted(microphones):
+        rows = f", or be the rows of {MATRIX}" if path.suffix.lower() in (".npz", ".mat") else ""
+        raise RecordingError(f"{path}: its channels are {', '.join(names)}; they must be {wanted}{rows}")
+    return np.stack([sound.channels[name] for name in (names if sound.numbered else microphones)])
+
+
+def _check(
+    path: Path, samples: NDArray[np.float64], rate: float, microphones: tuple[str, ...], limit: float | None
+) -> None:
+    if not LOWEST_RATE <= rate <= HIGHEST_RATE:
+        raise RecordingError(
+            f"{path}: sample rate = {rate:g} Hz must be between {LOWEST_RATE:g} and {HIGHEST_RATE:g} Hz"
+        )
+    least = math.ceil(FRAME * rate / SAMPLE_RATE)
+    if samples.shape[1] < least:
+        raise RecordingError(
+            f"{path}: has {samples.shape[1]} samples, must have at least {least} "
+            f"({FRAME / SAMPLE_RATE:g} s at {rate:g} Hz)"
+        )
+    for name, channel in zip(microphones, samples, strict=True):
+        bad = np.flatnonzero(~np.isfinite(channel))
+        if len(bad):
+            raise RecordingError(f"{path}: channel {name} is not finite at {bad[0] / rate:.3f} s")
+        if channel.max() == channel.min():
+            raise RecordingError(f"{path}: channel {name} is silent: its value never changes")
+        clipped = _first_clipped(channel, limit)
+        if clipped is not None:
+            raise RecordingError(
+                f"{path}: channel {name} is clipped at {abs(channel[clipped]):.4g} Pa, first at {clipped / rate:.3f} s"
+            )
+
+
+def _first_clipped(channel: NDArray[np.float64], limit: float | None) -> int | None:
+    """Index of the first sample at the limit; where none is known, of the first flat top."""
+    if limit is not None:
+        reached = np.flatnonzero(np.abs(channel) >= limit)
+        return int(reached[0]) if len(reached) else None
+    if np.abs(channel).max() < FINE * np.diff(np.unique(channel)).min():
+        return None
+    for extreme in (channel.max(), channel.min()):
+        at = np.convolve(channel == extreme, np.ones(FLAT, np.int64), "valid")
+        if at.max() == FLAT:
+            return int(at.argmax())
+    return None

@@ -1,0 +1,44 @@
+from .array_response import (
+    ArrayResponse as ArrayResponse,
+    TransferFunctionSource as TransferFunctionSource,
+    interpolation as interpolation,
+    response_of as response_of,
+)
+from .disturbances import (
+    LOWEST_SOUND as LOWEST_SOUND,
+    REFERENCE as REFERENCE,
+    MicrophoneMismatch as MicrophoneMismatch,
+    check_ambient as check_ambient,
+)
+from .finger_stimuli import STIMULI as STIMULI, Mixture as Mixture
+from .frames import (
+    FRAME as FRAME,
+    checked_signals as checked_signals,
+    combined_probability as combined_probability,
+    cut_frames as cut_frames,
+)
+from .noise import (
+    NoiseChoice as NoiseChoice,
+    NoiseSpectrum as NoiseSpectrum,
+    input_density as input_density,
+    microphone_noise as microphone_noise,
+)
+from .random_streams import Purpose as Purpose, choice as choice, random_words as random_words, uniform as uniform
+from .resampling import StreamResampler as StreamResampler, at_one_kilohertz as at_one_kilohertz
+from .shards import read_shards as read_shards, write_shards as write_shards
+from .stimulus import (
+    BAND as BAND,
+    COMPONENT_INTERVALS as COMPONENT_INTERVALS,
+    NOISE as NOISE,
+    SAMPLE_LENGTH as SAMPLE_LENGTH,
+    SAMPLE_RATE as SAMPLE_RATE,
+    Device as Device,
+    StimulusSource as StimulusSource,
+    multi_sines as multi_sines,
+    time_signal as time_signal,
+)
+from .threads import one_thread as one_thread
+from .touch_generator import (
+    TouchGenerator as TouchGenerator,
+    TouchSignals as TouchSignals,
+)

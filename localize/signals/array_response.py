@@ -1,0 +1,219 @@
+"""Transfer functions of an array as plain arrays: what the localizer takes from a library.
+
+Between the library's frequencies the complex values are interpolated by a cubic spline. Below the lowest one it runs on
+to 0 Hz, where all pressures of a sealed array are equal. A long line bends there within a fraction of a hertz: where
+taps matter, whose spectrum begins at 0 Hz, take a library in steps of 0.25 Hz (docs/localizer.md has figures).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass, field
+from typing import TYPE_CHECKING, Any, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.interpolate import CubicSpline
+
+from geometry.refusal import Refusal
+from localize.signals.noise import NoiseChoice, NoiseSpectrum, microphone_noise
+from localize.signals.stimulus import BAND
+
+if TYPE_CHECKING:
+    from acoustic_fem import Library
+
+
+@dataclass(frozen=True, eq=False)
+class ArrayResponse:
+    """The transfer functions of one array as plain arrays: what the localizer takes from a library."""
+
+    transfer_function: NDArray[np.complex128]
+    """(n_point, n_microphone, n_freq) complex128, pressure at a microphone / pressure in the touched cavity."""
+    frequency: NDArray[np.float64]
+    """(n_freq,) float64, Hz, increasing, covering 1 to 100 Hz."""
+    line: NDArray[np.int64]
+    """(n_point,) line of each point."""
+    place: NDArray[np.int64]
+    """(n_point,) place of each point along its line."""
+    microphones: tuple[str, ...]
+    name: str = "array"
+    """Name of the design."""
+    provenance: Mapping[str, Any] = field(default_factory=dict)
+    """Design, fidelity, air, frequencies and versions, as JSON can hold them."""
+    own_noise: NoiseSpectrum | None = None
+    """Noise of the design's microphone; None where there is no design."""
+    ambient_response: NDArray[np.complex128] | None = None
+    """(n_microphone, n_freq) complex128, pressure at a microphone per pressure outside, the same on all membranes,
+    Pa/Pa; None where there is no design."""
+    sealed: bool = False
+    """Whether all pressures of the array are equal at 0 Hz, as those of a design are; if not, the spline is left to
+    itself there."""
+    vent_ratio: NDArray[np.complex128] | None = None
+    """(n_freq,) complex128, admittance of the microphone's compliances over that of its vent, see
+    :func:`acoustic_fem.network.microphone.vent_ratio`; None where there is no design."""
+
+    def __post_init__(self) -> None:
+        h, f = self.transfer_function, self.frequency
+        if h.ndim != 3 or h.shape[1:] != (len(self.microphones), len(f)):
+            raise Refusal(
+                f"transfer_function has shape {h.shape}, must be (n_point, n_microphone, n_freq) = "
+                f"(n, {len(self.microphones)}, {len(f)})"
+            )
+        if len(self.line) != len(h) or len(self.place) != len(h):
+            raise Refusal(f"line and place must each have one value for each of the {len(h)} points")
+        if len(h) < 2 or len(self.microphones) < 2:
+            raise Refusal(
+                f"{len(h)} points and {len(self.microphones)} microphones: localizing needs at least 2 of each"
+            )
+        if len(f) < 4 or f[0] <= 0 or np.any(np.diff(f) <= 0):
+            raise Refusal("frequency must hold at least 4 increasing values above 0 Hz")
+        if f[0] > BAND[0] + 1e-6 or f[-1] < BAND[1] - 1e-6:
+            raise Refusal(
+                f"frequency runs from {f[0]:g} to {f[-1]:g} Hz; it must cover {BAND[0]:g} to {BAND[1]:g} Hz, "
+                "the band of the stimuli"
+            )
+        for name, expected in (("ambient_response", h.shape[1:]), ("vent_ratio", f.shape)):
+            value = getattr(self, name)
+            if value is not None and (value.shape != expected or not np.isfinite(value).all()):
+                raise Refusal(f"{name} must hold finite values of shape {expected}, has shape {value.shape}")
+        bad = np.argwhere(~np.isfinite(h))
+        if len(bad):
+            point, microphone, k = bad[0]
+            raise Refusal(
+                f"transfer_function of point {point + 1} at microphone {self.microphones[microphone]} is not finite "
+                f"at {f[k]:g} Hz"
+            )
+
+    @property
+    def point_count(self) -> int:
+        """Number of sensing points."""
+        return len(self.transfer_function)
+
+    def noise(self, choice: NoiseChoice) -> float | NoiseSpectrum:
+        """What is added to every microphone: white noise in Pa rms over 0 to 500 Hz, or that of the design.
+
+        Raises:
+            Refusal: "design" where there is none, or a number that is not finite or below zero.
+        """
+        if choice == "design":
+            if self.own_noise is None:
+                raise Refusal("microphone_noise = 'design' needs a library with a design; else give Pa rms")
+            return self.own_noise
+        if not 0 <= choice < np.inf:
+            raise Refusal(f"microphone_noise = {choice} must be 'design' or a finite number, zero or above")
+        return float(choice)
+
+    def at(self, frequency: NDArray[np.float64]) -> NDArray[np.complex128]:
+        """Transfer functions interpolated to frequencies inside the library's range.
+
+        Returns:
+            (n_point, n_microphone, n) complex128.
+        """
+        return interpolated_from_zero(self.transfer_function, self.frequency, frequency, self.sealed)
+
+
+class TransferFunctionSource(Protocol):
+    """Transfer functions of many sensors of one design, read as they are needed."""
+
+    @property
+    def frequency(self) -> NDArray[np.float64]:
+        """(n_freq,) float64, Hz."""
+
+    @property
+    def sensor_count(self) -> int:
+        """Number of sensors."""
+
+    def sensors(self, first: int, count: int) -> NDArray[np.complex128]:
+        """(count, n_point, n_microphone, n_freq) complex128 of consecutive sensors."""
+
+
+def interpolated(
+    values: NDArray[np.complex128], grid: NDArray[np.float64], frequency: NDArray[np.float64]
+) -> NDArray[np.complex128]:
+    """The spline through values (..., n_freq) of a real system, (..., n): its response at -f is the conjugate.
+
+    Few values on many frequencies take a hundredth of the time of the matrices of :func:`interpolation`.
+    """
+    mirrored = grid > 0
+    both = np.concatenate([-grid[mirrored][::-1], grid])
+    mirror = np.conj(values[..., mirrored][..., ::-1])
+    return np.asarray(CubicSpline(both, np.concatenate([mirror, values], -1), axis=-1)(frequency))
+
+
+def interpolated_from_zero(
+    values: NDArray[np.complex128], grid: NDArray[np.float64], frequency: NDArray[np.float64], sealed: bool
+) -> NDArray[np.complex128]:
+    """The same, where an array is sealed with its value at 0 Hz, which counts below the grid alone."""
+    found = interpolated(values, grid, frequency)
+    is_below = frequency < grid[0]
+    if sealed and is_below.any():
+        found[..., is_below] = interpolated(
+            from_zero(values, sealed), np.concatenate([[0.0], grid]), frequency[is_below]
+        )
+    return found
+
+
+def interpolation(
+    grid: NDArray[np.float64], frequency: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """The splines as matrices (n, n_freq): of real parts, which are even about 0 Hz, and of imaginary ones, odd."""
+    # Continued to negative frequencies, where the response of a real system is the conjugate: the spline then
+    # needs no end condition near 0 Hz, where the response bends most.
+    unit, mirrored = np.eye(len(grid)), grid > 0
+    both = np.concatenate([-grid[mirrored][::-1], grid])
+    even, odd = (CubicSpline(both, np.concatenate([sign * unit[mirrored][::-1], unit]))(frequency) for sign in (1, -1))
+    return even, odd
+
+
+def interpolation_from_zero(
+    grid: NDArray[np.float64], frequency: NDArray[np.float64], sealed: bool
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """The same, for values that :func:`from_zero` has put that at 0 Hz before; it counts below the grid alone."""
+    even, odd = interpolation(grid, frequency)
+    if not sealed:
+        return even, odd
+    below = interpolation(np.concatenate([[0.0], grid]), frequency)
+    widened = (np.pad(matrix, ((0, 0), (1, 0))) for matrix in (even, odd))
+    is_below = frequency[:, None] < grid[0]
+    even, odd = (np.where(is_below, low, high) for low, high in zip(below, widened, strict=True))
+    return even, odd
+
+
+def from_zero(transfer_function: NDArray[np.complex128], sealed: bool) -> NDArray[np.complex128]:
+    """Transfer functions (..., n_freq), with the one at 0 Hz before them where it is known."""
+    if not sealed:
+        return transfer_function
+    return np.concatenate([np.ones_like(transfer_function[..., :1]), transfer_function], -1)
+
+
+def response_of(library: Library | ArrayResponse) -> ArrayResponse:
+    """The plain arrays of a library.
+
+    Raises:
+        Refusal: the library's frequencies do not cover 1 to 100 Hz, or a value is not finite.
+    """
+    if isinstance(library, ArrayResponse):
+        return library
+    from acoustic_fem.network.microphone import vent_ratio
+    from geometry.design.design_file import write_design
+
+    h = library.transfer_function.transpose("point", "microphone", "frequency")
+    return ArrayResponse(
+        transfer_function=np.asarray(h.values, np.complex128),
+        frequency=np.asarray(h.coords["frequency"].values, np.float64),
+        line=np.asarray(h.coords["line"].values, np.int64),
+        place=np.asarray(h.coords["place"].values, np.int64),
+        microphones=tuple(str(name) for name in h.coords["microphone"].values),
+        name=library.design.name,
+        provenance={
+            "design": write_design(library.design),
+            "fidelity": library.fidelity,
+            "medium": asdict(library.medium),
+            "frequency": [float(f) for f in h.coords["frequency"].values],
+            "library": dict(library.provenance),
+        },
+        own_noise=microphone_noise(library.design.microphone, library.medium),
+        ambient_response=np.asarray(library.touch_response("pressure").sum("point").values, np.complex128),
+        sealed=True,
+        vent_ratio=vent_ratio(library.design.microphone, library.frequency, library.medium),
+    )

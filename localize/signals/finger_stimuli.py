@@ -1,0 +1,256 @@
+"""What fingers do to the pressure in a cavity, in Pa: taps and presses, friction, a pulse wave, and recordings.
+
+Scale: a membrane that sweeps the volume V of a sealed cavity of volume V_0 raises its pressure by about P_0 V / V_0,
+P_0 = 101 kPa being the isothermal bulk modulus of the air; under a cap of 8 mm over 150 mm^3 a tenth of a micrometre
+in the middle makes about 1 Pa. The ranges below are chosen around that, from a stroke that is barely felt to a light
+tap; they are ours, for no measured ones are published.
+
+Taps, friction and recordings begin and end within the sample's second. On the periodic grid of
+:mod:`localize.signals.stimulus` they are followed by three seconds of silence, so that the steady state of the array,
+which the generator computes, is their exact linear convolution with the impulse response, see :mod:`localize.signals`.
+Every source keeps to the frequencies that the library covers: the top fifth of them is faded out by half a cosine. Each
+sample owns its random numbers, as everywhere (:mod:`localize.signals.random_streams`).
+"""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+import torch
+from torch import Tensor
+
+from geometry.refusal import Refusal
+from localize.signals.frames import FRAME
+from localize.signals.random_streams import Purpose, between, choice, complex_normal, log_between, random_words, uniform
+from localize.signals.stimulus import (
+    LINE_COUNT,
+    LINE_SPACING,
+    PERIOD,
+    SAMPLE_LENGTH,
+    SAMPLE_RATE,
+    Device,
+    Stimuli,
+    StimulusSource,
+    lines_within,
+    multi_sines,
+    time_signal,
+)
+
+PULSE_SECONDS = (0.005, 0.1)
+"""From a tap to a short press."""
+PULSE_PEAK = (0.1, 10.0)
+"""Pa."""
+LISTEN = 50
+"""Samples between the end of a pulse and that of the frame it falls in, for the response to arrive."""
+
+FRICTION_EDGES = ((3.0, 30.0), (60.0, 300.0))
+"""Hz: where the lower and the upper edge of the band lie."""
+FRICTION_RMS = (0.02, 1.0)
+"""Pa."""
+SWELL = 0.7
+"""Standard deviation of the logarithm of the moving level of friction."""
+SWELL_HERTZ = 4
+"""The level moves with so many hertz at most."""
+FADE = 20
+"""Samples over which what does not begin or end by itself is faded in and out."""
+
+HEART_LINES = (3, 7)
+"""Beats in the four seconds of the period: 45 to 105 per minute."""
+PULSE_WAVE_PEAK = (0.02, 0.5)
+"""Pa."""
+_HARMONICS = 24
+
+TOP_SHARE = 0.2
+"""Share of the library's band, at its top, over which stimuli are faded out."""
+
+
+def taps(seed: int, purpose: Purpose, start: int, count: int, band: tuple[float, float], device: Device) -> Stimuli:
+    """One smooth pulse each, sin^2 over 5 to 100 ms, within the last 250 samples: those that decisions are made from.
+
+    Duration and peak are spread evenly on a logarithmic scale. Arguments as
+    :class:`localize.signals.stimulus.StimulusSource`.
+    """
+    drawn = uniform(random_words(seed, purpose, "taps", start, count, 2), device)
+    length = SAMPLE_RATE * log_between(*PULSE_SECONDS, drawn[:, 0, 0])
+    peak = log_between(*PULSE_PEAK, drawn[:, 0, 1])
+    begin = between(0.0, 1.0, drawn[:, 1, 0]) * (FRAME - LISTEN - length) + (SAMPLE_LENGTH - FRAME)
+    phase = (_samples(device) - begin[:, None]) / length[:, None]
+    pulse = torch.where((phase > 0) & (phase < 1), torch.sin(math.pi * phase) ** 2, 0.0)
+    return _transient(peak[:, None] * pulse, band)
+
+
+def friction(seed: int, purpose: Purpose, start: int, count: int, band: tuple[float, float], device: Device) -> Stimuli:
+    """Band noise whose level moves as that of a finger that strokes: a log-normal process below 4 Hz.
+
+    Both edges of the band and the level are drawn. Arguments as :class:`localize.signals.stimulus.StimulusSource`.
+    """
+    lines = SAMPLE_LENGTH // 2
+    words = random_words(seed, purpose, "friction", start, count, lines + SWELL_HERTZ + 2)
+    drawn = uniform(words[:, -2:], device)
+    low, high = (between(*edge, drawn[:, 0, k])[:, None] for k, edge in enumerate(FRICTION_EDGES))
+    rms = log_between(*FRICTION_RMS, drawn[:, 1, 0])
+    frequency = torch.arange(lines, device=device) * (SAMPLE_RATE / SAMPLE_LENGTH)
+    inside = (frequency >= low) & (frequency <= torch.clamp(high, max=band[1]))
+    noise = _unit_noise(complex_normal(words[:, :lines], device) * inside)
+    slow = torch.zeros(count, lines, dtype=torch.complex64, device=device)
+    slow[:, 1 : 1 + SWELL_HERTZ] = complex_normal(words[:, lines : lines + SWELL_HERTZ], device)
+    moving = noise * torch.exp(SWELL * _unit_noise(slow))
+    level = moving.square().mean(-1).sqrt()
+    return _transient(_faded((rms / level)[:, None] * moving), band)
+
+
+def pulse_wave(
+    seed: int, purpose: Purpose, start: int, count: int, band: tuple[float, float], device: Device
+) -> Stimuli:
+    """An artery's pulse: a systolic and a later, lower diastolic wave per beat, both Gaussian, steadily repeated.
+
+    The shape is that of Tang et al. (2020, "Synthetic photoplethysmogram generation using two Gaussian functions",
+    Scientific Reports 10, 13883); the ranges of its parameters are ours. Whole beats fill the period, so that the wave
+    lies on lines of the grid. Arguments as :class:`localize.signals.stimulus.StimulusSource`.
+    """
+    drawn = uniform(random_words(seed, purpose, "pulse wave", start, count, 4), device)
+    beats = HEART_LINES[0] + choice(drawn[:, 0, 0], HEART_LINES[1] - HEART_LINES[0] + 1)
+    peak = log_between(*PULSE_WAVE_PEAK, drawn[:, 0, 1])
+    turn, height = drawn[:, 1, 0], between(0.2, 0.6, drawn[:, 1, 1])
+    later, widths = between(0.25, 0.4, drawn[:, 2, 0]), (between(0.06, 0.09, drawn[:, 2, 1]), 0.12)
+    harmonic = torch.arange(1, _HARMONICS + 1, device=device)
+    # The coefficients of Gaussians of width s, repeated every beat: s exp(-2 (pi m s)^2) exp(-2 pi j m place).
+    shape = torch.zeros(count, _HARMONICS, dtype=torch.complex64, device=device)
+    for weight, width, place in ((torch.ones_like(height), widths[0], turn), (height, widths[1], turn + later)):
+        wide = torch.as_tensor(width, device=device).expand(count)[:, None]
+        size = weight[:, None] * wide * torch.exp(-2 * (math.pi * harmonic * wide) ** 2)
+        shape = shape + torch.polar(size, -2 * math.pi * harmonic * place[:, None])
+    spectrum = torch.zeros(count, LINE_COUNT, dtype=torch.complex64, device=device)
+    spectrum.scatter_(1, beats[:, None] * harmonic, shape)
+    spectrum *= (peak / time_signal(spectrum, PERIOD).amax(-1))[:, None]
+    return _unnamed(spectrum * top_faded(band, device))
+
+
+@dataclass(frozen=True, eq=False)
+class RecordedStimulus:
+    """Cuts of one second from a WAV file, each at a random place, faded in and out: a source of stimuli.
+
+    Args:
+        path: a file of one channel, at least a second long; resampled to 1 kHz.
+        full_scale: Pa of the largest value the file's format can hold (1.0 for floating point): a WAV has no unit.
+
+    Raises:
+        Refusal: a file that cannot be read, has several channels, is too short, silent or not finite; a scale
+            that is not above zero.
+    """
+
+    path: str | os.PathLike[str]
+    full_scale: float
+    pressure: Tensor = field(init=False, repr=False)
+    """(n_sample,) float32, Pa, at 1 kHz."""
+
+    def __post_init__(self) -> None:
+        if not 0 < self.full_scale < math.inf:
+            raise Refusal(f"full_scale = {self.full_scale} Pa must be a finite number above zero")
+        pressure = self.full_scale * _read_wav(Path(self.path))
+        object.__setattr__(self, "pressure", torch.from_numpy(pressure.astype(np.float32)))
+
+    def __call__(
+        self, seed: int, purpose: Purpose, start: int, count: int, band: tuple[float, float], device: Device
+    ) -> Stimuli:
+        """Arguments as :class:`localize.signals.stimulus.StimulusSource`."""
+        drawn = uniform(random_words(seed, purpose, "recording", start, count, 1), device)
+        begin = choice(drawn[:, 0, 0], len(self.pressure) - SAMPLE_LENGTH + 1)
+        cut = self.pressure.to(device)[begin[:, None] + torch.arange(SAMPLE_LENGTH, device=device)]
+        return _transient(_faded(cut), band)
+
+
+@dataclass(frozen=True)
+class Mixture:
+    """Several sources, each as often as the others: every 64 consecutive samples come from one of them, drawn."""
+
+    sources: tuple[StimulusSource, ...]
+
+    def __call__(
+        self, seed: int, purpose: Purpose, start: int, count: int, band: tuple[float, float], device: Device
+    ) -> Stimuli:
+        """Arguments as :class:`localize.signals.stimulus.StimulusSource`."""
+        first, last = start // _RUN, (start + count - 1) // _RUN
+        drawn = uniform(random_words(seed, purpose, "mixture", first, last - first + 1, 1))
+        parts = []
+        for run, which in enumerate(choice(drawn[:, 0, 0], len(self.sources)).tolist(), first):
+            begin, end = max(start, run * _RUN), min(start + count, (run + 1) * _RUN)
+            parts.append(self.sources[which](seed, purpose, begin, end - begin, band, device))
+        return Stimuli(*(torch.cat([getattr(part, name) for part in parts]) for name in Stimuli.__annotations__))
+
+
+_RUN = 64
+
+#: The sources that need no file, by name.
+STIMULI: Mapping[str, StimulusSource] = {
+    "multi-sines": multi_sines,
+    "taps": taps,
+    "friction": friction,
+    "pulse-wave": pulse_wave,
+}
+
+
+def _samples(device: Device) -> Tensor:
+    return torch.arange(SAMPLE_LENGTH, device=device)
+
+
+def _transient(pressure: Tensor, band: tuple[float, float]) -> Stimuli:
+    """The lines of (n, SAMPLE_LENGTH) pressures followed by silence for the rest of the period."""
+    spectrum = torch.fft.rfft(pressure, n=PERIOD, norm="forward")[:, :LINE_COUNT]
+    return _unnamed(spectrum * top_faded(band, pressure.device))
+
+
+def _unnamed(spectrum: Tensor) -> Stimuli:
+    none = torch.zeros(len(spectrum), dtype=torch.int64, device=spectrum.device)
+    return Stimuli(spectrum=spectrum, interval=none - 1, components=none)
+
+
+def top_faded(band: tuple[float, float], device: Device = "cpu") -> Tensor:
+    """What the sources here limit themselves to the library's frequencies by, (LINE_COUNT,).
+
+    One up to four fifths of the band's top, then half a cosine down to zero.
+    """
+    stop = lines_within(band).stop
+    frequency = torch.arange(LINE_COUNT, device=device) * LINE_SPACING
+    share = ((band[1] - frequency) / (TOP_SHARE * band[1])).clamp(0.0, 1.0)
+    fade = torch.sin(0.5 * math.pi * share) ** 2
+    return torch.where(torch.arange(LINE_COUNT, device=device) < stop, fade, 0.0)
+
+
+def _unit_noise(spectrum: Tensor) -> Tensor:
+    """(n, SAMPLE_LENGTH) of mean square one, from lines 1 Hz apart."""
+    signal = torch.fft.irfft(spectrum, n=SAMPLE_LENGTH, norm="forward")
+    return signal / signal.square().mean(-1, keepdim=True).sqrt()
+
+
+def _faded(pressure: Tensor) -> Tensor:
+    sample = _samples(pressure.device)
+    edge = torch.minimum(sample, SAMPLE_LENGTH - 1 - sample)
+    return pressure * torch.sin(0.5 * math.pi * (edge / FADE).clamp(max=1.0)) ** 2
+
+
+def _read_wav(path: Path) -> np.ndarray:
+    """(n_sample,) float64 at 1 kHz, one being the largest value the format holds."""
+    from acoustic_fem.sound.sound_file import read_wav
+    from localize.signals.resampling import at_one_kilohertz
+
+    try:
+        sound = read_wav(path)
+    except OSError as error:
+        raise Refusal(f"{path}: cannot be read: {error.strerror or error}") from None
+    if len(sound.channels) != 1:
+        raise Refusal(f"{path}: has {len(sound.channels)} channels, must have one: the pressure in a cavity")
+    (pressure,) = sound.channels.values()
+    if not np.isfinite(pressure).all():
+        raise Refusal(f"{path}: holds values that are not finite")
+    if not np.ptp(pressure) > 0:
+        raise Refusal(f"{path}: is silent: its value never changes")
+    resampled = at_one_kilohertz(pressure[None], sound.rate)[0]
+    if len(resampled) < SAMPLE_LENGTH:
+        raise Refusal(f"{path}: lasts {len(pressure) / sound.rate:.3g} s, must last at least 1 s")
+    return resampled

@@ -1,0 +1,83 @@
+"""Frames of recordings: the 250 samples that one decision is made from, and checks of what comes in."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+import torch
+from numpy.typing import ArrayLike
+from torch import Tensor
+
+from geometry.refusal import Refusal
+from localize.signals.stimulus import SAMPLE_RATE
+
+FRAME = 250
+"""Samples of one frame."""
+
+
+def cut_frames(signals: Tensor, hop: int = FRAME) -> Tensor:
+    """Frames of 250 samples, the last one ending with the signal.
+
+    Args:
+        signals: (n, n_microphone, n_sample), n_sample at least 250.
+        hop: samples between the beginnings of two frames.
+
+    Returns:
+        (n, n_frame, n_microphone, 250).
+    """
+    rest = (signals.shape[-1] - FRAME) % hop
+    return signals[..., rest:].unfold(-1, FRAME, hop).transpose(1, 2)
+
+
+def checked_signals(signals: ArrayLike | Tensor, microphones: Sequence[str]) -> tuple[Tensor, bool]:
+    """Signals as a batch, refused where no touch could be read from them.
+
+    Args:
+        signals: (n_microphone, n_sample) or (n, n_microphone, n_sample), Pa, at 1 kHz.
+        microphones: names of the array's microphones.
+
+    Returns:
+        (n, n_microphone, n_sample) float64, and whether the batch dimension was there.
+
+    Raises:
+        Refusal: wrong number of dimensions or channels, fewer than 250 samples, a value that is not finite, or a
+            channel that never changes.
+    """
+    batch = torch.as_tensor(
+        signals if isinstance(signals, Tensor) else np.ascontiguousarray(signals), dtype=torch.float64
+    )
+    if batch.ndim not in (2, 3):
+        raise Refusal(
+            f"signals have shape {tuple(batch.shape)}, must be (n_microphone, n_sample) or (n, n_microphone, n_sample)"
+        )
+    batched = batch.ndim == 3
+    batch = batch if batched else batch[None]
+    if batch.shape[1] != len(microphones):
+        raise Refusal(f"signals have {batch.shape[1]} channels, must have {len(microphones)}: {', '.join(microphones)}")
+    if batch.shape[2] < FRAME:
+        raise Refusal(
+            f"signals have {batch.shape[2]} samples, must have at least {FRAME} "
+            f"({FRAME / SAMPLE_RATE:g} s at {SAMPLE_RATE:g} Hz)"
+        )
+    for broken, what in (
+        (~torch.isfinite(batch).all(-1), "holds values that are not finite"),
+        (batch.amax(-1) == batch.amin(-1), "is silent: its value never changes"),
+    ):
+        if broken.any():
+            sample, channel = (int(k) for k in torch.nonzero(broken)[0])
+            where = f" of signal {sample}" if batched else ""
+            raise Refusal(f"channel {microphones[channel]}{where} {what}")
+    return batch, batched
+
+
+def combined_probability(log_probability: Tensor) -> Tensor:
+    """One touch from several frames, taken as independent observations of the same point.
+
+    Args:
+        log_probability: (n, n_frame, n_point), normalised per frame or not.
+
+    Returns:
+        (n, n_point), each row summing to 1.
+    """
+    return log_probability.sum(1).softmax(-1)

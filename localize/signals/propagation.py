@@ -1,0 +1,89 @@
+"""From the pressure in the touched cavity to the microphones: exactly, and as the paper does it.
+
+Exactly: the stimulus is periodic in four seconds, its spectral lines are multiplied by the transfer functions and
+transformed back over the whole period. That is the steady state of the array. For a stimulus x that is silent outside
+the first second it is at the same time the linear convolution with the impulse response h, the inverse transform of
+the same transfer functions:
+
+    y[n] = sum_m h[n - m] x[m],    0 <= n, m < 1000,
+
+in which n - m lies between -999 and 999, so that no two of these taps fall on the same one of the 4000. What the
+period cannot hold are responses that last longer than two seconds: :func:`late_energy` says how much that is.
+
+Products of short-window transforms alias circularly as soon as the impulse response is longer than the window;
+:func:`short_window_signals` is there to compare with, and never to check an inverse made the same way.
+"""
+
+from __future__ import annotations
+
+import torch
+from torch import Tensor
+
+from localize.signals.stimulus import PERIOD, SAMPLE_LENGTH, time_signal
+
+WINDOW, HOP = 32, 16
+"""Samples of the paper's short-window transform."""
+
+
+def microphone_signals(spectrum: Tensor, transfer_function: Tensor, sample_count: int = SAMPLE_LENGTH) -> Tensor:
+    """Exact steady state at the microphones; for stimuli of one second and silence also the exact convolution.
+
+    Args:
+        spectrum: (n, n_line) complex amplitudes of the cavity pressure on the lowest spectral lines.
+        transfer_function: (n, n_microphone, n_line) complex, on the same lines.
+        sample_count: at most ``stimulus.PERIOD``.
+
+    Returns:
+        (n, n_microphone, sample_count) real.
+    """
+    return time_signal(spectrum[:, None, :] * transfer_function, sample_count)
+
+
+def impulse_response(transfer_function: Tensor) -> Tensor:
+    """Impulse response at 1 kHz, limited to the band of the lines given.
+
+    Args:
+        transfer_function: (..., n_line) complex, on the lowest spectral lines, 0 Hz included.
+
+    Returns:
+        (..., PERIOD) real; what comes before time zero, by the limited band alone, stands at the end.
+    """
+    return time_signal(transfer_function, PERIOD) / PERIOD
+
+
+def late_energy(transfer_function: Tensor) -> float:
+    """The largest share of the energy of an impulse response that lies more than a second from time zero.
+
+    Touches never show that part, for they last a second; but what lies beyond two seconds is folded back onto it, so
+    that a share that is not small means transfer functions of an array that remembers for too long.
+
+    Arguments as :func:`impulse_response`; a band that ends abruptly rings, see
+    :func:`localize.signals.finger_stimuli.top_faded`.
+    """
+    power = impulse_response(transfer_function).square()
+    return float((power[..., SAMPLE_LENGTH:-SAMPLE_LENGTH].sum(-1) / power.sum(-1)).max())
+
+
+def short_window_signals(spectrum: Tensor, transfer_function: Tensor) -> Tensor:
+    """The paper's way: short-window transform (32 samples, hop 16), times the transfer function, and back.
+
+    Its error is that of the window, whatever the noise. Against the exact steady state, both microphones together,
+    signal over error is -0.1 to 10.4 dB over the points of ``line-2`` (4.9 in the median, 0 in mid-line, where a
+    touch is farthest from both), and 9.7 to 11.7 dB over those of ``array-2x6``.
+
+    Args:
+        spectrum: (n, n_line) complex amplitudes of the cavity pressure on the lowest spectral lines.
+        transfer_function: (n, n_microphone, n_line) complex, on the same lines, of which every 125th is used; where
+            the lines end, so do the signals.
+
+    Returns:
+        (n, n_microphone, SAMPLE_LENGTH) real.
+    """
+    pressure = time_signal(spectrum)
+    window = torch.hann_window(WINDOW, dtype=pressure.dtype, device=pressure.device)
+    short = torch.stft(pressure, WINDOW, HOP, window=window, return_complex=True)
+    bins = transfer_function[..., :: PERIOD // WINDOW]
+    product = short.new_zeros((*bins.shape[:2], *short.shape[1:]))
+    product[:, :, : bins.shape[-1]] = short[:, None, : bins.shape[-1]] * bins[..., None]
+    signals = torch.istft(product.flatten(0, 1), WINDOW, HOP, window=window, length=SAMPLE_LENGTH)
+    return signals.unflatten(0, bins.shape[:2])

@@ -1,0 +1,179 @@
+"""Multi-sine stimuli: what a touch does to the pressure in a cavity, one random stream per sample.
+
+A stimulus is the sum of N sinusoids between 1 and 100 Hz with amplitudes U[0.02, 0.1] Pa and random phases,
+divided by its peak where that exceeds 1 Pa, plus white noise of 0.005 Pa rms (Scalable Dynamic Tactile Sensing
+Enabled by Passive and Flexible Acoustic Waveguides, section on simulated data). N is drawn from one of seven
+intervals, all equally likely. Two choices are ours: frequencies lie on the lines of a periodic grid, a quarter of
+a hertz apart, so that the response of a linear array is exact; and the sample is the first second of that period.
+
+What fingers do, as opposed to this, is in :mod:`localize.signals.finger_stimuli`.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+import torch
+from numpy.typing import NDArray
+from torch import Tensor
+
+from localize.signals.random_streams import Purpose, between, choice, complex_normal, random_words, uniform
+
+SAMPLE_RATE = 1000.0
+"""Hz."""
+BAND = (1.0, 100.0)
+"""Hz, the band of the stimuli and of the features."""
+PERIOD = 4000
+"""Samples of the periodic grid: spectral lines are 0.25 Hz apart."""
+LINE_SPACING = SAMPLE_RATE / PERIOD
+"""Hz."""
+LINE_COUNT = PERIOD // 2
+"""Lines below half the sample rate; line k lies at k LINE_SPACING, line 0 stays empty."""
+SAMPLE_LENGTH = 1000
+"""Samples of one stimulus: one second."""
+COMPONENT_INTERVALS = ((1, 4), (4, 20), (20, 40), (40, 60), (60, 80), (80, 100), (1, 101))
+"""Half-open intervals of the number of sinusoids."""
+AMPLITUDE = (0.02, 0.1)
+"""Pa."""
+PEAK = 1.0
+"""Pa: stronger sums are scaled down to it."""
+NOISE = 0.005
+"""Pa rms over 0 to 500 Hz."""
+
+Device = torch.device | str
+_MOST_COMPONENTS = max(high for _, high in COMPONENT_INTERVALS) - 1
+_COMPONENT_WORDS = 2 + 2 * _MOST_COMPONENTS
+_STIMULUS_WORDS = _COMPONENT_WORDS + LINE_COUNT
+
+
+@dataclass(frozen=True)
+class Stimuli:
+    """Spectra of consecutive samples, in Pa: x(t) = spectrum_0 + 2 Re sum_k spectrum_k exp(2 pi j f_k t), k > 0."""
+
+    spectrum: Tensor
+    """(n, LINE_COUNT) complex64."""
+    interval: Tensor
+    """(n,) int64: index into ``COMPONENT_INTERVALS``; -1 for what is no sum of sinusoids."""
+    components: Tensor
+    """(n,) int64: number of sinusoids."""
+
+
+class StimulusSource(Protocol):
+    """Whatever makes stimuli: :func:`multi_sines`, those of :mod:`localize.signals.finger_stimuli`, or your own."""
+
+    def __call__(
+        self, seed: int, purpose: Purpose, start: int, count: int, band: tuple[float, float], device: Device, /
+    ) -> Stimuli:
+        """Samples ``start`` to ``start + count - 1``, each the same whatever was asked for before.
+
+        ``band`` is what the transfer functions cover, Hz: no line above it may be excited.
+        """
+
+
+def line_frequencies() -> NDArray[np.float64]:
+    """Frequencies of the spectral lines, (LINE_COUNT,) float64, Hz."""
+    return np.arange(LINE_COUNT, dtype=np.float64) * LINE_SPACING
+
+
+def lines_within(band: tuple[float, float]) -> slice:
+    """The lines from ``band[0]`` to ``band[1]`` Hz, both included."""
+    tolerance = 1e-6
+    first = math.ceil(band[0] / LINE_SPACING - tolerance)
+    last = math.floor(band[1] / LINE_SPACING + tolerance)
+    return slice(max(first, 1), min(last, LINE_COUNT - 1) + 1)
+
+
+def multi_sines(
+    seed: int, purpose: Purpose, start: int, count: int, noise_band: tuple[float, float], device: Device = "cpu"
+) -> Stimuli:
+    """Samples ``start`` to ``start + count - 1`` of a stream of stimuli.
+
+    Args:
+        seed: any non-negative integer.
+        purpose: streams of different purposes never share a stimulus, whatever the seed.
+        start: index of the first sample.
+        count: how many.
+        noise_band: Hz; the white noise is limited to these frequencies (those the transfer functions cover).
+            The sinusoids of a sample do not depend on it.
+        device: where the result shall be.
+    """
+    words = random_words(seed, purpose, "stimulus", start, count, _STIMULUS_WORDS)
+    drawn = uniform(words[:, :_COMPONENT_WORDS], device)
+    bounds = torch.tensor(COMPONENT_INTERVALS, device=device)
+    interval = choice(drawn[:, 0, 0], len(COMPONENT_INTERVALS))
+    low, high = bounds[interval, 0], bounds[interval, 1]
+    components = low + choice(drawn[:, 0, 1], high - low)
+
+    sines = lines_within(BAND)
+    line = sines.start + choice(drawn[:, 2 : 2 + _MOST_COMPONENTS, 0], sines.stop - sines.start)
+    rest = drawn[:, 2 + _MOST_COMPONENTS :]
+    amplitude = between(*AMPLITUDE, rest[..., 0])
+    amplitude = amplitude * (torch.arange(_MOST_COMPONENTS, device=device) < components[:, None])
+    sine = torch.polar(amplitude / 2, (2 * math.pi) * rest[..., 1])
+    spectrum = torch.zeros(count, LINE_COUNT, dtype=torch.complex64, device=device).scatter_add_(1, line, sine)
+    peak = time_signal(spectrum[:, : sines.stop]).abs().amax(-1)
+    spectrum[:, : sines.stop] *= (PEAK / peak.clamp(min=PEAK))[:, None]
+
+    band = lines_within(noise_band)
+    normal = complex_normal(words[:, _COMPONENT_WORDS:][:, band], device)
+    spectrum[:, band] += (NOISE / math.sqrt(2 * PERIOD)) * normal
+    return Stimuli(spectrum=spectrum, interval=interval, components=components)
+
+
+def time_signal(spectrum: Tensor, sample_count: int = SAMPLE_LENGTH) -> Tensor:
+    """The first samples of the periodic signal with the given lines.
+
+    Args:
+        spectrum: (..., n_line) complex amplitudes of the lowest lines; n_line may be below LINE_COUNT.
+        sample_count: at most PERIOD.
+
+    Returns:
+        (..., sample_count) real, in the unit of the spectrum.
+    """
+    return torch.fft.irfft(spectrum, n=PERIOD, norm="forward")[..., :sample_count]
+
+
+def white_noise(
+    seed: int, purpose: Purpose, start: int, count: int, channels: int, rms: float, device: Device = "cpu"
+) -> Tensor:
+    """White Gaussian noise over 0 to 500 Hz, one stream beside the one of the stimuli.
+
+    Returns:
+        (count, channels, SAMPLE_LENGTH) float32 in the unit of ``rms``.
+    """
+    words = random_words(seed, purpose, "microphone", start, count, channels * SAMPLE_LENGTH // 2)
+    return rms * torch.view_as_real(complex_normal(words, device)).reshape(count, channels, SAMPLE_LENGTH)
+
+
+def coloured_noise(
+    seed: int,
+    purpose: Purpose,
+    start: int,
+    count: int,
+    channels: int,
+    power: NDArray[np.float64],
+    device: Device = "cpu",
+) -> Tensor:
+    """Gaussian noise of a given spectrum on lines 1 Hz apart, from the same random numbers as the white one.
+
+    Args:
+        seed: any non-negative integer.
+        purpose: streams of different purposes never share a number.
+        start: index of the first sample.
+        count: how many.
+        channels: independent of each other.
+        power: (SAMPLE_LENGTH / 2,) mean square at 0, 1, ..., 499 Hz, in the square of the unit of the result.
+        device: where the result shall be.
+
+    Returns:
+        (count, channels, SAMPLE_LENGTH) float32; the noise repeats after this length.
+    """
+    lines = SAMPLE_LENGTH // 2
+    words = random_words(seed, purpose, "microphone", start, count, channels * lines)
+    # A line of 2 Re X exp(2 pi j f t) has the mean square 2 |X|^2, and a normal X of unit parts |X|^2 = 2.
+    amplitude = torch.from_numpy(np.sqrt(power) / 2).float().to(device)
+    spectrum = complex_normal(words, device).reshape(count, channels, lines) * amplitude
+    return torch.fft.irfft(spectrum, n=SAMPLE_LENGTH, norm="forward")

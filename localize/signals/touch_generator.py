@@ -1,0 +1,221 @@
+"""Microphone signals of touches, made from a library of transfer functions.
+
+A touch is a stimulus (:mod:`localize.signals.stimulus`, :mod:`localize.signals.finger_stimuli`) through the transfer
+functions of its point (:mod:`localize.signals`); the sound outside and the microphones' own noise and unlikeness
+(:mod:`localize.signals.disturbances`) come on top. Stimuli are limited to the frequencies that the library covers.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+import torch
+from numpy.typing import NDArray
+from torch import Tensor
+
+from geometry.refusal import Refusal
+from localize.signals import disturbances, stimulus
+from localize.signals.array_response import (
+    ArrayResponse,
+    TransferFunctionSource,
+    from_zero,
+    interpolated,
+    interpolated_from_zero,
+    interpolation_from_zero,
+)
+from localize.signals.disturbances import MicrophoneMismatch
+from localize.signals.noise import NoiseChoice, NoiseSpectrum
+from localize.signals.propagation import microphone_signals, short_window_signals
+from localize.signals.random_streams import Purpose
+from localize.signals.stimulus import BAND, Device, StimulusSource, multi_sines
+from localize.signals.threads import one_thread
+
+SHARD = 256
+"""Samples made at once when streaming: their spectra fit in the processor's cache."""
+Method = Literal["exact", "stft"]
+
+
+@dataclass(frozen=True)
+class TouchSignals:
+    """Signals of consecutive samples, one second each at 1 kHz."""
+
+    signals: Tensor
+    """(n, n_microphone, SAMPLE_LENGTH) float32, Pa."""
+    point: Tensor
+    """(n,) int64: index of the touched point, from 0."""
+    interval: Tensor
+    """(n,) int64: index into ``stimulus.COMPONENT_INTERVALS``; -1 where the stimulus is no sum of sinusoids."""
+
+
+class TouchGenerator:
+    """Endless stream of touches; sample i touches point i modulo the number of points.
+
+    With a source of many sensors, each sensor in turn is touched at all of its points; only the sensors of the
+    samples at hand are read.
+
+    Args:
+        response: the array.
+        seed: any non-negative integer.
+        purpose: streams of different purposes never share a stimulus.
+        microphone_noise: added to every microphone, Gaussian: Pa rms over 0 to 500 Hz, white, or "design" for that of
+            the design's microphone, see :mod:`localize.signals.noise`.
+        source: transfer functions of many sensors in place of those of the array, on frequencies of its own.
+        sensors: those of the source that are touched; by default all.
+        stimuli: what the touches are; by default the paper's sums of sinusoids.
+        ambient: lowest and highest level of the sound outside, dB SPL; each sample has its own, evenly spread between
+            them. With a source, sound reaches the microphones as in the nominal array.
+        mismatch: how unlike the microphones are; each sample is recorded by others.
+        method: "exact", or "stft" for the paper's short-window products, see
+            :func:`localize.signals.propagation.short_window_signals`.
+        device: where the signals are made, such as "cuda"; random numbers are drawn on the processor and are the same
+            everywhere.
+
+    Raises:
+        Refusal: as :meth:`ArrayResponse.noise`; a source that covers less than 1 to 100 Hz, holds other points or
+            microphones than the array, or has none of the sensors asked for; ambient sound or a scatter of vents
+            where there is no design to tell what they do; levels out of range; an unknown method.
+    """
+
+    def __init__(
+        self,
+        response: ArrayResponse,
+        seed: int,
+        purpose: Purpose,
+        microphone_noise: NoiseChoice = 0.0,
+        source: TransferFunctionSource | None = None,
+        sensors: range | None = None,
+        *,
+        stimuli: StimulusSource = multi_sines,
+        ambient: tuple[float, float] | None = None,
+        mismatch: MicrophoneMismatch | None = None,
+        method: Method = "exact",
+        device: Device = "cpu",
+    ) -> None:
+        if method not in ("exact", "stft"):
+            raise Refusal(f"method = {method!r} must be one of: exact, stft")
+        self.response = response
+        self.seed = seed
+        self.purpose: Purpose = purpose
+        self.microphone_noise = response.noise(microphone_noise)
+        self.stimuli = stimuli
+        self.ambient = ambient
+        self.mismatch = mismatch
+        self.method: Method = method
+        self.device = device
+        grid = response.frequency if source is None else source.frequency
+        self._band = (float(grid[0]), min(float(grid[-1]), stimulus.SAMPLE_RATE / 2))
+        self._stop = stimulus.lines_within(self._band).stop
+        lines = np.minimum(stimulus.line_frequencies()[: self._stop], self._band[1])
+        self._source = source
+        self._sensors = range(1)
+        if source is None:
+            self._on_lines = self._on_lines_of(
+                interpolated_from_zero(response.transfer_function, grid, lines, response.sealed)
+            )
+        else:
+            self._sensors = range(source.sensor_count) if sensors is None else sensors
+            _check_source(source, response, self._sensors)
+            self._splines = interpolation_from_zero(grid, lines, response.sealed)
+        if ambient is not None:
+            disturbances.check_ambient(ambient)
+            self._ambient_on_lines = self._nominal("ambient", response.ambient_response)
+        if mismatch is not None:
+            vent = self._nominal("mismatch.vent", response.vent_ratio) if mismatch.vent else torch.zeros(self._stop)
+            self._vent_on_lines = vent.to(device)
+
+    def _on_lines_of(self, values: NDArray[np.complex128]) -> Tensor:
+        return torch.from_numpy(values.astype(np.complex64)).to(self.device)
+
+    def _touched(self, values: NDArray[np.complex128]) -> Tensor:
+        """Transfer functions of the source on the stimulus's lines from 0 Hz on, complex64."""
+        even, odd = self._splines
+        known = from_zero(values, self.response.sealed)
+        return self._on_lines_of(known.real @ even.T + 1j * (known.imag @ odd.T))
+
+    def _nominal(self, name: str, values: NDArray[np.complex128] | None) -> Tensor:
+        """A response of the nominal array on the lines."""
+        if values is None:
+            raise Refusal(f"{name} needs a library with a design: bare transfer functions do not tell what it does")
+        grid = self.response.frequency
+        lines = np.clip(stimulus.line_frequencies()[: self._stop], None, grid[-1])
+        return self._on_lines_of(interpolated(values, grid, lines))
+
+    def _transfer_function(self, start: int, count: int) -> Tensor:
+        """(count, n_microphone, n_line) of consecutive samples."""
+        points = self.response.point_count
+        if self._source is None:
+            return self._on_lines[torch.arange(start, start + count, device=self.device) % points]
+        turn = np.arange(start, start + count) // points % len(self._sensors)
+        runs = np.split(np.unique(turn), np.flatnonzero(np.diff(np.unique(turn)) > 1) + 1)
+        first = self._sensors.start
+        read = np.concatenate([self._source.sensors(first + int(run[0]), len(run)) for run in runs])
+        place = np.searchsorted(np.unique(turn), turn)
+        return self._touched(read)[place, np.arange(start, start + count) % points]
+
+    @one_thread()
+    def samples(self, start: int, count: int) -> TouchSignals:
+        """Samples ``start`` to ``start + count - 1``, the same whatever was asked for before."""
+        sample = (self.seed, self.purpose, start, count)
+        stimuli = self.stimuli(*sample, self._band, self.device)
+        channels = len(self.response.microphones)
+        transfer_function = self._transfer_function(start, count)
+        recorded = None
+        if self.mismatch is not None:
+            recorded = self.mismatch.factors(*sample, channels, self._vent_on_lines)
+            transfer_function = transfer_function * recorded
+        through = microphone_signals if self.method == "exact" else short_window_signals
+        signals = through(stimuli.spectrum[:, : self._stop], transfer_function)
+        if self.ambient is not None:
+            signals = signals + self._sound(sample, self.ambient, recorded)
+        if isinstance(self.microphone_noise, NoiseSpectrum):
+            signals = signals + stimulus.coloured_noise(*sample, channels, self.microphone_noise.power, self.device)
+        elif self.microphone_noise:
+            signals = signals + stimulus.white_noise(*sample, channels, self.microphone_noise, self.device)
+        point = torch.arange(start, start + count, device=self.device) % self.response.point_count
+        return TouchSignals(signals=signals, point=point, interval=stimuli.interval)
+
+    def _sound(
+        self, sample: tuple[int, Purpose, int, int], levels: tuple[float, float], recorded: Tensor | None
+    ) -> Tensor:
+        """(count, n_microphone, SAMPLE_LENGTH): the sound outside, as the microphones record it."""
+        every = stimulus.PERIOD // stimulus.SAMPLE_LENGTH
+        response = self._ambient_on_lines[..., ::every]
+        if recorded is not None:
+            response = response * recorded[..., ::every]
+        sound = disturbances.ambient_sound(*sample, levels, self._band[1], self.device)
+        spectrum = sound[:, None, : response.shape[-1]] * response
+        return torch.fft.irfft(spectrum, n=stimulus.SAMPLE_LENGTH, norm="forward")
+
+    def transfer_function_sha256(self) -> str:
+        """Checksum of the transfer functions; of a source, of its first sensor and their number."""
+        digest = hashlib.sha256(self.response.transfer_function.tobytes() + self.response.frequency.tobytes())
+        if self._source is not None:
+            digest.update(self._source.sensors(self._sensors.start, 1).tobytes())
+            digest.update(repr((self._source.sensor_count, self._sensors)).encode())
+        return digest.hexdigest()
+
+    def stream(self, start: int, count: int, shard: int = SHARD) -> Iterator[TouchSignals]:
+        """The same samples in shards."""
+        for first in range(start, start + count, shard):
+            yield self.samples(first, min(shard, start + count - first))
+
+
+def _check_source(source: TransferFunctionSource, response: ArrayResponse, sensors: range) -> None:
+    grid = source.frequency
+    if grid[0] > BAND[0] + 1e-6 or grid[-1] < BAND[1] - 1e-6:
+        raise Refusal(
+            f"source: frequency runs from {grid[0]:g} to {grid[-1]:g} Hz; it must cover {BAND[0]:g} to {BAND[1]:g} Hz"
+        )
+    if sensors.step != 1 or not 0 <= sensors.start < sensors.stop <= source.sensor_count:
+        raise Refusal(f"sensors = {sensors} must be consecutive ones of the source's {source.sensor_count}")
+    shape = source.sensors(sensors.start, 1).shape[1:3]
+    expected = (response.point_count, len(response.microphones))
+    if shape != expected:
+        raise Refusal(
+            f"source: its sensors have {shape[0]} points and {shape[1]} microphones; the array has {expected[0]} and "
+            f"{expected[1]}"
+        )

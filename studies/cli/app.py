@@ -1,0 +1,130 @@
+"""The command line ``acoustic-fem``: one verb per job, exit codes, and errors in one line.
+
+Verbs of one subject share a module ``cli_*``. Nothing heavy is imported before a verb needs it.
+"""
+
+from __future__ import annotations
+
+import signal
+import sys
+import warnings
+from typing import Annotated, NoReturn, TextIO
+
+import typer
+
+from geometry.refusal import Refusal
+from studies.cli import (
+    bending,
+    calibrations,
+    convert,
+    designs,
+    live,
+    localizers,
+    locating,
+    recalibrate,
+    report,
+    searches,
+    sweeps,
+    tolerance,
+    wiring,
+)
+from studies.cli.options import Fidelity
+
+__all__ = ["Fidelity", "app", "fail", "main"]
+
+app = typer.Typer(
+    name="acoustic-fem",
+    help="Design of acoustic tactile arrays: one design file in; transfer functions, a localizer and printable parts "
+    "out. Begin with: [bold]acoustic-fem run array-2x6 --out demo[/bold]",
+    no_args_is_help=True,
+    add_completion=False,
+    rich_markup_mode="rich",
+    pretty_exceptions_enable=False,
+    context_settings={"help_option_names": ["-h", "--help"]},
+)
+#: In the order of work, which is that of ``--help``.
+VERBS = (
+    designs.prototypes,
+    designs.check,
+    wiring.wiring,
+    designs.solve,
+    designs.parts,
+    calibrations.calibrate,
+    recalibrate.recalibrate,
+    convert.convert,
+    localizers.train,
+    localizers.evaluate,
+    locating.onnx,
+    locating.locate,
+    live.live,
+    designs.run,
+    bending.bend,
+    sweeps.sweep,
+    tolerance.tolerance,
+    searches.optimize,
+    report.report,
+    report.best,
+)
+
+
+def main() -> NoReturn:
+    """Run the command line: exit code 0; 1 with one line on stderr for bad input; 2 for a wrong command line."""
+    warnings.showwarning = _show_warning
+    signal.signal(signal.SIGTERM, _stop)
+    try:
+        app(prog_name="acoustic-fem")
+    except KeyboardInterrupt:
+        fail("stopped", 130)
+    except Refusal as error:
+        fail(str(error))
+    except OSError as error:
+        if error.filename is None:
+            raise  # a mistake of the program: its traceback says where
+        fail(f"{error.filename}: {error.strerror}")
+    sys.exit(0)
+
+
+def _stop(*_: object) -> NoReturn:
+    """End in order when told to: child programs are ended and temporary folders removed on the way out."""
+    signal.signal(signal.SIGTERM, signal.SIG_IGN)  # a second one would cut that short
+    fail("stopped", 143)
+
+
+def fail(message: str, code: int = 1) -> NoReturn:
+    """End with one line on stderr."""
+    print("acoustic-fem: " + " ".join(message.split()), file=sys.stderr)
+    sys.exit(code)
+
+
+def _show_warning(
+    message: Warning | str,
+    category: type[Warning],
+    filename: str,
+    lineno: int,
+    file: TextIO | None = None,
+    line: str | None = None,
+) -> None:
+    print(f"note: {message}", file=sys.stderr)
+
+
+def _print_version(wanted: bool) -> None:
+    if wanted:
+        from importlib.metadata import PackageNotFoundError, version
+
+        try:
+            print(f"acoustic-fem {version('acoustic-fem')}")
+        except PackageNotFoundError:
+            print("acoustic-fem, run from a checkout without an installation")
+        raise typer.Exit
+
+
+@app.callback()
+def _root(
+    version: Annotated[
+        bool, typer.Option("--version", callback=_print_version, is_eager=True, help="Print the version and stop.")
+    ] = False,
+) -> None: ...
+
+
+for verb in VERBS:
+    app.command()(verb)

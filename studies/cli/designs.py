@@ -1,0 +1,185 @@
+"""Verbs on a design: prototypes, check, solve, parts, run."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from geometry.refusal import Refusal
+from studies.cli.options import Design, Fidelity, Frequencies, display_on_stderr, frequency_option, named
+from studies.cli.tables import show, show_check, show_fields, show_findings, table_of
+
+
+def prototypes(
+    name: Annotated[
+        str | None, typer.Argument(metavar="[NAME]", help="Print the design file of this one.", show_default=False)
+    ] = None,
+    out: Annotated[Path | None, typer.Option(help="Write the design file here instead.", show_default=False)] = None,
+) -> None:
+    """List the designs that come with the program, or print one to start your own from.
+
+    Example: [bold]acoustic-fem prototypes array-2x6 --out mine.toml[/bold]
+    """
+    from geometry.design.design_file import prototype, prototype_names, prototype_text
+
+    if name is None and out is not None:
+        raise typer.BadParameter("--out needs the NAME of a prototype")
+    if name is None:
+        table = table_of("prototype", "microphones", "points", "description", numbers=(1, 2))
+        for known in prototype_names():
+            design = prototype(known)
+            table.add_row(known, str(len(design.microphones)), str(design.point_count), design.description)
+        show(table)
+    elif out is None:
+        print(prototype_text(name), end="")
+    else:
+        from geometry.files.writing import write_text
+        from studies.output.folders import check_new_file
+
+        check_new_file(out, kept="a design")
+        write_text(out, prototype_text(name))
+
+
+def check(
+    design: Annotated[
+        str | None,
+        typer.Argument(metavar="DESIGN", help="A design file, or the name of a prototype.", show_default=False),
+    ] = None,
+    fields: Annotated[bool, typer.Option("--fields", help="List every field of a design file and stop.")] = False,
+    out: Annotated[Path | None, typer.Option(help="Write the findings here as JSON too.", show_default=False)] = None,
+) -> None:
+    """Validate a design: counts, wiring, distinct cells, layout, printing, validity of the models, attenuation.
+
+    Exit code 1 where the design is not valid or a print rule fails. Takes a few seconds: parts are drawn and
+    measured, nothing is solved in 3-D.
+
+    Example: [bold]acoustic-fem check mine.toml[/bold]
+    """
+    if fields:
+        show_fields()
+        return
+    if design is None:
+        raise typer.BadParameter("give a DESIGN, or --fields")
+    from geometry import resolve_design
+    from studies.output.folders import check_new_file, write_json
+    from studies.run.check import check_design
+
+    check_new_file(out)
+    resolved = resolve_design(design)
+    with display_on_stderr() as display, display.stage("Check") as report:
+        found = check_design(resolved, report)
+    show_check(found)
+    if out is not None:
+        write_json(out, found.to_dict())
+    if found.failures:
+        more = len(found.failures) - 1
+        raise Refusal(
+            f"{found.design.name}: cannot be printed: {found.failures[0]}" + (f" (and {more} more)" if more else "")
+        )
+
+
+def solve(
+    design: Design,
+    out: Annotated[
+        Path, typer.Option(help="The library to write, netCDF (.nc); a measured one is kept.", show_default=False)
+    ],
+    fidelity: Annotated[
+        Fidelity,
+        typer.Option(
+            help="lumped: closed forms, at once; helmholtz: scalar 3-D cells, a cross-check; "
+            "navier-stokes: 3-D cells, the one to trust."
+        ),
+    ] = Fidelity.navier_stokes,
+    frequencies: Frequencies = "1:100:64",
+) -> None:
+    """Transfer functions from every point to every microphone.
+
+    3-D cells are kept on disk and found again by every design that shares them. For a localizer take 1:500:500:
+    its touches hold white noise up to 500 Hz.
+
+    Example: [bold]acoustic-fem solve array-2x6 --out library.nc --fidelity lumped --frequencies 1:500:500[/bold]
+    """
+    grid = frequency_option(frequencies)
+    import acoustic_fem
+    from geometry import resolve_design
+    from studies.output.folders import check_new_library
+    from studies.run.chain import cell_lines
+
+    check_new_library(out, (".nc",))
+    resolved = resolve_design(design)
+    with display_on_stderr() as display:
+        with display.stage("Cells") as report, named(frequency="--frequencies"):
+            library = acoustic_fem.solve(resolved, grid, fidelity=fidelity.value, progress=report)
+            acoustic_fem.save(library, out)
+        for line in cell_lines(library):
+            display.note(line)
+    print(f"{out}: {resolved.point_count} points, {len(resolved.microphones)} microphones, {len(grid)} frequencies")
+
+
+def parts(
+    design: Design,
+    out: Annotated[Path, typer.Option(help="The folder to write to.", show_default=False)],
+    format: Annotated[str, typer.Option(metavar="FORMATS", help="Of stl, step and 3mf, with commas.")] = "stl,step,3mf",
+    process: Annotated[
+        str | None,
+        typer.Option(
+            metavar="PROCESS",
+            help="Judge for this printing process, a name or a .toml file; default: that of the design.",
+            show_default=False,
+        ),
+    ] = None,
+) -> None:
+    """Everything to print, cast, cut, buy and assemble, with pictures, and what the print rules say.
+
+    Writes a file of every part and format, plates with all of them in the numbers needed, print-report.html, the
+    bill of materials, the array as assembly.step, array.glb and array.html, and pictures.
+
+    Example: [bold]acoustic-fem parts array-2x6 --out parts --format stl,3mf[/bold]
+    """
+    formats = [word.strip().lower() for word in format.split(",")]
+    from geometry import resolve_design
+    from geometry.formats.part_files import FORMATS
+    from geometry.stated.print_processes import find_process, process_of
+    from studies.cli.tables import show_parts
+    from studies.output.folders import check_folder
+    from studies.run.part_folder import make_parts
+
+    check_folder(out)
+    for word in formats:
+        if word not in FORMATS:
+            raise typer.BadParameter(f"--format: {word!r} must be of {', '.join(FORMATS)}, with commas")
+    resolved = resolve_design(design)
+    rules = process_of(resolved.printing) if process is None else find_process(process)
+    with display_on_stderr() as display, display.stage("Parts") as report:
+        made = make_parts(resolved, out, formats, rules, report)
+    show_parts(resolved, made)
+    show_findings(made.printing)
+    print(f"{out / 'print-report.html'}")
+
+
+def run(
+    design: Design,
+    out: Annotated[
+        Path,
+        typer.Option(help="A new or empty folder, or one of an earlier run, which is replaced.", show_default=False),
+    ],
+) -> None:
+    """Everything for one design: parts, transfer functions, localizer, figures, and report.html.
+
+    Takes about a minute for twelve points, where nothing else runs; a second run finds its 3-D cells on disk. Runs
+    of one design on one machine give the same figures, however busy it is.
+
+    Example: [bold]acoustic-fem run array-2x6 --out demo[/bold], then open demo/report.html
+    """
+    from geometry import resolve_design
+    from studies.run.chain import check_points, run_design
+    from studies.run.findings import verdict
+
+    resolved = resolve_design(design)
+    check_points(resolved, design)
+    with display_on_stderr() as display:
+        result = run_design(resolved, out, display=display)
+    print(verdict(result))
+    print(f"{out / 'report.html'}")

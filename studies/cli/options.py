@@ -1,0 +1,96 @@
+"""What the verbs of the command line share: arguments, options and their readers."""
+
+from __future__ import annotations
+
+import re
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from enum import StrEnum
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from geometry.refusal import Refusal
+
+if TYPE_CHECKING:
+    from localize.signals.noise import NoiseChoice
+    from studies.output.display import Display
+
+
+class Fidelity(StrEnum):
+    """What the air of a cell is computed with."""
+
+    lumped = "lumped"
+    helmholtz = "helmholtz"
+    navier_stokes = "navier-stokes"
+
+
+Design = Annotated[
+    str, typer.Argument(metavar="DESIGN", help="A design file, or the name of a prototype.", show_default=False)
+]
+LibraryFile = Annotated[
+    Path, typer.Argument(metavar="LIBRARY", help="A library, from solve or run (library.nc).", show_default=False)
+]
+Noise = Annotated[
+    float | None,
+    typer.Option(
+        help="White noise of the microphones instead, Pa rms over 0 to 500 Hz.", show_default="that of the design's"
+    ),
+]
+Frequencies = Annotated[str, typer.Option(metavar="FIRST:LAST:COUNT", help="Frequencies in Hz, evenly spaced.")]
+Tolerances = Annotated[
+    Path | None,
+    typer.Option(help="Scatter of your workshop, TOML: docs/tolerances.md.", show_default="assumed ones"),
+]
+WorkerCount = Annotated[
+    int | None,
+    typer.Option(help="Processes on this machine; 1 computes in this one.", show_default="one per core"),
+]
+Scheduler = Annotated[
+    str | None,
+    typer.Option(metavar="tcp://HOST:PORT", help="A dask scheduler, whose workers are used.", show_default=False),
+]
+
+
+def display_on_stderr() -> Display:
+    """Progress for the user; what a verb finds goes to stdout."""
+    from studies.output.display import Display
+
+    return Display(sys.stderr)
+
+
+def noise_choice(level: float | None) -> NoiseChoice:
+    """``--noise`` as the localizer takes it."""
+    return "design" if level is None else level
+
+
+def check_workers(workers: int | None, scheduler: str | None) -> None:
+    """Refuse ``--workers`` and ``--scheduler`` that do not go together."""
+    if scheduler is not None and workers is not None:
+        raise typer.BadParameter("--workers must not be given beside --scheduler, which has its own")
+    if workers is not None and not 1 <= workers <= 1024:
+        raise typer.BadParameter(f"--workers {workers} must be between 1 and 1024")
+
+
+@contextmanager
+def named(**options: str) -> Iterator[None]:
+    """Call an argument in a refusal by the option that the user gave."""
+    try:
+        yield
+    except ValueError as error:
+        field = re.match(r"\w+", str(error))
+        if field is None or field[0] not in options:
+            raise
+        raise Refusal(options[field[0]] + str(error)[field.end() :]) from None
+
+
+def frequency_option(text: str) -> Any:
+    """The grid FIRST:LAST:COUNT, (n_freq,) float64, Hz; ranges are checked where the grid is used."""
+    from acoustic_fem.quantities.checks import stated_grid
+
+    try:
+        return stated_grid(text)
+    except ValueError as error:
+        raise typer.BadParameter(f"--frequencies: {error}") from None

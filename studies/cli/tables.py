@@ -1,0 +1,140 @@
+"""What the verbs print on the console."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from studies.output.display import number
+
+if TYPE_CHECKING:
+    from rich.table import Table
+
+    from geometry.design.array_design import ArrayDesign
+    from geometry.printing.report import PrintReport
+    from studies.run.check import DesignCheck
+    from studies.run.part_folder import MadeParts
+
+
+def table_of(*columns: str, numbers: tuple[int, ...] = ()) -> Table:
+    """An empty table; columns at the indices ``numbers`` are aligned to the right."""
+    from rich import box
+    from rich.table import Table
+
+    table = Table(box=box.SIMPLE_HEAD, pad_edge=False)
+    for index, column in enumerate(columns):
+        table.add_column(column, justify="right" if index in numbers else "left", no_wrap=index == 0)
+    return table
+
+
+def show(table: Table) -> None:
+    """Print a table on stdout."""
+    from rich.console import Console
+
+    # Into a file or a pipe, lines are not broken to the width of a terminal that is not there.
+    console = Console(markup=False, highlight=False)
+    Console(width=None if console.is_terminal else 160, markup=False, highlight=False).print(table)
+
+
+def show_fields() -> None:
+    """Every field of a design file."""
+    from geometry.design.array_design import ArrayDesign
+    from geometry.stated.fields import fields_of
+
+    table = table_of("field", "range", "default", "description")
+    for field in fields_of(ArrayDesign):
+        default = "required" if field.required else "" if field.default in (None, "", {}) else str(field.default)
+        allowed = field.allowed or field.kind
+        table.add_row(field.name, allowed, default if field.kind != "a table" else "", field.description)
+    show(table)
+
+
+def show_check(found: DesignCheck) -> None:
+    """All findings on a design."""
+    wiring, name = found.wiring, found.design.name
+    print(f"{name}: a valid design")
+    table = table_of("wiring", "", numbers=(1,))
+    for row in (
+        ("microphones", str(wiring.microphones)),
+        ("lines, of at most", f"{wiring.lines} of {wiring.most_lines}"),
+        ("points", str(wiring.points)),
+        ("points per microphone", f"{wiring.points_per_microphone:.3g}"),
+        ("times one transducer per point", f"{wiring.gain_over_one_transducer_per_point:.3g}"),
+        ("times row-column addressing", f"{wiring.gain_over_row_column:.3g}"),
+    ):
+        table.add_row(*row)
+    show(table)
+    table = table_of("distinct cell", "places", numbers=(1,))
+    for cell, places in found.cells:
+        table.add_row(cell.label, str(places))
+    show(table)
+    for line in found.fidelities:
+        print(line)
+    print()
+    table = table_of("part", "count", numbers=(1,))
+    for part, count in found.part_counts.items():
+        table.add_row(part, str(count))
+    show(table)
+    for note in found.notes:
+        print(f"note: {note}")
+    table = table_of("estimated attenuation", "level (dB)", "", numbers=(1,))
+    for frequency, level, point in found.attenuation:
+        table.add_row(f"{frequency:g} Hz", f"{level:.1f}", f"point {point} at its second-loudest microphone")
+    show(table)
+    table = table_of("the models assume", "value", "limit", "", "meaning", numbers=(1,))
+    for item in found.validity:
+        table.add_row(
+            item.assumption,
+            f"{number(item.value)} {item.unit}",
+            f"{item.relation} {item.limit:g} {item.unit}",
+            "ok" if item.holds else "warn",
+            item.meaning,
+        )
+    show(table)
+    show_findings(found.printing)
+
+
+def show_parts(design: ArrayDesign, made: MadeParts) -> None:
+    """What was made: parts with their files, tubes to cut, the bill, where to read which part goes where."""
+    from geometry.layout.cutting import cutting_list
+
+    table = table_of("part", "count", "volume (mm^3)", "files", numbers=(1, 2))
+    for name in dict.fromkeys(file.part for file in made.files):
+        own = [file for file in made.files if file.part == name]
+        words = ", ".join(file.path.name for file in own) + "".join(f"; also {other}" for other in own[0].also)
+        words += "" if own[0].count else "; spare, on no plate: all are in the carrier"
+        table.add_row(name, str(own[0].count), f"{own[0].cad_volume:.1f}", words)
+    show(table)
+    table = table_of(
+        "tube", "count", "sheath (mm)", "spring (mm)", "bore (mm)", "outside (mm)", numbers=(1, 2, 3, 4, 5)
+    )
+    for cut in cutting_list(design):
+        lengths = f"{cut.cut_length:g}", f"{cut.spring_length:g}"
+        table.add_row(
+            cut.place, str(cut.count), *lengths, f"{cut.tube.inner_diameter:g}", f"{cut.tube.outer_diameter:g}"
+        )
+    show(table)
+    bill = made.bill
+    money = bill.prices.currency
+    print(
+        f"resin {bill.resin_ml:.3g} ml and {bill.tooling_resin_ml:.3g} ml in molds, "
+        f"silicone {bill.silicone_ml:.3g} ml, tube {bill.tube_m:.3g} m: "
+        f"about {bill.cost:.2f} {money}, molds {bill.tooling_cost:.2f} {money} (bill.txt)"
+    )
+    print("which part goes to which point, and which tube between: assembly.txt")
+    for name in made.too_large:
+        print(f"note: {name} is too large for the plate of {made.printing.process.name} and lies on none")
+    for note in made.notes:
+        print(f"note: {note}")
+
+
+def show_findings(printing: PrintReport) -> None:
+    """The print verdict and what leads to it."""
+    print(f"printing, {printing.process.title}: {printing.verdict}")
+    if printing.problems:
+        table = table_of("part", "measure", "value", "must be", "place (mm)", "verdict", numbers=(2, 3, 4))
+        for finding in printing.problems:
+            value = f"{finding.value:.3g} {finding.unit}"
+            limit = f"{finding.relation} {finding.limit:.3g} {finding.unit}"
+            place = "" if finding.place is None else ", ".join(f"{0.0 + round(x, 2):g}" for x in finding.place)
+            table.add_row(finding.part, finding.rule, value, limit, place, finding.verdict)
+        show(table)

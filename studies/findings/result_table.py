@@ -1,0 +1,301 @@
+"""What a sweep or a search found, as plain columns: for the report and for the table of best designs."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from itertools import combinations
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from geometry import ArrayDesign
+from geometry.refusal import Refusal
+from geometry.stated.fields import field_named
+from studies.optimization.search import pareto_front
+from studies.study.metric_registry import METRICS
+from studies.study.reasons import by_kind
+
+if TYPE_CHECKING:
+    from studies.optimization.problem import Optimization
+    from studies.optimization.search import OptimizationResult
+    from studies.sweep.store import Sweep
+
+Values = NDArray[np.float64]
+#: Steps of a range in the figures of effects and of pairs.
+BINS = 10
+
+
+@dataclass(frozen=True, eq=False)
+class Column:
+    """A parameter or a metric of every design.
+
+    Attributes:
+        name: dotted name of a field, or name of a metric.
+        title: a few words.
+        unit: empty for ratios.
+        values: (n,) float64; of a text, the index of its label.
+        labels: texts; empty for numbers.
+        better: "larger" or "smaller"; empty for parameters.
+    """
+
+    name: str
+    title: str
+    unit: str
+    values: Values
+    labels: tuple[str, ...] = ()
+    better: str = ""
+
+    @property
+    def goodness(self) -> Values:
+        """The values with a sign: larger is better."""
+        return -self.values if self.better == "smaller" else self.values
+
+
+@dataclass(frozen=True, eq=False)
+class ResultTable:
+    """Designs that were computed, and what kept others from it.
+
+    Attributes:
+        title: of the study.
+        description: what it asks.
+        source: how the designs were chosen.
+        fidelity: what the cells were computed with.
+        frequency: (n_freq,) Hz.
+        base: the design that was varied.
+        number: (n,) int64, of the case or trial.
+        parameters: what was varied.
+        metrics: what was computed, all finite.
+        failures: kinds of reasons, each by its first, and how many designs failed for each.
+        waiting: designs not computed yet.
+        base_metrics: figures of the base design; empty where they are not known.
+    """
+
+    title: str
+    description: str
+    source: str
+    fidelity: str
+    frequency: Values
+    base: ArrayDesign
+    number: NDArray[np.int64]
+    parameters: tuple[Column, ...]
+    metrics: tuple[Column, ...]
+    failures: tuple[tuple[str, int], ...]
+    waiting: int
+    base_metrics: Mapping[str, float]
+
+    def values(self, row: int) -> dict[str, Any]:
+        """Parameters of a design by dotted name."""
+        return {
+            column.name: column.labels[int(column.values[row])] if column.labels else float(column.values[row])
+            for column in self.parameters
+        }
+
+    def metric(self, name: str) -> Column:
+        """A metric by name.
+
+        Raises:
+            Refusal: it was not computed.
+        """
+        for column in self.metrics:
+            if column.name == name:
+                return column
+        raise Refusal(f"metric {name!r} must be one of: {', '.join(column.name for column in self.metrics)}")
+
+    def label(self, row: int) -> str:
+        """How a design is called: by its number, or after the start it was refined from."""
+        number = int(self.number[row])
+        return str(number) if number >= 0 else f"refined-{-number - 1}"
+
+    def best(self, metric: str, count: int) -> list[int]:
+        """Rows of the best designs by one metric, the best first; equals by number.
+
+        Raises:
+            Refusal: the metric was not computed.
+        """
+        order = np.lexsort((self.number, -self.metric(metric).goodness))
+        return [int(row) for row in order[:count]]
+
+    def fronts(self) -> NDArray[np.int64]:
+        """Rows that lie on the front of any two metrics."""
+        rows: set[int] = set()
+        for first, second in combinations(self.metrics, 2):
+            rows.update(np.flatnonzero(fast_front(np.column_stack([first.goodness, second.goodness]))).tolist())
+        return np.array(sorted(rows), dtype=np.int64)
+
+
+@dataclass(frozen=True, eq=False)
+class Effect:
+    """How a metric changes with one parameter, all others varying as they do.
+
+    Attributes:
+        centres: (n,) of the steps; of texts, their indices.
+        mean: (n,) of the metric in each step.
+        low: (n,) its 10th percentile.
+        high: (n,) its 90th percentile.
+        share: of the metric's variance that the means explain, 0 to 1, less what chance would (omega squared).
+    """
+
+    centres: Values
+    mean: Values
+    low: Values
+    high: Values
+    share: float
+
+
+def effect(parameter: Column, metric: Column) -> Effect:
+    """The main effect of a parameter on a metric, from designs in about equally filled steps."""
+    groups = steps(parameter)
+    members = [metric.values[groups == k] for k in range(groups.max() + 1)]
+    centres = np.array([parameter.values[groups == k].mean() for k in range(len(members))])
+    low, high = (np.array([np.quantile(each, q) for each in members]) for q in (0.1, 0.9))
+    means = np.array([each.mean() for each in members])
+    total = float(((metric.values - metric.values.mean()) ** 2).sum())
+    between = float(sum(len(each) * (m - metric.values.mean()) ** 2 for each, m in zip(members, means, strict=True)))
+    free = len(metric.values) - len(members)
+    noise = (total - between) / free if free > 0 else 0.0
+    share = (between - (len(members) - 1) * noise) / (total + noise) if total > 0 else 0.0
+    return Effect(centres, means, low, high, min(max(share, 0.0), 1.0))
+
+
+def steps(parameter: Column) -> NDArray[np.int64]:
+    """(n,) step of each design: its value where there are few, else ranges that hold about equally many."""
+    distinct, index = np.unique(parameter.values, return_inverse=True)
+    if len(distinct) <= BINS:
+        return np.asarray(index, np.int64)
+    edges = np.unique(np.quantile(parameter.values, np.linspace(0, 1, BINS + 1)[1:-1]))
+    return np.unique(np.searchsorted(edges, parameter.values, side="right"), return_inverse=True)[1].astype(np.int64)
+
+
+def pair_map(first: Column, second: Column, metric: Column) -> tuple[Values, Values, Values]:
+    """Mean of a metric over the steps of two parameters.
+
+    Returns:
+        Centres (n_first,) and (n_second,), and means (n_second, n_first), NaN where there is no design.
+    """
+    own, other = steps(first), steps(second)
+    shape = (int(other.max()) + 1, int(own.max()) + 1)
+    total, count = np.zeros(shape), np.zeros(shape)
+    np.add.at(total, (other, own), metric.values)
+    np.add.at(count, (other, own), 1)
+    with np.errstate(invalid="ignore"):
+        means = np.where(count > 0, total / np.maximum(count, 1), np.nan)
+    centres = [
+        np.array([column.values[group == k].mean() for k in range(group.max() + 1)])
+        for column, group in ((first, own), (second, other))
+    ]
+    return centres[0], centres[1], means
+
+
+def fast_front(values: Values) -> NDArray[np.bool_]:
+    """The front of two columns, larger is better: as :func:`studies.optimization.search.pareto_front`, by sorting."""
+    if values.shape[1] != 2:
+        return pareto_front(values)
+    order = np.lexsort((-values[:, 1], -values[:, 0]))
+    best = np.maximum.accumulate(values[order, 1])
+    ahead = np.concatenate([[-np.inf], best[:-1]])
+    keep = values[order, 1] > ahead
+    # equals of one that is kept are beaten by none
+    same = np.concatenate([[False], (values[order][1:] == values[order][:-1]).all(axis=1)])
+    for k in np.flatnonzero(same):
+        keep[k] = keep[k - 1]
+    front = np.zeros(len(values), dtype=bool)
+    front[order] = keep
+    return front
+
+
+# -- made from --------------------------------------------------------------------------------------
+def table_of_sweep(sweep: Sweep) -> ResultTable:
+    """The finished cases of a sweep; those with a metric that is not finite count as failed.
+
+    Raises:
+        Refusal: no case is done, or nothing was computed.
+    """
+    data = sweep.dataset
+    columns = {name: np.asarray(data[name].values, np.float64) for name in sweep.metrics}
+    finite = np.all([np.isfinite(values) for values in columns.values()], axis=0)
+    rows = np.flatnonzero(sweep.done & finite)
+    if not len(rows):
+        raise Refusal(f"{data.attrs['title']}: none of {data.sizes['case']} cases is done")
+    reasons = [(int(number), str(data["reason"].values[number])) for number in np.flatnonzero(sweep.failed)]
+    reasons += [(int(number), "a metric is not finite") for number in np.flatnonzero(sweep.done & ~finite)]
+    return ResultTable(
+        title=str(data.attrs["title"]),
+        description=str(data.attrs["description"]),
+        source="sweep",
+        fidelity=str(data.attrs["fidelity"]),
+        frequency=np.asarray(data["frequency"].values, np.float64),
+        base=sweep.base,
+        number=rows.astype(np.int64),
+        parameters=tuple(
+            _parameter(name, data[name].values[rows], str(data[name].attrs.get("units", "")))
+            for name in sweep.parameters
+        ),
+        metrics=tuple(_metric(name, values[rows]) for name, values in columns.items()),
+        failures=tuple((reason, len(numbers)) for reason, numbers in by_kind(reasons).items()),
+        waiting=int((~sweep.done & ~sweep.failed).sum()),
+        base_metrics=_base_metrics(sweep) if data.attrs["fidelity"] == "lumped" else {},
+    )
+
+
+def table_of_search(problem: Optimization, result: OptimizationResult) -> ResultTable:
+    """The designs that a search computed and that keep its limits.
+
+    Raises:
+        Refusal: none does.
+    """
+    kept = [each for each in result.candidates if each.feasible]
+    if not kept:
+        raise Refusal(f"{problem.study.name}: none of {len(result.candidates)} designs keeps the limits")
+    broken = len(result.candidates) - len(kept)
+    limits = "; ".join(str(limit) for limit in problem.limits)
+    failures = [*result.refused, *([(f"not {limits}", broken)] if broken else [])]
+    return ResultTable(
+        title=problem.study.name,
+        description=problem.study.description,
+        source="search",
+        fidelity=problem.study.fidelity,
+        frequency=problem.study.frequency,
+        base=problem.study.base,
+        number=np.array([each.number for each in kept], dtype=np.int64),
+        parameters=tuple(
+            _parameter(parameter.name, np.array([each.values[parameter.name] for each in kept], dtype=object),
+                       unit_of(parameter.name))
+            for parameter in problem.study.parameters
+        ),
+        metrics=tuple(
+            _metric(metric.name, np.array([each.metrics[metric.name] for each in kept])) for metric in problem.metrics
+        ),
+        failures=tuple(sorted(failures, key=lambda pair: -pair[1])),
+        waiting=0,
+        base_metrics=result.base.metrics,
+    )  # fmt: skip
+
+
+def unit_of(name: str) -> str:
+    """Unit of a field of the design by dotted name, empty where it has none."""
+    field = field_named(ArrayDesign, name)
+    return "" if field is None else field.unit
+
+
+def _parameter(name: str, values: NDArray[Any], unit: str) -> Column:
+    try:
+        return Column(name, name, "" if unit == "1" else unit, values.astype(np.float64))
+    except (ValueError, TypeError):
+        texts = [str(value) for value in values]
+        labels = tuple(dict.fromkeys(texts))
+        return Column(name, name, "", np.array([labels.index(text) for text in texts], dtype=np.float64), labels)
+
+
+def _base_metrics(sweep: Sweep) -> dict[str, float]:
+    """Figures of the base of a lumped sweep, which is rarely among its cases."""
+    import acoustic_fem
+
+    library = acoustic_fem.solve(sweep.base, np.asarray(sweep.dataset["frequency"].values, np.float64), "lumped")
+    return {name: METRICS[name].of_library(library) for name in sweep.metrics}
+
+
+def _metric(name: str, values: Values) -> Column:
+    about = METRICS[name]
+    return Column(name, about.long_name, "" if about.unit == "1" else about.unit, values, (), about.better)

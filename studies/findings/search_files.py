@@ -1,0 +1,134 @@
+"""What a search leaves on disk: design files, a table of the front, and the report."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+from geometry import ArrayDesign, save_design
+from geometry.files.writing import write_text
+from geometry.printing.report import PrintReport
+from studies.optimization.printable import worst_accepted
+from studies.optimization.problem import Optimization
+from studies.optimization.search import Candidate, OptimizationResult, ranked
+from studies.output.folders import write_json
+
+#: The study, its base and the designs found by descent, beside the journal of the trials.
+_STUDY, _BASE, _REFINED = "study.toml", "base.toml", "refined.json"
+#: Designs of the front whose files are written and whose parts are drawn and measured.
+LARGEST_FRONT = 10
+
+
+def check_printed(
+    problem: Optimization, result: OptimizationResult, progress: Callable[[str, float], None] | None = None
+) -> OptimizationResult:
+    """Draw the parts of the best designs and hold them against the print rules; those that fail leave the front.
+
+    With ``printable = "base"`` or "advised" only the fields are held to more than the rules' least: what is measured
+    on the drawn parts must not fail, and with "advised" must not be at risk.
+    """
+    from geometry import build_parts, print_report
+
+    report = progress or (lambda message, fraction: None)
+    verdicts: dict[int, str] = {}
+    reasons = dict(result.refused)
+    front = result.front
+    while True:
+        for each in front[:LARGEST_FRONT]:
+            if each.number in verdicts:
+                continue
+            report(f"design {label(each)}", min(len(verdicts) / LARGEST_FRONT, 1.0))
+            design = problem.study.base.with_values(each.values)
+            printing = print_report(build_parts(design), design.printing.process)
+            passes = printing.verdict in worst_accepted(problem.rules.demand)
+            verdicts[each.number] = "" if passes else _failure(printing)
+        failed = {number: why for number, why in verdicts.items() if why}
+        if not any(each.number in failed for each in front):
+            break
+        front = ranked(problem, [each for each in result.candidates if each.number not in failed])
+    for why in failed.values():
+        reasons[why] = reasons.get(why, 0) + 1
+    kept = tuple(each for each in result.candidates if each.number not in failed)
+    refused = tuple(sorted(reasons.items(), key=lambda pair: (-pair[1], pair[0])))
+    return replace(result, candidates=kept, front=front, refused=refused)
+
+
+def _failure(printing: PrintReport) -> str:
+    finding = printing.problems[0]
+    return f"drawn and measured: {finding.rule} of the {finding.part.split('-')[0]} against the print rules"
+
+
+def label(candidate: Candidate) -> str:
+    """How a design is called in files: the number of its trial, or that of the start it was refined from."""
+    return str(candidate.number) if candidate.number >= 0 else f"refined-{-candidate.number - 1}"
+
+
+def candidate_design(problem: Optimization, candidate: Candidate) -> ArrayDesign:
+    """The design, named after the study."""
+    origin = f"Design {label(candidate)} of the search {problem.study.name}; base {problem.study.base.name}"
+    return problem.study.base.with_values(
+        {**candidate.values, "name": problem.study.name, "description": origin}
+    ).completed()
+
+
+def save_search(problem: Optimization, result: OptimizationResult, out: Path) -> list[Path]:
+    """Write best.toml, front/*.toml, front.csv and report.html; the files, most wanted first."""
+    from studies.findings.page import write_sweep_report
+    from studies.findings.result_table import table_of_search
+
+    best, table, report, folder = (out / name for name in ("best.toml", "front.csv", "report.html", "front"))
+    write_text(out / _STUDY, problem.text)
+    save_design(problem.study.base, out / _BASE)
+    refined = [vars(each) for each in result.candidates if each.number < 0]
+    write_json(out / _REFINED, {"refined": refined})
+    save_design(candidate_design(problem, result.front[0]), best)
+    folder.mkdir(exist_ok=True)
+    for old in folder.glob("*.toml"):
+        old.unlink()
+    for each in result.front[:LARGEST_FRONT]:
+        save_design(candidate_design(problem, each), folder / f"{label(each)}.toml")
+    write_text(table, _csv(problem, result))
+    write_sweep_report(
+        table_of_search(problem, result), report, f"acoustic-fem best {out} {{number}} --out design-{{number}}.toml"
+    )
+    return [best, folder, table, report]
+
+
+def read_search(out: Path) -> tuple[Optimization, OptimizationResult]:
+    """The problem and the result of a finished search, from its folder.
+
+    Raises:
+        StudyError: the folder is not that of a finished search.
+    """
+    from geometry import load_design
+    from studies.optimization.problem import read_optimization
+    from studies.optimization.search import found_so_far, journal_exists
+    from studies.study.study import StudyError
+
+    if not journal_exists(out) or not all((out / name).is_file() for name in (_STUDY, _BASE, _REFINED)):
+        raise StudyError(
+            f"{out}: is neither the results of a sweep (a .zarr folder) nor the folder of a finished search"
+        )
+    text = (out / _STUDY).read_text(encoding="utf-8")
+    problem = read_optimization(text, str(out / _STUDY), out, load_design(out / _BASE))
+    result = found_so_far(problem, out)
+    refined = json.loads((out / _REFINED).read_text(encoding="utf-8"))["refined"]
+    candidates = (*result.candidates, *(Candidate(**each) for each in refined))
+    return problem, replace(result, candidates=candidates, front=ranked(problem, candidates))
+
+
+def _csv(problem: Optimization, result: OptimizationResult) -> str:
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    parameters = [parameter.name for parameter in problem.study.parameters]
+    names = [metric.name for metric in problem.metrics]
+    writer.writerow(["design", *parameters, *names])
+    for each in result.front:
+        writer.writerow(
+            [label(each), *(each.values[name] for name in parameters), *(f"{each.metrics[name]:.6g}" for name in names)]
+        )
+    return text.getvalue()

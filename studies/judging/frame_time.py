@@ -1,0 +1,68 @@
+"""Time that a localizer takes for one frame of a stream, on one core."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from time import perf_counter, process_time
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    from localize import ArrayResponse
+    from localize.live.stream import StreamLocator
+
+#: Frames that are decoded before the first one is timed.
+WARM_UP = 50
+
+
+@dataclass(frozen=True)
+class FrameTime:
+    """Percentiles over single frames, ms."""
+
+    median: float
+    """Of wall-clock time, as the next field: other work on the machine adds waiting to them."""
+    worst: float
+    """99th percentile."""
+    processor_median: float
+    """Of the processor time of the process, as the next field: other work adds only colder caches."""
+    processor_worst: float
+    """99th percentile."""
+
+
+def frame_time(locator: StreamLocator, response: ArrayResponse, frames: int = 2000) -> FrameTime:
+    """Push frames of touches through :class:`localize.TouchStream`, 16 samples at a time, and time each one.
+
+    Args:
+        locator: anything that can listen to a stream.
+        response: the array that is touched.
+        frames: how many are timed.
+    """
+    from localize import Decision, TouchStream
+    from localize.live.stream import HOP
+    from localize.signals.frames import FRAME
+
+    signals = _continuous(response, FRAME + (WARM_UP + frames) * HOP)
+    stream = TouchStream(locator)
+    begin = FRAME + WARM_UP * HOP
+    stream.push(signals[:, :begin])
+    wall, processor = [], []
+    for first in range(begin, begin + frames * HOP, HOP):
+        started, spent = perf_counter(), process_time()
+        (event,) = stream.push(signals[:, first : first + HOP])
+        processor.append(process_time() - spent)
+        wall.append(perf_counter() - started)
+        if not (isinstance(event, Decision) and event.state == "touch"):
+            raise RuntimeError("a frame was not decoded: its time says nothing")
+    return FrameTime(*(1e3 * float(np.percentile(times, share)) for times in (wall, processor) for share in (50, 99)))
+
+
+def _continuous(response: ArrayResponse, samples: int) -> NDArray[np.float64]:
+    """Touches of one point after the other, loud enough for every frame to be decoded: (n_microphone, samples)."""
+    from localize import TouchGenerator
+
+    touches = TouchGenerator(response, 0, "evaluation", 1e-3).samples(0, -(-samples // 1000))
+    signals = touches.signals.double().numpy()
+    signals /= signals.std((1, 2), keepdims=True)
+    return np.concatenate(list(signals), axis=1)[:, :samples]

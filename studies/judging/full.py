@@ -1,0 +1,147 @@
+"""Evaluation of a localizer beside the model-based decoder, under conditions that are not those of training."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import asdict, dataclass
+from datetime import UTC, datetime
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from acoustic_fem.batch.network import batch_transfer_function
+from acoustic_fem.batch.parameters import design_air
+from acoustic_fem.library.provenance import versions
+from studies.scatter.tolerances import ScatteredDesign
+
+if TYPE_CHECKING:
+    from acoustic_fem import Library
+    from localize.evaluation.accuracy import Evaluation, Locator
+    from localize.evaluation.conditions import Outcome
+    from localize.signals.array_response import ArrayResponse
+    from localize.signals.noise import NoiseChoice
+
+Progress = Callable[[str, float], None]
+#: Shares of the workshop's tolerances that sensors are made with.
+SCATTER = (0.25, 0.5, 1.0)
+#: Sensors that are made with each.
+SENSORS = 12
+#: Touches per point in a condition, as a share of those of the whole evaluation.
+SHARE = 0.1
+#: Touches in a condition, if the whole evaluation has as many: their interval is then at most 4 points either way.
+LEAST = 600
+
+
+@dataclass(frozen=True)
+class Judged:
+    """One localizer's results."""
+
+    name: str
+    overall: Evaluation
+    outcomes: tuple[Outcome, ...]
+
+    def to_dict(self) -> dict[str, Any]:
+        """All of it as JSON can hold it."""
+        return {**self.overall.to_dict(), "conditions": [asdict(outcome) for outcome in self.outcomes]}
+
+
+@dataclass(frozen=True)
+class FullEvaluation:
+    """What the report shows."""
+
+    design: str
+    points: tuple[int, ...]
+    """Numbers of the points."""
+    judged: tuple[Judged, ...]
+    created: datetime
+    provenance: dict[str, Any]
+
+    def to_dict(self) -> dict[str, Any]:
+        """All of it as JSON can hold it."""
+        return {
+            "design": self.design,
+            "created": self.created.isoformat(timespec="seconds"),
+            "provenance": self.provenance,
+            **{each.name: each.to_dict() for each in self.judged},
+        }
+
+
+def evaluate_fully(
+    locators: dict[str, Locator],
+    library: Library,
+    response: ArrayResponse,
+    touches: int,
+    noise: NoiseChoice,
+    seed: int,
+    progress: Progress,
+) -> FullEvaluation:
+    """Evaluate localizers on a library, then under each condition that it allows, then on mis-made sensors.
+
+    Args:
+        locators: by name.
+        library: of a design.
+        response: of that library.
+        touches: held-out touches per point; in a condition a tenth as many, at least 600 of all points together, but
+            never more.
+        noise: of the microphones, where the condition is not the noise.
+        seed: of touches and of mis-made sensors.
+        progress: called with what is being done and the fraction done.
+    """
+    from localize import evaluate
+    from localize.evaluation.conditions import evaluate_conditions, evaluate_sensors
+
+    few = min(touches, max(round(SHARE * touches), math.ceil(LEAST / response.point_count)))
+    progress("mis-made sensors", 0.0)
+    made = mis_made(library, response, seed)
+    found = []
+    for number, (name, locator) in enumerate(locators.items()):
+        stage = _stage(progress, name, number / len(locators), 1 / len(locators))
+        stage("all touches", 0.0)
+        overall = evaluate(locator, response, touches, noise, seed=seed)
+        outcomes = evaluate_conditions(locator, response, few, noise, seed, stage)
+        stage("mis-made sensors", 1.0)
+        outcomes += evaluate_sensors(locator, response, made, max(1, few // 5), noise, seed)
+        found.append(Judged(name, overall, tuple(outcomes)))
+    return FullEvaluation(
+        design=response.name,
+        points=tuple(range(1, response.point_count + 1)),
+        judged=tuple(found),
+        created=datetime.now(UTC),
+        provenance={
+            **versions(seed, ("numpy", "scipy", "torch", "onnxruntime")),
+            "design": response.provenance["design"],
+            "fidelity": library.fidelity,
+            "library": dict(library.provenance),
+        },
+    )
+
+
+def _stage(
+    progress: Callable[[str, float], None], name: str, begin: float, size: float
+) -> Callable[[str, float], None]:
+    """Progress of one localizer as part of the whole."""
+    return lambda what, share: progress(f"{name}: {what}", begin + size * share)
+
+
+def mis_made(
+    library: Library, response: ArrayResponse, seed: int, count: int = SENSORS
+) -> list[tuple[str, float, NDArray[np.complex128]]]:
+    """Sensors with shares of the workshop's tolerances: name, share and transfer functions of each set.
+
+    What scatter changes is computed with the lumped network and applied to the library's transfer functions as a
+    factor, so that a library of any fidelity is scattered around itself.
+    """
+    scattered, air = ScatteredDesign(library.design), design_air(library.design)
+    draws = scattered.draws(0, count, seed)
+
+    def lumped(share: float, sensors: int) -> NDArray[np.complex128]:
+        parameters = scattered.parameters({name: share * values[:sensors] for name, values in draws.items()})
+        return batch_transfer_function(parameters, scattered.topology, response.frequency, air)
+
+    nominal = lumped(0.0, 1)
+    return [
+        (f"{share:g} of the tolerances", share, response.transfer_function * (lumped(share, count) / nominal))
+        for share in SCATTER
+    ]

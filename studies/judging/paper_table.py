@@ -1,0 +1,165 @@
+"""The paper's table as a study: which share of touches is named right, by microphones, points, noise and decoder.
+
+``python -m studies.judging.paper_table --out DIR`` takes about two hours of one core; every row is stored when it is
+done, a training that is stopped goes on where it was, and running the command again takes up the rest. ``--full``
+trains as long as the paper says, 14,000 touches of every point over 30 epochs, which takes days.
+"""
+
+from __future__ import annotations
+
+import json
+import warnings
+from dataclasses import asdict, dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import numpy as np
+import typer
+
+from studies.output.folders import check_folder, write_json
+
+if TYPE_CHECKING:
+    from localize import ArrayResponse, BayesDecoder, Localizer, TrainingPlan
+
+#: Prototypes of two, three and four fully connected microphones.
+DESIGNS = ("line-2", "line-3", "line-4")
+POINTS_PER_LINE = (12, 24, 36)
+#: Steps of 0.25 Hz where the responses of taps bend; up to 500 Hz, for the noise of the stimuli is white.
+FREQUENCY = np.concatenate([np.arange(0.25, 5.0, 0.25), np.arange(5.0, 500.5, 1.0)])
+#: Pa rms of white noise: none, and 60 dB below 94 dB SPL.
+NOISES = (0.0, 1e-3)
+#: What a decoder is told where there is none, Pa rms.
+LEAST_NOISE = 1e-6
+#: Touches judged in each cell of the table, about; at least ten of every point.
+JUDGED = 4000
+BEGIN, END = "<!-- table: made by python -m studies.judging.paper_table -->", "<!-- end -->"
+
+
+@dataclass(frozen=True)
+class Row:
+    """One array in one noise."""
+
+    design: str
+    points_per_line: int
+    noise: float
+    """Pa rms, in training and in judging."""
+
+    @property
+    def name(self) -> str:
+        """Of its files."""
+        return f"{self.design}-{self.points_per_line}-noise-{self.noise:g}"
+
+
+def plan_of(full: bool, row: Row) -> TrainingPlan:
+    """How the network of a row is trained: with the noise it is judged in."""
+    from localize import TrainingPlan
+
+    if full:
+        return replace(TrainingPlan.paper(), seconds_per_point=14_000, microphone_noise=row.noise)
+    # Longer lines of more microphones: one network has to tell more points apart.
+    return TrainingPlan(seconds_per_point=200 if row.design == "line-2" else 330, microphone_noise=row.noise)
+
+
+def solved(row: Row) -> ArrayResponse:
+    """The array's transfer functions, lumped."""
+    import acoustic_fem
+    import geometry
+    from localize.signals.array_response import response_of
+
+    design = geometry.prototype(row.design)
+    lines = {f"lines.{k}.points": row.points_per_line for k in range(len(design.lines))}
+    with warnings.catch_warnings():
+        # Above 100 Hz the entrance losses of a tube leave their range; only the stimuli's noise lies there.
+        warnings.filterwarnings("ignore", "entrance loss of a tube", UserWarning)
+        return response_of(acoustic_fem.solve(design.with_values(lines), FREQUENCY, "lumped"))
+
+
+def measure(row: Row, full: bool, folder: Path) -> dict[str, Any]:
+    """Train, evaluate and time one array."""
+    from localize import BayesDecoder, evaluate, export_onnx, train
+    from localize.learned.onnx import OnnxLocalizer
+    from localize.signals.finger_stimuli import STIMULI
+    from studies.judging.frame_time import frame_time
+
+    response = solved(row)
+    touches = max(10, JUDGED // response.point_count)
+    plan = plan_of(full, row)
+    checkpoint = folder / f"{row.name}{'-full' * full}.safetensors"
+    network = train(response, plan, checkpoint=checkpoint)
+    decoder = BayesDecoder(response, max(row.noise, LEAST_NOISE))
+    found: dict[str, Any] = {"network": {"training": dict(network.training)}, "model-based": {}}
+    locators: dict[str, Localizer | BayesDecoder] = {"network": network, "model-based": decoder}
+    for name, locator in locators.items():
+        for stimuli in ("multi-sines", "taps"):
+            judged = evaluate(locator, response, touches, row.noise, stimuli=STIMULI[stimuli])
+            found[name][stimuli] = [judged.top1, judged.top2, judged.within_one]
+        graph = folder / f"{row.name}-{name}.onnx"
+        export_onnx(locator, graph)
+        found[name]["frame_time"] = asdict(frame_time(OnnxLocalizer(graph), response))
+        graph.unlink()
+    checkpoint.unlink()
+    return {**asdict(row), "full": full, "microphones": len(response.microphones), "points": response.point_count,
+            "touches": touches * response.point_count, "plan": asdict(plan), **found}  # fmt: skip
+
+
+def table(rows: list[dict[str, Any]]) -> str:
+    """The rows as Markdown."""
+    lines = [
+        "| microphones | points | noise (mPa) | network: top-1 / top-2 (%) | trained on touches per point | taps (%) "
+        "| model-based: top-1 / top-2 (%) | taps (%) | a frame, network / model-based (ms) |",
+        "|---|---|---|---|---|---|---|---|---|",
+    ]
+    for row in sorted(rows, key=lambda row: (row["microphones"], row["points"], row["noise"])):
+        network, decoder = row["network"], row["model-based"]
+        shares = [[f"{100 * share:.1f}" for share in each["multi-sines"][:2]] for each in (network, decoder)]
+        taps = [f"{100 * each['taps'][0]:.1f}" for each in (network, decoder)]
+        times = " / ".join(f"{each['frame_time']['processor_median']:.2f}" for each in (network, decoder))
+        trained = network["training"]["touches"] // row["points"]
+        lines.append(
+            f"| {row['microphones']} | {row['points']} | {1e3 * row['noise']:g} | {' / '.join(shares[0])} | {trained} "
+            f"| {taps[0]} | {' / '.join(shares[1])} | {taps[1]} | {times} |"
+        )
+    return "\n".join(lines)
+
+
+def write_table(folder: Path, rows: list[dict[str, Any]]) -> None:
+    """Into the folder's README.md where that has a place for it, else into table.md."""
+    from geometry.files.writing import replace_section, write_text
+
+    page = folder / "README.md"
+    if page.exists() and BEGIN in page.read_text(encoding="utf-8"):
+        replace_section(page, BEGIN, END, table(rows).splitlines())
+    else:
+        write_text(folder / "table.md", table(rows) + "\n")
+
+
+def main(
+    out: Annotated[Path, typer.Option(help="The folder for rows and table.", show_default=False)],
+    full: Annotated[bool, typer.Option("--full", help="Train as long as the paper: days.")] = False,
+    design: Annotated[list[str] | None, typer.Option(help="Only this prototype; may be repeated.")] = None,
+    points: Annotated[list[int] | None, typer.Option(help="Only so many points per line; may be repeated.")] = None,
+) -> None:
+    """Measure the rows that the folder does not hold yet, then write the table of all that it holds."""
+    for name in design or ():
+        if name not in DESIGNS:
+            raise typer.BadParameter(f"--design {name} must be one of: {', '.join(DESIGNS)}")
+    for count in points or ():
+        if not 2 <= count <= 64:
+            raise typer.BadParameter(f"--points {count} must be between 2 and 64")
+    check_folder(out)
+    out.mkdir(parents=True, exist_ok=True)
+    for name in design or DESIGNS:
+        for count in points or POINTS_PER_LINE:
+            for noise in NOISES:
+                row = Row(name, count, noise)
+                file = out / f"{row.name}{'-full' * full}.json"
+                if not file.exists():
+                    write_json(file, measure(row, full, out))
+                print(f"{file}: done", flush=True)
+    files = sorted(out.glob("line-*.json"))
+    rows = [json.loads(file.read_text(encoding="utf-8")) for file in files]
+    write_table(out, [row for row in rows if row["full"] == full])
+
+
+if __name__ == "__main__":
+    typer.run(main)

@@ -1,0 +1,89 @@
+"""``evaluation.json`` and ``evaluation.html``: how well the touched point is named, on one self-contained page."""
+
+from __future__ import annotations
+
+import base64
+import json
+import tempfile
+from importlib import resources
+from pathlib import Path
+
+from geometry.files.writing import write_text
+from studies.judging.figures import draw_conditions, draw_reliability
+from studies.judging.full import SENSORS, FullEvaluation
+from studies.output.display import number
+from studies.output.figures import draw_confusion
+from studies.output.folders import write_json
+from studies.run.findings import noise_phrase
+
+JSON_FILE, PAGE_FILE = "evaluation.json", "evaluation.html"
+
+
+def write_evaluation(found: FullEvaluation, folder: Path) -> None:
+    """Write both files; the page last.
+
+    Args:
+        found: of :func:`studies.judging.full.evaluate_fully`.
+        folder: made where it does not exist.
+    """
+    folder.mkdir(parents=True, exist_ok=True)
+    write_json(folder / JSON_FILE, found.to_dict())
+    write_text(folder / PAGE_FILE, render(found))
+
+
+def render(found: FullEvaluation) -> str:
+    """The page as text: pictures inlined, no script, nothing fetched."""
+    from jinja2 import Environment, PackageLoader, StrictUndefined
+
+    environment = Environment(
+        loader=PackageLoader("studies"), autoescape=True, undefined=StrictUndefined, trim_blocks=True,
+        lstrip_blocks=True,
+    )  # fmt: skip
+    environment.filters["number"] = number
+    return environment.get_template("evaluation_report.html").render(
+        style=(resources.files("studies") / "templates" / "report.css").read_text(encoding="utf-8"),
+        found=found,
+        verdict=_verdict(found),
+        noise=noise_phrase(found.judged[0].overall),
+        rows=list(zip(*(each.outcomes for each in found.judged), strict=True)),
+        sensors=SENSORS,
+        pictures=_pictures(found),
+        provenance=_provenance(found),
+    )
+
+
+def _verdict(found: FullEvaluation) -> str:
+    """The page in two sentences."""
+    shares = " and ".join(
+        f"the {each.name} names the right point for {100 * each.overall.top1:.1f} %" for each in found.judged
+    )
+    hardest = []
+    for each in found.judged:
+        worst = min(each.outcomes, key=lambda outcome: outcome.top1)
+        hardest.append(f"for the {each.name} {worst.group}, {worst.name} ({100 * worst.top1:.1f} %)")
+    return f"Of touches never heard before, {shares}. The hardest condition is {', '.join(hardest)}."
+
+
+def _pictures(found: FullEvaluation) -> dict[str, str]:
+    with tempfile.TemporaryDirectory() as folder:
+        place = Path(folder)
+        paths = {
+            "reliability": draw_reliability(found.judged, place / "reliability.png"),
+            "conditions": draw_conditions(found.judged, place / "conditions.png"),
+        }
+        for index, each in enumerate(found.judged):
+            name = f"confusion-{index}"
+            paths[name] = draw_confusion(each.overall.confusion, found.points, place / f"{name}.png")
+        encoded = {name: base64.b64encode(path.read_bytes()).decode("ascii") for name, path in paths.items()}
+    return {name: "data:image/png;base64," + text for name, text in encoded.items()}
+
+
+def _provenance(found: FullEvaluation) -> list[tuple[str, str]]:
+    own = {key: value for key, value in found.provenance.items() if key not in ("design", "library")}
+    library = {key: value for key, value in found.provenance["library"].items() if key != "cells"}
+    return [
+        ("made", found.created.strftime("%Y-%m-%d %H:%M UTC")),
+        ("evaluation", json.dumps(own)),
+        ("library", json.dumps(library)),
+        ("design", found.provenance["design"]),
+    ]

@@ -1,0 +1,71 @@
+"""What is known of a made sensor before anything is measured: tolerances as spread of responses and as priors."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from acoustic_fem.batch.network import batch_transfer_function
+from acoustic_fem.batch.parameters import design_air
+from acoustic_fem.calibration.fitted_model import Priors
+from geometry.design.array_design import ArrayDesign
+from studies.scatter.tolerances import TOLERANCES, ScatteredDesign, Tolerance
+
+Array = NDArray[np.float64]
+
+
+def model_deviation(
+    design: ArrayDesign,
+    frequency: Array,
+    tolerances: Sequence[Tolerance] = TOLERANCES,
+    count: int = 64,
+    seed: int = 0,
+) -> Array:
+    """How far the transfer functions of made sensors lie from those of the design.
+
+    Args:
+        design: the nominal array.
+        frequency: (n_freq,) Hz.
+        tolerances: of manufacturing.
+        count: sensors drawn.
+        seed: of the draws.
+
+    Returns:
+        (n_point, n_microphone, n_freq) root mean square of the real part, and of the imaginary part, of the
+        difference, Pa/Pa.
+    """
+    scattered, air = ScatteredDesign(design, tolerances), design_air(design)
+    made = batch_transfer_function(scattered.sample(0, count, seed), scattered.topology, frequency, air)
+    nominal = batch_transfer_function(scattered.nominal, scattered.topology, frequency, air)
+    return np.asarray(np.sqrt((np.abs(made - nominal) ** 2).mean(0) / 2))
+
+
+def fit_priors(design: ArrayDesign, tolerances: Sequence[Tolerance] = TOLERANCES, count: int = 256) -> Priors:
+    """Priors of a fit from manufacturing tolerances; what they say nothing of keeps its default.
+
+    A tube's length counts as bore by what it does to the resistance, length / bore^4; all that scatters at a point
+    counts as compliance of its membrane.
+    """
+    kept = [tolerance for tolerance in tolerances if tolerance.quantity != "modulus_of_batch"]
+    common = [tolerance.deviation for tolerance in tolerances if tolerance.quantity == "modulus_of_batch"]
+    scattered = ScatteredDesign(design, kept)
+    made, nominal = scattered.sample(0, count, 0), scattered.nominal
+    resistance = np.log(made.tube_length / nominal.tube_length) / 4 - np.log(made.tube_radius / nominal.tube_radius)
+    volume = made.cavity_radius**2 * made.cavity_height * (math.pi / (1.4 * 101325))
+    shift = np.log((made.membrane_compliance + volume).ravel() / (made.membrane_compliance + volume).mean())
+    of_membrane = float((made.membrane_compliance / (made.membrane_compliance + volume)).mean())
+    return replace(
+        Priors(),
+        bore=_prior(float(np.std(resistance))),
+        compliance=_prior(float(np.std(shift)) / of_membrane),
+        modulus=_prior(common[0] if common else 0.0),
+    )
+
+
+def _prior(deviation: float) -> float:
+    """At least a thousandth: what does not scatter is not known better than that."""
+    return float(np.clip(deviation, 1e-3, 1.0))

@@ -1,0 +1,289 @@
+"""A virtual rig: a sensor with hidden deviations that writes recordings as a real one would.
+
+The hidden sensor is computed by the lumped batch, and at ``navier-stokes`` fidelity multiplied by what that changes in
+the nominal design. Beside what a fit of the usual parameters knows (bores, compliances, modulus, loss, gains, corners,
+chambers) it has deviations that such a fit lacks: lengths of tubes, cavities apart from their membranes, a loss factor
+of each membrane, the temperature of the room, and the change of fidelity.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from pathlib import Path
+from typing import Literal
+
+import numpy as np
+import scipy.interpolate
+import tomlkit
+from numpy.typing import NDArray
+
+from acoustic_fem.batch.network import batch_transfer_function
+from acoustic_fem.batch.parameters import ArrayParameters, design_air
+from acoustic_fem.batch.topology import Topology
+from acoustic_fem.calibration.manifest import REFERENCE
+from acoustic_fem.library.solving import solve
+from acoustic_fem.network.microphone import noise_density, response
+from acoustic_fem.quantities.checks import in_range
+from acoustic_fem.quantities.medium import Medium
+from acoustic_fem.sound.sound_file import write_wav
+from geometry.design.array_design import ArrayDesign
+from geometry.design.design_file import write_design
+from geometry.files.writing import write_text
+from geometry.refusal import Refusal
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+#: Band of the excitation, Hz.
+BAND = (0.8, 125.0)
+#: Hz, on which the hidden sensor is solved; between them it is interpolated.
+_NODES = np.geomspace(0.4, 160.0, 72)
+#: Seconds of a recording that are played before it begins, so that the sensor has settled.
+_BEFORE = 3.0
+
+
+@dataclass(frozen=True)
+class HiddenScatter:
+    """Standard deviations of the hidden parameters, as fractions unless said otherwise; normal, cut off at three."""
+
+    bore: float = 0.05
+    """Of each tube."""
+    volume: float = 0.05
+    """Of each cavity, by its height."""
+    membrane: float = 0.10
+    """Of the compliance of each membrane."""
+    modulus: float = 1.0
+    """Of all membranes against the nominal one: a factor, not a deviation."""
+    gain: float = 0.05
+    """Of each microphone."""
+    corner: float = 0.10
+    """Of the high-pass of each microphone."""
+    chamber: float = 0.10
+    """Of the volume of each microphone's chamber."""
+    length: float = 0.01
+    """Of each tube; not known to a fit."""
+    loss: float = 0.2
+    """Of the loss factor of each membrane; a fit knows the mean only."""
+    temperature: float = 3.0
+    """K; not known to a fit."""
+
+
+@dataclass(frozen=True)
+class Recorder:
+    """How the recordings are made."""
+
+    seconds: float = 60.0
+    rate: int = 1000
+    """Hz."""
+    bits: int = 16
+    """Of the WAV files."""
+    full_scale: float = 2.0
+    """Pa, of the array's microphones; the calibration microphone has five times that. Louder signals are clipped."""
+    level: float = 0.35
+    """Pa rms in the touched cavity."""
+    excitation: Literal["noise", "sweep"] = "noise"
+    """Noise of flat spectrum, or exponential sweeps of 20 s, over :data:`BAND`."""
+    reference_noise: float = 5e-4
+    """Pa rms of the calibration microphone over half the sample rate, white."""
+    late: float = 0.0123
+    """s by which the calibration microphone's recorder starts after the array's; the manifest states it."""
+    hum: float = 2e-3
+    """Pa, of the mains in every channel, with its third harmonic at a third of it."""
+    drift: float = 5e-3
+    """Pa rms of a wander of the zero over the recording."""
+    separate: bool = False
+    """A file for each channel instead of one for all."""
+
+
+class Rig:
+    """A made sensor whose parameters are hidden.
+
+    Args:
+        design: the nominal array.
+        seed: of the hidden parameters; recordings use children of it.
+        scatter: how far they lie from nominal.
+        fidelity: ``lumped``, or ``navier-stokes`` for what 3-D cells change.
+
+    Raises:
+        Refusal: a negative seed, or a design that the lumped batch does not take.
+    """
+
+    def __init__(
+        self,
+        design: ArrayDesign,
+        seed: int,
+        scatter: HiddenScatter | None = None,
+        fidelity: Literal["lumped", "navier-stokes"] = "lumped",
+    ) -> None:
+        if seed < 0:
+            raise Refusal(f"seed = {seed} must be 0 or above")
+        self.design, self.seed, self.fidelity = design, seed, fidelity
+        self.scatter = scatter or HiddenScatter()
+        shared = Topology.of(design)
+        self.topology = shared.individual()
+        self._draw(ArrayParameters.from_design(design).individual(shared))
+
+    def _draw(self, nominal: ArrayParameters) -> None:
+        random = np.random.default_rng(np.random.SeedSequence(self.seed, spawn_key=(0,)))
+        scatter = self.scatter
+
+        def factor(like: Array, deviation: float) -> Array:
+            draw = random.standard_normal(like.shape)
+            return np.asarray(1 + deviation * np.clip(draw, -3, 3))
+
+        self.hidden = replace(
+            nominal,
+            tube_radius=nominal.tube_radius * factor(nominal.tube_radius, scatter.bore),
+            cavity_height=nominal.cavity_height * factor(nominal.cavity_height, scatter.volume),
+            membrane_compliance=nominal.membrane_compliance
+            * factor(nominal.membrane_compliance, scatter.membrane)
+            / scatter.modulus,
+            membrane_frequency=nominal.membrane_frequency * np.sqrt(scatter.modulus),
+            tube_length=nominal.tube_length * factor(nominal.tube_length, scatter.length),
+            membrane_loss=nominal.membrane_loss * factor(nominal.membrane_loss, scatter.loss),
+            chamber_height=nominal.chamber_height * factor(nominal.chamber_height, scatter.chamber),
+        )
+        self.gain = factor(np.ones(len(self.design.microphones)), scatter.gain)
+        self.corner = factor(np.ones(len(self.design.microphones)), scatter.corner)
+        self.hidden = replace(self.hidden, vent_admittance=self.hidden.vent_admittance * self.corner)
+        air = self.design.air
+        warmer = float(np.clip(random.standard_normal(), -3, 3)) * scatter.temperature
+        self.medium = Medium.at(air.temperature + warmer, air.humidity, air.pressure)
+
+    def transfer_function(self, frequency: Array) -> Complex:
+        """What recordings without noise say: microphones with their gains and high-passes per pressure in the cavity.
+
+        Args:
+            frequency: (n_freq,) Hz, 0.4 to 160.
+
+        Returns:
+            (n_point, n_microphone, n_freq) complex128, Pa/Pa, by the nominal microphone's response.
+        """
+        in_range("frequency", float(np.min(frequency)), _NODES[0], _NODES[-1], "Hz")
+        in_range("frequency", float(np.max(frequency)), _NODES[0], _NODES[-1], "Hz")
+        level, phase = self._curves(np.log(frequency))
+        return np.asarray(np.exp(level + 1j * phase))
+
+    @cached_property
+    def _curves(self) -> scipy.interpolate.CubicSpline:
+        h = batch_transfer_function(self.hidden, self.topology, _NODES, self.medium)[0]
+        if self.fidelity != "lumped":
+            ratio = [solve(self.design, _NODES, name).transfer_function.values for name in (self.fidelity, "lumped")]
+            h = h * ratio[0] / ratio[1]
+        microphone, air = self.design.microphone, design_air(self.design)
+        for k, (gain, corner) in enumerate(zip(self.gain, self.corner, strict=True)):
+            made = microphone.model_copy(update={"vent_corner": microphone.vent_corner * corner})
+            h[:, k] *= gain * response(made, _NODES, self.medium) / response(microphone, _NODES, air)
+        logarithm = np.stack([np.log(np.abs(h)), np.unwrap(np.angle(h), axis=-1)])
+        return scipy.interpolate.CubicSpline(np.log(_NODES), logarithm, axis=-1)
+
+    def record(self, folder: Path, points: Sequence[int], recorder: Recorder | None = None) -> Path:
+        """Write a WAV recording of each point, the nominal design and a manifest.
+
+        Args:
+            folder: made if it is not there.
+            points: numbers, from 1.
+            recorder: how.
+
+        Returns:
+            The manifest.
+
+        Raises:
+            Refusal: a point that the design does not have.
+        """
+        recorder = recorder or Recorder()
+        for point in points:
+            in_range("points", point, 1, self.design.point_count)
+        folder.mkdir(parents=True, exist_ok=True)
+        write_text(folder / "design.toml", write_design(self.design))
+        names = (REFERENCE, *self.design.microphones)
+        scale = np.array([5 * recorder.full_scale, *[recorder.full_scale] * len(self.design.microphones)])
+        manifest = tomlkit.document()
+        manifest["design"] = "design.toml"
+        manifest["pascals"] = dict(zip(names, scale.tolist(), strict=True))
+        manifest["started_late"] = {REFERENCE: recorder.late}
+        files: dict[str, str | dict[str, str]] = {}
+        for point in points:
+            samples = self.signals(point, recorder) / scale[:, None]
+            if recorder.separate:
+                files[str(point)] = {name: f"point-{point}-{name}.wav" for name in names}
+                for name, row in zip(names, samples, strict=True):
+                    write_wav(folder / f"point-{point}-{name}.wav", row[None], recorder.rate, recorder.bits)
+            else:
+                files[str(point)] = f"point-{point}.wav"
+                write_wav(folder / f"point-{point}.wav", samples, recorder.rate, recorder.bits)
+        manifest["points"] = files
+        path = folder / "calibration.toml"
+        write_text(path, tomlkit.dumps(manifest))
+        return path
+
+    def signals(self, point: int, recorder: Recorder) -> Array:
+        """(1 + n_microphone, n_sample) Pa, the reference first, before they are clipped and rounded."""
+        random = np.random.default_rng(np.random.SeedSequence(self.seed, spawn_key=(1, point)))
+        before = round(_BEFORE * recorder.rate)
+        count = round(recorder.seconds * recorder.rate)
+        total = before + count + round(abs(recorder.late) * recorder.rate) + 1
+        grid = np.fft.rfftfreq(total, 1 / recorder.rate).astype(np.float64)
+        inside = (grid >= BAND[0]) & (grid <= BAND[1])
+        drive = _excitation(recorder, total, random)
+        drive[~inside] = 0
+        drive *= recorder.level / np.sqrt(2 * (np.abs(drive[inside]) ** 2).sum()) * total
+        return self.recorded(point, drive, total, before, count, recorder, random)
+
+    def recorded(
+        self,
+        point: int,
+        drive: Complex,
+        total: int,
+        before: int,
+        count: int,
+        recorder: Recorder,
+        random: np.random.Generator,
+    ) -> Array:
+        """What is recorded of a pressure in a cavity, with all that a recorder adds.
+
+        Args:
+            point: number, from 1.
+            drive: (total // 2 + 1,) spectrum of the pressure as of np.fft.rfft, Pa; only :data:`BAND` is heard.
+            total: samples of the pressure, at the rate of the recorder.
+            before: of them, that come before the recording.
+            count: of the recording.
+            recorder: how.
+            random: draws what the recorder adds.
+
+        Returns:
+            (1 + n_microphone, count) Pa, the reference first, before they are clipped and rounded.
+        """
+        grid = np.fft.rfftfreq(total, 1 / recorder.rate).astype(np.float64)
+        inside = (grid >= BAND[0]) & (grid <= BAND[1])
+        spectra = np.zeros((1 + len(self.design.microphones), len(grid)), np.complex128)
+        spectra[0] = drive * np.exp(2j * np.pi * grid * recorder.late)
+        spectra[1:, inside] = drive[inside] * self.transfer_function(grid[inside])[point - 1]
+        # noise of the microphones as a pressure in their chambers, above 0.5 Hz
+        heard = np.maximum(grid, 0.5)
+        medium = design_air(self.design)
+        density = noise_density(self.design.microphone, heard) / np.abs(response(self.design.microphone, heard, medium))
+        white = np.fft.rfft(random.standard_normal((len(spectra), total)))
+        spectra[1:] += white[1:] * density * np.sqrt(recorder.rate / 2)
+        spectra[0] += white[0] * recorder.reference_noise
+        samples = np.fft.irfft(spectra, total)[:, before : before + count]
+        time = np.arange(count) / recorder.rate
+        mains = 50.0 + random.uniform(-0.03, 0.03)
+        phase = random.uniform(0, 2 * np.pi, 2)
+        hum = np.sin(2 * np.pi * mains * time + phase[0]) + np.sin(6 * np.pi * mains * time + phase[1]) / 3
+        wander = np.cumsum(random.standard_normal((len(samples), count)), axis=1)
+        wander *= recorder.drift / np.maximum(wander.std(axis=1, keepdims=True), 1e-300)
+        slow = scipy.interpolate.make_interp_spline(time[:: recorder.rate], wander[:, :: recorder.rate], k=3, axis=1)
+        return np.asarray(samples + recorder.hum * hum + slow(np.minimum(time, time[:: recorder.rate][-1])))
+
+
+def _excitation(recorder: Recorder, total: int, random: np.random.Generator) -> Complex:
+    """Spectrum of what is played, before it is scaled and cut to its band."""
+    if recorder.excitation == "noise":
+        return np.asarray(np.fft.rfft(random.standard_normal(total)))
+    import scipy.signal
+
+    time = np.arange(total) / recorder.rate
+    return np.asarray(np.fft.rfft(scipy.signal.chirp(time % 20.0, BAND[0], 20.0, BAND[1], method="logarithmic")))

@@ -1,0 +1,80 @@
+"""What a fit should find of a virtual rig: its hidden sensor in the parameters of the fitted family."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from acoustic_fem.batch.parameters import ArrayParameters
+from acoustic_fem.calibration.fitted_model import Posterior, UpdatedModel
+from studies.made_sensor.rig import HiddenScatter, Rig
+from studies.scatter.tolerances import Tolerance
+
+Array = NDArray[np.float64]
+
+_SOURCE = "of the virtual rig"
+
+
+def rig_tolerances(scatter: HiddenScatter, modulus: float = 0.15) -> tuple[Tolerance, ...]:
+    """The tolerances that a workshop with the rig's scatter would state.
+
+    Args:
+        scatter: of the rig.
+        modulus: deviation of that of a batch.
+    """
+    relative = {
+        "bore": scatter.bore,
+        "length": scatter.length,
+        "cavity_height": scatter.volume,
+        "modulus_of_part": scatter.membrane,
+        "modulus_of_batch": modulus,
+    }
+    return tuple(Tolerance(quantity, deviation, "relative", _SOURCE) for quantity, deviation in relative.items())
+
+
+def hidden_parameters(rig: Rig, model: UpdatedModel) -> dict[str, tuple[float, Array]]:
+    """The true values of what a fit states, as far as the rig's sensor has them.
+
+    A longer tube counts as a narrower one, by the resistance, length / bore^4; a cavity counts as its membrane, by the
+    compliance of both; membranes are stiffer one by one and all together, and only the product is true.
+
+    Args:
+        rig: of the design of the model.
+        model: the family.
+
+    Returns:
+        Name of a parameter as in ``model.names`` -> its factor against nominal, and the row (count,) that takes the
+        parameters of a fit to the logarithm of that factor.
+    """
+    nominal = model.nominal_parameters
+    hidden, medium = rig.hidden, model.library.medium
+
+    def volume(parameters: ArrayParameters) -> Array:
+        area = np.pi * parameters.cavity_radius**2
+        return np.asarray(area * parameters.cavity_height / (medium.gamma * medium.pressure))
+
+    node = hidden.membrane_compliance + volume(hidden)
+    values = np.concatenate(
+        [
+            np.ravel(hidden.tube_radius / nominal.tube_radius * (nominal.tube_length / hidden.tube_length) ** 0.25),
+            np.ravel((node - volume(nominal)) / nominal.membrane_compliance),
+            rig.gain,
+            rig.corner,
+            np.ravel(hidden.chamber_height / nominal.chamber_height),
+        ]
+    )
+    rows = np.diag(model.scale)
+    common = model.names.index("modulus of all membranes")
+    own = [n for n, name in enumerate(model.names) if name.startswith("compliance of")]
+    rows[own, common] = -model.scale[common]
+    stated = [n for n, name in enumerate(model.names) if not name.endswith("all membranes")]
+    return {model.names[n]: (float(value), rows[n]) for n, value in zip(stated, values, strict=True)}
+
+
+def within_95(rig: Rig, fit: Posterior) -> list[tuple[str, bool]]:
+    """Of each true value: what it is of, such as ``bore``, and whether it lies in the 95 % band that the fit states."""
+    found = []
+    for name, (value, row) in hidden_parameters(rig, fit.model).items():
+        away = np.log(value) - row @ fit.parameters
+        found.append((name.split(" of ")[0], bool(abs(away) < 1.96 * np.sqrt(row @ fit.covariance @ row))))
+    return found

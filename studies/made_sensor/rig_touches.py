@@ -1,0 +1,130 @@
+"""Touches of the virtual rig's sensor as recordings, of the paper's four parts, with their manifest."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+import scipy.signal
+import tomlkit
+from numpy.typing import NDArray
+
+from acoustic_fem.quantities.checks import in_range
+from acoustic_fem.sound.sound_file import write_wav
+from geometry.files.writing import write_text
+from localize.recordings.touch_manifest import PARTS, Part
+from studies.made_sensor.rig import Recorder, Rig
+
+Array = NDArray[np.float64]
+
+MANIFEST = "touches.toml"
+LEAK = 2.0
+"""Hz, below which taps are not held."""
+LOUDEST = 0.7
+"""Of full scale: the peak in the cavity; no microphone hears more."""
+_PURPOSE = 2
+"""Of the random numbers, beside those of the rig's own recordings."""
+
+
+@dataclass(frozen=True)
+class TouchSession:
+    """How touches are recorded at a point; random parts and friction are on for two seconds, off for one."""
+
+    takes: int = 5
+    """Recordings of each part."""
+    seconds: float = 12.0
+    """Of each recording."""
+    parts: tuple[Part, ...] = PARTS
+
+
+def record_touches(
+    rig: Rig, folder: Path, points: Sequence[int], session: TouchSession, recorder: Recorder | None = None
+) -> Path:
+    """Write a WAV file of the array's microphones for each take, and the manifest.
+
+    Args:
+        rig: the made sensor.
+        folder: made if it is not there.
+        points: numbers, from 1.
+        session: what is recorded.
+        recorder: how; the lengths and levels of the touches are those of the session.
+
+    Returns:
+        The manifest.
+
+    Raises:
+        Refusal: a point that the design does not have.
+    """
+    recorder = replace(recorder or Recorder(), seconds=session.seconds)
+    for point in points:
+        in_range("points", point, 1, rig.design.point_count)
+    folder.mkdir(parents=True, exist_ok=True)
+    manifest = tomlkit.document()
+    manifest["full_scale"] = recorder.full_scale
+    entries = tomlkit.aot()
+    for point in points:
+        for part in session.parts:
+            for take in range(1, session.takes + 1):
+                name = f"point-{point:02d}-{part}-{take}.wav"
+                samples = _take(rig, point, part, take, recorder) / recorder.full_scale
+                write_wav(folder / name, samples, recorder.rate, recorder.bits)
+                entry = tomlkit.table()
+                entry.update({"file": name, "point": point, "part": part})
+                entries.append(entry)
+    manifest["recordings"] = entries
+    path = folder / MANIFEST
+    write_text(path, tomlkit.dumps(manifest))
+    return path
+
+
+def _take(rig: Rig, point: int, part: Part, take: int, recorder: Recorder) -> Array:
+    """(n_microphone, n_sample) Pa."""
+    key = (_PURPOSE, point, PARTS.index(part), take)
+    random = np.random.default_rng(np.random.SeedSequence(rig.seed, spawn_key=key))
+    count = round(recorder.seconds * recorder.rate)
+    total = count + 2 * recorder.rate  # what lies behind is silent, and keeps the end from running into the beginning
+    pressure = np.zeros(total)
+    pressure[:count] = _pressure(part, count, recorder.rate, random)
+    # Whoever records sets the level so that nothing clips.
+    pressure *= min(1.0, LOUDEST * recorder.full_scale / np.abs(pressure).max())
+    return rig.recorded(point, np.fft.rfft(pressure), total, 0, count, recorder, random)[1:]
+
+
+def _pressure(part: Part, count: int, rate: int, random: np.random.Generator) -> Array:
+    """(count,) Pa in the touched cavity."""
+    time = np.arange(count) / rate
+    if part == "taps":
+        pressure = np.zeros(count)
+        at = 0.5 + random.uniform(0.0, 0.3)
+        while at < time[-1] - 0.5:
+            width = np.exp(random.uniform(np.log(5e-3), np.log(0.1)))
+            height = np.exp(random.uniform(np.log(0.1), np.log(3.0)))
+            inside = (time >= at) & (time < at + width)
+            pressure[inside] += height * np.sin(np.pi * (time[inside] - at) / width) ** 2
+            at += random.uniform(0.5, 1.2)
+        # The array does not hold a steady pressure; what lies below the rig's band would be cut off there at once, and
+        # ring for seconds.
+        leak = scipy.signal.butter(2, LEAK, "highpass", fs=rate, output="sos")
+        return np.asarray(scipy.signal.sosfilt(leak, pressure))
+    level: Array = np.full(count, 0.3)
+    if part == "random-1-100":
+        band = (1.0, 100.0)
+    elif part == "random-1-10":
+        band = (1.0, 10.0)
+    else:
+        band = (random.uniform(3.0, 30.0), random.uniform(60.0, 120.0))
+        level = level * np.exp(0.5 * _noise(count, rate, (0.0, 4.0), random))
+    on = scipy.signal.square(2 * np.pi * (time / 3 - random.uniform(0.0, 0.2)), duty=2 / 3) > 0
+    ramp = np.hanning(rate // 20 + 2)[1:-1]
+    return np.asarray(level * _noise(count, rate, band, random) * np.convolve(on, ramp / ramp.sum(), "same"))
+
+
+def _noise(count: int, rate: int, band: tuple[float, float], random: np.random.Generator) -> Array:
+    """(count,) Gaussian noise of one rms within a band, Hz."""
+    spectrum = np.fft.rfft(random.standard_normal(count))
+    grid = np.fft.rfftfreq(count, 1 / rate)
+    spectrum[(grid < band[0]) | (grid > band[1])] = 0
+    signal = np.fft.irfft(spectrum, count)
+    return np.asarray(signal / signal.std())

@@ -1,0 +1,21 @@
+from .confusion import (
+    PredictedConfusion as PredictedConfusion,
+    check_grid as check_grid,
+    predict_confusion as predict_confusion,
+)
+from .pairs import (
+    BAND as BAND,
+    DECIBEL as DECIBEL,
+    Disagreement as Disagreement,
+    Separability as Separability,
+    attenuation as attenuation,
+    check_band as check_band,
+    disagreement as disagreement,
+    microphone_ratios as microphone_ratios,
+    sensitivity as sensitivity,
+    separability as separability,
+    trapezoidal_weights as trapezoidal_weights,
+    worst_heard as worst_heard,
+)
+from .responses import Responses as Responses
+from .separation import PairDistances as PairDistances, pair_distances as pair_distances

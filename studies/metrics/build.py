@@ -1,0 +1,179 @@
+"""Size, volume, mass, cost and thinnest wall of a design from its fields alone, microseconds each. Lengths in mm.
+
+Parts are counted as closed forms: cylinders less their cavities, bores and sockets. Prices are those of the bill of
+materials; densities that a design file does not state are data here, each with its source.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+from geometry.assembly.bill import Prices
+from geometry.design.array_design import ArrayDesign
+from geometry.layout.place import lay_out
+from geometry.stated.parts import BOARD_SEAL, SEAT_SLOT, Microphone, Tube
+
+#: kg/m^3
+DENSITIES = {
+    "wire": (7900.0, "stainless steel"),
+    "sheath": (950.0, "polyethylene, polyurethane 1100: assumed"),
+    "boards": (1850.0, "glass-fibre epoxy laminate"),
+}
+MICROPHONE_MASS = (0.025, "g, a MEMS package of 3.5 x 2.65 x 1 mm: assumed")
+
+
+def size(design: ArrayDesign) -> tuple[float, float, float]:
+    """Length (the longer side), width and height of the box around shells and housings, mm."""
+    layout = lay_out(design)
+    reach = design.resonator.outer_diameter / 2
+    boxes = [(point.position, (reach, reach)) for point in layout.points]
+    along, across = (side / 2 + design.microphone.wall_thickness for side in _seat(design.microphone))
+    for microphone in layout.microphones:
+        # The housing is turned to its first port.
+        turn = math.radians(microphone.ports[0].angle)
+        cosine, sine = abs(math.cos(turn)), abs(math.sin(turn))
+        boxes.append((microphone.position, (along * cosine + across * sine, along * sine + across * cosine)))
+    sides = [
+        max(position[axis] + half[axis] for position, half in boxes)
+        - min(position[axis] - half[axis] for position, half in boxes)
+        for axis in (0, 1)
+    ]
+    height = max(
+        design.resonator.floor_thickness + design.resonator.cavity_height + design.membrane.mounted_thickness,
+        design.microphone.wall_thickness
+        + design.microphone.chamber_height
+        + design.microphone.sound_hole_length
+        + design.microphone.package_height,
+    )
+    return max(sides), min(sides), height
+
+
+def volume(design: ArrayDesign) -> float:
+    """Volume of shells, housings, boards, membranes and tubes, without the air in them, mm^3."""
+    return sum(part for part, _ in _volumes(design).values())
+
+
+def mass(design: ArrayDesign) -> float:
+    """Mass of all parts and the microphones, g."""
+    own = sum(part * density * 1e-6 for part, density in _volumes(design).values())
+    return own + len(design.microphones) * MICROPHONE_MASS[0]
+
+
+def cost(design: ArrayDesign) -> float:
+    """What :func:`geometry.bill_of_materials` says of one array, molds left out, at its assumed prices, USD."""
+    volumes, prices, tubes, microphones = _volumes(design), Prices(), list(_tubes(design)), len(design.microphones)
+    resin = sum(volumes[name][0] for name in ("shells", "housings"))
+    # As if no spring were bent: the bends are not worth a layout.
+    length = sum(count * (tube.length - 2 * design.printing.port_lip + prices.cutting_loss) for tube, count in tubes)
+    sealed = design.microphone.gasket_width is not None
+    joints = 2 * sum(count for _, count in tubes) + design.point_count + (0 if sealed else microphones)
+    return (
+        prices.resin * prices.resin_factor * resin / 1e3
+        + prices.silicone * prices.silicone_factor * volumes["membranes"][0] / 1e3
+        + (prices.spring + prices.sheath) * length / 1e3
+        + (prices.microphone + prices.board + (prices.gasket if sealed else 0.0)) * microphones
+        + prices.glue * joints
+    )
+
+
+def smallest_wall(design: ArrayDesign) -> float:
+    """Thinnest printed wall, mm: of shells and housings, floors, lips, and what covers a tube's socket."""
+    return min(_walls(design))
+
+
+def _walls(design: ArrayDesign) -> Iterator[float]:
+    resonator, microphone, printing = design.resonator, design.microphone, design.printing
+    yield from (resonator.wall_thickness, resonator.floor_thickness, microphone.wall_thickness, printing.port_lip)
+    for tube, _ in _tubes(design):
+        hole = tube.outer_diameter / 2 + printing.glue_gap
+        yield resonator.port_axis_height + resonator.floor_thickness - hole
+        yield resonator.cavity_height - resonator.port_axis_height - hole
+    for line in design.lines:
+        hole = design.microphone_tube_of(line).outer_diameter / 2 + printing.glue_gap
+        yield microphone.chamber_height / 2 + microphone.wall_thickness - hole
+        yield microphone.chamber_height / 2 - hole
+
+
+def _volumes(design: ArrayDesign) -> dict[str, tuple[float, float]]:
+    """Name -> volume of all such parts, mm^3, and density, kg/m^3."""
+    resonator, microphone, membrane = design.resonator, design.microphone, design.membrane
+    resin = design.material(design.printing.material).density
+    silicone = design.material(membrane.material).density
+    sockets_of_shells = sockets_of_housings = 0.0
+    for line in design.lines:
+        inner, outer = design.tube_of(line), design.microphone_tube_of(line)
+        wall, radius = resonator.wall_thickness, resonator.cavity_diameter / 2
+        sockets_of_shells += 2 * (line.points - 1) * _port(design, inner, radius, wall)
+        sockets_of_shells += 2 * _port(design, outer, radius, wall)
+        sockets_of_housings += 2 * _port(design, outer, microphone.chamber_diameter / 2, microphone.wall_thickness)
+    shell = _disc(resonator.outer_diameter, resonator.floor_thickness + resonator.cavity_height)
+    shell -= resonator.cavity_volume
+    disc = _disc(resonator.cavity_diameter + 2 * membrane.rim_width, membrane.mounted_thickness)
+    wire = sheath = 0.0
+    for tube, count in _tubes(design):
+        turns = math.pi / 4 * (tube.spring_outer_diameter**2 - tube.inner_diameter**2)
+        wire += count * tube.length * turns * math.pi / 4  # a close-wound round wire fills pi/4 of its ring
+        sheath += count * tube.length * math.pi / 4 * (tube.outer_diameter**2 - tube.spring_outer_diameter**2)
+    return {
+        "shells": (design.point_count * shell - sockets_of_shells, resin),
+        "housings": (len(design.microphones) * _housing(microphone) - sockets_of_housings, resin),
+        "boards": (len(design.microphones) * _board(microphone), DENSITIES["boards"][0]),
+        "membranes": (design.point_count * disc, silicone),
+        "wire": (wire, DENSITIES["wire"][0]),
+        "sheath": (sheath, DENSITIES["sheath"][0]),
+    }
+
+
+def _housing(microphone: Microphone) -> float:
+    """The cup with the seat of its board, mm^3."""
+    radius, wall, top = microphone.chamber_diameter / 2, microphone.wall_thickness, microphone.chamber_height
+    length, width = _seat(microphone)
+    along, across = length / 2 + wall, width / 2 + wall
+    gasket = microphone.gasket_depth if microphone.gasket_width is not None else 0.0
+    height, underside = microphone.sound_hole_length + microphone.package_height, max(top - wall - gasket, 0.0)
+    footprint = 4 * along * across + 2 * _segment(radius + wall, along) + 2 * _segment(radius + wall, across)
+    cup = _disc(2 * (radius + wall), wall + underside) + footprint * (top - underside) - microphone.chamber_volume
+    rim = (4 * along * across - length * width - wall * SEAT_SLOT * width) * height
+    if microphone.gasket_width is not None:
+        inner = microphone.chamber_diameter + 2 * BOARD_SEAL
+        cup -= _disc(inner + 2 * microphone.gasket_width, gasket) - _disc(inner, gasket)
+    return cup + rim
+
+
+def _board(microphone: Microphone) -> float:
+    length, width = microphone.board_size
+    return length * width * microphone.sound_hole_length - _disc(
+        microphone.sound_hole_diameter, microphone.sound_hole_length
+    )
+
+
+def _seat(microphone: Microphone) -> tuple[float, float]:
+    """Length and width of the seat of the board, mm."""
+    length, width = microphone.board_size
+    return length + 2 * microphone.board_gap, width + 2 * microphone.board_gap
+
+
+def _segment(radius: float, distance: float) -> float:
+    """Area of a disc beyond a line at a distance from its middle, mm^2."""
+    if distance >= radius:
+        return 0.0
+    return radius**2 * math.acos(distance / radius) - distance * math.sqrt(radius**2 - distance**2)
+
+
+def _port(design: ArrayDesign, tube: Tube, radius: float, wall: float) -> float:
+    """Volume that a bore and its socket take out of the wall of a round housing, mm^3."""
+    lip = min(design.printing.port_lip, wall)
+    socket = _disc(tube.outer_diameter + 2 * design.printing.glue_gap, wall - lip)
+    return _disc(tube.inner_diameter, lip) + socket
+
+
+def _tubes(design: ArrayDesign) -> Iterator[tuple[Tube, int]]:
+    for line in design.lines:
+        yield design.microphone_tube_of(line), 2
+        if line.points > 1:
+            yield design.tube_of(line), line.points - 1
+
+
+def _disc(diameter: float, height: float) -> float:
+    return math.pi / 4 * diameter**2 * height

@@ -1,0 +1,8 @@
+"""Search for the best designs.
+
+Stands on: metrics, study, sweep.
+"""
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

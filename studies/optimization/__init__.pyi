@@ -1,0 +1,16 @@
+from .gradient import check_refinable as check_refinable, refine as refine, with_refined as with_refined
+from .printable import worst_accepted as worst_accepted
+from .problem import (
+    Optimization as Optimization,
+    load_optimization as load_optimization,
+    read_optimization as read_optimization,
+)
+from .search import (
+    Candidate as Candidate,
+    OptimizationResult as OptimizationResult,
+    found_so_far as found_so_far,
+    journal_exists as journal_exists,
+    optimize as optimize,
+    pareto_front as pareto_front,
+    ranked as ranked,
+)

@@ -1,0 +1,201 @@
+"""The file of an optimisation: a study, and under ``[optimize]`` what is wanted of its designs."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+import tomlkit
+from pydantic import Field, ValidationError
+from tomlkit.exceptions import TOMLKitError
+
+from geometry import ArrayDesign
+from geometry.files.reading import read_text
+from geometry.refusal import Refusal
+from geometry.stated.fields import error_from_validation
+from studies.optimization.printable import Demand, PrintDemand
+from studies.study.file import FileSection, read_study
+from studies.study.metric_registry import Metric, metrics_named
+from studies.study.study import Parameter, Study, StudyError
+
+Method = Literal["nsga2", "tpe", "random"]
+
+
+@dataclass(frozen=True)
+class Objective:
+    """One figure of merit to be made as large, or as small, as possible."""
+
+    metric: Metric
+    better: Literal["larger", "smaller"]
+
+    @property
+    def direction(self) -> Literal["maximize", "minimize"]:
+        """As Optuna calls it."""
+        return "maximize" if self.better == "larger" else "minimize"
+
+
+@dataclass(frozen=True)
+class Limit:
+    """A bound on a figure of merit that a design must keep."""
+
+    metric: Metric
+    least: float | None
+    most: float | None
+
+    def excess(self, value: float) -> float:
+        """How far a value is beyond the bound, as a share of it; zero or below where it is kept."""
+        scale = abs(self.least if self.least is not None else self.most or 0.0) or 1.0
+        below = -float("inf") if self.least is None else (self.least - value) / scale
+        above = -float("inf") if self.most is None else (value - self.most) / scale
+        return max(below, above)
+
+    def __str__(self) -> str:
+        bounds = [f"at least {self.least:g}"] if self.least is not None else []
+        bounds += [f"at most {self.most:g}"] if self.most is not None else []
+        return f"{self.metric.name} {' and '.join(bounds)}{f' {self.metric.unit}' * (self.metric.unit != '1')}"
+
+
+@dataclass(frozen=True, eq=False)
+class Optimization:
+    """What is varied, what is wanted, and how it is searched.
+
+    Attributes:
+        study: base design, parameters, constraints, fidelity, frequencies and metrics. Samples of it are not taken.
+        text: the whole file.
+        objectives: one or more.
+        limits: bounds that a design must keep.
+        trials: designs to try.
+        batch: designs that are proposed at once and computed in one call.
+        method: "nsga2" for a front, "tpe" for one objective, "random" for comparison.
+        rules: what a design must meet to be printed and laid out.
+        refine: steps of gradient descent from the best designs; 0 for none.
+    """
+
+    study: Study
+    text: str
+    objectives: tuple[Objective, ...]
+    limits: tuple[Limit, ...]
+    trials: int
+    batch: int
+    method: Method
+    rules: PrintDemand
+    refine: int
+
+    @property
+    def metrics(self) -> tuple[Metric, ...]:
+        """All metrics to compute: objectives, limits, and what the study lists besides."""
+        wanted: tuple[Objective | Limit, ...] = (*self.objectives, *self.limits)
+        names = [each.metric.name for each in wanted] + list(self.study.metrics)
+        return metrics_named(dict.fromkeys(names))
+
+
+_Whole = Annotated[int, Field(strict=True)]
+_Real = Annotated[float, Field(strict=True)]
+
+
+class _Objective(FileSection):
+    metric: str = Field(description="name of a metric")
+    better: Literal["larger", "smaller"] | None = Field(default=None, description="which values are wanted")
+
+
+class _Limit(FileSection):
+    metric: str = Field(description="name of a metric")
+    least: _Real | None = Field(default=None, description="smallest value allowed")
+    most: _Real | None = Field(default=None, description="largest value allowed")
+
+
+class _Optimize(FileSection):
+    trials: Annotated[_Whole, Field(ge=1, le=1_000_000)] = Field(default=2000, description="designs to try")
+    batch: Annotated[_Whole, Field(ge=1, le=10_000)] = Field(default=64, description="designs computed at once")
+    method: Method | None = Field(default=None, description="how the designs are proposed")
+    printable: Demand = Field(default="base", description="what the print rules demand")
+    refine: Annotated[_Whole, Field(ge=0, le=10_000)] = Field(default=0, description="steps of gradient descent")
+    objectives: tuple[_Objective, ...] = Field(min_length=1, max_length=4, description="figures to be made best")
+    limits: tuple[_Limit, ...] = Field(default=(), description="bounds on figures")
+
+
+def load_optimization(path: str | os.PathLike[str]) -> Optimization:
+    """Read the file of an optimisation.
+
+    Raises:
+        StudyError: no such file, not TOML, or not valid.
+        DesignError: the base design is not valid.
+    """
+    path = Path(path)
+    return read_optimization(read_text(path, "a study file", StudyError), str(path), path.parent)
+
+
+def read_optimization(
+    text: str, source: str = "study.toml", folder: Path | None = None, base: ArrayDesign | None = None
+) -> Optimization:
+    """Read the text of such a file; arguments and errors as :func:`studies.study.file.read_study`."""
+    try:
+        document = tomlkit.parse(text)
+    except TOMLKitError as error:
+        raise StudyError(f"{source}: is not TOML: {error}") from None
+    given: Any = document.pop("optimize", None)
+    if given is None:
+        raise StudyError(
+            f"{source}: [optimize] is missing: it says what is wanted, such as "
+            '[[optimize.objectives]] with metric = "distance_smallest"'
+        )
+    data = given.unwrap() if hasattr(given, "unwrap") else given
+    document["sampling"], document["cases"] = "random", 1  # the optimiser proposes the cases
+    study = read_study(tomlkit.dumps(document), source, folder, base)
+    try:
+        file = _Optimize.model_validate(data)
+    except ValidationError as error:
+        raise StudyError(str(error_from_validation(error, _Optimize, data, f"{source}: optimize", "study"))) from None
+    try:
+        return _checked(file, study, text)
+    except ValueError as error:
+        raise StudyError(f"{source}: {error}") from None
+
+
+def _checked(file: _Optimize, study: Study, text: str) -> Optimization:
+    objectives = []
+    for wanted in file.objectives:
+        (metric,) = metrics_named([wanted.metric])
+        better: Any = wanted.better or metric.better
+        objectives.append(Objective(metric, better))
+    names = [objective.metric.name for objective in objectives]
+    if len(set(names)) < len(names):
+        raise Refusal(f"optimize.objectives: {', '.join(names)} must be different metrics")
+    limits = []
+    for number, bound in enumerate(file.limits):
+        if bound.least is None and bound.most is None:
+            raise Refusal(f"optimize.limits.{number}: give least, most, or both for {bound.metric!r}")
+        if bound.least is not None and bound.most is not None and bound.least > bound.most:
+            raise Refusal(f"optimize.limits.{number}: least = {bound.least:g} must be at most most = {bound.most:g}")
+        (metric,) = metrics_named([bound.metric])
+        limits.append(Limit(metric, bound.least, bound.most))
+    for metric in (*(objective.metric for objective in objectives), *(limit.metric for limit in limits)):
+        metric.check_grid(study.frequency)
+    rules = PrintDemand(study.base, file.printable)
+    for axis in study.axes:
+        for parameter in axis:
+            searched_range(parameter, rules)
+    method = file.method or ("nsga2" if len(objectives) > 1 else "tpe")
+    return Optimization(
+        study, text, tuple(objectives), tuple(limits), file.trials, file.batch, method, rules, file.refine
+    )
+
+
+def searched_range(parameter: Parameter, rules: PrintDemand) -> tuple[float, float]:
+    """Where a range is searched, mm: not below what the process can print. Not for lists.
+
+    Raises:
+        Refusal: nothing of the range can be printed.
+    """
+    low, high = sorted((parameter.low, parameter.high))
+    least = rules.least_value(parameter.name)
+    if parameter.values or least is None:
+        return low, high
+    if high < least:
+        raise Refusal(
+            f"parameters.{parameter.name} ends at {high:g} mm; it must reach {least:g} mm, the smallest that the "
+            f"process and optimize.printable = {rules.demand!r} allow"
+        )
+    return max(low, least), high

@@ -1,0 +1,350 @@
+"""The best designs of a study: many proposed at once, computed in one call, and told back (Optuna).
+
+Every trial is kept in a journal beside the results, so that a search that was killed goes on where it was. A design
+that cannot be built, printed or laid out is refused before anything is computed and counts as failed.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from geometry import ArrayDesign, DesignError
+from studies.optimization.problem import Optimization, searched_range
+from studies.study.reasons import by_kind
+from studies.study.study import Parameter, StudyError
+from studies.sweep.one_design import design_metrics
+from studies.sweep.workers import open_workers
+
+if TYPE_CHECKING:
+    import optuna
+
+    from studies.sweep.workers import Workers
+
+JOURNAL = "trials.journal"
+"""File of the trials in the folder of an optimisation."""
+_PART = 16
+"""Designs of a batch that one worker takes at a time."""
+_DIGITS = 4
+"""Significant digits of a length that is searched: below a micrometre nothing is made."""
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """One design that was computed.
+
+    Attributes:
+        number: of its trial; -1 for the base design, -2 and below for those found by gradient descent.
+        values: parameters by dotted name.
+        metrics: by name.
+        feasible: whether it keeps all limits.
+    """
+
+    number: int
+    values: dict[str, Any]
+    metrics: dict[str, float]
+    feasible: bool
+
+
+@dataclass(frozen=True, eq=False)
+class OptimizationResult:
+    """What a search found.
+
+    Attributes:
+        base: the design it began from, with its figures.
+        candidates: all designs that were computed, in the order of the trials.
+        refused: kinds of reasons, each by its first, and how many designs they kept from being computed.
+        front: those that keep the limits and that no other beats in all objectives; the best first objective first.
+    """
+
+    base: Candidate
+    candidates: tuple[Candidate, ...]
+    refused: tuple[tuple[str, int], ...]
+    front: tuple[Candidate, ...]
+
+
+def optimize(
+    problem: Optimization,
+    out: Path,
+    *,
+    workers: int | None = 1,
+    scheduler: str | None = None,
+    progress: Callable[[str, float], None] | None = None,
+) -> OptimizationResult:
+    """Search, or go on with a search that was stopped.
+
+    Args:
+        problem: what is wanted.
+        out: folder of the journal; it must exist.
+        workers: processes on this machine; 1 computes in this one; None: one per core.
+        scheduler: address of a dask scheduler whose workers are used instead.
+        progress: called with what is being done and the fraction done, 0 to 1.
+
+    Raises:
+        StudyError: the folder holds the journal of another problem.
+    """
+    report = progress or (lambda message, fraction: None)
+    with _quiet(), open_workers(workers, scheduler) as team:
+        journal = _opened(problem, out)
+        search = _in_memory(journal, problem)
+        done = len(search.trials)
+        while done < problem.trials:
+            count = min(problem.batch, problem.trials - done)
+            # A sampler's state is not in the journal: every batch has a seed of its own instead.
+            search.sampler = _sampler(problem, done)
+            _run_batch(search, problem, count, team)
+            trials = search.get_trials(deepcopy=False)
+            journal.add_trials(trials[len(journal.get_trials(deepcopy=False)) :])
+            done += count
+            report(f"{done} designs", done / problem.trials)
+        return _result(search, problem)
+
+
+def refusal_of(problem: Optimization, values: dict[str, Any]) -> tuple[ArrayDesign | None, str]:
+    """The design of some values; or None and why it cannot be built, printed, laid out, or is not in the study."""
+    study = problem.study
+    try:
+        design = study.base.with_values(values)
+    except DesignError as error:
+        return None, str(error)
+    from geometry.design.design_file import value_of
+
+    for constraint in study.constraints:
+        if not constraint.holds({name: value_of(design, name) for name in constraint.names}):
+            return None, f"constraint {constraint.text!r} does not hold"
+    reasons = problem.rules.refusals(design)
+    return (None, reasons[0]) if reasons else (design, "")
+
+
+def pareto_front(values: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Which rows no other row beats: at least as good in every column, better in one; larger is better.
+
+    Args:
+        values: (n, n_objective) float64.
+
+    Returns:
+        (n,) bool.
+    """
+    keep = np.ones(len(values), dtype=bool)
+    for index, own in enumerate(values):
+        if keep[index]:
+            beaten = (values <= own).all(axis=1) & (values < own).any(axis=1)
+            keep &= ~beaten
+    return keep
+
+
+def ranked(problem: Optimization, candidates: Sequence[Candidate]) -> tuple[Candidate, ...]:
+    """The front among candidates that keep the limits; see :class:`OptimizationResult`."""
+    feasible = [each for each in candidates if each.feasible]
+    if not feasible:
+        return ()
+    sign = [1.0 if objective.better == "larger" else -1.0 for objective in problem.objectives]
+    values = np.array([[each.metrics[o.metric.name] for o in problem.objectives] for each in feasible]) * sign
+    front = [(tuple(-values[k]), feasible[k]) for k in np.flatnonzero(pareto_front(values))]
+    unique: dict[tuple[float, ...], Candidate] = {}
+    for key, each in sorted(front, key=lambda pair: (pair[0], pair[1].number)):
+        unique.setdefault(key, each)
+    return tuple(unique.values())
+
+
+# -- trials -----------------------------------------------------------------------------------------
+def found_so_far(problem: Optimization, out: Path) -> OptimizationResult:
+    """What the journal in a folder holds; nothing is computed but the base.
+
+    Raises:
+        StudyError: the folder holds the journal of another problem.
+    """
+    with _quiet():
+        return _result(_opened(problem, out), problem)
+
+
+def _opened(problem: Optimization, out: Path) -> optuna.Study:
+    """The trials on disk."""
+    import optuna
+    from optuna.storages.journal import JournalFileBackend
+
+    _without_torn_line(out / JOURNAL)
+    search = optuna.create_study(
+        storage=optuna.storages.JournalStorage(JournalFileBackend(str(out / JOURNAL))),
+        study_name="acoustic-fem",
+        directions=[objective.direction for objective in problem.objectives],
+        load_if_exists=True,
+    )
+    of_whom = search.user_attrs.get("problem")
+    if of_whom is None:
+        search.set_user_attr("problem", _identity(problem))
+    elif of_whom != _identity(problem):
+        raise StudyError(
+            f"{out / JOURNAL}: holds the trials of another problem; give a new folder, or the file it was begun with "
+            "(only optimize.trials and optimize.refine may change)"
+        )
+    return search
+
+
+def _without_torn_line(journal: Path) -> None:
+    """Cut off a line that a kill left half written."""
+    if journal.is_file():
+        whole = journal.read_bytes().rfind(b"\n") + 1
+        if whole < journal.stat().st_size:
+            with journal.open("r+b") as file:
+                file.truncate(whole)
+
+
+def _in_memory(journal: optuna.Study, problem: Optimization) -> optuna.Study:
+    """A study to search with: the journal waits for the disk at every word, so that whole trials are added to it.
+
+    Of a batch that a kill cut short nothing is taken over: it is proposed and computed again, from the same seed.
+    """
+    import optuna
+
+    search = optuna.create_study(directions=[objective.direction for objective in problem.objectives])
+    trials = journal.get_trials(deepcopy=False)
+    whole = len(trials) if len(trials) >= problem.trials else len(trials) // problem.batch * problem.batch
+    search.add_trials(trials[:whole])
+    return search
+
+
+def _identity(problem: Optimization) -> dict[str, Any]:
+    """What must agree for trials to belong to one search, as JSON keeps it."""
+    return {
+        "study": problem.study.digest(),
+        "metrics": [metric.name for metric in problem.metrics],
+        "objectives": [[each.metric.name, each.better] for each in problem.objectives],
+        "limits": [[each.metric.name, each.least, each.most] for each in problem.limits],
+        "batch": problem.batch,
+        "method": problem.method,
+        "printable": problem.rules.demand,
+    }
+
+
+def _sampler(problem: Optimization, done: int) -> optuna.samplers.BaseSampler:
+    import optuna
+
+    seed = int(np.random.SeedSequence([problem.study.seed, done]).generate_state(1)[0])
+    if problem.method == "nsga2":
+        return optuna.samplers.NSGAIISampler(population_size=problem.batch, seed=seed)
+    if problem.method == "tpe":
+        return optuna.samplers.TPESampler(seed=seed, multivariate=True, n_startup_trials=min(problem.batch, 64))
+    return optuna.samplers.RandomSampler(seed=seed)
+
+
+def _run_batch(search: optuna.Study, problem: Optimization, count: int, team: Workers) -> None:
+    import optuna
+
+    trials = [search.ask() for _ in range(count)]
+    kept: list[tuple[optuna.Trial, dict[str, Any]]] = []
+    for trial in trials:
+        values = _proposed(trial, problem)
+        trial.set_user_attr("values", values)
+        design, reason = refusal_of(problem, values)
+        if design is None:
+            trial.set_user_attr("reason", reason)
+            search.tell(trial, state=optuna.trial.TrialState.FAIL)
+        else:
+            kept.append((trial, values))
+    if not kept:
+        return
+    names = [metric.name for metric in problem.metrics]
+    parts = -(-len(kept) // _PART)
+    table, reasons = design_metrics([values for _, values in kept], problem.study, problem.metrics, team, parts)
+    for (trial, _), row, reason in zip(kept, table, reasons, strict=True):
+        figures = dict(zip(names, (float(value) for value in row), strict=True))
+        bad = [name for name, value in figures.items() if not math.isfinite(value)]
+        if reason or bad:
+            trial.set_user_attr("reason", reason or f"{bad[0]} is not finite")
+            search.tell(trial, state=optuna.trial.TrialState.FAIL)
+            continue
+        trial.set_user_attr("metrics", figures)
+        for limit in problem.limits:
+            trial.set_constraint(limit.metric.name, limit.excess(figures[limit.metric.name]))
+        search.tell(trial, [figures[objective.metric.name] for objective in problem.objectives])
+
+
+def _proposed(trial: optuna.Trial, problem: Optimization) -> dict[str, Any]:
+    values: dict[str, Any] = {}
+    for axis in problem.study.axes:
+        label = " & ".join(parameter.name for parameter in axis)
+        first = axis[0]
+        if first.values:
+            index = trial.suggest_int(label, 0, len(first.values) - 1)
+            values |= {parameter.name: parameter.values[index] for parameter in axis}
+        elif len(axis) == 1:
+            low, high = searched_range(first, problem.rules)
+            if first.whole:
+                values[first.name] = trial.suggest_int(label, round(low), round(high))
+            else:
+                values[first.name] = rounded(trial.suggest_float(label, low, high, log=first.scale == "log"), low, high)
+        else:
+            place = np.array([trial.suggest_float(label, 0.0, 1.0)])
+            values |= {parameter.name: _at(parameter, place) for parameter in axis}
+    return values
+
+
+def _at(parameter: Parameter, place: NDArray[np.float64]) -> float | int:
+    value = parameter.at(place)[0]
+    return int(value) if parameter.whole else rounded(float(value), *sorted((parameter.low, parameter.high)))
+
+
+def rounded(value: float, low: float, high: float) -> float:
+    """A length to four significant digits, inside its range."""
+    return min(max(float(f"{value:.{_DIGITS}g}"), low), high)
+
+
+def _result(search: optuna.Study, problem: Optimization) -> OptimizationResult:
+    import optuna
+
+    base = evaluated(problem, -1, {})
+    candidates, reasons = [], list[tuple[int, str]]()
+    for trial in search.trials:
+        if trial.state == optuna.trial.TrialState.COMPLETE:
+            figures = trial.user_attrs["metrics"]
+            candidates.append(Candidate(trial.number, trial.user_attrs["values"], figures, keeps(problem, figures)))
+        elif "reason" in trial.user_attrs:
+            reasons.append((trial.number, trial.user_attrs["reason"]))
+    refused = tuple((reason, len(numbers)) for reason, numbers in by_kind(reasons).items())
+    return OptimizationResult(base, tuple(candidates), refused, ranked(problem, candidates))
+
+
+def keeps(problem: Optimization, figures: dict[str, float]) -> bool:
+    """Whether figures keep all limits."""
+    return all(limit.excess(figures[limit.metric.name]) <= 0 for limit in problem.limits)
+
+
+def evaluated(problem: Optimization, number: int, values: dict[str, Any]) -> Candidate:
+    """One design with its figures.
+
+    Raises:
+        StudyError: it is not valid, or cannot be computed.
+    """
+    with open_workers(1, None) as team:
+        table, (reason,) = design_metrics([values], problem.study, problem.metrics, team)
+    if reason:
+        raise StudyError(f"{problem.study.base.name}: cannot be computed: {reason}")
+    figures = {metric.name: float(value) for metric, value in zip(problem.metrics, table[0], strict=True)}
+    return Candidate(number, values, figures, keeps(problem, figures))
+
+
+@contextmanager
+def _quiet() -> Iterator[None]:
+    """Optuna writes a line for every trial."""
+    import optuna
+
+    before = optuna.logging.get_verbosity()
+    optuna.logging.set_verbosity(optuna.logging.ERROR)
+    try:
+        yield
+    finally:
+        optuna.logging.set_verbosity(before)
+
+
+def journal_exists(out: Path) -> bool:
+    """Whether a folder holds trials."""
+    return os.path.isfile(out / JOURNAL)

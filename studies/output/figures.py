@@ -1,0 +1,239 @@
+"""Figures of a library and of a localizer, as PNG files."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from itertools import combinations
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import xarray as xr
+from numpy.typing import NDArray
+
+from studies.metrics.pairs import BAND, Separability, microphone_ratios
+from studies.output.figure_style import WIDTH, figure_in_style, frequency_panels, line_colours, save_figure
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+LARGEST_LEGEND = 24
+"""Up to this many points each curve has a legend entry; beyond, a colour bar names the numbers."""
+LARGEST_NUMBERED_MATRIX = 16
+"""Up to this many points the cells of a matrix carry their numbers."""
+
+
+def draw_transfer_functions(transfer_function: xr.DataArray, path: str | os.PathLike[str]) -> Path:
+    """Level (dB) and unwrapped phase (degrees) against frequency, a row per microphone, a curve per point."""
+    h, frequency = _in_band(transfer_function)
+    names = [str(name) for name in transfer_function["microphone"].values]
+    with frequency_panels(len(names)) as (figure, rows):
+        for m, (axes, name) in enumerate(zip(rows, names, strict=True)):
+            _curves(axes[0], frequency, 20 * np.log10(np.abs(h[:, m])))
+            _curves(axes[1], frequency, np.degrees(np.unwrap(np.angle(h[:, m]))))
+            axes[0].set(title=f"microphone {name}: level", ylabel="|H|  (dB)")
+            axes[1].set(title=f"microphone {name}: phase", ylabel="arg H  (degrees)")
+        _name_points(figure, transfer_function["point"].values)
+        return save_figure(figure, path)
+
+
+def draw_differences(transfer_function: xr.DataArray, path: str | os.PathLike[str]) -> Path:
+    """ILD (dB) and unwrapped IPD (degrees) against frequency, a row per microphone pair, a curve per point."""
+    _, frequency = _in_band(transfer_function)
+    ratios = microphone_ratios(transfer_function)[..., _inside(transfer_function)]
+    names = list(combinations([str(name) for name in transfer_function["microphone"].values], 2))
+    with frequency_panels(len(names)) as (figure, rows):
+        for p, (axes, (a, b)) in enumerate(zip(rows, names, strict=True)):
+            _curves(axes[0], frequency, 20 * np.log10(np.abs(ratios[:, p])))
+            _curves(axes[1], frequency, np.degrees(np.unwrap(np.angle(ratios[:, p]))))
+            axes[0].set(title=f"ILD of {a} and {b}", ylabel=f"20 log |{a} / {b}|  (dB)")
+            axes[1].set(title=f"IPD of {a} and {b}", ylabel=f"arg ({a} / {b})  (degrees)")
+        _name_points(figure, transfer_function["point"].values)
+        return save_figure(figure, path)
+
+
+def draw_comparison(
+    transfer_function: xr.DataArray,
+    reference: xr.DataArray,
+    path: str | os.PathLike[str],
+    limits: tuple[float, float],
+) -> Path:
+    """Deviation in magnitude (%) and phase (degrees) from a reference on the same grid, limits dashed."""
+    h, frequency = _in_band(transfer_function)
+    ratio = h / _in_band(reference)[0]
+    names = [str(name) for name in transfer_function["microphone"].values]
+    with frequency_panels(len(names)) as (figure, rows):
+        for m, (axes, name) in enumerate(zip(rows, names, strict=True)):
+            _curves(axes[0], frequency, 100 * (np.abs(ratio[:, m]) - 1))
+            _curves(axes[1], frequency, np.degrees(np.angle(ratio[:, m])))
+            axes[0].set(title=f"microphone {name}: magnitude", ylabel="lumped - Navier-Stokes  (%)")
+            axes[1].set(title=f"microphone {name}: phase", ylabel="lumped - Navier-Stokes  (degrees)")
+            for axis, limit in zip(axes, limits, strict=True):
+                for sign in (-1, 1):
+                    axis.axhline(sign * limit, color="#b03030", linestyle="--", linewidth=1)
+        _name_points(figure, transfer_function["point"].values)
+        return save_figure(figure, path)
+
+
+def draw_separability(separability: Separability, path: str | os.PathLike[str]) -> Path:
+    """Combined distance of every pair of points; the hardest pair and those equally hard are framed."""
+    from matplotlib.colors import LogNorm
+
+    distance = separability.combined.copy()
+    np.fill_diagonal(distance, np.nan)
+    finite = distance[np.isfinite(distance) & (distance > 0)]
+    low = float(finite.min()) if finite.size else 1e-3
+    high = max(float(finite.max()) if finite.size else 1.0, 1.01 * low)
+    with _matrix_panel() as (figure, axes):
+        _matrix(
+            axes,
+            figure,
+            distance,
+            separability.points,
+            lambda value: f"{value:.2f}" if value < 10 else f"{value:.0f}",
+            norm=LogNorm(low, high),
+            cmap="viridis",
+            plain_scale=high < 1000 * low,  # numbers instead of powers of ten
+            bar="distance, log scale (0.1 = 0.87 dB or 5.7 degrees)",
+        )
+        for pair in separability.equally_hard:
+            i, j = (separability.points.index(number) for number in pair)
+            _frame_cell(axes, i, j)
+            _frame_cell(axes, j, i)
+        axes.set(title="distance of points; framed: the hardest pair to tell apart", xlabel="point", ylabel="point")
+        return save_figure(figure, path)
+
+
+def draw_confusion(confusion: NDArray[np.int64], points: tuple[int, ...], path: str | os.PathLike[str]) -> Path:
+    """Percent of the touches of the row's point for which the column's point was named; white is never, and colours
+    are logarithmic, for what is to be seen are the few percent beside the diagonal.
+    """
+    from matplotlib.colors import LogNorm
+
+    touches = np.maximum(confusion.sum(axis=1, keepdims=True), 1)
+    with _matrix_panel() as (figure, axes):
+        _matrix(
+            axes,
+            figure,
+            np.ma.masked_equal(100 * confusion / touches, 0.0),
+            points,
+            lambda value: "" if value == 0 else f"{value:.1f}" if value < 99.95 else "100",
+            norm=LogNorm(0.1, 100.0, clip=True),
+            cmap="Blues",
+            plain_scale=True,
+            bar="touches of the row's point (%)",
+        )
+        axes.set(title="touched and named points", xlabel="named point", ylabel="touched point")
+        return save_figure(figure, path)
+
+
+def draw_training(loss: Sequence[float], accuracy: Mapping[str, Sequence[float]], path: str | os.PathLike[str]) -> Path:
+    """Mean loss, and the share of errors on each set of held-out touches, by epoch, both on logarithmic scales."""
+    epoch = np.arange(1, len(loss) + 1)
+    with figure_in_style((WIDTH, 3.2)) as figure:
+        left, right = figure.subplots(1, 2)
+        left.semilogy(epoch, loss)
+        left.set(title="training touches", xlabel="epoch", ylabel="cross-entropy  (nats)")
+        for name, share in accuracy.items():
+            errors = 100 * (1 - np.asarray(share))
+            right.semilogy(epoch, np.where(errors > 0, errors, np.nan), label=name)
+        right.set(title="held-out touches; no value: no error", xlabel="epoch", ylabel="named wrong  (%)")
+        if len(accuracy) > 1:
+            right.legend()
+        return save_figure(figure, path)
+
+
+# -- curves ---------------------------------------------------------------------------------------------
+
+
+def _curves(axis: Axes, frequency: NDArray[np.float64], values: NDArray[np.float64]) -> None:
+    """A curve per row; between the frequencies of the grid a cubic spline, as the localizer reads a library."""
+    from scipy.interpolate import CubicSpline
+
+    if len(frequency) >= 4:
+        fine = np.geomspace(frequency[0], frequency[-1], 300)
+        values = CubicSpline(np.log(frequency), values, axis=-1)(np.log(fine))
+        frequency = fine
+    for colour, curve in zip(line_colours(len(values)), values, strict=True):
+        axis.plot(frequency, curve, color=colour)
+
+
+def _name_points(figure: Figure, points: NDArray[np.int64]) -> None:
+    import matplotlib as mpl
+    from matplotlib.cm import ScalarMappable
+    from matplotlib.colors import ListedColormap, Normalize
+    from matplotlib.lines import Line2D
+
+    colours = line_colours(len(points))
+    if len(points) <= LARGEST_LEGEND:
+        handles = [Line2D([], [], color=colour, linewidth=2.5) for colour in colours]
+        figure.legend(
+            handles, [str(int(p)) for p in points], title="point", loc="outside right upper", labelspacing=0.45
+        )
+        return
+    scale = ScalarMappable(Normalize(float(points[0]), float(points[-1])), ListedColormap(list(map(tuple, colours))))
+    figure.colorbar(scale, ax=figure.axes, label="point", shrink=0.6, ticks=mpl.ticker.MaxNLocator(integer=True))
+
+
+# -- matrices -------------------------------------------------------------------------------------------
+@contextmanager
+def _matrix_panel() -> Iterator[tuple[Figure, Axes]]:
+    """One square panel."""
+    with figure_in_style((6.6, 5.6), **{"axes.grid": False}) as figure:
+        yield figure, figure.subplots()
+
+
+def _matrix(
+    axes: Axes,
+    figure: Figure,
+    values: NDArray[np.float64],
+    points: tuple[int, ...],
+    label: Any,
+    bar: str,
+    plain_scale: bool,
+    **scale: Any,
+) -> None:
+    picture = axes.imshow(values, **scale)
+    legend = figure.colorbar(picture, ax=axes, label=bar, shrink=0.85)
+    if plain_scale:
+        legend.ax.yaxis.set_major_formatter("{x:g}")
+        low, high = picture.get_clim()
+        # Over many decades numbers between the powers of ten would lie on each other.
+        legend.ax.yaxis.set_minor_formatter("" if 0 < low < high / 100 else "{x:g}")
+    step = -(-len(points) // 24)
+    ticks = list(range(0, len(points), step))
+    axes.set_xticks(ticks, [str(points[k]) for k in ticks])
+    axes.set_yticks(ticks, [str(points[k]) for k in ticks])
+    axes.tick_params(length=0)
+    if len(points) > LARGEST_NUMBERED_MATRIX:
+        return
+    for row, line in enumerate(values):
+        for column, value in enumerate(line):
+            if np.isfinite(value) and not np.ma.is_masked(value):
+                red, green, blue, _ = picture.cmap(picture.norm(value))
+                dark = 0.299 * red + 0.587 * green + 0.114 * blue < 0.55
+                axes.text(
+                    column, row, label(value), ha="center", va="center", fontsize=7, color="white" if dark else "black"
+                )
+
+
+def _frame_cell(axes: Axes, column: int, row: int) -> None:
+    from matplotlib.patches import Rectangle
+
+    axes.add_patch(Rectangle((column - 0.5, row - 0.5), 1, 1, fill=False, edgecolor="#d62728", linewidth=2.5))
+
+
+# -- files ----------------------------------------------------------------------------------------------
+def _inside(transfer_function: xr.DataArray) -> NDArray[np.bool_]:
+    frequency = np.asarray(transfer_function["frequency"].values, np.float64)
+    return np.asarray((frequency >= BAND[0] - 1e-9) & (frequency <= BAND[1] + 1e-9))
+
+
+def _in_band(transfer_function: xr.DataArray) -> tuple[NDArray[np.complex128], NDArray[np.float64]]:
+    """Values (point, microphone, frequency) and frequencies within 1 to 100 Hz."""
+    inside = _inside(transfer_function)
+    values = transfer_function.transpose("point", "microphone", "frequency").values[..., inside]
+    return np.asarray(values, np.complex128), np.asarray(transfer_function["frequency"].values, np.float64)[inside]

@@ -1,0 +1,251 @@
+"""The whole chain for one design: parts, transfer functions, localizer, figures, report."""
+
+from __future__ import annotations
+
+import os
+import warnings
+from dataclasses import replace
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from geometry.design.array_design import ArrayDesign
+from geometry.layout.place import lay_out
+from geometry.refusal import Refusal
+from studies.metrics.pairs import BAND, Separability, disagreement, separability, worst_heard
+from studies.output.display import Display, Report
+from studies.output.folders import claim_folder, replaced_folder
+from studies.run.check import model_validity
+from studies.run.findings import AGREEMENT, array_size, write_results
+from studies.run.result import RunResult
+
+if TYPE_CHECKING:
+    from acoustic_fem import Library
+    from geometry.assembly.parts import PartSet
+    from geometry.formats.part_files import ExportedFile
+    from geometry.printing.report import PrintReport
+    from localize import Evaluation, TrainingPlan
+
+#: Whole hertz up to half the sample rate of the signals: the stimuli's white noise needs all of them.
+FREQUENCY = tuple(float(f) for f in range(1, 501))
+#: The localizer is trained for so many epochs, with so many touches of each point per epoch and at most so many in all:
+#: 25 s for 12 points and about five minutes for the largest arrays on one idle core, as many on a busy one.
+EPOCHS, TOUCHES_PER_POINT, MOST_TOUCHES = 20, 200, 300_000
+#: Pixels of the picture of one point, before it is cropped.
+POINT_PICTURE = (1600, 700)
+#: Held-out touches in all, and at least per point.
+EVALUATION_TOUCHES, LEAST_TOUCHES_PER_POINT = 3000, 40
+
+
+def run_design(
+    design: ArrayDesign,
+    out: str | os.PathLike[str],
+    *,
+    display: Display | None = None,
+    fidelity: str = "navier-stokes",
+    frequency: NDArray[np.float64] | None = None,
+    training: TrainingPlan | None = None,
+) -> RunResult:
+    """Everything for one design, written into a folder with ``report.html``.
+
+    Cells come from the disk cache where an earlier run solved them. Files are written beside, then renamed, so
+    that a run that is killed leaves no half of one; ``report.html`` and ``results.json`` come last.
+
+    Args:
+        design: the design.
+        out: a new or empty folder, or one that an earlier run made.
+        display: shows what is being done.
+        fidelity: of the library, see :func:`acoustic_fem.solve`.
+        frequency: (n_freq,) Hz, covering 1 to 100 Hz; by default 1, 2, ..., 500 Hz.
+        training: how to train the localizer; by default :func:`training_plan`, with which the same design gives the
+            same report whatever else the machine does. The localizer is judged with the noise it was trained with.
+
+    Raises:
+        Refusal: the folder holds something else, or the design cannot be built, solved or decoded.
+        OSError: the folder cannot be written.
+    """
+    import acoustic_fem
+    from geometry.design.design_file import write_design
+    from localize import BayesDecoder, evaluate, train
+    from studies.run.report import write_report
+
+    show = display or Display()
+    check_points(design)
+    folder = claim_folder(out, write_design(design.completed()))
+    training = training or training_plan(design.point_count)
+    grid = np.asarray(FREQUENCY if frequency is None else frequency, np.float64)
+
+    with show.stage("Parts") as report:
+        parts, files, printing, figures = _make_parts(design, folder, report)
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always", UserWarning)
+        with show.stage("Cells") as report:
+            library = acoustic_fem.solve(design, grid, fidelity=fidelity, progress=report)
+            acoustic_fem.save(library, folder / "library.nc")
+        for line in cell_lines(library):
+            show.note(line)
+        lumped = None
+        if fidelity != "lumped":
+            inside = (grid >= BAND[0]) & (grid <= BAND[1])
+            lumped = acoustic_fem.solve(design, grid[inside], fidelity="lumped")
+    limits = _said_of_models(caught, show)
+    distances = separability(library.transfer_function)
+
+    with show.stage("Localizer") as report:
+        report("training", 0.0)
+        localizer = train(
+            library, training, lambda p: report(f"epoch {p.epoch} of {p.epochs}: {p.accuracy:.1%}", p.epoch / p.epochs)
+        )
+        with replaced_folder(folder / "localizer") as fresh:
+            localizer.save(fresh)
+    with show.stage("Evaluation") as report:
+        touches = max(LEAST_TOUCHES_PER_POINT, EVALUATION_TOUCHES // design.point_count)
+        report("network", 0.0)
+        network = evaluate(localizer, library, touches, training.microphone_noise)
+        report("Bayes decoder", 0.5)
+        decoder = BayesDecoder(library, training.microphone_noise)
+        bayes = evaluate(decoder, library, touches, training.microphone_noise)
+
+    difference = None
+    if lumped is not None:
+        same_grid = library.transfer_function.sel(frequency=lumped.frequency)
+        difference = disagreement(lumped.transfer_function, same_grid)
+    with show.stage("Figures") as report:
+        figures = {**figures, **_draw_figures(folder, library, lumped, distances, network, report)}
+    result = RunResult(
+        design=design,
+        folder=folder,
+        created=datetime.now(UTC),
+        library=library,
+        lumped=lumped,
+        disagreement=difference,
+        separability=distances,
+        network=network,
+        bayes=bayes,
+        training={**localizer.training, "plan": dict(localizer.plan)},
+        localizer_provenance=localizer.provenance,
+        printing=printing,
+        part_counts=parts.counts,
+        files=files,
+        layout_notes=lay_out(design).notes,
+        validity=model_validity(design, library.medium, worst_heard(library.transfer_function, BAND[1])[0]),
+        warnings=limits,
+        figures=figures,
+        seconds=show.seconds,
+    )
+    write_results(result, folder / "results.json")
+    write_report(result, folder / "report.html")
+    return result
+
+
+def training_plan(points: int) -> TrainingPlan:
+    """How a run trains: by the number of points alone, without a limit of time, with the design's microphone noise."""
+    from localize import TrainingPlan
+
+    touches = min(TOUCHES_PER_POINT, max(1, MOST_TOUCHES // (EPOCHS * points)))
+    return TrainingPlan(epochs=EPOCHS, seconds_per_point=touches, microphone_noise="design")
+
+
+def check_points(design: ArrayDesign, source: str | None = None) -> None:
+    """Refuse a design with nothing to tell apart, before any work.
+
+    Args:
+        design: the design.
+        source: what to call it in the message, such as its file; by default its name.
+
+    Raises:
+        Refusal: it has one point in all.
+    """
+    if design.point_count < 2:
+        raise Refusal(
+            f"{source or design.name}: lines.0.points = {design.point_count} must be at least 2: run needs at least 2 "
+            "points, to tell one from the other; solve and parts take one"
+        )
+
+
+def cell_lines(library: Library) -> list[str]:
+    """One line for each distinct cell of a library: from the cache or solved, unknowns, seconds."""
+    lines = []
+    for cell in library.provenance["cells"]:
+        if "unknowns" not in cell:
+            lines.append(f"{cell['cell']}: {cell['method']}")
+        elif cell["cached"]:
+            lines.append(f"{cell['cell']}: from the cache ({cell['unknowns']} unknowns)")
+        else:
+            lines.append(
+                f"{cell['cell']}: {cell['unknowns']} unknowns solved at {len(cell['sampled_frequencies'])} "
+                f"frequencies in {cell['seconds']:.1f} s"
+            )
+    return lines
+
+
+def _said_of_models(caught: list[warnings.WarningMessage], show: Display) -> tuple[str, ...]:
+    """Tell the user every warning; those that speak of a model's limits are returned for the report."""
+    from acoustic_fem.numerics.disk_cache import CacheWarning
+
+    told = dict.fromkeys((entry.category, str(entry.message)) for entry in caught)
+    for _, message in told:
+        show.note(f"note: {message}")
+    return tuple(message for category, message in told if not issubclass(category, CacheWarning))
+
+
+# -- stages ------------------------------------------------------------------------------------------------
+def _make_parts(
+    design: ArrayDesign, folder: Path, report: Report
+) -> tuple[PartSet, tuple[ExportedFile, ...], PrintReport, dict[str, Path]]:
+    from geometry import build_parts, export, print_report
+    from geometry.pictures.views import draw_array, draw_point
+    from studies.output.figure_style import crop_picture
+
+    report("CAD", 0.0)
+    parts = build_parts(design)
+    report("STL, STEP and 3MF", 0.2)
+    with replaced_folder(folder / "parts") as fresh:
+        written = export(parts, fresh)
+    files = tuple(replace(file, path=folder / "parts" / file.path.name) for file in written)
+    report("print rules", 0.5)
+    printing = print_report(parts, design=design)
+    report("pictures", 0.7)
+    figures = {
+        "array": draw_array(design, folder / "figures" / "array.png", parts, size=(1600, _picture_height(design))),
+        "point": draw_point(design, folder / "figures" / "point.png", parts, size=POINT_PICTURE),
+    }
+    for path in figures.values():
+        crop_picture(path)
+    return parts, files, printing, figures
+
+
+def _picture_height(design: ArrayDesign) -> int:
+    """Pixels of a picture 1600 wide in which the array is as large as can be, with room for names."""
+    width, depth, _ = array_size(design)
+    return int(np.clip(1600 * (0.15 + depth / width), 500, 1400))
+
+
+def _draw_figures(
+    folder: Path,
+    library: Library,
+    lumped: Library | None,
+    distances: Separability,
+    network: Evaluation,
+    report: Report,
+) -> dict[str, Path]:
+    from studies.output import figures as draw
+
+    where = folder / "figures"
+    report("curves", 0.0)
+    drawn = {
+        "transfer-functions": draw.draw_transfer_functions(library.transfer_function, where / "transfer-functions.png"),
+        "differences": draw.draw_differences(library.transfer_function, where / "differences.png"),
+    }
+    if lumped is not None:
+        same_grid = library.transfer_function.sel(frequency=lumped.frequency)
+        drawn["comparison"] = draw.draw_comparison(
+            lumped.transfer_function, same_grid, where / "comparison.png", (100 * AGREEMENT[0], AGREEMENT[1])
+        )
+    report("matrices", 0.6)
+    drawn["separability"] = draw.draw_separability(distances, where / "separability.png")
+    drawn["confusion"] = draw.draw_confusion(network.confusion, distances.points, where / "confusion.png")
+    return drawn

@@ -1,0 +1,237 @@
+"""What can be said of a design before it is solved: counts, wiring, print findings, validity of the models."""
+
+from __future__ import annotations
+
+import math
+import warnings
+from collections.abc import Callable, Mapping
+from dataclasses import asdict, dataclass
+from typing import TYPE_CHECKING, Any, Literal
+
+from geometry.air.cells import Cell, cell_catalogue
+from geometry.design.array_design import ArrayDesign
+from geometry.layout.place import lay_out
+from geometry.plan.topology import WiringCounts, wiring_counts
+from geometry.printing.report_files import report_content
+from studies.metrics.pairs import BAND, worst_heard
+
+if TYPE_CHECKING:
+    from acoustic_fem.quantities.medium import Medium
+    from geometry.printing.report import PrintReport
+
+#: Frequencies of the estimated attenuation, Hz.
+ATTENUATION_AT = (1.0, 10.0, 100.0)
+#: Weakest sinusoid of the paper's stimuli, Pa, and length of the localizer's frames, s.
+WEAKEST_SINUSOID, FRAME_SECONDS = 0.02, 0.25
+#: Time of one 3-D cell on two cores, s.
+SECONDS_PER_CELL = 8.0
+#: Largest difference of lumped from Navier-Stokes transfer functions as `run` measured it: percent, degrees.
+LUMPED_IS_OFF = (("array-2x6", 0.3, 0.2), ("large-area-64", 1.1, 0.44))
+#: The same for the scalar model, which is wrong where a tube opens into a cavity.
+HELMHOLTZ_IS_OFF = (("array-2x6", 6.2, 1.2), ("fingertip-3x4", 9.8, 2.0))
+
+
+@dataclass(frozen=True)
+class Validity:
+    """One assumption of the models, in a number that can be compared with a limit."""
+
+    assumption: str
+    value: float
+    relation: Literal["at least", "at most"]
+    limit: float
+    unit: str
+    meaning: str
+
+    @property
+    def holds(self) -> bool:
+        """Whether the value keeps the limit."""
+        return self.value >= self.limit if self.relation == "at least" else self.value <= self.limit
+
+
+@dataclass(frozen=True)
+class DesignCheck:
+    """Everything ``acoustic-fem check`` says of a design."""
+
+    design: ArrayDesign
+    wiring: WiringCounts
+    cells: tuple[tuple[Cell, int], ...]
+    """Distinct cells and how many places of the array each fills."""
+    notes: tuple[str, ...]
+    """What is drawn but could not be built as drawn."""
+    part_counts: Mapping[str, int]
+    printing: PrintReport
+    validity: tuple[Validity, ...]
+    attenuation: tuple[tuple[float, float, int], ...]
+    """Frequency (Hz), then of the point that is heard worst: level at its second-loudest microphone (dB; a ratio
+    needs two) and number; at fidelity lumped."""
+
+    @property
+    def fidelities(self) -> tuple[str, ...]:
+        """What each fidelity costs and how far lumped is from the default, one line each."""
+        return fidelity_lines(len(self.cells))
+
+    @property
+    def failures(self) -> tuple[str, ...]:
+        """What stands in the way of making the array, one line each."""
+        return tuple(
+            f"{f.part}: {f.rule} {f.value:.3g} {f.unit} must be {f.relation} {f.limit:.3g} {f.unit}".replace(
+                "  ", " "
+            ).rstrip()
+            for f in self.printing.findings
+            if f.verdict == "fail"
+        )
+
+    def to_dict(self) -> dict[str, Any]:
+        """All of it as JSON can hold it."""
+        return {
+            "design": self.design.name,
+            "wiring": asdict(self.wiring),
+            "cells": [{"cell": cell.label, "places": count} for cell, count in self.cells],
+            "layout_notes": list(self.notes),
+            "fidelities": list(self.fidelities),
+            "parts": dict(self.part_counts),
+            "printing": report_content(self.printing),
+            "validity": [{**asdict(item), "holds": item.holds} for item in self.validity],
+            "attenuation": [
+                {"frequency_hz": f, "second_microphone_db": level, "point": point}
+                for f, level, point in self.attenuation
+            ],
+        }
+
+
+def check_design(design: ArrayDesign, progress: Callable[[str, float], None] | None = None) -> DesignCheck:
+    """Lay a design out, draw and judge its parts, and compare the models' assumptions with their limits.
+
+    Args:
+        design: the design.
+        progress: called with what is being done and the fraction done.
+
+    Raises:
+        Refusal: a part cannot be built, or the membrane's proportions are outside what can be solved.
+    """
+    import acoustic_fem
+    from geometry import build_parts, print_report
+
+    report = progress or (lambda message, fraction: None)
+    report("layout", 0.0)
+    layout = lay_out(design)
+    report("attenuation", 0.1)
+    with warnings.catch_warnings():
+        # the same limits are listed under validity
+        warnings.filterwarnings("ignore", "entrance loss of a tube|membrane: ", UserWarning)
+        library = acoustic_fem.solve(design, ATTENUATION_AT, fidelity="lumped")
+    levels = [(frequency, *worst_heard(library.transfer_function, frequency)) for frequency in ATTENUATION_AT]
+    report("parts", 0.3)
+    parts = build_parts(design)
+    printing = print_report(
+        parts, design=design, progress=lambda part, fraction: report(f"print rules: {part}", 0.5 + 0.5 * fraction)
+    )
+    report("done", 1.0)
+    return DesignCheck(
+        design=design,
+        wiring=wiring_counts(len(design.microphones), [line.points for line in design.lines]),
+        cells=cell_uses(design),
+        notes=layout.notes,
+        part_counts=parts.counts,
+        printing=printing,
+        validity=model_validity(design, library.medium, levels[-1][1]),
+        attenuation=tuple(levels),
+    )
+
+
+def fidelity_lines(cells: int) -> tuple[str, ...]:
+    """What each fidelity costs for so many distinct cells, and how far lumped was found from the default."""
+    lumped, helmholtz = (
+        "; ".join(f"{percent:g} % and {degrees:g} degrees on {name}" for name, percent, degrees in measured)
+        for measured in (LUMPED_IS_OFF, HELMHOLTZ_IS_OFF)
+    )
+    seconds = SECONDS_PER_CELL * cells
+    return (
+        f"lumped: milliseconds; from navier-stokes, {BAND[0]:g} to {BAND[1]:g} Hz, it was at most {lumped}",
+        f"helmholtz, a cross-check: as long as navier-stokes; from it at most {helmholtz}",
+        f"navier-stokes, the default: about {SECONDS_PER_CELL:g} s per distinct cell, here {cells}: {seconds:g} s; "
+        "then from the cache",
+    )
+
+
+def cell_uses(design: ArrayDesign) -> tuple[tuple[Cell, int], ...]:
+    """The distinct cells of a design and how many places each fills."""
+    catalogue = cell_catalogue(design, lay_out(design))
+    uses = [use.cell for use in catalogue.points + catalogue.microphones]
+    return tuple((cell, uses.count(cell)) for cell in catalogue.distinct)
+
+
+def model_validity(design: ArrayDesign, medium: Medium, weakest_level: float) -> tuple[Validity, ...]:
+    """The assumptions of the models, each against its limit, for the band up to 100 Hz.
+
+    Slip: the flow through a round tube of diameter d is 1 + 8 l/d times that without slip, with the mean free
+    path l = mu sqrt(pi / (2 p rho)) (Kennard, Kinetic Theory of Gases, 1938, section 175, full accommodation).
+
+    Args:
+        design: the design.
+        medium: its air.
+        weakest_level: of the point that is heard worst, at its second-loudest microphone and 100 Hz, dB.
+
+    Raises:
+        Refusal: the membrane's proportions are outside what can be solved.
+    """
+    from acoustic_fem.duct.opening import LARGEST_SHEAR_NUMBER
+    from acoustic_fem.membrane.disc import design_disc
+    from localize.signals.noise import input_density
+
+    highest = BAND[1]
+    resonator, microphone = design.resonator, design.microphone
+    widest = max(
+        resonator.cavity_diameter, resonator.cavity_height, microphone.chamber_diameter, microphone.chamber_height
+    )
+    tubes = [design.tube_of(line) for line in design.lines if line.points > 1]
+    tubes += [design.microphone_tube_of(line) for line in design.lines]
+    bores = [tube.inner_diameter for tube in tubes]
+    mean_free_path = medium.viscosity * math.sqrt(math.pi / (2 * medium.pressure * medium.density))
+    slip = 8 * mean_free_path / (min(bores) * 1e-3)
+    shear = max(bores) / 2 * 1e-3 * math.sqrt(2 * math.pi * highest / medium.kinematic_viscosity)
+    noise = float(input_density(microphone, highest, medium)) / math.sqrt(FRAME_SECONDS)
+    heard = weakest_level + 20 * math.log10(WEAKEST_SINUSOID / math.sqrt(2) / noise)
+    return (
+        Validity(
+            "plane waves and uniform cavity pressure up to",
+            medium.sound_speed / (10 * widest * 1e-3),
+            "at least",
+            highest,
+            "Hz",
+            f"where the widest cavity, {widest:g} mm, is a tenth of the wavelength",
+        ),
+        Validity(
+            "first resonance of the membrane, without air",
+            design_disc(design).first_frequency,
+            "at least",
+            3 * highest,
+            "Hz",
+            f"the membrane moves in one shape up to a third of it; the band ends at {highest:g} Hz",
+        ),
+        Validity(
+            "slip of the air in the narrowest bore",
+            100 * slip,
+            "at most",
+            0.5,
+            "%",
+            f"more flow than computed through a bore of {min(bores):g} mm; the models let the air stick to walls",
+        ),
+        Validity(
+            f"shear number of the widest bore at {highest:g} Hz",
+            shear,
+            "at most",
+            LARGEST_SHEAR_NUMBER,
+            "",
+            f"a sqrt(w/nu) of a bore of {max(bores):g} mm; above, the entrance loss of lumped is not fit",
+        ),
+        Validity(
+            f"weakest touch over the microphone's noise at {highest:g} Hz",
+            heard,
+            "at least",
+            10.0,
+            "dB",
+            f"a sinusoid of {WEAKEST_SINUSOID:g} Pa in the worst-heard cavity at its second-loudest microphone, in "
+            f"{FRAME_SECONDS:g} s; noise of the microphone: {microphone.source}",
+        ),
+    )

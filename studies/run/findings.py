@@ -1,0 +1,352 @@
+"""What a run found in numbers and sentences: for the report, and for programs as ``results.json``."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from geometry.layout.place import lay_out
+from studies.metrics.pairs import BAND, attenuation, sensitivity, worst_heard
+from studies.output.display import number
+from studies.output.folders import write_json
+
+if TYPE_CHECKING:
+    from geometry.design.array_design import ArrayDesign
+    from localize import Evaluation
+    from studies.run.result import RunResult
+
+#: Lumped and Navier-Stokes transfer functions should agree within this: relative magnitude, degrees.
+AGREEMENT = (0.015, 1.0)
+#: Frequency at which the sensitivity of a point is stated, Hz.
+SENSITIVITY_AT = 10.0
+#: Pairs that are named where many are as hard to tell apart as the hardest.
+NAMED_PAIRS = 3
+
+
+@dataclass(frozen=True)
+class KeyFigure:
+    """One line of the table of key figures."""
+
+    name: str
+    value: str
+    remark: str = ""
+
+
+def verdict(result: RunResult) -> str:
+    """The run in three sentences."""
+    design, network = result.design, result.network
+    lines = len(design.lines)
+    found = (
+        f"{design.point_count} points on {lines} line{'s' * (lines > 1)} between {len(design.microphones)} "
+        "microphones: "
+        f"the localizer names the right point for {_percent(network.top1)} of held-out touches "
+        f"({_percent(network.top2)} within its first two), the training-free Bayes decoder for "
+        f"{_percent(result.bayes.top1)}."
+    )
+    (first, second), *others = result.separability.equally_hard
+    level, phase, _ = result.separability.between(first, second)
+    hardest = f"Hardest to tell apart are points {first} and {second}"
+    if others:
+        more = len(others) - NAMED_PAIRS
+        hardest += " (and equally " + ", ".join(f"{i} and {j}" for i, j in others[:NAMED_PAIRS])
+        hardest += f" and {more} more pair{'s' * (more > 1)})" if more > 0 else ")"
+    hardest += f": {level:.2g} dB and {phase:.2g} degrees apart over {BAND[0]:g} to {BAND[1]:g} Hz."
+    return f"{found} {hardest} {printing_sentence(result)}"
+
+
+def printing_sentence(result: RunResult) -> str:
+    """Whether the parts can be printed."""
+    report = result.printing
+    failing = sorted({finding.part for finding in report.findings if finding.verdict == "fail"})
+    warned = sum(finding.verdict == "warn" for finding in report.findings)
+    if failing:
+        return f"The parts cannot be printed as they are ({report.process.title}): see {', '.join(failing)}."
+    if warned:
+        return f"The parts can be printed with care: {warned} measure{'s' * (warned > 1)} below the advised value."
+    return "The parts can be printed."
+
+
+def confusion_sentence(result: RunResult) -> str:
+    """The hardest pair by distance against the pair the localizer confuses most."""
+    pair = result.network.hardest_pair
+    if pair is None:
+        return f"The localizer missed none of {result.network.touches} held-out touches."
+    named, share = _numbers(result, pair), pair[2]
+    text = (
+        f"The localizer most often takes points {named[0]} and {named[1]} for each other: {_percent(share)} of their "
+        "touches. "
+    )
+    if named in result.separability.equally_hard:
+        return text + "That is the hardest pair by distance too."
+    rank = 1 + result.separability.hardest_pairs.index(named)
+    return text + (
+        f"By distance this pair is number {rank} of {len(result.separability.hardest_pairs)}, hardest first. The two "
+        "need not agree: the distance weighs all frequencies alike and knows no noise, whereas each touch holds some "
+        "frequencies only, and a network is never trained to the end."
+    )
+
+
+def noise_phrase(evaluation: Evaluation) -> str:
+    """Which noise the microphones had."""
+    if evaluation.noise_source == "white":
+        return f"white microphone noise of {evaluation.microphone_noise:.2g} Pa rms over 0 to 500 Hz"
+    return f"the noise of the design's microphone, {evaluation.microphone_noise:.2g} Pa rms over 1 to 500 Hz"
+
+
+def noise_sentence(result: RunResult) -> str:
+    """Which noise the localizer was trained and judged with, and where its figures come from."""
+    network, microphone = result.network, result.design.microphone
+    text = f"Training and held-out touches have {noise_phrase(network)}"
+    if network.noise_source == "white":
+        return text + ", not that of the design's microphone."
+    return text + (
+        f": {microphone.noise_density:g} Pa/√Hz, rising as 1/f in power below {microphone.noise_corner:g} "
+        f"Hz, divided by the microphone's response, which falls below {microphone.vent_corner:g} Hz, and so given as "
+        f"pressure in its chamber. Where all microphone figures come from ({microphone.model}): {microphone.source}."
+    )
+
+
+def training_sentence(result: RunResult) -> str:
+    """How long the localizer was trained, and whether the time ran out."""
+    training, planned = result.training, result.training["plan"]
+    text = f"The localizer was trained on {training['touches']} touches in {training['seconds']:.0f} s"
+    if not training["cut_short"]:
+        return text + "."
+    touches = planned["epochs"] * planned["seconds_per_point"] * result.design.point_count
+    return text + (
+        f" of {touches} planned: its limit of {planned['time_limit']:g} s cut it short, so that its accuracy depends "
+        "on how busy the machine was. More time makes it better."
+    )
+
+
+def agreement_sentence(result: RunResult) -> str:
+    """How far the closed forms are from the 3-D cells, and why."""
+    found = result.disagreement
+    if found is None:
+        return "The library itself is lumped; there is nothing to compare it with."
+    text = (
+        f"Largest difference of lumped from Navier-Stokes transfer functions, {BAND[0]:g} to {BAND[1]:g} Hz: "
+        f"{100 * found.magnitude:.2g} % in magnitude ({_where(found.magnitude_at)}) and {found.phase:.2g} degrees in "
+        f"phase ({_where(found.phase_at)}); the limits are {100 * AGREEMENT[0]:g} % and {AGREEMENT[1]:g} degree. "
+    )
+    if found.magnitude <= AGREEMENT[0] and found.phase <= AGREEMENT[1]:
+        text += "Lumped is within them. "
+    else:
+        point, microphone, frequency = (
+            found.magnitude_at if found.magnitude / AGREEMENT[0] > found.phase / AGREEMENT[1] else found.phase_at
+        )
+        text += (
+            f"Lumped is outside them. The cells of one line act one after the other, so that their small differences "
+            f"(last column of the table of cells) add up on the way from point {point} to microphone {microphone}, "
+            f"most of all where the way attenuates most, here at {frequency:g} Hz. Trust Navier-Stokes there. "
+        )
+    return text + (
+        "The lumped model treats a cavity as one pressure and the opening of a tube as a resistance and an inertance "
+        "measured on a flat wall; the 3-D cells have the real mouths of their tubes."
+    )
+
+
+def key_figures(result: RunResult) -> list[KeyFigure]:
+    """The table of key figures."""
+    design, h = result.design, result.library.transfer_function
+    width, depth, height = array_size(design)
+    first, second = result.separability.equally_hard[0]
+    level, phase, distance = result.separability.between(first, second)
+    network, bayes = result.network, result.bayes
+    noise = f"touches of {network.samples / 1000:g} s, {noise_phrase(network)}"
+    figures = [
+        KeyFigure("points", f"{design.point_count}", f"{len(design.lines)} line{'s' * (len(design.lines) > 1)}"),
+        KeyFigure("microphones", f"{len(design.microphones)}", design.microphone.model),
+        KeyFigure("size", f"{width:.0f} x {depth:.0f} x {height:.1f} mm", "shells, housings and tubes as drawn"),
+        KeyFigure("localizer, top-1", _percent(network.top1), f"{network.touches} held-out {noise}"),
+        KeyFigure("localizer, top-2", _percent(network.top2), f"within one place: {_percent(network.within_one)}"),
+        KeyFigure("Bayes decoder, top-1", _percent(bayes.top1), "no training, the same touches"),
+        KeyFigure(
+            "hardest pair",
+            f"points {first} and {second}",
+            f"{level:.3g} dB and {phase:.3g} degrees apart (rms over {BAND[0]:g} to {BAND[1]:g} Hz), distance "
+            f"{distance:.3g}",
+        ),
+    ]
+    pair = network.hardest_pair
+    confused = "none" if pair is None else "points {} and {}".format(*_numbers(result, pair))
+    share = "" if pair is None else f"taken for each other in {_percent(pair[2])} of their touches"
+    figures.append(KeyFigure("most confused by the localizer", confused, share))
+    for frequency in (10.0, 100.0):
+        weakest, point = worst_heard(h, frequency)
+        figures.append(
+            KeyFigure(
+                f"weakest signal at {frequency:g} Hz",
+                f"{number(weakest, 1)} dB",
+                f"point {point} at its second-loudest microphone",
+            )
+        )
+    bores = sorted({tube.inner_diameter for tube in tubes_of(design)})
+    compliance, relative = membrane_compliance(result)
+    figures += [
+        KeyFigure("bore", ", ".join(f"{bore:g}" for bore in bores) + " mm", "of all tubes"),
+        KeyFigure(
+            "membrane compliance",
+            f"{compliance:.3g} mm³/kPa",
+            f"static; {relative:.2g} times that of the air in its cavity",
+        ),
+    ]
+    if result.disagreement is not None:
+        found = result.disagreement
+        inside = found.magnitude <= AGREEMENT[0] and found.phase <= AGREEMENT[1]
+        figures.append(
+            KeyFigure(
+                "lumped against Navier-Stokes",
+                f"{100 * found.magnitude:.2g} %, {found.phase:.2g} degrees",
+                f"largest difference, {BAND[0]:g} to {BAND[1]:g} Hz; {'within' if inside else 'outside'} "
+                f"{100 * AGREEMENT[0]:g} % and {AGREEMENT[1]:g} degree",
+            )
+        )
+    figures.append(KeyFigure("print verdict", result.printing.verdict, result.printing.process.title))
+    return figures
+
+
+def point_rows(result: RunResult) -> list[dict[str, Any]]:
+    """Per point: levels, sensitivity, the point it is nearest to, and how often it was found."""
+    h = result.library.transfer_function
+    low, high = attenuation(h, 10.0), attenuation(h, 100.0)
+    volume = sensitivity(result.library, SENSITIVITY_AT)
+    confusion = result.network.confusion
+    found = np.diag(confusion) / np.maximum(confusion.sum(axis=1), 1)
+    rows = []
+    for index, point in enumerate(result.separability.points):
+        nearest = result.separability.nearest(point)
+        level, phase, distance = result.separability.between(point, nearest)
+        rows.append(
+            {
+                "point": point,
+                "line": int(h["line"].values[index]) + 1,
+                "level_10_hz_db": [float(value) for value in low[index]],
+                "level_100_hz_db": [float(value) for value in high[index]],
+                "sensitivity_pa_per_mm3": float(volume[index]),
+                "nearest": nearest,
+                "nearest_level_db": level,
+                "nearest_phase_degrees": phase,
+                "nearest_distance": distance,
+                "found": float(found[index]),
+            }
+        )
+    return rows
+
+
+def tubes_of(design: ArrayDesign) -> list[Any]:
+    """Every tube that the array uses, one per kind and line."""
+    tubes = [design.tube_of(line) for line in design.lines if line.points > 1]
+    return tubes + [design.microphone_tube_of(line) for line in design.lines]
+
+
+def array_size(design: ArrayDesign) -> tuple[float, float, float]:
+    """Extent of the array as drawn, mm: along x, along y, and height of a point with its membrane."""
+    layout = lay_out(design)
+    housing = design.microphone.chamber_diameter / 2 + design.microphone.wall_thickness
+    discs = [(p.position, max(design.resonator.outer_diameter / 2, _membrane_radius(design))) for p in layout.points]
+    discs += [(m.position, housing) for m in layout.microphones]
+    corners = [(x + side * radius, y + side * radius) for (x, y), radius in discs for side in (-1, 1)]
+    for tube in layout.tubes:
+        radius = tube.tube.outer_diameter / 2
+        corners += [(x + side * radius, y + side * radius) for x, y, _ in tube.path for side in (-1, 1)]
+    x, y = np.array(corners).T
+    height = design.resonator.floor_thickness + design.resonator.cavity_height + design.membrane.thickness
+    return float(np.ptp(x)), float(np.ptp(y)), float(height)
+
+
+def membrane_compliance(result: RunResult) -> tuple[float, float]:
+    """Static volume compliance of the membrane, mm^3/kPa, and its ratio to the isothermal V / p of its cavity."""
+    from acoustic_fem.membrane.disc import design_disc
+
+    compliance = design_disc(result.design).static_compliance
+    air = result.design.resonator.cavity_volume * 1e-9 / result.library.medium.pressure
+    return compliance * 1e12, compliance / air
+
+
+def write_results(result: RunResult, path: Path) -> None:
+    """Write ``results.json``: key figures, distances, evaluations, parts, cells, provenance."""
+    from geometry.design.design_file import write_design
+
+    distances = result.separability
+    found = result.disagreement
+    content = {
+        "program": "acoustic-fem run",
+        "created": result.created.isoformat(timespec="seconds"),
+        "verdict": verdict(result),
+        "key_figures": [asdict(figure) for figure in key_figures(result)],
+        "design": {"name": result.design.name, "toml": write_design(result.design.completed())},
+        "points": point_rows(result),
+        "separability": {
+            "band_hz": list(BAND),
+            "hardest_pairs": [list(pair) for pair in distances.hardest_pairs[:10]],
+            "equally_hard": [list(pair) for pair in distances.equally_hard],
+            "level_db": distances.level.tolist(),
+            "phase_degrees": distances.phase.tolist(),
+            "combined": distances.combined.tolist(),
+        },
+        "network": result.network.to_dict(),
+        "bayes": result.bayes.to_dict(),
+        "training": dict(result.training),
+        "lumped_difference": None if found is None else asdict(found),
+        "printing": {
+            "process": result.printing.process.name,
+            "verdict": result.printing.verdict,
+            "findings": [_finite(asdict(finding)) for finding in result.printing.findings],
+        },
+        "files": [
+            {
+                "path": f"parts/{file.path.name}",
+                "part": file.part,
+                "count": result.part_counts[file.part],
+                "cad_volume_mm3": file.cad_volume,
+                "volume_error": file.volume_error,
+                "triangles": file.triangles,
+            }
+            for file in result.files
+        ],
+        "cells": result.library.provenance["cells"],
+        "validity": [{**asdict(item), "holds": item.holds} for item in result.validity],
+        "layout_notes": list(result.layout_notes),
+        "warnings": list(result.warnings),
+        "seconds": dict(result.seconds),
+        "provenance": {
+            "fidelity": result.library.fidelity,
+            "medium": asdict(result.library.medium),
+            "frequency_hz": [float(result.library.frequency[0]), float(result.library.frequency[-1])],
+            "frequencies": len(result.library.frequency),
+            "library": {key: value for key, value in result.library.provenance.items() if key != "cells"},
+            "localizer": result.localizer_provenance["localizer"],
+        },
+    }
+    write_json(path, content)
+
+
+def _numbers(result: RunResult, pair: tuple[int, int, float]) -> tuple[int, int]:
+    """Numbers of the points that an evaluation counts from 1, in order."""
+    points = result.separability.points
+    return points[pair[0] - 1], points[pair[1] - 1]
+
+
+def _membrane_radius(design: ArrayDesign) -> float:
+    return design.resonator.cavity_diameter / 2 + design.membrane.rim_width
+
+
+def _finite(finding: dict[str, Any]) -> dict[str, Any]:
+    """A measure without a value (no opposed walls) is null: JSON has no infinity."""
+    return {
+        key: None if isinstance(value, float) and not math.isfinite(value) else value for key, value in finding.items()
+    }
+
+
+def _percent(share: float) -> str:
+    return "100 %" if share == 1 else f"{100 * min(share, 0.9995):.1f} %"
+
+
+def _where(place_: tuple[int, str, float]) -> str:
+    point, microphone, frequency = place_
+    return f"point {point}, microphone {microphone}, {frequency:g} Hz"

@@ -1,0 +1,99 @@
+"""Everything that it takes to make an array, in one folder."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from geometry.design.array_design import ArrayDesign
+from geometry.stated.print_processes import PrintProcess
+from studies.output.display import Report
+from studies.output.folders import replaced_files
+
+if TYPE_CHECKING:
+    from geometry.assembly.bill import Bill
+    from geometry.formats.part_files import ExportedFile
+    from geometry.printing.report import PrintReport
+
+
+@dataclass(frozen=True)
+class MadeParts:
+    """What lies in the folder."""
+
+    files: tuple[ExportedFile, ...]
+    printing: PrintReport
+    bill: Bill
+    too_large: tuple[str, ...]
+    """Parts that fit on no plate."""
+    notes: tuple[str, ...]
+    """What is drawn but could not be built as drawn."""
+
+
+def make_parts(
+    design: ArrayDesign, folder: Path, formats: Sequence[str], process: PrintProcess, report: Report
+) -> MadeParts:
+    """Draw, export and judge the parts of a design, and put the array together, all of it or nothing.
+
+    Args:
+        design: the array.
+        folder: made if it does not exist. What it holds of an earlier call is replaced when all is made; files of
+            others stay, but for those of the same name.
+        formats: of the files of each part.
+        process: whose rules are applied.
+        report: told what is being made.
+
+    Raises:
+        Refusal: a part cannot be built or written, or the folder's list of files names what is none of its own.
+        OSError: the folder cannot be written.
+    """
+    with replaced_files(folder) as fresh:
+        made = _make(design, fresh, formats, process, report)
+    return replace(made, files=tuple(replace(file, path=folder / file.path.name) for file in made.files))
+
+
+def _make(
+    design: ArrayDesign, folder: Path, formats: Sequence[str], process: PrintProcess, report: Report
+) -> MadeParts:
+    from geometry import build_parts, export, print_report
+    from geometry.assembly.bill import bill_of_materials, write_bill
+    from geometry.assembly.model import array_model
+    from geometry.assembly.table import write_assembly_table
+    from geometry.formats.part_files import tessellate_distinct
+    from geometry.formats.step_assembly import write_step
+    from geometry.pictures.mold_cut import mold_section
+    from geometry.pictures.viewer import write_gltf, write_viewer
+    from geometry.pictures.views import exploded_view, top_view
+    from geometry.printing.plates import export_plates
+    from geometry.printing.report_files import write_report
+
+    report("drawing the parts", 0.0)
+    parts = build_parts(design)
+    shapes = tessellate_distinct(parts, progress=lambda part, done: report(part, 0.1 + 0.25 * done))
+    files = export(parts, folder, formats, progress=lambda part, done: report(part, 0.1 + 0.25 * done), shapes=shapes)
+    report("plates", 0.35)
+    plates = export_plates(parts, folder, process, shapes)
+    printing = print_report(
+        parts, process, design, lambda part, done: report(f"print rules of {part}", 0.45 + 0.2 * done), shapes
+    )
+    write_report(printing, folder, design.name, files)
+    report("bill of materials", 0.65)
+    bill = bill_of_materials(design, parts)
+    write_bill(bill, folder)
+    report("assembly.step", 0.68)
+    write_assembly_table(design, folder)
+    model = array_model(design, parts)
+    write_step(model, folder / "assembly.step")
+    report("array.glb", 0.78)
+    write_gltf(design, folder / "array.glb", parts)
+    report("array.html", 0.82)
+    write_viewer(design, folder / "array.html", parts)
+    report("top-view.png", 0.87)
+    top_view(design, folder / "top-view.png", parts)
+    report("exploded-view.png", 0.91)
+    exploded_view(design, folder / "exploded-view.png", parts)
+    report("mold-section.png", 0.96)
+    mold_section(design, folder / "mold-section.png", parts)
+    report("done", 1.0)
+    return MadeParts(files, printing, bill, plates.too_large, model.layout.notes)

@@ -1,0 +1,78 @@
+"""How many points microphones serve, as a picture: lines in series against one transducer per point and rows + columns.
+
+Counting rules of the paper, section on scalability; :func:`geometry.plan.topology.wiring_counts` has them.
+"""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import numpy as np
+
+from geometry.files.writing import whole_file
+from geometry.plan.topology import WiringCounts, wiring_counts
+from geometry.refusal import Refusal
+
+MOST_MICROPHONES, MOST_POINTS = 16, 1000
+
+
+def wirings(microphones: int, points_per_line: int) -> tuple[WiringCounts, ...]:
+    """Every number of lines that connects so many microphones, from M - 1 in a chain to all M (M - 1) / 2 pairs.
+
+    Args:
+        microphones: M, 2 to 16.
+        points_per_line: N, 1 to 1000.
+
+    Raises:
+        Refusal: a number out of range.
+    """
+    for name, value, least, most in (
+        ("microphones", microphones, 2, MOST_MICROPHONES),
+        ("points per line", points_per_line, 1, MOST_POINTS),
+    ):
+        if not least <= value <= most:
+            raise Refusal(f"{name} = {value} must be from {least} to {most}")
+    fewest, most_lines = microphones - 1, microphones * (microphones - 1) // 2
+    return tuple(wiring_counts(microphones, [points_per_line] * lines) for lines in range(fewest, most_lines + 1))
+
+
+def draw_wirings(path: str | os.PathLike[str], microphones: int, points_per_line: int) -> Path:
+    """Points, and points per transducer relative to the two usual wirings, over the number of microphones.
+
+    Args:
+        path: of the PNG.
+        microphones: M, the largest number drawn, at least 2.
+        points_per_line: N.
+
+    Raises:
+        Refusal: as :func:`wirings`.
+    """
+    from matplotlib.ticker import MaxNLocator
+
+    from studies.output.figure_style import WIDTH, figure_in_style
+
+    counts = [wirings(count, points_per_line) for count in range(2, microphones + 1)]
+    number = np.arange(2, microphones + 1)
+    path = Path(path)
+    with figure_in_style((WIDTH, 3.4)) as figure:
+        left, right = figure.subplots(1, 2)
+        chain, full = (np.array([every[end].points for every in counts]) for end in (0, -1))
+        left.fill_between(number, chain, full, color="#1f5f8b", alpha=0.15)
+        left.plot(number, full, "o-", color="#1f5f8b", label="every pair of microphones: N M (M - 1) / 2")
+        left.plot(number, chain, "o--", color="#1f5f8b", label="a chain: N (M - 1)")
+        left.plot(number, number, color="#777777", label="one transducer per point: M")
+        left.set(title=f"points, N = {points_per_line} per line", yscale="log")
+        for field, colour, what in (
+            ("gain_over_one_transducer_per_point", "#1f5f8b", "one transducer per point: N (M - 1) / 2"),
+            ("gain_over_row_column", "#b5651d", "M rows + N columns: (M - 1)(M + N) / (2 M)"),
+        ):
+            right.plot(number, [getattr(every[-1], field) for every in counts], "o-", color=colour, label=what)
+        right.set(title="points per transducer, every pair joined, relative to", ylim=(0, None))
+        for axes in (left, right):
+            axes.set_xlabel("microphones M")
+            axes.xaxis.set_major_locator(MaxNLocator(integer=True))
+            axes.legend(fontsize=8)
+        with whole_file(path) as beside:
+            figure.savefig(beside, dpi=130)
+    return path

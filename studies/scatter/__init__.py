@@ -1,0 +1,8 @@
+"""Manufacturing tolerances and what they do.
+
+Stands on: metrics, output.
+"""
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -1,0 +1,264 @@
+"""Manufacturing scatter as data, and arrays drawn with it: every tube, cavity and membrane with its own deviation.
+
+Sample k of a design depends on (seed, k) alone, so that any sample can be drawn again without the others. Responses
+come from :mod:`acoustic_fem.batch.network` (lumped fidelity), thousands per second.
+"""
+
+from __future__ import annotations
+
+import math
+import tomllib
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Literal, get_args
+
+import numpy as np
+from numpy.typing import NDArray
+
+from acoustic_fem.batch.parameters import ArrayParameters
+from acoustic_fem.batch.topology import Topology
+from acoustic_fem.membrane.disc import DiscSolution, solve_disc
+from acoustic_fem.quantities.units import metres, pascals
+from geometry.design.array_design import ArrayDesign
+from geometry.files.reading import read_text
+from geometry.refusal import Refusal
+
+Array = NDArray[np.float64]
+Kind = Literal["absolute", "relative"]
+
+#: What can scatter, and the part it belongs to.
+QUANTITIES = {
+    "bore": "tube",
+    "length": "tube",
+    "cavity_diameter": "point",
+    "cavity_height": "point",
+    "membrane_thickness": "point",
+    "modulus_of_part": "point",
+    "modulus_of_batch": "array",
+    "glue_overrun": "point",
+}
+#: Draws are cut off here, in standard deviations: beyond, a part is thrown away.
+CUT = 3.0
+#: Parts are kept above this share of their nominal size, whatever is drawn.
+LEAST = 0.2
+
+
+@dataclass(frozen=True)
+class Tolerance:
+    """Scatter of one quantity: normal, cut off at three standard deviations; glue only ever overruns inwards."""
+
+    quantity: str
+    """One of :data:`QUANTITIES`."""
+    deviation: float
+    """One standard deviation: mm where absolute, a fraction of the nominal value where relative."""
+    kind: Kind
+    source: str
+    """Where the figure comes from."""
+
+    def __post_init__(self) -> None:
+        if self.quantity not in QUANTITIES:
+            raise Refusal(f"tolerance {self.quantity!r} must be one of: {', '.join(QUANTITIES)}")
+        if self.kind not in get_args(Kind):
+            raise Refusal(f"tolerance {self.quantity}: kind = {self.kind!r} must be absolute or relative")
+        modulus = self.quantity.startswith("modulus")
+        if modulus and self.kind == "absolute":
+            raise Refusal(f"tolerance {self.quantity}: kind must be relative")
+        most, unit = (0.3, "") if self.kind == "relative" else (5.0, " mm")
+        if not 0 <= self.deviation <= most:
+            raise Refusal(
+                f"tolerance {self.quantity}: deviation = {self.deviation:g}{unit} must be between 0 and {most:g}{unit}"
+            )
+
+
+#: What a careful workshop reaches; figures without a measurement behind them say so.
+TOLERANCES = (
+    Tolerance("bore", 0.015, "absolute", "assumed: springs are wound to +-0.03 mm, two deviations"),
+    Tolerance("length", 0.15, "absolute", "assumed: cut by hand along a ruler, and pushed onto the lip by hand"),
+    Tolerance("cavity_diameter", 0.05, "absolute", "assumed: +-0.1 mm of desktop stereolithography, two deviations"),
+    Tolerance("cavity_height", 0.05, "absolute", "assumed: two layers of 0.05 mm, two deviations"),
+    Tolerance("membrane_thickness", 0.05, "absolute", "print_processes.CAST_THICKNESS: 0.1 mm, two deviations"),
+    Tolerance("modulus_of_part", 0.03, "relative", "assumed: mixing and curing from disc to disc"),
+    Tolerance("modulus_of_batch", 0.15, "relative", "geometry.stated.materials: Gent's formula, 30 %, two deviations"),
+    Tolerance("glue_overrun", 0.05, "absolute", "assumed: glue creeps over the rim by a bead's foot, half-normal"),
+)  # fmt: skip
+
+
+def read_tolerances(path: Path) -> tuple[Tolerance, ...]:
+    """The default tolerances with those of a file in their place.
+
+    The file has a table per quantity: ``[bore]``, ``deviation = 0.02``, ``kind = "absolute"``, ``source = "..."``.
+
+    Raises:
+        Refusal: it cannot be read, or holds an unknown quantity or field, or a value out of range.
+    """
+    try:
+        text = tomllib.loads(read_text(path, "a file of tolerances", Refusal))
+    except tomllib.TOMLDecodeError as error:
+        raise Refusal(f"{path}: is not TOML: {error}") from None
+    known = {tolerance.quantity: tolerance for tolerance in TOLERANCES}
+    for quantity, given in text.items():
+        if quantity not in known:
+            raise Refusal(f"{path}: [{quantity}] must be one of: {', '.join(known)}")
+        if not isinstance(given, Mapping) or not set(given) <= {"deviation", "kind", "source"}:
+            raise Refusal(f"{path}: [{quantity}] must hold deviation, kind and source only")
+        deviation = given.get("deviation", known[quantity].deviation)
+        if isinstance(deviation, bool) or not isinstance(deviation, (int, float)):
+            raise Refusal(f"{path}: [{quantity}] deviation = {deviation!r} must be a number")
+        try:
+            known[quantity] = replace(known[quantity], **{"source": "of the file", **given})
+        except ValueError as error:
+            raise Refusal(f"{path}: {error}") from None
+    return tuple(known.values())
+
+
+class ScatteredDesign:
+    """A design whose parts scatter.
+
+    Args:
+        design: the nominal array; its membranes must not be pre-stretched with loss.
+        tolerances: one per quantity; a quantity that is not among them does not scatter.
+
+    Raises:
+        Refusal: a quantity twice, or a membrane the batch or the elastic solution does not take.
+    """
+
+    def __init__(self, design: ArrayDesign, tolerances: Sequence[Tolerance] = TOLERANCES) -> None:
+        names = [tolerance.quantity for tolerance in tolerances]
+        if len(set(names)) != len(names):
+            raise Refusal(f"tolerances: {max(names, key=names.count)} is given twice")
+        loss = design.material(design.membrane.material).loss_factor
+        if design.membrane.stretch != 1 and loss > 0:
+            raise Refusal(
+                f"membrane.stretch = {design.membrane.stretch:g} must be 1 for manufacturing scatter, unless "
+                f"materials.{design.membrane.material}.loss_factor = {loss:g} is 0: how a stretched membrane with loss "
+                "scatters is not computed"
+            )
+        self.design = design
+        self.tolerances = tuple(tolerances)
+        shared = Topology.of(design)
+        self.topology = shared.individual()
+        self.nominal = ArrayParameters.from_design(design).individual(shared)
+        self._columns = {
+            "tube": self.nominal.tube_radius.shape[1],
+            "point": self.nominal.cavity_radius.shape[1],
+            "array": 1,
+        }
+        self._discs = _Discs(design, self.tolerances)
+
+    def draws(self, first: int, count: int, seed: int) -> dict[str, Array]:
+        """Deviations of samples ``first`` to ``first + count - 1`` in standard deviations, (count, n_part) each."""
+        sizes = [self._columns[QUANTITIES[name]] for name in QUANTITIES]
+        total = np.empty((count, sum(sizes)))
+        for row in range(count):
+            child = np.random.SeedSequence(seed, spawn_key=(first + row,))
+            total[row] = np.random.default_rng(child).standard_normal(total.shape[1])
+        # beyond the cut a part is made again: the tail is folded back evenly
+        beyond = np.abs(total) > CUT
+        total[beyond] = np.sign(total[beyond]) * (np.abs(total[beyond]) - CUT)
+        parts = np.split(total, np.cumsum(sizes)[:-1], axis=1)
+        return dict(zip(QUANTITIES, parts, strict=True))
+
+    def parameters(self, draws: Mapping[str, Array]) -> ArrayParameters:
+        """The numbers of the arrays with these deviations, from :meth:`draws` or mixed from several."""
+        by_name = {tolerance.quantity: tolerance for tolerance in self.tolerances}
+
+        def scattered(quantity: str, nominal: Array) -> Array:
+            """In the unit of the nominal values: m, or 1 for ratios."""
+            if quantity not in by_name:
+                return nominal
+            tolerance = by_name[quantity]
+            step = nominal if tolerance.kind == "relative" else metres(1.0)
+            return np.maximum(nominal + draws[quantity] * tolerance.deviation * step, LEAST * nominal)
+
+        nominal = self.nominal
+        diameter = scattered("cavity_diameter", 2 * nominal.cavity_radius)
+        one = np.ones((1, 1))
+        overrun = np.zeros((1, self._columns["point"]))
+        if "glue_overrun" in by_name:
+            tolerance = by_name["glue_overrun"]
+            unit = 2 * nominal.cavity_radius if tolerance.kind == "relative" else metres(1.0)
+            overrun = np.abs(draws["glue_overrun"]) * tolerance.deviation * unit
+        opening = np.maximum(diameter / 2 - overrun, LEAST * nominal.cavity_radius)
+        thickness = scattered("membrane_thickness", np.full_like(nominal.cavity_radius, self._discs.thickness))
+        modulus = scattered("modulus_of_part", one) * scattered("modulus_of_batch", one)
+        compliance, share, frequency = self._discs.at(opening, thickness, modulus)
+        return replace(
+            nominal,
+            tube_radius=scattered("bore", 2 * nominal.tube_radius) / 2,
+            tube_length=scattered("length", nominal.tube_length),
+            cavity_radius=diameter / 2,
+            cavity_height=scattered("cavity_height", nominal.cavity_height),
+            membrane_compliance=compliance,
+            membrane_share=share,
+            membrane_frequency=frequency,
+        )
+
+    def sample(self, first: int, count: int, seed: int) -> ArrayParameters:
+        """The numbers of samples ``first`` to ``first + count - 1``."""
+        return self.parameters(self.draws(first, count, seed))
+
+
+class _Discs:
+    """Compliance and modes of a design's membrane for other openings, thicknesses and moduli.
+
+    The elastic solution at Chebyshev points of log(thickness / opening), rim and opening in their nominal ratio, is
+    interpolated by polynomials; tests compare it with solutions of their own.
+    """
+
+    nodes = 6
+
+    def __init__(self, design: ArrayDesign, tolerances: Sequence[Tolerance]) -> None:
+        material = design.material(design.membrane.material)
+        self.opening = metres(design.resonator.cavity_diameter) / 2
+        self.thickness = metres(design.membrane.thickness)
+        rim = 0.0 if design.membrane.mounting == "clamped" else metres(design.membrane.rim_width) / self.opening
+        low, high = self._range(tolerances)
+        place = np.cos(np.pi * (np.arange(self.nodes) + 0.5) / self.nodes)
+        ratios = np.exp((np.log(low) + np.log(high)) / 2 + (np.log(high) - np.log(low)) / 2 * place)
+        solutions: list[DiscSolution] = [
+            solve_disc(
+                self.opening, ratio * self.opening, pascals(material.youngs_modulus), material.poisson_ratio,
+                rim * self.opening, material.density, stretch=design.membrane.stretch,
+            )
+            for ratio in ratios
+        ]  # fmt: skip
+        share = np.array([disc.model.swept**2 / disc.model.eigenvalues for disc in solutions])
+        total = share.sum(axis=1)
+        volume = np.array([disc.opening**3 / disc.modulus for disc in solutions])
+        frequency = np.array([np.sqrt(disc.model.eigenvalues * disc.modulus / disc.density) for disc in solutions])
+        values = np.concatenate([np.log(total * volume)[:, None], share / total[:, None], np.log(frequency)], axis=1)
+        self._span = low, high
+        self._fit = np.polynomial.chebyshev.chebfit(place, values, self.nodes - 1)
+        self._modes = share.shape[1]
+
+    def _range(self, tolerances: Sequence[Tolerance]) -> tuple[float, float]:
+        """Smallest and largest ratio of thickness and opening that may be drawn."""
+        low_thickness = high_thickness = self.thickness
+        low_opening = high_opening = self.opening
+        for tolerance in tolerances:
+            unit = metres(1.0)
+            if tolerance.quantity == "membrane_thickness":
+                step = CUT * tolerance.deviation * (self.thickness if tolerance.kind == "relative" else unit)
+                low_thickness = max(low_thickness - step, LEAST * self.thickness)
+                high_thickness += step
+            elif tolerance.quantity == "cavity_diameter":
+                step = CUT * tolerance.deviation * (self.opening if tolerance.kind == "relative" else unit / 2)
+                low_opening, high_opening = low_opening - step, high_opening + step
+            elif tolerance.quantity == "glue_overrun":
+                low_opening -= CUT * tolerance.deviation * (2 * self.opening if tolerance.kind == "relative" else unit)
+        low_opening = max(low_opening, LEAST * self.opening)
+        return 0.999 * low_thickness / high_opening, 1.001 * high_thickness / low_opening
+
+    def at(self, opening: Array, thickness: Array, modulus: Array) -> tuple[Array, Array, Array]:
+        """Compliance, m^3/Pa, shares and frequencies, Hz, of the modes, for moduli in units of the nominal one."""
+        ratio = thickness / opening
+        opening, ratio, modulus = np.broadcast_arrays(opening, ratio, modulus)
+        low, high = self._span
+        place = (2 * np.log(ratio) - np.log(low) - np.log(high)) / (np.log(high) - np.log(low))
+        values = np.moveaxis(np.polynomial.chebyshev.chebval(place, self._fit), 0, -1)
+        scale = opening / self.opening
+        compliance = np.exp(values[..., 0]) * scale**3 / modulus
+        share = np.clip(values[..., 1 : 1 + self._modes], 0, None)
+        frequency = np.exp(values[..., 1 + self._modes :]) / (2 * math.pi * opening[..., None])
+        return compliance, share / share.sum(axis=-1, keepdims=True), frequency * np.sqrt(modulus)[..., None]

@@ -1,0 +1,132 @@
+"""The cases of a study: which values each of them has. The same study gives the same cases, everywhere."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from geometry import ArrayDesign, DesignError
+from geometry.design.design_file import value_of
+from geometry.refusal import Refusal
+from studies.study.study import Study
+
+
+@dataclass(frozen=True, eq=False)
+class Cases:
+    """Designs as values of the parameters over a base design.
+
+    Attributes:
+        base: the design that is varied.
+        names: dotted names of the parameters.
+        columns: per parameter its values, (n_case,) float64, int64, or objects (texts).
+        left_out: number of combinations or samples that broke a constraint.
+    """
+
+    base: ArrayDesign
+    names: tuple[str, ...]
+    columns: tuple[NDArray[Any], ...]
+    left_out: int = 0
+
+    def __len__(self) -> int:
+        return len(self.columns[0])
+
+    @property
+    def values(self) -> NDArray[Any]:
+        """(n_case, n_parameter) float64, or objects where a parameter is a text."""
+        texts = any(column.dtype == object for column in self.columns)
+        return np.stack([column.astype(object if texts else np.float64) for column in self.columns], axis=1)
+
+    def case(self, number: int) -> dict[str, Any]:
+        """Values of one case by dotted name."""
+        return {name: column[number].item() if hasattr(column[number], "item") else column[number]
+                for name, column in zip(self.names, self.columns, strict=True)}  # fmt: skip
+
+    def design(self, number: int) -> ArrayDesign:
+        """The design of one case.
+
+        Raises:
+            DesignError: its values do not go together.
+        """
+        return self.base.with_values(self.case(number))
+
+    def part(self, first: int, stop: int) -> Cases:
+        """The cases from ``first`` to before ``stop``."""
+        return Cases(self.base, self.names, tuple(column[first:stop] for column in self.columns))
+
+
+def cases_of(study: Study) -> Cases:
+    """All cases of a study, in a fixed order: in a grid the last parameter changes fastest.
+
+    Raises:
+        Refusal: the constraints leave no case, or one cannot be computed.
+    """
+    if study.sampling == "grid":
+        grids = [[parameter.grid() for parameter in axis] for axis in study.axes]
+        indices = np.meshgrid(*(np.arange(len(axis[0])) for axis in grids), indexing="ij")
+        columns = [grid[index.ravel()] for axis, index in zip(grids, indices, strict=True) for grid in axis]
+    else:
+        places = _sampled(study)
+        columns = [parameter.at(place) for axis, place in zip(study.axes, places.T, strict=True) for parameter in axis]
+    cases = Cases(study.base, tuple(parameter.name for parameter in study.parameters), tuple(columns))
+    if not study.constraints:
+        return cases
+    kept = np.array([_meets(study, cases, number) for number in range(len(cases))])
+    if not kept.any():
+        raise Refusal(f"{study.name}: constraints leave none of {len(cases)} cases")
+    return Cases(cases.base, cases.names, tuple(column[kept] for column in columns), int((~kept).sum()))
+
+
+def _sampled(study: Study) -> NDArray[np.float64]:
+    """(cases, n_axis) places from 0 to below 1."""
+    size = len(study.axes)
+    generator = np.random.default_rng(np.random.SeedSequence(study.seed))
+    if study.sampling == "random":
+        return generator.random((study.cases, size))
+    from scipy.stats import qmc
+
+    if study.sampling == "latin-hypercube":
+        return np.asarray(qmc.LatinHypercube(size, rng=generator).random(study.cases))
+    with warnings.catch_warnings():
+        # Any number of cases may be asked for: a dry run says what is balanced, see `sobol_note`.
+        warnings.filterwarnings("ignore", "The balance properties of Sobol", UserWarning)
+        return np.asarray(qmc.Sobol(size, scramble=True, rng=generator).random(study.cases))
+
+
+def sobol_note(study: Study) -> str:
+    """What to tell of a Sobol sample whose number of cases is no power of two; empty where there is nothing to tell."""
+    lower = 1 << (study.cases.bit_length() - 1) if study.cases else 0
+    if study.sampling != "sobol" or study.cases == lower:
+        return ""
+    return f"a Sobol sample of {study.cases} cases is not balanced; one of {lower} or {2 * lower} is"
+
+
+def _meets(study: Study, cases: Cases, number: int) -> bool:
+    """Whether a case meets all constraints; derived values are those of its design where it is valid."""
+    values: Mapping[str, Any] = cases.case(number)
+    try:
+        design = study.base.with_values(values)
+    except DesignError:
+        design = study.base  # the case fails by name later, unless its own values break a constraint
+    return all(
+        constraint.holds({name: values[name] if name in values else _read(design, name) for name in constraint.names})
+        for constraint in study.constraints
+    )
+
+
+def _read(design: ArrayDesign, name: str) -> Any:
+    """As :func:`geometry.design.design_file.value_of`, without its checks: the names were checked with the study."""
+    place: Any = design
+    try:
+        for step in name.split("."):
+            if isinstance(place, tuple):
+                place = place[int(step)]
+            else:
+                place = place[step] if isinstance(place, dict) else getattr(place, step)
+    except (AttributeError, LookupError):
+        return value_of(design, name)
+    return place

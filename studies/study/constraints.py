@@ -1,0 +1,156 @@
+"""Conditions between the fields of a design, as a study states them: read by hand, never run as code."""
+
+from __future__ import annotations
+
+import ast
+import math
+import operator
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from geometry import ArrayDesign, DesignError
+from geometry.design.design_file import value_of
+from geometry.refusal import Refusal
+
+#: A dotted name; a step after ``materials.`` may hold dashes, an index of a list is a number.
+_NAME = re.compile(r"""(?<![\w.'"])(?:materials\.[\w-]+(?:\.\w+)+|[A-Za-z]\w*(?:\.\w+)*)\b(?!\s*\()""")
+_TEXT = re.compile(r"""'[^']*'|"[^"]*\"""")
+_WORDS = {"and", "or", "not", "in", "True", "False", "None"}
+_LONGEST = 500
+
+_OPERATIONS: dict[type[ast.AST], Callable[[Any, Any], Any]] = {
+    ast.Add: operator.add,
+    ast.Sub: operator.sub,
+    ast.Mult: operator.mul,
+    ast.Div: operator.truediv,
+    ast.Lt: operator.lt,
+    ast.LtE: operator.le,
+    ast.Gt: operator.gt,
+    ast.GtE: operator.ge,
+    ast.Eq: operator.eq,
+    ast.NotEq: operator.ne,
+}
+_FUNCTIONS: dict[str, Callable[..., Any]] = {"min": min, "max": max, "abs": abs, "sqrt": math.sqrt}
+
+
+@dataclass(frozen=True)
+class Constraint:
+    """One condition on a design."""
+
+    text: str
+    """As the study states it, for example ``tube.length > 20 * tube.inner_diameter``."""
+    names: tuple[str, ...]
+    """Dotted names that it reads: fields and derived values of a design."""
+    tree: ast.expr
+    """The expression, with ``_0``, ``_1``, ... in place of the names."""
+
+    def holds(self, values: Mapping[str, Any]) -> bool:
+        """Whether the condition holds for these values of its names.
+
+        Raises:
+            Refusal: it cannot be computed from these values, such as a division by zero.
+        """
+        try:
+            return bool(_value(self.tree, [values[name] for name in self.names]))
+        except (TypeError, ArithmeticError, ValueError) as error:
+            raise Refusal(f"constraint {self.text!r} cannot be computed: {error}") from None
+
+
+def parse_constraint(text: str, base: ArrayDesign) -> Constraint:
+    """Read a condition: + - * /, comparisons, and, or, not, min, max, abs, sqrt, numbers, texts in quotes.
+
+    Args:
+        text: the condition.
+        base: a design that knows all names of it.
+
+    Raises:
+        Refusal: it cannot be read, is no condition, or holds a name that the design does not know.
+    """
+    if len(text) > _LONGEST:
+        raise Refusal(f"constraint of {len(text)} characters must have at most {_LONGEST}")
+    names: list[str] = []
+
+    def placed(match: re.Match[str]) -> str:
+        name = match[0]
+        if name in _WORDS:
+            return name
+        if name not in names:
+            names.append(name)
+        return f"_{names.index(name)}"
+
+    pieces, end = [], 0
+    for quoted in _TEXT.finditer(text):  # nothing is a name inside quotes
+        pieces += [_NAME.sub(placed, text[end : quoted.start()]), quoted[0]]
+        end = quoted.end()
+    pieces.append(_NAME.sub(placed, text[end:]))
+    try:
+        tree = ast.parse("".join(pieces).strip(), mode="eval").body
+        _check(tree, len(names))
+    except (SyntaxError, ValueError, RecursionError) as error:
+        why = (
+            error.args[0] if isinstance(error, ValueError) and not isinstance(error, SyntaxError) else "cannot be read"
+        )
+        raise Refusal(
+            f"constraint {text!r} {why}; it must be a condition such as 'tube.length > 20 * tube.inner_diameter'"
+        ) from None
+    if not isinstance(tree, (ast.Compare, ast.BoolOp, ast.UnaryOp)):
+        raise Refusal(f"constraint {text!r} must compare values, with <, <=, >, >=, == or !=")
+    for name in names:
+        try:
+            value = value_of(base, name)
+        except DesignError as error:
+            raise Refusal(f"constraint {text!r}: {error}") from None
+        if not isinstance(value, (int, float, str)) and value is not None:
+            raise Refusal(f"constraint {text!r}: {name} must be a number or a text, not a table or a list")
+    return Constraint(text, tuple(names), tree)
+
+
+def _check(node: ast.AST, count: int) -> None:
+    """Refuse what :func:`_value` does not know."""
+    match node:
+        case ast.BoolOp(values=parts):
+            pass
+        case ast.UnaryOp(op=ast.Not() | ast.USub() | ast.UAdd(), operand=part):
+            parts = [part]
+        case ast.BinOp(left=left, op=op, right=right) if type(op) in _OPERATIONS:
+            parts = [left, right]
+        case ast.Compare(left=left, ops=ops, comparators=others) if all(type(op) in _OPERATIONS for op in ops):
+            parts = [left, *others]
+        case ast.Call(func=ast.Name(id=name), args=parts, keywords=[]) if name in _FUNCTIONS and parts:
+            pass
+        case ast.Name(id=name) if re.fullmatch(r"_\d+", name) and int(name[1:]) < count:
+            parts = []
+        case ast.Constant(value=float() | int() | str()):
+            parts = []
+        case _:
+            raise Refusal("holds what is not allowed")
+    for part in parts:
+        _check(part, count)
+
+
+def _value(node: ast.AST, values: list[Any]) -> Any:
+    match node:
+        case ast.BoolOp(op=ast.And(), values=parts):
+            return all(_value(part, values) for part in parts)
+        case ast.BoolOp(values=parts):
+            return any(_value(part, values) for part in parts)
+        case ast.UnaryOp(op=ast.Not(), operand=part):
+            return not _value(part, values)
+        case ast.UnaryOp(op=ast.USub(), operand=part):
+            return -_value(part, values)
+        case ast.UnaryOp(operand=part):
+            return +_value(part, values)
+        case ast.BinOp(left=left, op=op, right=right):
+            return _OPERATIONS[type(op)](_value(left, values), _value(right, values))
+        case ast.Compare(left=left, ops=ops, comparators=others):
+            sides = [_value(part, values) for part in (left, *others)]
+            return all(_OPERATIONS[type(op)](a, b) for op, a, b in zip(ops, sides, sides[1:], strict=False))
+        case ast.Call(func=ast.Name(id=name), args=parts):
+            return _FUNCTIONS[name](*(_value(part, values) for part in parts))
+        case ast.Name(id=name):
+            return values[int(name[1:])]
+        case ast.Constant(value=value):
+            return value
+    raise AssertionError(f"unchecked: {ast.dump(node)}")

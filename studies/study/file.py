@@ -1,0 +1,261 @@
+"""Study files, read. Every refusal is a :class:`studies.study.study.StudyError` of one line."""
+
+from __future__ import annotations
+
+import os
+import tomllib
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
+
+from geometry import ArrayDesign, DesignError, load_design
+from geometry.design.design_file import prototype, prototype_names, value_of
+from geometry.files.reading import read_text
+from geometry.refusal import Refusal
+from geometry.stated.fields import check_value, error_from_validation, field_named
+from studies.study.constraints import parse_constraint
+from studies.study.study import Fidelity, Parameter, Sampling, Study, StudyError
+
+#: Most cases of one study; a store of more should be several.
+LARGEST = 10_000_000
+
+
+class FileSection(BaseModel):
+    """Base of every section of a study file: immutable; unknown keys and non-finite numbers are refused."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
+
+
+class _Range(FileSection):
+    first: Annotated[float, Field(strict=True, alias="from", description="where the range begins")]
+    last: Annotated[float, Field(strict=True, alias="to", description="where the range ends")]
+    count: Annotated[int, Field(strict=True, ge=2, le=100_000)] | None = Field(
+        default=None, description="values in a grid"
+    )
+    scale: Literal["linear", "log"] = Field(default="linear", description="equal steps or equal ratios")
+
+
+class _StudyFile(FileSection):
+    name: str = Field(
+        default="study",
+        min_length=1,
+        max_length=80,
+        pattern=r"^[A-Za-z0-9][A-Za-z0-9._-]*$",
+        description="of the study",
+    )
+    description: str = Field(default="", description="what it asks, for people")
+    base: str = Field(description="a prototype, or a design file beside the study")
+    sampling: Sampling = Field(default="grid", description="every combination, or samples")
+    cases: Annotated[int, Field(strict=True, ge=1, le=LARGEST)] | None = Field(
+        default=None, description="number of samples"
+    )
+    seed: Annotated[int, Field(strict=True, ge=0, le=2**53)] = Field(default=0, description="of the samples")
+    constraints: tuple[str, ...] = Field(default=(), description="conditions that a case must meet")
+    fidelity: Fidelity = Field(default="navier-stokes", description="what the cells are computed with")
+    frequencies: str = Field(default="1:100:64", description="FIRST:LAST:COUNT, Hz")
+    metrics: tuple[str, ...] = Field(min_length=1, description="figures of merit")
+    transfer_functions: Annotated[bool, Field(strict=True)] = Field(default=False, description="whether they are kept")
+    parameters: dict[str, Any] = Field(default_factory=dict, description="what varies, each on its own")
+    together: tuple[dict[str, Any], ...] = Field(default=(), description="groups of parameters that vary together")
+
+
+def load_study(path: str | os.PathLike[str]) -> Study:
+    """Read a study file; ``base`` is looked for in its folder.
+
+    Raises:
+        StudyError: no such file, not TOML, or not a valid study.
+        DesignError: the base design is not valid.
+    """
+    path = Path(path)
+    return read_study(read_text(path, "a study file", StudyError), str(path), path.parent)
+
+
+def read_study(
+    text: str, source: str = "study.toml", folder: Path | None = None, base: ArrayDesign | None = None
+) -> Study:
+    """Read a study from the text of a file.
+
+    Args:
+        text: TOML.
+        source: name of the file, for messages.
+        folder: where design files are looked for; by default the current one.
+        base: the base design, in place of the one the text names.
+
+    Raises:
+        StudyError: not TOML, or not a valid study.
+        DesignError: the base design is not valid.
+    """
+    try:
+        data = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise StudyError(f"{source}: is not TOML: {error}") from None
+    try:
+        file = _StudyFile.model_validate(data)
+    except ValidationError as error:
+        raise _refusal(error, _StudyFile, data, source) from None
+    try:
+        design = base or _base(file.base, folder or Path())
+        frequency = _frequencies(file.frequencies)
+        axes = _axes(file, design, source)
+        constraints = tuple(parse_constraint(each, design) for each in file.constraints)
+        return Study(
+            text=text,
+            name=file.name,
+            description=file.description,
+            base=design,
+            axes=axes,
+            sampling=file.sampling,
+            cases=_cases(file, axes),
+            seed=file.seed,
+            constraints=constraints,
+            fidelity=file.fidelity,
+            frequency=frequency,
+            metrics=_metrics(file.metrics, frequency),
+            transfer_functions=file.transfer_functions,
+        )
+    except DesignError:
+        raise
+    except ValueError as error:
+        raise StudyError(_named(source, error)) from None
+
+
+def _named(source: str, error: ValueError) -> str:
+    message = str(error)
+    return message if message.startswith(f"{source}: ") else f"{source}: {message}"
+
+
+def _refusal(error: ValidationError, model: type[BaseModel], data: Mapping[str, Any], source: str) -> StudyError:
+    return StudyError(str(error_from_validation(error, model, data, source, "study")))
+
+
+def _base(name: str, folder: Path) -> ArrayDesign:
+    if name in prototype_names():
+        return prototype(name)
+    path = folder / name
+    if not path.is_file():
+        raise Refusal(
+            f"base = {name!r} is neither a file in {folder} nor a prototype; known: {', '.join(prototype_names())}"
+        )
+    return load_design(path)
+
+
+def _metrics(names: tuple[str, ...], frequency: NDArray[np.float64]) -> tuple[str, ...]:
+    from studies.study.metric_registry import metrics_named
+
+    for metric in metrics_named(names):
+        metric.check_grid(frequency)
+    return tuple(dict.fromkeys(names))
+
+
+def _frequencies(text: str) -> NDArray[np.float64]:
+    from acoustic_fem.quantities.checks import frequency_grid, stated_grid
+
+    try:
+        grid = stated_grid(text)
+    except ValueError as error:
+        raise Refusal(f"frequencies = {error}") from None
+    try:
+        return frequency_grid(grid)
+    except ValueError as error:
+        raise Refusal(f"frequencies = {text!r}: {error}") from None
+
+
+# -- what varies ------------------------------------------------------------------------------------
+def _axes(file: _StudyFile, base: ArrayDesign, source: str) -> tuple[tuple[Parameter, ...], ...]:
+    groups = [{name: value} for name, value in _flat(file.parameters).items()] + [_flat(each) for each in file.together]
+    if not any(groups):
+        raise Refusal('parameters is missing: a study varies at least one field, such as "tube.length" = [10, 20]')
+    axes = []
+    for group in groups:
+        axis = tuple(_parameter(name, given, file.sampling == "grid", base, source) for name, given in group.items())
+        sizes = {parameter.name: parameter.size for parameter in axis}
+        if len(set(sizes.values())) > 1:
+            counts = ", ".join(f"{name} has {size}" for name, size in sizes.items())
+            raise Refusal(f"together: parameters that go together must have equally many values; {counts}")
+        axes.append(axis)
+    names = [parameter.name for axis in axes for parameter in axis]
+    for name in names:
+        if names.count(name) > 1:
+            raise Refusal(f"{name} must be given once, under [parameters] or in one group of [[together]]")
+    return tuple(axis for axis in axes if axis)
+
+
+def _flat(table: Mapping[str, Any], prefix: str = "") -> dict[str, Any]:
+    """Dotted names, whether they are in quotes or not: without quotes TOML makes tables of them."""
+    flat: dict[str, Any] = {}
+    for key, value in table.items():
+        if isinstance(value, dict) and not {"from", "to"} & set(value) and value:
+            flat |= _flat(value, f"{prefix}{key}.")
+        else:
+            flat[prefix + key] = value
+    return flat
+
+
+def _parameter(name: str, given: Any, in_grid: bool, base: ArrayDesign, source: str) -> Parameter:
+    try:
+        now = value_of(base, name)
+    except DesignError as error:
+        raise Refusal(f"parameters: {error}") from None
+    field = field_named(ArrayDesign, name)
+    kind = "a number" if field is None else field.kind
+    if kind in ("a table", "a list") or isinstance(now, (BaseModel, tuple, dict)):
+        raise Refusal(f"parameters.{name} is {kind}; give the fields in it, such as {name}.length")
+    if isinstance(given, list) and given:
+        for value in given:
+            _check_design(base, name, value, source)
+        return Parameter(name, values=tuple(given), whole=kind == "a whole number")
+    if not isinstance(given, dict) or not {"from", "to"} <= set(given):
+        raise Refusal(
+            f"parameters.{name} = {given!r} must be a list of values, or a range {{from = ..., to = ..., count = ...}}"
+        )
+    try:
+        limits = _Range.model_validate(given)
+    except ValidationError as error:
+        raise _refusal(error, _Range, given, f"{source}: parameters.{name}") from None
+    whole = kind == "a whole number"
+    if kind == "a text":
+        raise Refusal(f"parameters.{name} is a text: give a list of values, not a range")
+    for end, value in (("from", limits.first), ("to", limits.last)):
+        if whole and value != round(value):
+            raise Refusal(f"parameters.{name}.{end} = {value:g} must be a whole number")
+        _check_design(base, name, round(value) if whole else value, source)
+    if limits.first >= limits.last:
+        raise Refusal(f"parameters.{name}.from = {limits.first:g} must be below to = {limits.last:g}")
+    if limits.scale == "log" and limits.first <= 0:
+        raise Refusal(f"parameters.{name}.from = {limits.first:g} must be above 0 for scale = 'log'")
+    if whole and limits.scale == "log":
+        raise Refusal(f"parameters.{name}.scale = 'log' must be 'linear' for whole numbers")
+    count = limits.count or (round(limits.last - limits.first) + 1 if whole else 0)
+    if in_grid and not count:
+        raise Refusal(f"parameters.{name}.count is missing: a grid needs the number of values")
+    if whole:
+        count = min(count, round(limits.last - limits.first) + 1)
+    return Parameter(name, (), limits.first, limits.last, count if in_grid else 0, limits.scale, whole)
+
+
+def _check_design(base: ArrayDesign, name: str, value: Any, source: str) -> None:
+    """Refuse a value that its field never allows, and a name that cannot be changed."""
+    try:
+        check_value(ArrayDesign, name, value, source)
+        base.with_values({name: value})
+    except DesignError as error:
+        if "is not a field" in str(error) or "is not given" in str(error) or str(error).startswith(f"{source}: "):
+            raise StudyError(_named(source, error)) from None
+        # a rule between fields: other parameters may mend it, else the case fails by name
+
+
+def _cases(file: _StudyFile, axes: tuple[tuple[Parameter, ...], ...]) -> int:
+    if file.sampling == "grid":
+        if file.cases is not None:
+            raise Refusal(f"cases = {file.cases} must not be given for sampling = 'grid', which has every combination")
+        count = int(np.prod([float(len(axis[0].grid())) for axis in axes]))
+        if count > LARGEST:
+            raise Refusal(f"sampling = 'grid' has {count} cases; it must have at most {LARGEST}")
+        return 0
+    if file.cases is None:
+        raise Refusal(f"cases is missing: sampling = {file.sampling!r} needs the number of samples")
+    return file.cases

@@ -1,0 +1,289 @@
+"""The figures of merit of a design by name: unit, definition, and how they are computed for many designs at once.
+
+A study names them (``metrics = ["distance_smallest", "predicted_top1"]``); docs/metrics.md explains each.
+"""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from functools import lru_cache, partial
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from geometry.refusal import Refusal
+from studies.metrics import build, touch
+from studies.metrics.pairs import BAND, check_band
+from studies.metrics.responses import Responses
+from studies.metrics.separation import PairDistances, pair_distances
+
+if TYPE_CHECKING:
+    from acoustic_fem import Library
+    from geometry import ArrayDesign
+    from studies.metrics.confusion import PredictedConfusion
+
+Values = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Metric:
+    """One figure of merit."""
+
+    name: str
+    """As a study names it."""
+    unit: str
+    """"1" for ratios."""
+    long_name: str
+    """A few words for axes and tables."""
+    definition: str
+    """One or two sentences."""
+    compute: Callable[[Responses], Values]
+    """(n_design,) float64 from the responses of a batch."""
+    needs: frozenset[str] = frozenset()
+    """Fields of :class:`studies.metrics.Responses` beside frequency and transfer function that must not be None."""
+    better: str = "larger"
+    """"larger" or "smaller": which values a designer wants."""
+    band: tuple[float, float] | None = None
+    """Lowest and highest frequency of its definition, Hz, which the grid must cover."""
+
+    def check_grid(self, frequency: Values) -> None:
+        """Refuse a grid that does not cover the band: the value would not be what its definition says.
+
+        Args:
+            frequency: (n_freq,) ascending, Hz.
+
+        Raises:
+            Refusal: it does not, or its steps are wider than half the band.
+        """
+        if self.band is None:
+            return
+        try:
+            check_band(frequency, self.band)
+        except ValueError as error:
+            raise Refusal(f"metric {self.name} needs {error}") from None
+
+    def of_batch(self, responses: Responses) -> Values:
+        """(n_design,) float64, one value per design.
+
+        Raises:
+            Refusal: something the metric needs is missing, or the grid does not reach over its band.
+        """
+        missing = sorted(name for name in self.needs if getattr(responses, name) is None)
+        if missing:
+            raise Refusal(f"metric {self.name} needs {', '.join(missing)}")
+        self.check_grid(responses.frequency)
+        return np.asarray(self.compute(responses), np.float64)
+
+    def of_library(self, library: Library) -> float:
+        """The value of one design.
+
+        Raises:
+            Refusal: as :meth:`of_batch`.
+        """
+        return float(self.of_batch(Responses.of_library(library))[0])
+
+
+def metrics_named(names: Iterable[str]) -> tuple[Metric, ...]:
+    """The metrics of these names, in their order.
+
+    Raises:
+        Refusal: a name that is none, with the nearest one that is.
+    """
+    found = []
+    for name in names:
+        if name not in METRICS:
+            near = difflib.get_close_matches(str(name), METRICS, 1)
+            hint = f"; did you mean {near[0]}?" if near else ""
+            raise Refusal(f"metrics: {name!r} must be one of: {', '.join(METRICS)}{hint}")
+        found.append(METRICS[name])
+    return tuple(found)
+
+
+@lru_cache(maxsize=2)
+def _distances(responses: Responses, band: tuple[float, float]) -> PairDistances:
+    """Of the batch that was asked for last: several metrics share them."""
+    return pair_distances(responses, band)
+
+
+def _of_distances(field: str, reduce: Callable[..., Values], band: tuple[float, float], responses: Responses) -> Values:
+    return reduce(getattr(_distances(responses, band), field), axis=1)
+
+
+_RATIO = "r_i = H_ia / H_ib; root mean square over 1 to 100 Hz and all pairs a, b of microphones"
+#: Where slow presses and pulse waves have their energy, Hz.
+LOW_BAND = (1.0, 20.0)
+
+
+def _separation() -> Iterable[Metric]:
+    for kind, field, unit, title, what in (
+        ("ild", "level", "dB", "level difference", "level difference 20 log10 |r_i / r_j|"),
+        ("ipd", "phase", "degree", "phase difference", "phase difference arg(r_i / r_j), the short way round"),
+        ("distance", "combined", "1", "distance", "distance |log(r_i / r_j)|, nepers and radians,"),
+    ):
+        for extent, reduce in (("smallest", np.min), ("mean", np.mean)):
+            yield Metric(
+                name=f"{kind}_{extent}",
+                unit=unit,
+                long_name=f"{extent} {title} of two points",
+                definition=f"The {extent} over all pairs of points i, j of the {what} of {_RATIO}.",
+                compute=partial(_of_distances, field, reduce, BAND),
+                band=BAND,
+            )
+    for extent, reduce in (("smallest", np.min), ("mean", np.mean)):
+        yield Metric(
+            name=f"distance_{extent}_low",
+            unit="1",
+            long_name=f"{extent} distance of two points below {LOW_BAND[1]:g} Hz",
+            definition=f"As distance_{extent}, over {LOW_BAND[0]:g} to {LOW_BAND[1]:g} Hz only.",
+            compute=partial(_of_distances, "combined", reduce, LOW_BAND),
+            band=LOW_BAND,
+        )
+
+
+@lru_cache(maxsize=2)
+def _confusion(responses: Responses, level: float | None) -> PredictedConfusion:
+    """Of the batch that was asked for last, at a white noise or that of the designs' microphones."""
+    from studies.metrics.confusion import predict_confusion
+
+    noise = _design_noise(responses) if level is None else level
+    return predict_confusion(responses.transfer_function, responses.frequency, noise)
+
+
+def _top1(level: float | None, responses: Responses) -> Values:
+    return _confusion(responses, level).top1
+
+
+def _hardest_pair(level: float | None, responses: Responses) -> Values:
+    return np.asarray(_confusion(responses, level).pairwise.max(axis=(1, 2)))
+
+
+def _design_noise(responses: Responses) -> Values:
+    """Mean squares per hertz of the microphones' noise, (n_design, 500), Pa^2."""
+    from localize.signals.noise import microphone_noise
+
+    assert responses.designs is not None
+    assert responses.medium is not None
+    known: dict[tuple[object, ...], Values] = {}
+    rows = []
+    for design, medium in zip(responses.designs, responses.medium, strict=True):
+        key = (design.microphone, medium)
+        if key not in known:
+            known[key] = microphone_noise(design.microphone, medium).power
+        rows.append(known[key])
+    return np.stack(rows)
+
+
+#: White noise that stands for a loud room and for what the transfer functions do not tell, Pa rms over 0 to 500 Hz.
+LOUD = 0.05
+
+
+def _predicted() -> Iterable[Metric]:
+    for suffix, level, where, needs in (
+        ("", None, "the noise of the design's microphone", frozenset({"designs", "medium"})),
+        ("_loud", LOUD, f"white noise of {LOUD:g} Pa rms over 0 to 500 Hz", frozenset[str]()),
+    ):
+        yield Metric(
+            name=f"predicted_top1{suffix}",
+            unit="1",
+            long_name=f"predicted top-1 accuracy{', loud' * bool(level)}",
+            definition=f"Share of simulated touches whose point a trained network is predicted to name, under {where} "
+            "(studies.metrics.confusion, 64 multi-sine touches per point).",
+            compute=partial(_top1, level),
+            needs=needs,
+            band=BAND,
+        )
+        yield Metric(
+            name=f"confused_pair{suffix}",
+            unit="1",
+            long_name=f"confusion of the hardest pair{', loud' * bool(level)}",
+            definition="How often, if only the two points of the hardest pair are touched, the other one of the two is "
+            f"the likelier, under {where}; 0.5 is chance.",
+            compute=partial(_hardest_pair, level),
+            needs=needs,
+            better="smaller",
+            band=BAND,
+        )
+
+
+#: Mis-made sensors of ``scattered_top1``, the same deviations for every design of a topology.
+SENSORS = 64
+
+
+def _scattered_top1(responses: Responses) -> Values:
+    from studies.scatter.effects import scattered_accuracy
+
+    return _of_designs(
+        lambda design: float(scattered_accuracy(design, responses.frequency, sensors=SENSORS).mean()), responses
+    )
+
+
+def _forgiving() -> Iterable[Metric]:
+    yield Metric(
+        "scattered_top1", "1", "predicted top-1 accuracy of mis-made sensors",
+        f"Mean over {SENSORS} sensors made with the scatter of studies.scatter.TOLERANCES of the predicted top-1 of "
+        "one localizer that was trained on the nominal design; the design's microphone noise, lumped fidelity. Two "
+        "seconds per design.",
+        _scattered_top1, frozenset({"designs"}), band=BAND,
+    )  # fmt: skip
+
+
+def _touches() -> Iterable[Metric]:
+    worst = "rms over 1 to 100 Hz at the loudest microphone, of the point where that is least"
+    yield Metric(
+        "sensitivity_force", "Pa/N", "sensitivity to force", f"Microphone pressure per force on the membrane: {worst}.",
+        lambda responses: touch.smallest_sensitivity(responses, touch.force_response),
+        touch.NEEDS, band=BAND,
+    )  # fmt: skip
+    yield Metric(
+        "sensitivity_displacement", "Pa/um", "sensitivity to displacement",
+        f"Microphone pressure per displacement of the touched patch: {worst}.",
+        lambda responses: 1e-6 * touch.smallest_sensitivity(responses, touch.displacement_response),
+        touch.NEEDS, band=BAND,
+    )  # fmt: skip
+    yield Metric(
+        "noise_equivalent_force", "N", "noise-equivalent force",
+        "Rms force of flat spectrum from 1 to 100 Hz that equals thermal and microphone noise, all microphones "
+        "combined best, at the point where it is largest.",
+        touch.noise_equivalent_force, touch.NOISE_NEEDS, "smaller", BAND,
+    )  # fmt: skip
+    yield Metric(
+        "bandwidth", "Hz", "bandwidth",
+        "Width of the range around its maximum where microphone pressure per force is within 3 dB of it, at the "
+        "point's loudest microphone and within the grid; the narrowest of all points.",
+        touch.bandwidth, touch.NEEDS,
+    )  # fmt: skip
+
+
+def _build() -> Iterable[Metric]:
+    for name, unit, long_name, definition, of_design, better in (
+        ("length", "mm", "length", "Longer side of the box around shells and housings.",
+         lambda design: build.size(design)[0], "smaller"),
+        ("width", "mm", "width", "Shorter side of that box.", lambda design: build.size(design)[1], "smaller"),
+        ("height", "mm", "height", "From the floor to the top of membrane or board.",
+         lambda design: build.size(design)[2], "smaller"),
+        ("volume", "mm^3", "volume of all parts", "Shells, housings, boards, membranes and tubes, without their air.",
+         build.volume, "smaller"),
+        ("mass", "g", "mass", "Of those parts and the microphones.", build.mass, "smaller"),
+        ("cost", "USD", "cost of materials", "That of the bill of materials for one array; molds are left out.",
+         build.cost, "smaller"),
+        ("smallest_wall", "mm", "thinnest printed wall", "Of walls, floors, lips and the cover of sockets.",
+         build.smallest_wall, "larger"),
+    ):  # fmt: skip
+        yield Metric(
+            name=name, unit=unit, long_name=long_name, definition=definition, needs=frozenset({"designs"}),
+            better=better, compute=partial(_of_designs, of_design),
+        )  # fmt: skip
+
+
+def _of_designs(of_design: Callable[[ArrayDesign], float], responses: Responses) -> Values:
+    assert responses.designs is not None
+    return np.array([of_design(design) for design in responses.designs])
+
+
+#: All metrics by name.
+METRICS: dict[str, Metric] = {
+    metric.name: metric for metric in (*_separation(), *_predicted(), *_forgiving(), *_touches(), *_build())
+}

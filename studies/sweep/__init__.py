@@ -1,0 +1,8 @@
+"""Many cases in parallel, resumable.
+
+Stands on: metrics, output, study.
+"""
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -1,0 +1,348 @@
+"""What a worker of a sweep computes: the metrics of consecutive cases, and single 3-D cells.
+
+Lumped cases of one topology are computed in one vectorised call; what a batch cannot hold, and every 3-D fidelity,
+case by case with the admittances of the cells given. A case that fails keeps its reason and stops no other; that of a
+mistake of the program says so.
+"""
+
+from __future__ import annotations
+
+import traceback
+import warnings
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from acoustic_fem import Medium
+from acoustic_fem.batch.network import batch_response
+from acoustic_fem.batch.parameters import ArrayParameters, MediumParameters, design_air
+from acoustic_fem.batch.topology import Topology
+from acoustic_fem.cell.design_cells import solve_cells
+from acoustic_fem.cell.lumped import lumped_admittance
+from acoustic_fem.cell.one_cell import CellError, CellFault
+from acoustic_fem.membrane.disc_table import DiscTable, design_shape, interpolated_discs
+from acoustic_fem.membrane.elasticity import DiscShape
+from acoustic_fem.network.array_network import solve_network
+from geometry import ArrayDesign, DesignError
+from geometry.air.cells import Cell, cell_catalogue
+from geometry.layout.place import lay_out
+from studies.metrics.responses import Responses
+from studies.study.cases import Cases
+from studies.study.metric_registry import Metric, metrics_named
+from studies.study.reasons import PROGRAM_ERROR
+from studies.sweep.store import DONE, FAILED, BlockResult
+
+#: A cell in its air.
+CellKey: TypeAlias = tuple[Cell, Medium]
+Complex: TypeAlias = NDArray[np.complex128]
+
+_LONGEST_REASON = 500
+#: What stops a case: its design is refused, or cannot be computed (libraries raise more than refusals).
+FAILURES = (ValueError, ArithmeticError, RuntimeError, OSError, MemoryError)
+#: What stops a case and is no property of its design.
+_MISTAKES = (TypeError, AttributeError, NameError, LookupError, AssertionError, CellFault)
+
+
+@dataclass(frozen=True, eq=False)
+class Job:
+    """What all blocks of a sweep have in common.
+
+    Attributes:
+        fidelity: what the cells are computed with.
+        frequency: (n_freq,) Hz.
+        metrics: their names.
+        transfer_functions: whether they are handed back.
+        discs: membranes to interpolate between.
+    """
+
+    fidelity: str
+    frequency: NDArray[np.float64]
+    metrics: tuple[str, ...]
+    transfer_functions: bool
+    discs: tuple[DiscTable, ...] = ()
+
+
+@dataclass(frozen=True, eq=False)
+class SolvedCell:
+    """A 3-D cell on the study's frequencies, or why there is none.
+
+    Attributes:
+        admittance: (n_freq, k + 1, k + 1) m^3/(Pa s); None where it could not be solved.
+        reason: why not.
+        seconds: processor time that its solution took, when it was made.
+        cached: whether it came from the cache.
+    """
+
+    admittance: Complex | None
+    reason: str = ""
+    seconds: float = 0.0
+    cached: bool = False
+
+
+def solve_cell(key: CellKey, frequency: NDArray[np.float64], fidelity: str) -> SolvedCell:
+    """Solve one cell, or take it from the cache of this machine."""
+    cell, medium = key
+    try:
+        solution = solve_cells([cell], frequency, medium, fidelity, apart=True)[cell]
+    except (*FAILURES, *_MISTAKES) as error:
+        return SolvedCell(None, _reason(error))
+    return SolvedCell(solution.admittance, "", solution.seconds, solution.cached)
+
+
+def cells_of(design: ArrayDesign) -> tuple[CellKey, ...]:
+    """The distinct cells of a design, in its air."""
+    air = design_air(design)
+    return tuple((cell, air) for cell in cell_catalogue(design, lay_out(design)).distinct)
+
+
+def discs_of(cases: Cases) -> list[DiscShape]:
+    """The membranes of all cases that can be interpolated, each once; none where no parameter changes them."""
+    if not any(name.startswith(("membrane.", "materials.", "resonator.cavity_diameter")) for name in cases.names):
+        return []
+    shapes: dict[DiscShape, None] = {}
+    for number in range(len(cases)):
+        try:
+            shape = design_shape(cases.design(number))
+        except DesignError:
+            continue
+        if shape is not None:
+            shapes[shape] = None
+    return list(shapes)
+
+
+@dataclass
+class _Block:
+    """Results of a block while it is being computed."""
+
+    count: int
+    values: dict[str, NDArray[np.float64]]
+    reason: list[str]
+    transfer_functions: dict[int, Complex] = field(default_factory=dict)
+
+    def fail(self, number: int, why: str) -> None:
+        """Keep the first reason for which a case fails."""
+        if not self.reason[number]:
+            self.reason[number] = why[:_LONGEST_REASON]
+
+
+def solve_block(
+    job: Job, cases: Cases, first: int, cells: Mapping[CellKey, SolvedCell]
+) -> tuple[BlockResult, tuple[str, ...]]:
+    """Metrics of some cases.
+
+    Args:
+        job: what to compute.
+        cases: the cases of the block.
+        first: number of the first of them in the study.
+        cells: the 3-D cells of their designs; empty at the lumped fidelity.
+
+    Returns:
+        The results, and the warnings that came up, each once.
+    """
+    metrics = metrics_named(job.metrics)
+    block = _Block(len(cases), {metric.name: np.full(len(cases), np.nan) for metric in metrics}, [""] * len(cases))
+    with warnings.catch_warnings(record=True) as caught, interpolated_discs(job.discs):
+        warnings.simplefilter("always")
+        designs: dict[int, ArrayDesign] = {}
+        for number in range(len(cases)):
+            try:
+                designs[number] = cases.design(number)
+            except DesignError as error:
+                block.fail(number, _reason(error))
+        for numbers, responses in _responses(job, designs, cells, block):
+            _measure(numbers, responses, metrics, block)
+            if job.transfer_functions:
+                block.transfer_functions |= dict(zip(numbers, responses.transfer_function, strict=True))
+    state = np.array([FAILED if why else DONE for why in block.reason], dtype=np.int8)
+    transfer = _padded(block) if block.transfer_functions else None
+    result = BlockResult(first, block.values, state, tuple(block.reason), transfer)
+    ours = (UserWarning, RuntimeWarning)
+    return result, tuple(dict.fromkeys(str(each.message) for each in caught if issubclass(each.category, ours)))
+
+
+def _padded(block: _Block) -> Complex:
+    """(n, n_point, n_microphone, n_freq), NaN where a case failed or has fewer points than others."""
+    known = block.transfer_functions
+    points = max(len(values) for values in known.values())
+    _, *rest = next(iter(known.values())).shape
+    padded = np.full((block.count, points, *rest), complex(np.nan, np.nan))
+    for number, values in known.items():
+        padded[number, : len(values)] = values
+    return padded
+
+
+# -- responses --------------------------------------------------------------------------------------
+def _responses(
+    job: Job, designs: Mapping[int, ArrayDesign], cells: Mapping[CellKey, SolvedCell], block: _Block
+) -> list[tuple[list[int], Responses]]:
+    """Responses of the designs in groups of equal topology, with the places of each group in the block."""
+    groups: dict[Topology, list[int]] = {}
+    alone: list[int] = []
+    for number, design in designs.items():
+        stretched = design.membrane.stretch != 1 and design.material(design.membrane.material).loss_factor > 0
+        if job.fidelity != "lumped" or stretched:
+            alone.append(number)
+        else:
+            groups.setdefault(Topology.of(design), []).append(number)
+    found: list[tuple[list[int], Responses]] = []
+    for topology, numbers in groups.items():
+        try:
+            found.append((numbers, _batch(job, topology, [designs[number] for number in numbers])))
+        except (ValueError, ArithmeticError):
+            alone += numbers  # one of them is at fault; which one shows case by case
+        except _MISTAKES as error:
+            for number in numbers:
+                block.fail(number, _reason(error))
+    single: dict[tuple[int, ...], list[tuple[int, Responses]]] = {}
+    for number in sorted(alone):
+        try:
+            one = _network(job, designs[number], cells)
+        except (*FAILURES, *_MISTAKES) as error:
+            block.fail(number, _reason(error))
+        else:
+            single.setdefault(one.transfer_function.shape, []).append((number, one))
+    found += [([number for number, _ in each], _joined([one for _, one in each])) for each in single.values()]
+    return found
+
+
+def _batch(job: Job, topology: Topology, designs: Sequence[ArrayDesign]) -> Responses:
+    """Many lumped designs in one call."""
+    states: dict[Any, Medium] = {}
+    for design in designs:
+        if design.air not in states:
+            states[design.air] = design_air(design)
+    media = [states[design.air] for design in designs]
+    medium = media[0] if len(states) == 1 else MediumParameters.from_media(media)
+    # of the same designs whatever the others of the block are: their own air, diaphragm and vent
+    parameters = [
+        ArrayParameters.from_designs([d for d in designs if d.air == air], state) for air, state in states.items()
+    ]
+    joined = parameters[0] if len(parameters) == 1 else _in_order(parameters, designs, list(states))
+    response = batch_response(joined, topology, job.frequency, medium)
+    return Responses(
+        frequency=job.frequency,
+        transfer_function=response.transfer_function,
+        designs=tuple(designs),
+        medium=tuple(media),
+        source_response=response.source_response,
+        point_impedance=response.point_impedance,
+        microphone_impedance=response.microphone_impedance,
+    )
+
+
+def _in_order(parts: list[ArrayParameters], designs: Sequence[ArrayDesign], states: list[Any]) -> ArrayParameters:
+    """Parameters of the designs of each air, put back in the order of the designs."""
+    group = np.array([states.index(design.air) for design in designs])
+    order = np.argsort(np.argsort(group, kind="stable"), kind="stable")
+    return ArrayParameters(
+        **{name: np.concatenate([getattr(part, name) for part in parts])[order] for name in vars(parts[0])}
+    )
+
+
+def _network(job: Job, design: ArrayDesign, cells: Mapping[CellKey, SolvedCell]) -> Responses:
+    """One design, its cells given or in closed form."""
+    air, layout = design_air(design), lay_out(design)
+    admittances: dict[Cell, Complex] = {}
+    for cell in cell_catalogue(design, layout).distinct:
+        if job.fidelity == "lumped":
+            admittances[cell] = lumped_admittance(cell, job.frequency, air)
+            continue
+        solved = cells[cell, air]
+        if solved.admittance is None:
+            raise CellError(solved.reason)
+        admittances[cell] = solved.admittance
+    response = solve_network(design, layout, admittances, job.frequency, air)
+    return Responses(
+        frequency=job.frequency,
+        transfer_function=(response.source_response / response.point_impedance[:, None])[None],
+        designs=(design,),
+        medium=(air,),
+        source_response=response.source_response[None],
+        point_impedance=response.point_impedance[None],
+        microphone_impedance=response.microphone_impedance[None],
+    )
+
+
+def _joined(parts: Sequence[Responses]) -> Responses:
+    """Several designs with equally many points in one batch."""
+
+    def all_of(name: str) -> Any:
+        return np.concatenate([getattr(part, name) for part in parts])
+
+    return Responses(
+        frequency=parts[0].frequency,
+        designs=tuple(design for part in parts for design in part.designs or ()),
+        medium=tuple(air for part in parts for air in part.medium or ()),
+        **{
+            name: all_of(name)
+            for name in ("transfer_function", "source_response", "point_impedance", "microphone_impedance")
+        },
+    )
+
+
+def _one(responses: Responses, number: int) -> Responses:
+    """One design of a batch."""
+    part = slice(number, number + 1)
+
+    def cut(values: Any) -> Any:
+        return None if values is None else values[part]
+
+    return replace(
+        responses,
+        **{
+            name: cut(getattr(responses, name))
+            for name in (
+                "transfer_function",
+                "designs",
+                "medium",
+                "source_response",
+                "point_impedance",
+                "microphone_impedance",
+            )
+        },
+    )
+
+
+# -- metrics ----------------------------------------------------------------------------------------
+def _measure(numbers: Sequence[int], responses: Responses, metrics: Sequence[Metric], block: _Block) -> None:
+    for metric in metrics:
+        values = block.values[metric.name]
+        try:
+            values[list(numbers)] = metric.of_batch(responses)
+        except FAILURES:  # one design is at fault, or all are: each has its own reason
+            for place_in_batch, number in enumerate(numbers):
+                try:
+                    values[number] = metric.of_batch(_one(responses, place_in_batch))[0]
+                except (*FAILURES, *_MISTAKES) as error:
+                    block.fail(number, _reason(error, f"metric {metric.name}: "))
+        except _MISTAKES as error:
+            for number in numbers:
+                block.fail(number, _reason(error, f"metric {metric.name}: "))
+        for number in numbers:
+            if np.isnan(values[number]):
+                block.fail(number, f"metric {metric.name}: is not a number")
+
+
+def check_metrics(job: Job, design: ArrayDesign) -> None:
+    """Refuse metrics that the study's frequencies cannot give, on a design in closed form.
+
+    Raises:
+        Refusal: what a metric says.
+    """
+    responses = _network(replace(job, fidelity="lumped"), design, {})
+    for metric in metrics_named(job.metrics):
+        metric.of_batch(responses)
+
+
+def _reason(error: BaseException, where: str = "") -> str:
+    """Why a case failed, in one line; of a mistake of the program with the place in it."""
+    message = " ".join(str(error).split())
+    if isinstance(error, _MISTAKES):
+        last = traceback.extract_tb(error.__traceback__)[-1]
+        return f"{PROGRAM_ERROR}{where}{type(error).__name__} in {Path(last.filename).name}:{last.lineno}: {message}"
+    named = isinstance(error, ValueError) and message
+    return where + (message if named else f"{type(error).__name__}: {message}")

@@ -1,0 +1,88 @@
+"""What the cases of a study cost, and how many processes of this machine that is worth: a run and its plan agree."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from time import process_time
+
+import numpy as np
+
+from acoustic_fem.cell.design_cells import is_cached
+from acoustic_fem.membrane.disc import design_disc
+from acoustic_fem.membrane.disc_table import disc_count
+from acoustic_fem.membrane.elasticity import DiscShape
+from studies.study.cases import Cases
+from studies.study.study import Study
+from studies.sweep.block import FAILURES, CellKey, Job, solve_block
+from studies.sweep.workers import cores
+
+#: Processor time of one cell that is not in the cache, s: array-2x6, the start of its process included.
+SECONDS_PER_CELL = {"helmholtz": 6.0, "navier-stokes": 15.0}
+#: Of one membrane.
+_SECONDS_PER_DISC = 0.22
+#: Time until workers of this machine compute: processes are started and modules loaded, and ended afterwards.
+START_UP = 10.0
+#: Workers must save so many times their start-up; what is expected is not known better.
+_WORTH = 2.0
+#: Cases that are timed, how often cheap ones are repeated to a batch of the usual size, and what is long enough, s.
+_TIMED, _REPEATED, _LONG = 4, 16, 0.5
+
+
+def team_size(seconds: float) -> int:
+    """Processes that compute what takes so many seconds of one: as many as there are cores where that pays, or one."""
+    count = cores()
+    return count if seconds * (1 - 1 / count) > _WORTH * START_UP else 1
+
+
+def elapsed(seconds: float, workers: int) -> float:
+    """Time in which processes of this machine do what takes one of them so many seconds."""
+    return seconds if workers == 1 else START_UP + seconds / workers
+
+
+def seconds_of(
+    study: Study, cases: Cases, numbers: Sequence[int], cells: Iterable[CellKey], discs: Sequence[DiscShape]
+) -> float:
+    """Processor time that some cases will take.
+
+    Args:
+        study: the study.
+        cases: all of its cases.
+        numbers: of those that are computed.
+        cells: the 3-D cells that they need.
+        discs: the membranes of all cases, which are solved together.
+    """
+    missing = sum(not is_cached(cell, study.frequency, air, study.fidelity) for cell, air in cells)
+    return (
+        _seconds_per_case(study, cases, numbers) * len(numbers)
+        + SECONDS_PER_CELL.get(study.fidelity, 0.0) * missing
+        + _SECONDS_PER_DISC * disc_count(discs)
+    )
+
+
+def _seconds_per_case(study: Study, cases: Cases, numbers: Sequence[int]) -> float:
+    """Processor time of one case without its 3-D cells and membranes; a 3-D network costs as much as a lumped one."""
+    chosen = []
+    for number in np.array(numbers, int)[np.unique(np.linspace(0, len(numbers) - 1, _TIMED + 1).astype(int))]:
+        try:
+            design_disc(cases.design(int(number)))  # the membrane: from now on known
+        except FAILURES:
+            continue  # the case fails by name when it is computed
+        chosen.append(int(number))
+    if not chosen:
+        return 0.0
+    _timed(study, cases, chosen[:1])  # all modules are loaded
+    for batch in (chosen[-1:], chosen, chosen * _REPEATED):
+        seconds = _timed(study, cases, batch)
+        if seconds * len(batch) > _LONG:
+            break
+    return seconds
+
+
+def _timed(study: Study, cases: Cases, chosen: Sequence[int]) -> float:
+    job = Job("lumped", study.frequency, study.metrics, False)
+    few = Cases(cases.base, cases.names, tuple(column[chosen] for column in cases.columns))
+    alone = study.fidelity != "lumped"
+    start = process_time()
+    for part in [few.part(k, k + 1) for k in range(len(few))] if alone else [few]:
+        solve_block(job, part, 0, {})
+    return (process_time() - start) / len(few)

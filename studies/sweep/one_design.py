@@ -1,0 +1,85 @@
+"""Figures of merit of a list of designs, where a search needs them now: the runner of sweeps without its store."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from studies.study.cases import Cases
+
+if TYPE_CHECKING:
+    from geometry import ArrayDesign
+    from studies.study.metric_registry import Metric
+    from studies.study.study import Study
+    from studies.sweep.workers import Workers
+
+
+def design_metrics(
+    values: Sequence[Mapping[str, Any]],
+    study: Study,
+    metrics: Sequence[Metric],
+    team: Workers,
+    parts: int = 1,
+) -> tuple[NDArray[np.float64], tuple[str, ...]]:
+    """Metrics of designs, with the base, the fidelity and the frequencies of a study.
+
+    Args:
+        values: of each design by dotted name, the same names in each; they need not be those of the study.
+        study: gives base, fidelity and frequencies.
+        metrics: what to compute.
+        team: who computes.
+        parts: in how many parts the designs are handed out.
+
+    Returns:
+        (n_design, n_metric) float64, NaN where it failed, and for each design why it failed, or nothing.
+
+    Raises:
+        RuntimeError: one failed by a mistake of the program.
+    """
+    from studies.study.reasons import PROGRAM_ERROR
+    from studies.sweep.block import Job, solve_block
+
+    names = [metric.name for metric in metrics]
+    job = Job(study.fidelity, study.frequency, tuple(names), False)
+    cases = _cases(values, study.base)
+    ends = np.linspace(0, len(values), min(max(parts, 1), len(values)) + 1).round().astype(int).tolist()
+    blocks = list(pairwise(ends))
+    cells = {} if study.fidelity == "lumped" else _cells(values, study, team)
+    table = np.full((len(values), len(names)), np.nan)
+    reasons = [""] * len(values)
+    tasks = ((job, cases.part(*block), block[0], cells) for block in blocks)
+    for number, (result, _) in team.run(solve_block, tasks):
+        part = slice(*blocks[number])
+        table[part] = np.column_stack([result.values[name] for name in names])
+        reasons[part] = result.reason
+    for reason in reasons:
+        if reason.startswith(PROGRAM_ERROR):
+            raise RuntimeError(reason)  # no property of a design: a search must not learn from it
+    return table, tuple(reasons)
+
+
+def _cases(values: Sequence[Mapping[str, Any]], base: ArrayDesign) -> Cases:
+    """Columns of objects, so that whole numbers stay whole. No name: the base itself, under its own name."""
+    rows = [dict(each) or {"name": base.name} for each in values]
+    columns = [np.array([row[name] for row in rows], dtype=object) for name in rows[0]]
+    return Cases(base, tuple(rows[0]), tuple(columns))
+
+
+def _cells(values: Sequence[Mapping[str, Any]], study: Study, team: Workers) -> dict[Any, Any]:
+    """Every distinct 3-D cell of valid designs, solved once."""
+    from geometry import DesignError
+    from studies.sweep.block import cells_of, solve_cell
+
+    keys: dict[Any, None] = {}
+    for each in values:
+        try:
+            keys |= dict.fromkeys(cells_of(study.base.with_values(each)))
+        except DesignError:
+            continue  # its block says why
+    tasks = ((key, study.frequency, study.fidelity) for key in keys)
+    order = list(keys)
+    return {order[number]: cell for number, cell in team.run(solve_cell, tasks)}

@@ -1,0 +1,88 @@
+"""What a study will cost, before it is run: cases, distinct cells, time and memory."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from acoustic_fem.cell.design_cells import is_cached
+from geometry import DesignError
+from studies.study.cases import cases_of, sobol_note
+from studies.study.reasons import by_kind
+from studies.study.study import Study, StudyError
+from studies.sweep.block import CellKey, Job, cells_of, check_metrics, discs_of
+from studies.sweep.cost import elapsed, seconds_of, team_size
+from studies.sweep.store import block_size, point_count
+
+#: Memory of a worker that has loaded everything, and of one that solves a 3-D cell, bytes.
+_WORKER_MEMORY = 0.25e9
+_CELL_MEMORY = 1.5e9
+#: Arrays of a block that exist at the same time, in transfer functions.
+_ARRAYS = 12
+
+
+@dataclass(frozen=True)
+class Plan:
+    """What a study will cost.
+
+    Attributes:
+        cases: of the study.
+        left_out: combinations or samples that broke a constraint.
+        refused: per kind of reason, each by its first, the number of cases whose design is not valid.
+        cells: distinct 3-D cells; 0 at the lumped fidelity.
+        cells_cached: of those, in the cache of this machine.
+        seconds: expected, with this number of workers of this machine, their start included.
+        workers: as given, or as many as pay.
+        memory: expected of all workers together, bytes.
+        storage: of the store before compression, bytes.
+        note: what to know of the sample; empty where there is nothing.
+    """
+
+    cases: int
+    left_out: int
+    refused: dict[str, int]
+    cells: int
+    cells_cached: int
+    seconds: float
+    workers: int
+    memory: float
+    storage: float
+    note: str
+
+
+def plan_sweep(study: Study, workers: int | None = None) -> Plan:
+    """Count the cases and cells of a study, and measure a few of its cases in closed form.
+
+    Raises:
+        StudyError: a metric does not suit the study.
+    """
+    cases = cases_of(study)
+    job = Job(study.fidelity, study.frequency, study.metrics, study.transfer_functions)
+    refused: list[tuple[int, str]] = []
+    cells: dict[CellKey, None] = {}
+    valid: list[int] = []
+    for number in range(len(cases)):
+        try:
+            design = cases.design(number)
+            if not valid:
+                check_metrics(job, design)
+            valid.append(number)
+            if study.fidelity != "lumped":
+                cells |= dict.fromkeys(cells_of(design))
+        except DesignError as error:
+            refused.append((number, str(error)))
+        except ValueError as error:
+            if not valid:
+                raise StudyError(f"{study.name}: {error}") from None
+            refused.append((number, str(error)))
+    cached = sum(is_cached(cell, study.frequency, air, study.fidelity) for cell, air in cells)
+    alone = seconds_of(study, cases, valid, cells, discs_of(cases))
+    team = workers or team_size(alone)
+    values = point_count(cases) * len(study.base.microphones) * len(study.frequency) * 16
+    memory = team * (_WORKER_MEMORY + block_size(study, cases) * values * _ARRAYS)
+    if len(cells) > cached:
+        memory += team * _CELL_MEMORY
+    stored = 8 * (len(study.metrics) + len(cases.names) + 1) + (values if study.transfer_functions else 0)
+    return Plan(
+        len(cases), cases.left_out, {why: len(numbers) for why, numbers in by_kind(refused).items()}, len(cells),
+        cached, elapsed(alone, team), team, memory, stored * len(cases), sobol_note(study),
+    )  # fmt: skip

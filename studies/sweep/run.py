@@ -1,0 +1,273 @@
+"""Run a study: blocks of cases over processes or machines, into a store that survives being killed.
+
+Blocks depend on the study alone, each is computed by one worker in one thread, and one process writes them as
+they come. What was killed and started again ends in the same store as what was not.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from datetime import UTC, datetime
+from pathlib import Path
+from time import perf_counter
+from typing import IO, Any
+
+import numpy as np
+
+from acoustic_fem.library.provenance import versions
+from acoustic_fem.membrane.disc_table import DiscTable, disc_tables
+from acoustic_fem.membrane.elasticity import DiscShape, ElasticDisc, solve_dimensionless
+from geometry import DesignError
+from geometry.refusal import Refusal
+from studies.study.cases import Cases, cases_of
+from studies.study.metric_registry import metrics_named
+from studies.study.reasons import PROGRAM_ERROR
+from studies.study.study import Study, StudyError
+from studies.sweep.block import CellKey, Job, SolvedCell, cells_of, check_metrics, discs_of, solve_cell
+from studies.sweep.cost import seconds_of, team_size
+from studies.sweep.retries import ENDED_WORKERS, solved_blocks
+from studies.sweep.store import DONE, FAILED, SweepStore, check_store, sole_writer
+from studies.sweep.workers import Workers, WorkersLost, open_workers
+
+#: Cases looked at for a valid one, on which the metrics are tried before any work.
+_LOOKED_AT = 1000
+
+
+class SweepError(Refusal):
+    """A sweep that did not compute all of its cases; what is done is kept."""
+
+
+@dataclass(frozen=True)
+class Progress:
+    """How far a sweep is.
+
+    Attributes:
+        what: what is being done.
+        done: cases (or cells) finished, failed ones included, those of earlier runs too.
+        total: of all.
+        failed: of those finished.
+        rate: cases (or cells) per second of this run; 0 before the first.
+        remaining: seconds left at that rate; NaN before the first.
+    """
+
+    what: str
+    done: int
+    total: int
+    failed: int
+    rate: float
+    remaining: float
+
+
+@dataclass(frozen=True)
+class Summary:
+    """What a sweep came to.
+
+    Attributes:
+        cases: of the study.
+        computed: cases computed by this run.
+        failures: numbers of the failed cases by kind of reason, each by its first, the most frequent first.
+        cells: distinct 3-D cells that were needed.
+        cells_solved: of those, not found in the cache.
+        cell_seconds: time that the solution of the latter took, summed.
+        seconds: this run.
+        notes: warnings that came up, each once.
+    """
+
+    cases: int
+    computed: int
+    failures: Mapping[str, list[int]]
+    cells: int
+    cells_solved: int
+    cell_seconds: float
+    seconds: float
+    notes: tuple[str, ...]
+
+    @property
+    def program_errors(self) -> list[int]:
+        """Numbers of the cases that failed by a mistake of the program."""
+        return [n for why, numbers in self.failures.items() if why.startswith(PROGRAM_ERROR) for n in numbers]
+
+
+def run_sweep(
+    study: Study,
+    out: str | Path,
+    *,
+    workers: int | None = None,
+    scheduler: str | None = None,
+    progress: Callable[[Progress], None] | None = None,
+) -> Summary:
+    """Compute a study, or what an earlier run left of it.
+
+    Args:
+        study: what to compute.
+        out: the store, a folder ``*.zarr``; that of an earlier run of the same study is continued.
+        workers: processes on this machine, one thread each; 1 computes in this process; by default one per core if
+            that saves more than their start, or 1.
+        scheduler: address of a dask scheduler whose workers are used instead, such as ``tcp://10.0.0.1:8786``.
+        progress: called as results come.
+
+    Raises:
+        StudyError: ``out`` holds something else or another study, or a metric does not suit the study.
+        SweepError: workers were lost; running again continues.
+    """
+    started = perf_counter()
+    out = Path(out)
+    cases = cases_of(study)
+    metrics = metrics_named(study.metrics)
+    job = Job(study.fidelity, study.frequency, study.metrics, study.transfer_functions)
+    _try_metrics(job, cases, study)
+    check_store(out)
+    with sole_writer(out) as log:  # from before the store is made: of two that begin at once, one does
+        store = SweepStore.claim(out, study, cases, metrics)
+        waiting = store.waiting()
+        notes: dict[str, None] = {}
+        if store.attributes["code_version"] != versions(None, ())["code_version"]:
+            notes[f"begun by version {store.attributes['code_version']} of acoustic-fem"] = None
+        before = int((store.state != 0).sum())
+        write_line(log, {"event": "start", **versions(study.seed, ()), "waiting_blocks": len(waiting)})
+        cells: dict[CellKey, SolvedCell] = {}
+        if waiting:
+            needed = _cells_of_blocks(study, cases, waiting)
+            keys = list(dict.fromkeys(key for block in needed.values() for key in block))
+            discs = discs_of(cases)
+            pool = open_workers(_team(study, cases, waiting, keys, discs, workers, scheduler), scheduler)
+            try:
+                with pool as team:
+                    job = replace(job, discs=_interpolate_discs(team, discs))
+                    cells = _solve_cells(team, job, keys, progress)
+                    _solve_blocks(team, job, cases, store, waiting, needed, cells, progress, notes, log)
+            except WorkersLost as error:
+                raise SweepError(f"{out}: {error}; what is done is kept, run again to continue") from None
+        state = store.state
+        summary = Summary(
+            cases=len(cases),
+            computed=int((state != 0).sum()) - before,
+            failures=store.failures(),
+            cells=len(cells),
+            cells_solved=sum(not cell.cached and cell.admittance is not None for cell in cells.values()),
+            cell_seconds=sum(cell.seconds for cell in cells.values() if not cell.cached),
+            seconds=perf_counter() - started,
+            notes=tuple(notes),
+        )
+        write_line(log, {"event": "end", "done": int((state == DONE).sum()), "failed": int((state == FAILED).sum()),
+                         "seconds": round(summary.seconds, 3)})  # fmt: skip
+    return summary
+
+
+def _team(
+    study: Study,
+    cases: Cases,
+    waiting: list[tuple[int, int]],
+    cells: Iterable[CellKey],
+    discs: Sequence[DiscShape],
+    workers: int | None,
+    scheduler: str | None,
+) -> int | None:
+    """Workers of this machine: as told, or as many as pay for what is left."""
+    if workers is not None or scheduler is not None:
+        return workers
+    return team_size(seconds_of(study, cases, [k for block in waiting for k in range(*block)], cells, discs))
+
+
+def _try_metrics(job: Job, cases: Cases, study: Study) -> None:
+    """Refuse what no case could be computed with, before any work."""
+    for number in range(min(len(cases), _LOOKED_AT)):
+        try:
+            design = cases.design(number)
+        except DesignError:
+            continue
+        try:
+            check_metrics(job, design)
+        except ValueError as error:
+            raise StudyError(f"{study.name}: {error}") from None
+        return
+
+
+def _interpolate_discs(team: Workers, discs: Sequence[DiscShape]) -> tuple[DiscTable, ...]:
+    """Tables of the membranes of all cases, waiting or not, so that every run has the same."""
+
+    def solve(shapes: Sequence[DiscShape]) -> list[ElasticDisc]:
+        solved = dict(team.run(solve_dimensionless, ((shape,) for shape in shapes)))
+        return [solved[number] for number in range(len(shapes))]
+
+    return disc_tables(discs, solve)
+
+
+def _cells_of_blocks(
+    study: Study, cases: Cases, blocks: list[tuple[int, int]]
+) -> dict[tuple[int, int], tuple[CellKey, ...]]:
+    """The 3-D cells that each block needs."""
+    if study.fidelity == "lumped":
+        return {}
+    needed = {}
+    for first, stop in blocks:
+        found: dict[CellKey, None] = {}
+        for number in range(first, stop):
+            try:
+                found |= dict.fromkeys(cells_of(cases.design(number)))
+            except (DesignError, ValueError):
+                continue  # the block says why
+        needed[first, stop] = tuple(found)
+    return needed
+
+
+def _solve_cells(
+    team: Workers,
+    job: Job,
+    keys: Sequence[CellKey],
+    progress: Callable[[Progress], None] | None,
+) -> dict[CellKey, SolvedCell]:
+    """Every distinct cell once."""
+    solved: dict[CellKey, SolvedCell] = {}
+    started, failed = perf_counter(), 0
+    tasks = ((key, job.frequency, job.fidelity) for key in keys)
+    for number, cell in team.run(solve_cell, tasks, lost=lambda *_: SolvedCell(None, ENDED_WORKERS)):
+        solved[keys[number]] = cell
+        failed += cell.admittance is None
+        if progress is not None:
+            progress(_progress("cells", len(solved), len(keys), failed, len(solved), perf_counter() - started))
+    return solved
+
+
+def _solve_blocks(
+    team: Workers,
+    job: Job,
+    cases: Cases,
+    store: SweepStore,
+    waiting: list[tuple[int, int]],
+    needed: Mapping[tuple[int, int], tuple[CellKey, ...]],
+    cells: Mapping[CellKey, SolvedCell],
+    progress: Callable[[Progress], None] | None,
+    notes: dict[str, None],
+    log: IO[str],
+) -> None:
+    state = store.state
+    done, failed, computed = int((state != 0).sum()), int((state == FAILED).sum()), 0
+    for first, stop in waiting:  # a block is written whole, also what an earlier run had of it
+        done -= int((state[first:stop] != 0).sum())
+        failed -= int((state[first:stop] == FAILED).sum())
+    started = perf_counter()
+
+    for result, warned in solved_blocks(team, job, cases, waiting, needed, cells):
+        store.write(result)
+        notes |= dict.fromkeys(warned)
+        count = len(result.state)
+        done, computed = done + count, computed + count
+        failed += int((result.state == FAILED).sum())
+        write_line(log, {"event": "block", "first": result.first, "cases": count})
+        if progress is not None:
+            progress(_progress("cases", done, len(cases), failed, computed, perf_counter() - started))
+
+
+def _progress(what: str, done: int, total: int, failed: int, computed: int, seconds: float) -> Progress:
+    rate = computed / max(seconds, 1e-9)
+    return Progress(what, done, total, failed, rate, (total - done) / rate if rate else np.nan)
+
+
+# -- log --------------------------------------------------------------------------------------------
+def write_line(log: IO[str], content: Mapping[str, Any]) -> None:
+    """One line of JSON with the time."""
+    log.write(json.dumps({"time": datetime.now(UTC).isoformat(timespec="milliseconds"), **content}) + "\n")
+    log.flush()

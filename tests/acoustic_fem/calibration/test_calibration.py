@@ -1,0 +1,245 @@
+"""From recordings to a library: estimates within their own uncertainty, files of every kind, bad ones by name."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+import scipy.io
+import scipy.signal
+import tomlkit
+from typer.testing import CliRunner
+
+import acoustic_fem
+import geometry
+import localize
+import localize.signals.touch_generator
+from acoustic_fem.calibration.fitted_model import UpdatedModel
+from acoustic_fem.calibration.manifest import read_manifest
+from acoustic_fem.calibration.measured_library import Calibration, calibrate
+from acoustic_fem.calibration.model_updating import update
+from acoustic_fem.library.result import MEASURED, Library
+from acoustic_fem.sound.estimate import shortest_record, transfer_estimate
+from acoustic_fem.sound.sound_file import read_sound, write_wav
+from geometry.design.design_file import write_design
+from studies.cli.app import app
+from studies.made_sensor.rig import HiddenScatter, Recorder, Rig
+
+GRID = np.linspace(1.0, 100.0, 34)
+DESIGN = geometry.prototype("array-2x6").with_values({"lines.0.points": 4, "layout.columns": 4})
+POINTS = (1, 2, 3, 4)
+SHORT = Recorder(seconds=40.0)
+
+
+@pytest.fixture(scope="module")
+def model() -> Library:
+    return acoustic_fem.solve(DESIGN, GRID, "lumped")
+
+
+def measured(path: Path, model: Library) -> Calibration:
+    return calibrate(read_manifest(path), model)
+
+
+# -- estimates ------------------------------------------------------------------------------------------------------
+@pytest.mark.parametrize("excitation", ["noise", "sweep"])
+def test_the_stated_band_holds_the_truth_as_often_as_it_says(excitation: str, model: Library, tmp_path: Path) -> None:
+    inside = []
+    for seed in range(4):
+        rig = Rig(DESIGN, seed)
+        path = rig.record(tmp_path / str(seed), POINTS, replace(Recorder(), excitation=excitation))
+        found = measured(path, model)
+        truth = rig.transfer_function(GRID)
+        assert set(found.estimates) == set(POINTS), found.findings
+        for number, estimate in found.estimates.items():
+            inside.append(np.abs(estimate.transfer_function - truth[number - 1]) < estimate.radius_95)
+    assert 0.90 <= np.mean(inside) <= 0.995
+
+
+def test_h1_is_right_with_noise_behind_and_h2_with_noise_in_front() -> None:
+    random = np.random.default_rng(0)
+    clean, noise = random.standard_normal((2, 200_000)) * np.array([[1.0], [0.5]])
+    band = np.linspace(2.0, 100.0, 50)
+    for estimator, reference, output, expected in (
+        ("H1", clean, 0.5 * clean + noise, 0.5),
+        ("H2", clean + noise, 0.5 * clean, 0.5),
+        ("H1", clean + noise, 0.5 * clean, 0.4),
+        ("Hv", clean + noise, 0.5 * clean, 0.5 / np.sqrt(1.25)),
+    ):
+        found = transfer_estimate(reference, output[None], 250.0, band, estimator)
+        assert abs(found.transfer_function.mean() - expected) < 0.01, estimator
+        assert np.mean(np.abs(found.transfer_function - expected) < found.radius_95) > 0.85, estimator
+
+
+def test_a_noiseless_gain_is_found_exactly_with_coherence_one() -> None:
+    signal = np.random.default_rng(1).standard_normal(40_000)
+    found = transfer_estimate(signal, np.stack([0.3 * signal, -2 * signal]), 1000.0, GRID)
+    assert np.allclose(found.transfer_function, np.array([[0.3], [-2.0]]), rtol=1e-12)
+    assert np.allclose(found.coherence, 1)
+    assert found.deviation.max() < 1e-12
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"estimator": "H3"}, "estimator = 'H3' must be one of: H1, H2, Hv"),
+        ({"frequency": np.array([0.5, 2.0])}, "must be between 1 and 400 Hz"),
+        ({"frequency": np.array([2.0, 500.0])}, "must be between 1 and 400 Hz"),
+        ({"reference": np.ones(9000), "outputs": np.ones((1, 9000))}, "it must have at least 16 (19 s)"),
+        ({"outputs": np.ones(40_000)}, "it must be (n_output, 40000)"),
+    ],
+)
+def test_an_estimate_that_cannot_be_made_is_refused(change: dict[str, object], message: str) -> None:
+    arguments: dict[str, Any] = {
+        "reference": np.ones(40_000),
+        "outputs": np.ones((1, 40_000)),
+        "rate": 1000.0,
+        "frequency": GRID,
+    }
+    with pytest.raises(ValueError) as refused:
+        transfer_estimate(**{**arguments, **change})
+    assert message in str(refused.value)
+    assert shortest_record() == 19.0
+
+
+# -- files ----------------------------------------------------------------------------------------------------------
+def test_files_of_every_kind_and_one_file_per_channel_say_the_same(model: Library, tmp_path: Path) -> None:
+    rig = Rig(DESIGN, 7)
+    path = rig.record(tmp_path, [2], replace(SHORT, separate=True, bits=32))
+    expected = measured(path, model).estimates[2]
+    names = ("reference", "A", "B")
+    sounds = [read_sound(tmp_path / f"point-2-{name}.wav").channels["1"] for name in names]
+    manifest = tomlkit.parse(path.read_text(encoding="utf-8"))
+    arrays = {**dict(zip(names, sounds, strict=True)), "sample_rate": np.float64(1000)}
+    np.savez(tmp_path / "two.npz", **arrays)
+    scipy.io.savemat(tmp_path / "two.mat", arrays)
+    table = np.column_stack([np.arange(len(sounds[0])) / 1000, *sounds])
+    np.savetxt(tmp_path / "two.csv", table, delimiter=",", header="time,reference,A,B", comments="", fmt="%.12g")
+    rows = np.stack([sounds[1], sounds[0], sounds[2]])
+    write_wav(tmp_path / "two.wav", rows, 1000, 32)
+    np.savez(tmp_path / "rows.npz", signals=rows, sample_rate=1000)
+    manifest["channels"] = {"A": 1, "reference": 2, "B": 3}
+    for name in ("two.npz", "two.mat", "two.csv", "two.wav", "rows.npz"):
+        manifest["points"] = {"2": name}
+        path.write_text(tomlkit.dumps(manifest), encoding="utf-8")
+        found = measured(path, model).estimates[2]
+        assert np.allclose(found.transfer_function, expected.transfer_function, rtol=1e-6), name
+
+
+def test_other_rates_and_a_known_delay_change_nothing(model: Library, tmp_path: Path) -> None:
+    rig = Rig(DESIGN, 3)
+    truth = rig.transfer_function(GRID)[0]
+    for rate, late in ((500, 0.0), (1000, 0.05), (4410, -0.02)):
+        path = rig.record(tmp_path / str(rate), [1], replace(SHORT, rate=rate, late=late))
+        found = measured(path, model).estimates[1]
+        assert np.median(np.abs(found.transfer_function / truth - 1)) < 0.01
+
+
+def test_an_unknown_delay_is_noted_with_its_size(model: Library, tmp_path: Path) -> None:
+    path = Rig(DESIGN, 3).record(tmp_path, [1], replace(SHORT, late=0.03))
+    manifest = tomlkit.parse(path.read_text(encoding="utf-8"))
+    del manifest["started_late"]
+    path.write_text(tomlkit.dumps(manifest), encoding="utf-8")
+    notes = [finding.text for finding in measured(path, model).findings]
+    assert any("lag by 30." in note or "lag by 29." in note for note in notes), notes
+
+
+# -- the library ----------------------------------------------------------------------------------------------------
+def test_a_measured_library_is_a_library_with_its_uncertainty(model: Library, tmp_path: Path) -> None:
+    rig = Rig(DESIGN, 5)
+    found = measured(rig.record(tmp_path, [1, 3], SHORT), model)
+    spread = np.full(model.transfer_function.shape, 0.25)
+    library = found.library(model, spread)
+    acoustic_fem.save(library, tmp_path / "made.nc")
+    again = acoustic_fem.load(tmp_path / "made.nc")
+    assert again.fidelity == MEASURED
+    assert again.transfer_function_deviation is not None
+    assert library.transfer_function_deviation is not None
+    assert np.array_equal(again.transfer_function.values, library.transfer_function.values)
+    assert np.array_equal(again.transfer_function_deviation.values, library.transfer_function_deviation.values)
+    assert np.array_equal(again.transfer_function.values[1], model.transfer_function.values[1])
+    assert (again.transfer_function_deviation.values[[1, 3]] == 0.25).all()
+    assert (again.transfer_function_deviation.values[[0, 2]] < 0.05).all()
+    assert again.provenance["calibration"]["measured_points"] == [1, 3]
+    with pytest.raises(ValueError, match="model_deviation must be given: point 2 has no recording"):
+        found.library(model)
+    ratio = again.source_response / again.point_impedance
+    assert np.allclose(ratio.transpose("point", "microphone", "frequency").values, again.transfer_function.values)
+
+
+def test_a_decoder_of_the_measured_library_knows_the_made_sensor(model: Library, tmp_path: Path) -> None:
+    rig = Rig(DESIGN, 2, HiddenScatter(modulus=0.7))
+    library = measured(rig.record(tmp_path, POINTS, SHORT), model).library(model)
+    touched = replace(localize.signals.response_of(model), transfer_function=rig.transfer_function(GRID))
+    found = [
+        localize.evaluate(localize.BayesDecoder(known, 1e-3), touched, 20, 1e-3).top1 for known in (model, library)
+    ]
+    assert found[1] > 0.95
+    assert found[1] >= found[0]
+
+
+def test_a_library_from_some_points_is_the_fitted_sensor_at_all_of_them(tmp_path: Path) -> None:
+    """Measured values among fitted ones would draw the touches of other points to them."""
+    design = geometry.prototype("array-2x6")
+    nominal = acoustic_fem.solve(design, GRID, "lumped")
+    rig = Rig(design, 7402)
+    found = measured(rig.record(tmp_path, [2, 6, 11], Recorder(seconds=30.0)), nominal)
+    fit = update(UpdatedModel(nominal), found.estimates)
+    library = found.library(nominal, fit=fit)
+    assert np.array_equal(library.transfer_function.values, fit.transfer_function)
+    response = localize.signals.response_of(nominal)
+    touched = replace(response, transfer_function=rig.transfer_function(GRID))
+    before, after = (
+        localize.evaluate(localize.BayesDecoder(known, 1e-3), touched, 10, 1e-3).top1 for known in (nominal, library)
+    )
+    assert before < 0.8
+    assert after > 0.98
+
+
+def test_the_verb_writes_library_and_figure_and_names_what_it_left_out(tmp_path: Path) -> None:
+    Rig(DESIGN, 6).record(tmp_path, [1, 2], SHORT)
+    (tmp_path / "point-2.wav").write_bytes((tmp_path / "point-2.wav").read_bytes()[:5000])
+    out = tmp_path / "made.nc"
+    result = CliRunner().invoke(app, ["calibrate", str(tmp_path), "--out", str(out), "--frequencies", "1:100:16"])
+    assert result.exit_code == 0, result.output
+    assert "left out" in result.output
+    assert "cut short" in result.output
+    assert "1 of 4 points measured, 3 fitted" in result.output
+    assert re.search(r"to expect: \d+\.\d % of touches named right, \d+\.\d % in the worst of 20", result.output)
+    assert (tmp_path / "made.png").stat().st_size > 10_000
+    assert acoustic_fem.load(out).fidelity == MEASURED
+
+
+@pytest.mark.parametrize(
+    ("earlier", "out", "message"),
+    [
+        ("made.nc", "made.nc", "made.nc: exists, and a measured library is never overwritten; name another file"),
+        ("made.png", "made.nc", "made.png: exists, and the figure of one is never overwritten; name another file"),
+        ("other.nc", "made.txt", "made.txt: --out must be a library, .nc; its figure goes beside it as .png"),
+        ("other.nc", "made.png", "made.png: --out must be a library, .nc; its figure goes beside it as .png"),
+    ],
+)
+def test_the_verb_overwrites_nothing_and_says_so_before_any_work(
+    tmp_path: Path, earlier: str, out: str, message: str
+) -> None:
+    (tmp_path / earlier).write_bytes(b"of an earlier calibration")
+    refused = CliRunner().invoke(app, ["calibrate", str(tmp_path / "no-recordings"), "--out", str(tmp_path / out)])
+    assert isinstance(refused.exception, ValueError)
+    assert message in str(refused.exception)
+    assert [path.name for path in tmp_path.iterdir()] == [earlier]
+    assert (tmp_path / earlier).read_bytes() == b"of an earlier calibration"
+
+
+def test_a_sensor_that_no_fit_takes_is_calibrated_from_recordings_of_all_points(tmp_path: Path) -> None:
+    """The batch refuses stretched membranes with loss; measured at every point, nothing has to be computed for it."""
+    Rig(DESIGN, 8).record(tmp_path, POINTS, SHORT)
+    shaped = DESIGN.with_values({"membrane.stretch": 1.2})
+    (tmp_path / "design.toml").write_text(write_design(shaped), encoding="utf-8")
+    out = tmp_path / "made.nc"
+    result = CliRunner().invoke(app, ["calibrate", str(tmp_path), "--out", str(out), "--frequencies", "1:100:8"])
+    assert result.exit_code == 0, result.output
+    assert "4 of 4 points measured\n" in result.output
+    assert acoustic_fem.load(out).design == shaped

@@ -1,0 +1,170 @@
+"""Libraries in formats of other programs: round trips to the last digit, files that others accept, bad ones by name."""
+
+from __future__ import annotations
+
+import csv
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+import sofar
+from typer.testing import CliRunner
+
+import acoustic_fem
+import geometry
+from acoustic_fem.library.exchange import export, load_exchanged
+from acoustic_fem.library.file import LibraryError
+from acoustic_fem.library.result import DEVIATION, MEASURED, VARIABLES, Library, library_from_arrays
+from geometry.layout.place import lay_out
+from studies.cli.app import app
+
+GRID = np.linspace(1.0, 100.0, 7)
+
+
+def library_of(name: str, **changes: object) -> Library:
+    return acoustic_fem.solve(geometry.prototype(name).with_values(changes), GRID, "lumped")
+
+
+@pytest.fixture(scope="module")
+def library() -> Library:
+    return library_of("array-2x6", **{"lines.0.points": 3, "layout.columns": 3})
+
+
+def with_deviation(library: Library) -> Library:
+    values = {name: getattr(library, name).values for name in VARIABLES}
+    deviation = np.random.default_rng(0).uniform(0, 0.1, values["transfer_function"].shape)
+    return library_from_arrays(
+        library.design, lay_out(library.design), library.frequency, values, "measured", library.medium,
+        library.provenance, deviation,
+    )  # fmt: skip
+
+
+def assert_same(found: Library, expected: Library, without: tuple[str, ...] = ()) -> None:
+    for name in (*VARIABLES, "transfer_function_deviation"):
+        one, other = getattr(found, name), getattr(expected, name)
+        if name in without:
+            assert one is None
+        elif other is None:
+            assert one is None, name
+        else:
+            dimensions = {**VARIABLES, "transfer_function_deviation": DEVIATION}[name][0]
+            assert np.array_equal(one.transpose(*dimensions).values, other.transpose(*dimensions).values), name
+    assert np.array_equal(found.frequency, expected.frequency)
+    assert found.design == expected.design
+    assert (found.medium, found.fidelity) == (expected.medium, expected.fidelity)
+    assert dict(found.provenance) == dict(expected.provenance)
+
+
+@pytest.mark.parametrize("suffix", [".sofa", ".npz", ".csv", ".nc"])
+@pytest.mark.parametrize("measured", [False, True], ids=["computed", "measured"])
+def test_what_is_read_back_is_what_was_written(suffix: str, measured: bool, library: Library, tmp_path: Path) -> None:
+    expected = with_deviation(library) if measured else library
+    path = tmp_path / f"library{suffix}"
+    export(expected, path)
+    assert_same(load_exchanged(path), expected, ("microphone_impedance",) if suffix == ".csv" else ())
+
+
+@pytest.mark.parametrize("suffix", [".sofa", ".npz", ".csv"])
+def test_one_point_one_frequency_and_three_microphones_come_back_too(suffix: str, tmp_path: Path) -> None:
+    single = acoustic_fem.solve(
+        geometry.prototype("array-2x6").with_values({"lines.0.points": 1, "layout.columns": 1}), [50.0], "lumped"
+    )
+    for number, expected in enumerate((single, library_of("fingertip-3x4"))):
+        path = tmp_path / f"{number}{suffix}"
+        export(expected, path)
+        assert_same(load_exchanged(path), expected, ("microphone_impedance",) if suffix == ".csv" else ())
+
+
+def test_sofar_verifies_the_file_and_finds_points_as_emitters_and_microphones_as_receivers(
+    library: Library, tmp_path: Path
+) -> None:
+    path = tmp_path / "library.sofa"
+    export(with_deviation(library), path)
+    sofa = sofar.read_sofa(str(path), verify=True, verbose=False)
+    assert sofa.verify(issue_handling="return", mode="read") is None
+    assert sofa.GLOBAL_SOFAConventions == "GeneralTF-E"
+    assert sofa.Data_Real.shape == (1, 2, 7, 3)
+    h = sofa.Data_Real[0, 1, 4, 2] + 1j * sofa.Data_Imag[0, 1, 4, 2]
+    assert h == library.transfer_function.values[2, 1, 4]
+    assert np.array_equal(sofa.N, GRID)
+    step = np.diff(sofa.EmitterPosition.reshape(3, 3), axis=0)
+    assert np.allclose(np.linalg.norm(step, axis=1), np.linalg.norm(step[0]))
+    assert 0.01 < np.linalg.norm(step[0]) < 0.05
+
+
+def test_the_rows_of_a_table_are_readable_by_others(library: Library, tmp_path: Path) -> None:
+    path = tmp_path / "library.csv"
+    export(library, path)
+    lines = [line for line in path.read_text(encoding="utf-8").splitlines() if not line.startswith("#")]
+    rows = list(csv.DictReader(lines))
+    assert len(rows) == 3 * 2 * 7
+    (row,) = [r for r in rows if (r["point"], r["microphone"], float(r["frequency"])) == ("3", "B", GRID[4])]
+    assert float(row["transfer_function_real"]) == library.transfer_function.values[2, 1, 4].real
+
+
+def test_the_verb_converts_there_and_back(library: Library, tmp_path: Path) -> None:
+    acoustic_fem.save(library, tmp_path / "library.nc")
+    for source, target in (("library.nc", "library.sofa"), ("library.sofa", "again.nc")):
+        result = CliRunner().invoke(app, ["convert", str(tmp_path / source), "--out", str(tmp_path / target)])
+        assert result.exit_code == 0, result.output
+        assert "3 points, 2 microphones, 7 frequencies" in result.output
+    assert_same(acoustic_fem.load(tmp_path / "again.nc"), library)
+
+
+@pytest.mark.parametrize("suffix", [".nc", ".sofa", ".npz", ".csv"])
+def test_a_measured_library_is_not_replaced_but_a_computed_one_is(
+    library: Library, tmp_path: Path, suffix: str
+) -> None:
+    source, target = tmp_path / "source.npz", tmp_path / f"target{suffix}"
+    export(library, source)
+    verbs = [["convert", str(source)]]
+    if suffix == ".nc":
+        verbs.append(["solve", "array-2x6", "--fidelity", "lumped", "--frequencies", "1:100:4"])
+    for verb in verbs:
+        export(replace(library, fidelity=MEASURED), target)
+        before = target.read_bytes()
+        refused = CliRunner().invoke(app, [*verb, "--out", str(target)])
+        assert str(refused.exception).startswith(f"{target}: exists, and a measured library is never overwritten;")
+        assert target.read_bytes() == before
+        target.unlink()
+        export(library, target)
+        result = CliRunner().invoke(app, [*verb, "--out", str(target)])
+        assert result.exit_code == 0, result.output
+
+
+def test_files_that_are_no_library_are_refused_in_one_line(library: Library, tmp_path: Path) -> None:
+    foreign = sofar.Sofa("GeneralTF-E")
+    sofar.write_sofa(str(tmp_path / "foreign.sofa"), foreign)
+    sofar.write_sofa(str(tmp_path / "hrtf.sofa"), sofar.Sofa("SimpleFreeFieldHRIR"))
+    np.savez(tmp_path / "foreign.npz", a=np.ones(3))
+    (tmp_path / "foreign.csv").write_text("a,b\n1,2\n")
+    for suffix in (".sofa", ".npz", ".csv"):
+        whole = tmp_path / f"whole{suffix}"
+        export(library, whole)
+        content = whole.read_bytes()
+        (tmp_path / f"short{suffix}").write_bytes(content[: len(content) * 2 // 3])
+        (tmp_path / f"empty{suffix}").write_bytes(b"")
+    text = (tmp_path / "whole.csv").read_text(encoding="utf-8")
+    (tmp_path / "altered.csv").write_text(text.replace("layout.columns", "layout.column"), encoding="utf-8")
+    (tmp_path / "number.csv").write_text(text + text.splitlines()[-1].rsplit(",", 1)[0] + ",x\n", encoding="utf-8")
+    for name, message in (
+        ("foreign.sofa", "was not written by this program: it has no fidelity"),
+        ("hrtf.sofa", "another convention than GeneralTF-E"),
+        ("foreign.npz", "was not written by this program: it has no frequency"),
+        ("foreign.csv", "its columns are a, b; they must be point, microphone, frequency"),
+        ("short.sofa", "is no SOFA file or is cut short"),
+        ("short.npz", "is no NPZ file or is cut short"),
+        ("short.csv", ""),
+        ("empty.sofa", "is no SOFA file or is cut short"),
+        ("empty.npz", "is no NPZ file or is cut short"),
+        ("empty.csv", "its columns are none"),
+        ("number.csv", ""),
+        ("none.sofa", "no such file"),
+        ("a.wav", "its name must end with .nc, .sofa, .npz or .csv"),
+    ):
+        with pytest.raises(LibraryError) as refused:
+            load_exchanged(tmp_path / name)
+        assert str(refused.value).startswith(f"{tmp_path / name}: "), name
+        assert message in str(refused.value), name
+        assert "\n" not in str(refused.value), name

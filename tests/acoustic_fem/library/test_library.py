@@ -1,0 +1,338 @@
+"""The labelled library: solve, labels, file round trip, bad input."""
+
+import dataclasses
+import json
+import subprocess
+import sys
+
+import netCDF4
+import numpy as np
+import pytest
+import xarray as xr
+
+import acoustic_fem
+from acoustic_fem.membrane.disc import design_disc
+from geometry.design.design_file import prototype, write_design
+
+DESIGN = prototype("glove")
+BAND = np.linspace(1, 100, 5)
+RESULTS = ("transfer_function", "source_response", "point_impedance", "microphone_impedance")
+
+
+@pytest.fixture(scope="module")
+def library():
+    return acoustic_fem.solve(DESIGN, BAND, fidelity="lumped")
+
+
+def test_results_are_labelled_by_point_microphone_and_frequency(library):
+    points = DESIGN.point_count
+    assert library.transfer_function.dims == ("point", "microphone", "frequency")
+    assert library.transfer_function.shape == (points, 3, 5)
+    assert library.point_impedance.dims == ("point", "frequency")
+    assert library.transfer_function.dtype == np.complex128
+    assert library.transfer_function.point.values.tolist() == list(range(1, points + 1))
+    assert library.transfer_function.microphone.values.tolist() == list(DESIGN.microphones)
+    np.testing.assert_array_equal(library.frequency, BAND)
+    expected = [line for line, wiring in enumerate(DESIGN.lines) for _ in range(wiring.points)]
+    assert library.transfer_function.line.values.tolist() == expected
+    units = [getattr(library, name).attrs["units"] for name in RESULTS]
+    assert units == ["Pa/Pa", "Pa s/m^3", "Pa s/m^3", "Pa s/m^3"]
+
+
+def test_transfer_function_is_source_response_over_point_impedance(library):
+    ratio = library.source_response / library.point_impedance
+    np.testing.assert_allclose(ratio.transpose(*library.transfer_function.dims), library.transfer_function, rtol=1e-14)
+
+
+def test_provenance_and_air_are_carried(library):
+    assert library.fidelity == "lumped"
+    assert library.design == DESIGN
+    assert library.medium == acoustic_fem.Medium.at(20, 0.5)
+    assert {"code_version", "libraries", "created", "seed", "frequency_sha256", "cells"} <= library.provenance.keys()
+    assert {entry["method"] for entry in library.provenance["cells"]} == {"closed form"}
+
+
+def test_the_air_may_be_given(library):
+    cold = acoustic_fem.solve(DESIGN, BAND, "lumped", medium=acoustic_fem.Medium.at(0, 0))
+    assert cold.medium.viscosity < library.medium.viscosity
+    assert np.abs(cold.transfer_function - library.transfer_function).max() > 1e-3
+
+
+def test_progress_runs_from_start_to_one():
+    seen = []
+    acoustic_fem.solve(DESIGN, BAND, "lumped", progress=lambda message, fraction: seen.append((message, fraction)))
+    fractions = [fraction for _, fraction in seen]
+    assert fractions == sorted(fractions)
+    assert fractions[-1] == 1
+
+
+def test_a_saved_library_comes_back_number_for_number(library, tmp_path):
+    path = tmp_path / "library.nc"
+    acoustic_fem.save(library, path)
+    again = acoustic_fem.load(path)
+    for name in RESULTS:
+        xr.testing.assert_identical(getattr(again, name), getattr(library, name))
+    assert again.design == library.design
+    assert again.medium == library.medium
+    assert again.fidelity == library.fidelity
+    assert again.provenance == library.provenance
+    assert [file.name for file in tmp_path.iterdir()] == ["library.nc"]
+
+
+def test_the_microphone_impedance_is_symmetric_and_passive(library):
+    impedance = library.microphone_impedance
+    assert impedance.dims == ("microphone", "microphone_2", "frequency")
+    matrices = impedance.transpose("frequency", ...).values
+    np.testing.assert_allclose(matrices, matrices.swapaxes(1, 2), rtol=1e-9)
+    assert np.all(np.linalg.eigvalsh(matrices.real) > 0)
+
+
+def test_a_file_without_microphone_impedance_loads_and_saves_without_it(library, tmp_path):
+    old = dataclasses.replace(library, microphone_impedance=None)
+    acoustic_fem.save(old, tmp_path / "old.nc")
+    again = acoustic_fem.load(tmp_path / "old.nc")
+    assert again.microphone_impedance is None
+    xr.testing.assert_identical(again.source_response, library.source_response)
+
+
+def test_plain_netcdf_tools_read_the_file(library, tmp_path):
+    acoustic_fem.save(library, tmp_path / "library.nc")
+    with netCDF4.Dataset(tmp_path / "library.nc") as file:
+        assert file.Conventions.startswith("CF-")
+        real = file["transfer_function_real"]
+        assert real.dimensions == ("point", "microphone", "frequency")
+        assert real.units == "Pa/Pa"
+        assert file["frequency"].units == "Hz"
+        values = real[:] + 1j * file["transfer_function_imag"][:]
+    np.testing.assert_array_equal(values, library.transfer_function.values)
+
+
+def test_the_response_per_newton_is_that_of_the_membrane_and_is_in_the_file(library, tmp_path):
+    """At low frequency j w times the static volume per force; also for tools that know nothing of the design."""
+    disc = design_disc(DESIGN)
+    loss = DESIGN.material(DESIGN.membrane.material).loss_factor
+    per_newton = 2j * np.pi * BAND * disc.volume_per_force / (1 + 1j * loss)
+    response = library.force_response
+    assert (response.name, response.attrs["units"]) == ("force_response", "Pa/N")
+    assert response.dims == ("point", "microphone", "frequency")
+    np.testing.assert_allclose(response.values[..., :1], (library.source_response * per_newton)[..., :1], rtol=1e-4)
+    np.testing.assert_allclose(response.values, library.source_response * per_newton, rtol=0.1)
+    acoustic_fem.save(library, tmp_path / "library.nc")
+    with netCDF4.Dataset(tmp_path / "library.nc") as file:
+        assert file["force_response_imag"].units == "Pa/N"
+        assert file["force_response_imag"].long_name.endswith("of the membrane's radius, imag part")
+        values = file["force_response_real"][:] + 1j * file["force_response_imag"][:]
+    np.testing.assert_array_equal(values, response.values)
+    xr.testing.assert_identical(acoustic_fem.load(tmp_path / "library.nc").force_response, response)
+
+
+def test_a_write_that_fails_leaves_the_old_file(library, tmp_path, monkeypatch):
+    path = tmp_path / "library.nc"
+    acoustic_fem.save(library, path)
+    before = path.read_bytes()
+
+    def full_disk(self, name, **options):
+        with open(name, "wb") as file:
+            file.write(b"half")
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(xr.Dataset, "to_netcdf", full_disk)
+    with pytest.raises(acoustic_fem.LibraryError, match=r"library\.nc: cannot be written: No space left on device"):
+        acoustic_fem.save(library, path)
+    assert path.read_bytes() == before
+    assert [file.name for file in tmp_path.iterdir()] == ["library.nc"]
+
+
+def test_a_missing_cut_or_foreign_file_is_refused_in_one_line(library, tmp_path):
+    good = tmp_path / "good.nc"
+    acoustic_fem.save(library, good)
+    (tmp_path / "cut.nc").write_bytes(good.read_bytes()[: good.stat().st_size // 2])
+    (tmp_path / "text.nc").write_text("point,microphone\n1,A\n")
+    xr.Dataset({"a": ("x", [1.0])}).to_netcdf(tmp_path / "foreign.nc", engine="netcdf4")
+    with xr.open_dataset(good, engine="netcdf4") as opened:
+        opened.load().drop_vars("source_response_imag").to_netcdf(tmp_path / "partial.nc", engine="netcdf4")
+    for name, reason in {
+        "none.nc": "no such file",
+        "": "is a folder, not a library",
+        "cut.nc": "is no netCDF file or is cut short",
+        "text.nc": "is no netCDF file or is cut short",
+        "foreign.nc": "is a netCDF file but no library",
+        "partial.nc": "source_response_imag is missing",
+    }.items():
+        with pytest.raises(acoustic_fem.LibraryError) as error:
+            acoustic_fem.load(tmp_path / name)
+        assert reason in str(error.value)
+        assert str(tmp_path / name) in str(error.value)
+        assert "\n" not in str(error.value)
+
+
+def without(attribute, key):
+    def change(data):
+        values = json.loads(data.attrs[attribute])
+        del values[key]
+        return data.assign_attrs({attribute: json.dumps(values)})
+
+    return change
+
+
+def with_entry(attribute, key, value):
+    def change(data):
+        return data.assign_attrs({attribute: json.dumps({**json.loads(data.attrs[attribute]), key: value})})
+
+    return change
+
+
+def with_attribute(name, value):
+    return lambda data: data.assign_attrs({name: value})
+
+
+def with_value(variable, index, value):
+    def change(data):
+        values = data[variable].values.copy()
+        values[index] = value
+        return data.assign({variable: data[variable].copy(data=values)})
+
+    return change
+
+
+def with_coordinate(name, index, value):
+    def change(data):
+        values = data[name].values.copy()
+        values[index] = value
+        return data.assign_coords({name: (data[name].dims, values)})
+
+    return change
+
+
+def with_design(design):
+    return with_attribute("design_toml", write_design(design))
+
+
+ALTERED = {
+    "medium-without-a-value": (without("medium", "gamma"), "attribute medium: gamma is missing"),
+    "medium-with-another": (with_entry("medium", "colour", 1.0), "attribute medium: 'colour' is unknown; known: den"),
+    "medium-with-text": (with_entry("medium", "density", "1.2"), "attribute medium: density = '1.2' must be a number"),
+    "medium-below-zero": (with_entry("medium", "density", -1.2), "attribute medium: density = -1.2 kg/m^3 must be"),
+    "medium-not-finite": (with_entry("medium", "gamma", float("nan")), "attribute medium: gamma = nan must be between"),
+    "medium-cut": (with_attribute("medium", '{"density": 1.2'), "attribute medium is not JSON: Expecting"),
+    "medium-a-list": (with_attribute("medium", "[1.2]"), "attribute medium must be a JSON object"),
+    "medium-a-number": (with_attribute("medium", 1.2), "attribute medium must be a text"),
+    "provenance-cut": (with_attribute("provenance", "{"), "attribute provenance is not JSON: Expecting"),
+    "fidelity-unknown": (with_attribute("fidelity", "exact"), "attribute fidelity = 'exact' must be one of: lumped"),
+    "design-cut": (with_attribute("design_toml", "name = "), "attribute design_toml: is not TOML: Invalid value"),
+    "design-not-valid": (
+        with_attribute("design_toml", write_design(DESIGN).replace("thickness = 0.5", "thickness = -1.0")),
+        "attribute design_toml: membrane.thickness = -1 mm must be between 0.05 and 10 mm",
+    ),
+    "no-fidelity": (lambda data: data.drop_attrs().assign_attrs(title=data.title, layout_version=1), "fidelity is mis"),
+    "no-line": (lambda data: data.drop_vars("line"), "is no complete library, line is missing"),
+    "no-frequency": (lambda data: data.drop_vars("frequency"), "is no complete library, frequency is missing"),
+    "cut-to-five-points": (lambda data: data.isel(point=slice(5)), "variable point has 5 values, its design has 15"),
+    "points-reversed": (lambda data: data.isel(point=slice(None, None, -1)), "variable point[0] = 15 must be 1 as in"),
+    "another-line": (with_coordinate("line", 3, 2), "variable line[3] = 2 must be 0 as in its design"),
+    "another-place": (with_coordinate("place", 3, 4), "variable place[3] = 4 must be 3 as in its design"),
+    "microphone-renamed": (with_coordinate("microphone", 1, "X"), "variable microphone[1] = 'X' must be 'B' as in"),
+    "microphone-left-out": (lambda data: data.isel(microphone=[0, 1]), "variable microphone has 2 values, its design"),
+    "design-of-another-array": (with_design(prototype("array-2x6")), "variable point has 15 values, its design has 12"),
+    "frequency-descending": (lambda data: data.isel(frequency=[1, 0]), "frequency must ascend: 1 Hz follows 25.75 Hz"),
+    "frequency-not-finite": (with_coordinate("frequency", 2, np.nan), "frequency = nan Hz must be between 0.001"),
+    "frequency-text": (
+        lambda data: data.assign_coords(frequency=[f"{f} Hz" for f in data.frequency.values]),
+        "variable frequency holds",
+    ),
+    "dimension-renamed": (
+        lambda data: data.assign(point_impedance_imag=data.point_impedance_imag.rename(frequency="f").drop_vars("f")),
+        "variable point_impedance_imag has the dimensions (point, f), must be (point, frequency)",
+    ),
+    "dimension-lost": (
+        lambda data: data.assign(source_response_real=data.source_response_real.isel(microphone=0, drop=True)),
+        "variable source_response_real has the dimensions (point, frequency), must be (point, microphone, frequency)",
+    ),
+    "not-a-number": (
+        with_value("source_response_real", (6, 1, 2), np.nan),
+        "variable source_response_real = nan at point 7, microphone B, frequency 50.5; it must be finite",
+    ),
+    "infinite": (
+        with_value("transfer_function_imag", (0, 2, 0), np.inf),
+        "variable transfer_function_imag = inf at point 1, microphone C, frequency 1.0; it must be finite",
+    ),
+    "whole-numbers": (
+        lambda data: data.assign(point_impedance_real=data.point_impedance_real.astype("int64").drop_attrs()),
+        "variable point_impedance_real holds int64, not floating-point numbers",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", ALTERED)
+def test_an_altered_library_is_refused_by_the_name_of_what_was_altered(library, tmp_path, name):
+    change, reason = ALTERED[name]
+    acoustic_fem.save(library, tmp_path / "good.nc")
+    with xr.open_dataset(tmp_path / "good.nc", engine="netcdf4", mask_and_scale=False) as opened:
+        altered = change(opened.load())
+    path = tmp_path / "altered.nc"
+    altered.to_netcdf(path, engine="netcdf4")
+    with pytest.raises(acoustic_fem.LibraryError) as error:
+        acoustic_fem.load(path)
+    assert str(error.value).startswith(f"{path}: ")
+    assert reason in str(error.value)
+    assert "\n" not in str(error.value)
+
+
+def test_a_library_with_its_axes_in_another_order_is_the_same(library, tmp_path):
+    acoustic_fem.save(library, tmp_path / "library.nc")
+    with xr.open_dataset(tmp_path / "library.nc", engine="netcdf4", mask_and_scale=False) as opened:
+        opened.load().transpose("frequency", "microphone_2", "microphone", "point").to_netcdf(
+            tmp_path / "t.nc", engine="netcdf4"
+        )
+    again = acoustic_fem.load(tmp_path / "t.nc")
+    for name in RESULTS:
+        xr.testing.assert_identical(getattr(again, name), getattr(library, name))
+
+
+@pytest.mark.parametrize(
+    ("frequency", "message"),
+    [
+        ([], "frequency has shape (0,)"),
+        (10.0, "frequency has shape ()"),
+        ([[1.0, 2.0]], "frequency has shape (1, 2)"),
+        ([1.0, np.nan], "frequency = nan Hz must be between 0.001 and 2000 Hz"),
+        ([0.0, 1.0], "frequency = 0 Hz must be between"),
+        ([1.0, 3000.0], "frequency = 3000 Hz must be between"),
+        ([2.0, 1.0], "frequency must ascend: 1 Hz follows 2 Hz"),
+        ([1.0, 1.0], "frequency must ascend: 1 Hz follows 1 Hz"),
+    ],
+)
+def test_a_bad_frequency_grid_is_refused(frequency, message):
+    with pytest.raises(ValueError) as error:
+        acoustic_fem.solve(DESIGN, frequency, "lumped")
+    assert message in str(error.value)
+
+
+@pytest.mark.parametrize("fidelity", ["exact", ""])
+def test_an_unknown_fidelity_is_refused_with_the_known_ones(fidelity):
+    with pytest.raises(ValueError) as error:
+        acoustic_fem.solve(DESIGN, BAND, fidelity)
+    assert str(error.value) == f"fidelity = {fidelity!r} must be one of: lumped, helmholtz, navier-stokes"
+
+
+def test_a_library_cannot_be_changed_by_accident(library):
+    with pytest.raises(dataclasses.FrozenInstanceError):
+        library.fidelity = "navier-stokes"
+
+
+def test_closed_forms_are_at_hand_after_import_and_load_nothing_heavy():
+    code = """
+import sys
+import acoustic_fem
+air = acoustic_fem.Medium.at()
+assert acoustic_fem.duct.port_admittance(2e-4, 0.01, [1.0, 10.0], air).shape == (2, 2, 2)
+assert acoustic_fem.cavity.closed_cylinder_compliance(3e-3, 3e-3, [1.0], air).shape == (1,)
+heavy = {"OCP", "cadquery", "gmsh", "vtk", "vtkmodules", "torch", "skfem", "xarray", "pydantic"} & set(sys.modules)
+assert not heavy, heavy
+"""
+    subprocess.run([sys.executable, "-c", code], check=True)
+
+
+def test_an_unknown_name_is_an_attribute_error():
+    with pytest.raises(AttributeError, match="module 'acoustic_fem' has no attribute 'nonsense'"):
+        _ = acoustic_fem.nonsense

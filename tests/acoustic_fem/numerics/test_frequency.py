@@ -1,0 +1,95 @@
+"""The reduced model of a system against solving it at every frequency."""
+
+import numpy as np
+import pytest
+import scipy.sparse as sp
+
+from acoustic_fem.numerics.rational_sweep import RationalFitError, passivity_margin, reduce_system, require_passive
+
+N = 300
+STIFFNESS = sp.csr_array(sp.diags_array([-1.0, 2.0, -1.0], offsets=[-1, 0, 1], shape=(N, N)) * N)
+MASS = sp.csr_array(sp.eye_array(N) / N)
+LOAD = np.zeros((N, 2))
+LOAD[0, 0] = LOAD[N // 3, 1] = 1.0
+GRID = np.geomspace(1, 1000, 40)
+
+
+def theta(frequency):
+    return np.column_stack([np.ones(len(frequency), dtype=complex), 2j * np.pi * frequency])
+
+
+def phi(frequency):
+    return np.ones((len(frequency), 1), dtype=complex)
+
+
+def full(frequency):
+    return np.stack([LOAD.T @ np.linalg.solve((STIFFNESS + 2j * np.pi * f * MASS).toarray(), LOAD) for f in frequency])
+
+
+def test_reduced_diffusion_line_matches_the_full_solve_at_every_frequency():
+    model = reduce_system([STIFFNESS, MASS], theta, [LOAD], phi, (1.0, 1000.0), tolerance=1e-7)
+    exact, reduced = full(GRID), model.response(theta(GRID), phi(GRID))
+    scale = np.sqrt(np.abs(exact[:, 0, 0] * exact[:, 1, 1]))[:, None, None]
+    assert np.max(np.abs(reduced - exact) / scale) < 1e-6
+    assert len(model.sampled) <= 10
+    assert model.error <= 1e-7
+
+
+def test_response_is_symmetric_and_passive():
+    model = reduce_system([STIFFNESS, MASS], theta, [LOAD], phi, (1.0, 1000.0))
+    response = model.response(theta(GRID), phi(GRID))
+    np.testing.assert_array_equal(response, response.transpose(0, 2, 1))
+    assert np.linalg.eigvalsh(response.real).min() > 0
+
+
+def test_kept_basis_recovers_the_field():
+    model = reduce_system([STIFFNESS, MASS], theta, [LOAD], phi, (1.0, 1000.0), keep_basis=True)
+    coordinates, _ = model.coordinates(theta(GRID[:1]), phi(GRID[:1]))
+    field = model.basis @ coordinates[0]
+    np.testing.assert_allclose((STIFFNESS + 2j * np.pi * GRID[0] * MASS) @ field, LOAD, atol=1e-4)
+
+
+def test_a_band_with_too_many_resonances_is_an_error_with_its_numbers():
+    def resonant(frequency):
+        omega = 2 * np.pi * frequency
+        return np.column_stack([np.ones_like(omega), -(omega**2) + 0.01j * omega])
+
+    with pytest.raises(
+        RationalFitError, match=r"12 solves between 1 and 1000 Hz leave a change of .* above the tolerance"
+    ):
+        reduce_system([STIFFNESS, MASS], resonant, [LOAD], phi, (1.0, 1000.0))
+
+
+def test_a_passive_model_has_a_margin_and_an_active_one_is_refused_at_its_worst_frequency():
+    model = reduce_system([STIFFNESS, MASS], theta, [LOAD], phi, (1.0, 1000.0))
+    response = model.response(theta(GRID), phi(GRID))
+    margin = require_passive(response, GRID)
+    assert 0 < margin == passivity_margin(response).min()
+
+    def pumped(frequency):  # storage that gives back more than it took, most so at 100 Hz
+        gain = 0.6 * np.exp(-(np.log(frequency / 100) ** 2))
+        return theta(frequency) * np.exp(1j * np.pi * gain)[:, None]
+
+    active = model.response(pumped(GRID), phi(GRID))
+    assert passivity_margin(active)[0] > 0 > passivity_margin(active).min()
+    with pytest.raises(
+        RationalFitError, match=r"at \d+(\.\d+)? Hz gives energy: the least eigenvalue of Re Y is -0\.\d+"
+    ):
+        require_passive(active, GRID)
+
+
+def test_the_margin_is_the_conductance_between_two_ports_by_hand():
+    conductor = np.array([[1, -1], [-1, 1]], dtype=complex)
+    assert passivity_margin(np.stack([conductor, conductor + 0.5j * np.eye(2)])) == pytest.approx(0, abs=1e-15)
+    # a gyrator neither takes nor gives power; -0.1 S between large ports is seen at the small one's own scale
+    gyrator = np.array([[0, 1], [-1, 0]], dtype=complex)
+    small = np.diag([1e6, -1e-6]).astype(complex)
+    np.testing.assert_allclose(passivity_margin(np.stack([gyrator, small])), [0, -1], atol=1e-15)
+
+
+def test_a_response_that_is_not_finite_or_not_square_is_refused():
+    broken = np.full((1, 2, 2), complex(np.nan, 0))
+    with pytest.raises(RationalFitError, match=r"the response at 5 Hz is not finite"):
+        require_passive(broken, np.array([5.0]))
+    with pytest.raises(ValueError, match=r"admittance has shape \(2, 2\); it must be \(n_freq, m, m\)"):
+        passivity_margin(np.eye(2))

@@ -1,0 +1,71 @@
+"""Air: against published values, ideal-gas identities, bad input."""
+
+import dataclasses
+import math
+
+import pytest
+from reference_data import AIR
+
+from acoustic_fem.quantities.medium import GAS_CONSTANT, MOLAR_MASS_AIR, Medium, saturation_pressure
+
+
+def test_reference_air_has_the_derived_values_of_the_reference_data():
+    assert AIR.sound_speed == pytest.approx(343.2488418652865, rel=1e-14, abs=0)
+    assert AIR.kinematic_viscosity == pytest.approx(1.51578073089701e-05, rel=1e-14, abs=0)
+    assert AIR.thermal_diffusivity == pytest.approx(2.135855960582023e-05, rel=1e-14, abs=0)
+    assert AIR.prandtl == pytest.approx(0.7096830305373019, rel=1e-14, abs=0)
+
+
+def test_dry_air_at_20_degrees_agrees_with_published_values():
+    # Lemmon, Jacobsen, Penoncello and Friend, J. Phys. Chem. Ref. Data 29 (2000) 331 and Lemmon and
+    # Jacobsen (2004): 293.15 K, 101325 Pa
+    air = Medium.at(20, humidity=0)
+    assert air.density == pytest.approx(1.2045, rel=1e-3, abs=0)
+    assert air.viscosity == pytest.approx(18.21e-6, rel=2e-3, abs=0)
+    assert air.conductivity == pytest.approx(25.87e-3, rel=2e-3, abs=0)
+    assert air.heat_capacity == pytest.approx(1006.1, rel=1e-3, abs=0)
+    assert air.sound_speed == pytest.approx(343.4, rel=2e-3, abs=0)
+
+
+@pytest.mark.parametrize(("celsius", "pascal"), [(0.01, 611.66), (20, 2339.3), (37, 6282), (60, 19946)])
+def test_saturation_pressure_agrees_with_the_steam_tables(celsius, pascal):
+    assert saturation_pressure(celsius + 273.15) == pytest.approx(pascal, rel=1e-3, abs=0)
+
+
+def test_humid_air_is_lighter_and_carries_sound_faster():
+    # O. Cramer, J. Acoust. Soc. Am. 93 (1993) 2510: 0.23 % faster at 20 degC and 50 %
+    dry, humid = Medium.at(20, 0), Medium.at(20, 0.5)
+    assert humid.density < dry.density
+    assert humid.sound_speed / dry.sound_speed - 1 == pytest.approx(0.0020, abs=5e-4)
+    assert humid.viscosity / dry.viscosity - 1 == pytest.approx(-0.005, abs=3e-3)
+
+
+def test_dry_air_is_an_ideal_gas_consistent_in_density_and_gamma():
+    air = Medium.at(35, 0, 9e4)
+    gas_constant = GAS_CONSTANT / MOLAR_MASS_AIR
+    assert air.density * gas_constant * (35 + 273.15) == pytest.approx(9e4, rel=1e-12, abs=0)
+    assert air.heat_capacity * (1 - 1 / air.gamma) == pytest.approx(gas_constant, rel=1e-12, abs=0)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ({"temperature_c": -21}, "temperature_c = -21 degC must be between -20 and 60 degC"),
+        ({"temperature_c": math.nan}, "temperature_c = nan"),
+        ({"humidity": 1.01}, "humidity = 1.01 must be between 0 and 1"),
+        ({"pressure": 1013.25}, "pressure = 1013.25 Pa must be between 50000 and 120000 Pa"),
+    ],
+)
+def test_a_state_outside_the_range_is_refused_by_name(arguments, message):
+    with pytest.raises(ValueError) as error:
+        Medium.at(**arguments)
+    assert message in str(error.value)
+
+
+@pytest.mark.parametrize(
+    ("field", "value"), [("density", 0), ("viscosity", -1e-5), ("conductivity", math.inf), ("gamma", 0.9)]
+)
+def test_an_impossible_gas_is_refused_by_name(field, value):
+    with pytest.raises(ValueError) as error:
+        dataclasses.replace(AIR, **{field: value})
+    assert str(error.value).startswith(f"{field} = ")

@@ -1,0 +1,336 @@
+"""Whole arrays as solids: tubes fit their ports, nothing is in the way of anything, files hold every part by name."""
+
+import base64
+import csv
+import dataclasses
+import itertools
+import math
+import re
+from collections import Counter
+
+import cadquery as cq
+import numpy as np
+import pytest
+
+import geometry
+from geometry.assembly.fit import CONTACT_VOLUME, clearances, interferences, port_fits
+from geometry.assembly.model import array_model, assembly_of, build_assembly
+from geometry.assembly.parts import build_parts, place_parts
+from geometry.assembly.table import assembly_steps, assembly_text, write_assembly_table
+from geometry.formats.step_assembly import write_step
+from geometry.layout.cutting import cutting_list
+from geometry.layout.place import lay_out
+from geometry.pictures.viewer import write_gltf, write_viewer
+from geometry.plan.routing import path_length
+from geometry.solids.tube import build_tube, piece_of
+
+WOUND = {"layout": {"kind": "cylinder", "columns": 6, "diameter": 60.0}}
+
+
+@pytest.fixture(scope="module")
+def models():
+    """Every prototype put together, once."""
+    return {name: array_model(geometry.prototype(name)) for name in geometry.prototype_names()}
+
+
+def hand():
+    lines = [{"between": pair, "points": 6} for pair in (["A", "B"], ["B", "C"])]
+    changes = {"layout": {"kind": "hand", "columns": 3}, "lines": lines, "microphone.chamber_diameter": 3.2}
+    return geometry.prototype("glove").with_values(changes)
+
+
+# -- tubes ----------------------------------------------------------------------------------------------
+def test_a_straight_tube_is_a_spring_and_a_sheath_of_their_sections_times_the_cut_length():
+    design = geometry.prototype("array-2x6")
+    tube, lip = design.tube, design.printing.port_lip
+    course = np.array([[1.0, 2.0, 3.0], [1.0, 2.0 + tube.length, 3.0]])
+    spring, sheath = (part.val() for part in build_tube(piece_of(tube, course, lip)[0]))
+    length = tube.length - 2 * lip
+    assert length == cutting_list(design)[0].cut_length
+    assert spring.Volume() == pytest.approx(math.pi / 4 * (0.6**2 - 0.44**2) * length)
+    assert sheath.Volume() == pytest.approx(math.pi / 4 * (0.9**2 - 0.6**2) * length)
+
+
+def test_a_bent_tube_has_the_volume_of_its_sections_along_its_axis(models):
+    model = models["fingertip-3x4"]
+    tube, lip = model.design.tube, model.design.printing.port_lip
+    (bent,) = (name for name in model.shapes if name.startswith("sheath") and "bent" in name)
+    # Pappus: the axis runs through the middle of the section.
+    exact = math.pi / 4 * (tube.outer_diameter**2 - tube.spring_outer_diameter**2) * (tube.length - 2 * lip)
+    assert model.shapes[bent].Volume() == pytest.approx(exact, rel=1e-6)
+    assert model.shapes[bent].isValid()
+
+
+def test_a_piece_lies_where_its_tube_runs():
+    design = geometry.prototype("fingertip-3x4")
+    for tube in array_model(design).layout.tubes:
+        piece, matrix = piece_of(tube.tube, tube.course, design.printing.port_lip)
+        moved = np.array(piece.path) @ matrix[:3, :3].T + matrix[:3, 3]
+        assert np.allclose(moved[1:-1], tube.course[1:-1], atol=2e-6)
+        assert np.linalg.det(matrix) == pytest.approx(1)
+        assert path_length(moved) == pytest.approx(path_length(tube.course) - 2 * design.printing.port_lip, abs=1e-5)
+
+
+def test_a_tube_that_bends_into_itself_is_refused_by_name():
+    tube = geometry.prototype("array-2x6").tube
+    turns = np.linspace(0, np.pi / 2, 20)
+    arc = 0.4 * np.column_stack([np.sin(turns), 1 - np.cos(turns), 0 * turns])
+    course = np.vstack([[-2.0, 0, 0], arc, arc[-1] + [0, 2.0, 0]])
+    with pytest.raises(ValueError, match=r"sheath 0\.44x0\.9-.*: bends to a radius of 0\.4 mm, below its own 0\.45"):
+        build_tube(piece_of(tube, course, 0.3)[0])
+
+
+# -- fit ------------------------------------------------------------------------------------------------
+@pytest.mark.parametrize("name", geometry.prototype_names())
+def test_every_tube_end_fits_its_port_and_its_bore_carries_on_the_spring(name, models):
+    model = models[name]
+    fits = port_fits(model)
+    assert len(fits) == 2 * (len(model.layout.tubes) - len(model.schematic))
+    gap = model.design.printing.glue_gap
+    for fit in fits:
+        assert fit.counterbore == pytest.approx(fit.tube_outside + 2 * gap, abs=1e-9)
+        assert fit.glue_gap == pytest.approx(gap, abs=1e-9)
+        assert fit.bore == pytest.approx(fit.spring_bore, abs=1e-9)
+        # Directions of ports are rounded to 0.1 degrees, so that equal shells are one part.
+        assert fit.axis_offset < 1e-3
+    if not name.startswith("fingertip"):  # whose tubes are bowed
+        assert max(fit.axis_offset for fit in fits) < 1e-8
+
+
+@pytest.mark.parametrize("name", geometry.prototype_names())
+def test_no_two_placed_parts_are_in_each_others_way(name, models):
+    assert interferences(models[name]) == ()
+
+
+def moved(model, label, offset):
+    placed = tuple(
+        dataclasses.replace(part, position=tuple(np.add(part.position, offset))) if part.label == label else part
+        for part in model.placed
+    )
+    return dataclasses.replace(model, placed=placed)
+
+
+def test_a_part_in_the_way_is_found_by_name_with_its_volume(models):
+    design = models["array-2x6"].design
+    pressed = moved(models["array-2x6"], "membrane 3", (0, 0, -0.1))
+    (found,) = interferences(pressed)
+    assert (found.first, found.second) == ("shell 3", "membrane 3")
+    inner, rim = design.resonator.cavity_diameter / 2, design.membrane.rim_width
+    # The membrane's edge has the draft of its mold.
+    assert found.volume == pytest.approx(0.1 * math.pi * ((inner + rim) ** 2 - inner**2), rel=2e-3)
+    assert found.volume > 1000 * CONTACT_VOLUME
+
+
+def test_a_tube_beside_its_port_fits_in_none(models):
+    aside = moved(models["array-2x6"], "spring of tube 2 of line 1", (0, 0.5, 0))
+    aside = moved(aside, "sheath of tube 2 of line 1", (0, 0.5, 0))
+    with pytest.raises(ValueError, match=r"sheath of tube 2 of line 1 ends in shell \d where no bore with a socket is"):
+        port_fits(aside)
+    assert {found.first for found in interferences(aside)} == {"shell 1", "shell 2"}
+
+
+def test_the_closest_parts_are_named_with_their_distance(models):
+    first, *_ = clearances(models["fingertip-3x4"], within=1.0)
+    assert (first.first, first.second) == ("sheath of tube 2 of line 1", "sheath of tube 3 of line 1")
+    a, b = (tube.course for tube in models["fingertip-3x4"].layout.tubes[1:3])
+    between = np.linalg.norm(a[:, None] - b[None], axis=2).min() - models["fingertip-3x4"].design.tube.outer_diameter
+    # Their ends inside the shell are cut by the lips and flat: nearer to the axes' points than to each other.
+    assert 0 < first.distance < between + 1.0
+
+
+# -- cylinder and hand ----------------------------------------------------------------------------------
+@pytest.mark.parametrize("design", [geometry.prototype("array-2x6").with_values(WOUND), hand()], ids=["wound", "hand"])
+def test_an_array_that_is_not_flat_or_not_square_fits_together_too(design):
+    model = array_model(design)
+    assert model.layout.notes == ()
+    assert interferences(model) == ()
+    fits = port_fits(model)
+    assert len(fits) == 2 * len(model.layout.tubes)
+    assert max(fit.axis_offset for fit in fits) < 5e-3
+
+
+def test_shells_stand_on_the_cylinder_and_collide_where_it_is_too_narrow():
+    design = geometry.prototype("array-2x6").with_values(WOUND)
+    model = array_model(design)
+    axis = -30.0 - design.resonator.floor_thickness
+    for part in model.placed:
+        if part.part.startswith("shell"):
+            floor = np.array(part.matrix @ [0, 0, -design.resonator.floor_thickness, 1])[:3]
+            assert math.hypot(floor[0], floor[2] - axis) == pytest.approx(30.0)
+    narrow = array_model(design.with_values({"layout.diameter": 9.0, "lines.0.points": 4}))
+    shells = tuple(part for part in narrow.placed if narrow.kind(part.part) == "shell")
+    solids = {frozenset((f.first, f.second)) for f in interferences(dataclasses.replace(narrow, placed=shells))}
+    told = [re.match(r"(shell \d+) overlaps (shell \d+) by", note) for note in narrow.layout.notes]
+    assert solids
+    assert {frozenset(words.groups()) for words in told if words} == solids
+
+
+# -- assembly -------------------------------------------------------------------------------------------
+def test_the_step_file_names_every_component_and_holds_every_shape_once(models, tmp_path):
+    model = models["array-2x6"]
+    path = write_step(model, tmp_path / "array.step")
+    text = path.read_text()
+    assert text.count("MANIFOLD_SOLID_BREP(") == len(model.shapes)
+    # Products carry the names of the parts, instances those of their places.
+    products = re.findall(r"PRODUCT\('([^']*)'", text)
+    assert sorted(products) == sorted({*model.shapes, *(part.group for part in model.placed), "array-2x6"})
+    instances = re.findall(r"NEXT_ASSEMBLY_USAGE_OCCURRENCE\(\s*'[^']*',\s*'([^']*)'", text)
+    assert {"point 7", "shell 7", "membrane 7", "microphone B housing"} <= set(instances)
+    assert len(instances) == len(model.placed) + len({part.group for part in model.placed})
+    assert not [name for name in instances if name.isdigit()]
+    read = cq.Assembly.importStep(str(path))
+    assert read.name == "array-2x6"
+    groups = {group.name: [part.name for part in group.children] for group in read.children}
+    assert set(groups) == {part.group for part in model.placed}
+    assert groups["point 7"] == ["shell 7", "membrane 7"]
+    assert groups["tube 2 of line 1"] == ["spring of tube 2 of line 1", "sheath of tube 2 of line 1"]
+    assert groups["microphone B"] == ["microphone B housing", "board B", "package B"]
+    volume = sum(model.shapes[part.part].Volume() for part in model.placed)
+    assert read.toCompound().Volume() == pytest.approx(volume, rel=1e-3)
+
+
+def test_components_lie_where_the_parts_are_placed(models):
+    model = models["glove"]
+    assembly = build_assembly(model.design)
+    boxes = {c.name: g.loc * c.loc for g in assembly.children for c in g.children}
+    for part in model.placed:
+        label = part.label if part.label != part.group else f"{part.label} {model.kind(part.part)}"
+        assert boxes[label].toTuple()[0] == pytest.approx(part.position, abs=1e-9)
+
+
+def test_a_stretched_membrane_is_shown_as_mounted():
+    design = geometry.prototype("array-2x6").with_values({"membrane.stretch": 1.2})
+    membrane = array_model(design).shapes["membrane"].BoundingBox()
+    across = design.resonator.cavity_diameter + 2 * design.membrane.rim_width
+    assert membrane.xlen == pytest.approx(across, abs=1e-6)
+    assert membrane.zlen == pytest.approx(design.membrane.thickness / 1.2**2, abs=1e-6)
+
+
+def test_shells_with_feet_and_grooves_fit_together_and_a_carrier_stands_for_its_shells_on_the_bill():
+    design = geometry.prototype("array-2x6").with_values({"shell.groove_width": 0.5, "lines.0.points": 3})
+    footed = array_model(design.with_values({"shell.feet": 2}))
+    assert footed.shapes["shell-straight"].BoundingBox().ylen > design.resonator.outer_diameter + 2
+    assert interferences(footed) == ()
+    parts = geometry.build_parts(design.with_values({"printing.carrier": "row"}))
+    items = {item.item for item in geometry.bill_of_materials(design, parts).items}
+    assert "carrier" in items
+    assert "shell-straight" not in items
+
+
+@pytest.mark.parametrize("name", ["fingertip-3x4", "glove", "line-3"])
+def test_the_assembly_table_says_what_stands_where_and_what_leads_on(name):
+    design = geometry.prototype(name)
+    layout, steps = lay_out(design), assembly_steps(design)
+    placed = {
+        part.group: part for part in place_parts(design, layout) if part.part.startswith(("shell", "microphone-h"))
+    }
+    tubes = {tube.label: tube for tube in layout.tubes}
+    ports = {part: words["ports"] for part, words in build_parts(design).parameters.items() if "ports" in words}
+    assert len(steps) == sum(line.points + 2 for line in design.lines)
+    assert [step.tube.name for step in steps if step.tube] == [tube.label for tube in layout.tubes]
+    for step, after in itertools.pairwise(steps):
+        part = placed[step.place]
+        assert (step.part, step.position) == (part.part, part.position)
+        assert step.rotation == pytest.approx(part.rotation, abs=0.05)
+        for angle in (step.port_before, step.port_after):
+            assert angle is None or f"{angle:g} deg" in ports[step.part]
+        if step.tube is None:
+            assert after.line == step.line + 1
+            continue
+        tube = tubes[step.tube.name]
+        if tube.schematic:
+            continue
+        # The tube begins at this place, in the direction of its turned port, and ends at the next.
+        for at, port, end in ((step, step.port_after, tube.path[0]), (after, after.port_before, tube.path[-1])):
+            x, y = end[:2] - np.array(at.position[:2])
+            direction = math.degrees(math.atan2(y, x))
+            assert (direction - at.rotation - port + 180) % 360 - 180 == pytest.approx(0, abs=0.2)
+        assert step.tube.sheath_length == pytest.approx(
+            path_length(tube.course) - 2 * design.printing.port_lip, abs=1e-3
+        )
+
+
+def test_the_assembly_table_is_written_for_people_and_for_programs(tmp_path):
+    design = geometry.prototype("fingertip-3x4")
+    table, page = write_assembly_table(design, tmp_path)
+    rows = list(csv.DictReader(table.open(encoding="utf-8")))
+    assert [row["place"] for row in rows] == ["microphone A", *(f"point {k}" for k in range(1, 13)), "microphone B"]
+    assert Counter(row["part"] for row in rows if row["place"].startswith("point")) == {
+        name: count for name, count in build_parts(design).counts.items() if name.startswith("shell")
+    }
+    second = rows[2]
+    assert (second["part"], second["tube to the next"]) == ("shell-corner-65.8-0.18x0.55", "tube 3 of line 1")
+    assert (second["sheath length (mm)"], second["spring length (mm)"], second["turns"]) == ("3.6", "3.37", "67")
+    assert page.read_text(encoding="utf-8") == assembly_text(design)
+    assert "drawn schematically" not in assembly_text(design)
+    assert "drawn schematically" in assembly_text(geometry.prototype("line-4"))
+
+
+# -- pictures and models --------------------------------------------------------------------------------
+@pytest.mark.parametrize("view", ["top_view", "exploded_view"])
+def test_pictures_show_all_kinds_of_parts(view, tmp_path):
+    import pyvista as pv
+
+    from geometry.pictures import views
+
+    path = getattr(views, view)(geometry.prototype("array-2x6"), tmp_path / "view.png", size=(800, 500))
+    red, green, blue = np.asarray(pv.read(path).active_scalars).reshape(-1, 3).astype(int).T
+    assert len(red) == 800 * 500
+    dark = (red < 90) & (abs(red - green) < 12) & (abs(green - blue) < 12)
+    assert np.mean((red > green + 20) & (green > blue)) > 0.005, "membranes"
+    assert np.mean(dark) > 0.002, "sheaths"
+    if view == "exploded_view":
+        assert np.mean((red > blue + 60) & (green > blue + 40)) > 5e-4, "springs"
+        assert np.mean((blue > red + 10) & (blue > green)) > 0.01, "shells"
+    assert np.mean(np.minimum(np.minimum(red, green), blue) > 250) > 0.4
+
+
+@pytest.mark.parametrize("name", ["array-2x6", "glove"])
+def test_the_layers_of_an_exploded_view_lie_clear_of_each_other_and_fill_the_picture(name, tmp_path):
+    import pyvista as pv
+
+    from geometry.pictures.views import exploded_view
+
+    image = pv.read(exploded_view(geometry.prototype(name), tmp_path / "view.png", size=(800, 500)))
+    # Rows from the bottom of the picture.
+    red, green, blue = np.moveaxis(np.asarray(image.active_scalars).reshape(500, 800, 3).astype(int), -1, 0)
+    shells, springs = (blue > red + 10) & (blue > green), (red > blue + 60) & (green > blue + 40)
+    rows = np.arange(500)[:, None]
+    highest, lowest = np.where(shells, rows, -1).max(axis=0), np.where(springs, rows, 1000).min(axis=0)
+    both = (highest >= 0) & (lowest < 1000)
+    assert both.sum() > 50
+    assert (highest[both] < lowest[both]).all()
+    drawn = np.flatnonzero(shells.any(axis=0))
+    assert drawn[-1] - drawn[0] > 0.38 * 800
+
+
+def test_the_gltf_model_is_in_metres_with_a_node_per_part(models, tmp_path):
+    import trimesh
+
+    model = models["array-2x6"]
+    scene = trimesh.load_scene(write_gltf(model.design, tmp_path / "array.glb"))
+    assert set(scene.graph.nodes_geometry) == {part.label.replace(" ", "_") for part in model.placed}
+    assert len(scene.geometry) == len(model.shapes)
+    compound = assembly_of(model).toCompound().BoundingBox()
+    # x, y, z of the array are x, -z, y of glTF.
+    low, high = scene.bounds * 1000
+    assert (low[0], high[0], low[1], high[1]) == pytest.approx(
+        (compound.xmin, compound.xmax, compound.zmin, compound.zmax), abs=0.05
+    )
+    assert (-high[2], -low[2]) == pytest.approx((compound.ymin, compound.ymax), abs=0.05)
+
+
+def test_the_page_holds_the_model_and_asks_for_nothing_else(models, tmp_path):
+    import trimesh
+
+    page = write_viewer(models["array-2x6"].design, tmp_path / "array.html").read_text(encoding="utf-8")
+    assert not re.search(r"""(src|href)\s*=\s*["']|@import|import\s*\(|fetch\(["']http""", page.split("</script>")[-2])
+    assert not re.search(r"""<(script|link|img|iframe)[^>]+(src|href)=""", page)
+    content = re.search(r'base64_data\s*=\s*"([A-Za-z0-9+/=]+)"', page)
+    assert content is not None
+    (tmp_path / "model.glb").write_bytes(base64.b64decode(content.group(1)))
+    scene = trimesh.load_scene(tmp_path / "model.glb")
+    assert len(scene.graph.nodes_geometry) == len(models["array-2x6"].placed)
+    assert "microphones (2)" in page
+    assert "point 7       shell-corner-90     180     90, 0" in page
+    assert "<title>array-2x6</title>" in page

@@ -1,0 +1,108 @@
+"""The bill of materials adds up to the parts and tubes of the array."""
+
+import csv
+import io
+import json
+import math
+
+import pytest
+
+import geometry
+from geometry.assembly.bill import Prices, bill_of_materials, write_bill
+from geometry.layout.cutting import cutting_list
+
+PHYSICAL = ["array-2x6", "fingertip-3x4", "fingertip-4x6", "glove", "large-area-64"]
+
+
+@pytest.fixture(scope="module")
+def bill():
+    return bill_of_materials(geometry.prototype("array-2x6"))
+
+
+def test_millilitres_are_those_of_the_solids_times_their_counts(bill):
+    design = geometry.prototype("array-2x6")
+    radius = design.resonator.cavity_diameter / 2 + design.membrane.rim_width
+    # The discs' edges have the draft of their mold.
+    assert bill.silicone_ml == pytest.approx(12 * math.pi * radius**2 * design.membrane.thickness / 1000, rel=3e-3)
+    parts = geometry.build_parts(design)
+    assert bill.silicone_ml == pytest.approx(12 * parts["membrane"].val().Volume() / 1000)
+    printed = [name for name in parts if name.startswith(("shell", "microphone-housing"))]
+    volume = sum(parts[name].val().Volume() * parts.counts[name] for name in printed)
+    assert bill.resin_ml == pytest.approx(volume / 1000)
+    molds = sum(parts[name].val().Volume() * parts.counts[name] for name in parts if name.startswith("mold"))
+    assert bill.tooling_resin_ml == pytest.approx(molds / 1000)
+    silicone = next(item for item in bill.items if item.use == "cast")
+    assert silicone.quantity == pytest.approx(bill.silicone_ml * bill.prices.silicone_factor)
+
+
+def test_tubes_are_those_of_the_cutting_list_with_what_the_cuts_lose(bill):
+    cuts = cutting_list(geometry.prototype("array-2x6"))
+    springs = [item for item in bill.items if item.item.startswith("spring")]
+    assert [(item.count, item.unit) for item in springs] == [(cut.count, "m") for cut in cuts]
+    for item, cut in zip(springs, cuts, strict=True):
+        assert item.quantity == pytest.approx(cut.count * (cut.cut_length + 0.5) / 1000)
+        assert f"cut to {cut.cut_length:g} mm, {cut.cut_length / 0.08:.0f} turns" in item.note
+    assert bill.tube_m == pytest.approx(13 * 11.5 / 1000)
+
+
+def test_every_part_is_on_the_bill_once_with_its_count(bill):
+    parts = geometry.build_parts(geometry.prototype("array-2x6"))
+    assert {item.item: item.count for item in bill.items if item.item in parts} == parts.counts
+    assert next(item.count for item in bill.items if item.item == "SPH1878LR5H-C") == 2
+    assert next(item.count for item in bill.items if item.item == "glue joint") == 2 * 13 + 12 + 2
+
+
+def test_a_board_takes_a_glue_joint_or_a_gasket(bill):
+    sealed = geometry.prototype("array-2x6").with_values(
+        {"microphone.gasket_width": 0.5, "microphone.gasket_depth": 0.2}
+    )
+    items = {item.item: item for item in bill_of_materials(sealed).items}
+    assert items["glue joint"].count == 2 * 13 + 12
+    inside = sealed.microphone.chamber_diameter + 1.2
+    assert (items["gasket"].count, items["gasket"].cost) == (2, pytest.approx(0.1))
+    assert f"{inside:g} x {inside + 1:g} mm" in items["gasket"].note
+    assert "one per board" in next(item.note for item in bill.items if item.item == "glue joint")
+
+
+def test_a_bent_spring_is_bought_as_long_as_its_turns_and_each_piece_says_its_lines():
+    items = bill_of_materials(geometry.prototype("fingertip-3x4")).items
+    spring = next(item for item in items if item.item.startswith("spring") and "between" in item.note)
+    sheath = next(item for item in items if item.item.startswith("sheath") and "between" in item.note)
+    assert "cut to 3.37 mm, 67 turns, between points of line 1" in spring.note
+    assert "cut to 3.6 mm" in sheath.note
+    assert sheath.quantity - spring.quantity == pytest.approx(11 * 0.23e-3)
+    notes = [item.note for item in bill_of_materials(geometry.prototype("large-area-64")).items]
+    assert any(note.endswith("between points of lines 1, 3") for note in notes)
+    assert any(note.endswith("between points of lines 2, 4") for note in notes)
+
+
+def test_prices_are_the_users_own(bill):
+    dearer = bill_of_materials(geometry.prototype("array-2x6"), prices=Prices(microphone=11.5, source="my shop"))
+    assert dearer.cost - bill.cost == pytest.approx(2 * 10.0)
+    assert "prices my shop" in str(dearer)
+    assert "prices assumed" in str(bill)
+    with pytest.raises(ValueError, match=r"prices\.resin = -1 must be at least 0 and finite"):
+        Prices(resin=-1.0)
+    with pytest.raises(ValueError, match=r"prices\.resin_factor = 0\.5 must be at least 1 and finite"):
+        Prices(resin_factor=0.5)
+
+
+@pytest.mark.parametrize("name", PHYSICAL)
+def test_a_prototype_costs_what_the_paper_says(name):
+    # Published: a few to 15 USD a prototype.
+    assert 3 < bill_of_materials(geometry.prototype(name)).cost < 16
+
+
+def test_the_files_hold_the_same_bill(bill, tmp_path):
+    table, data, text = write_bill(bill, tmp_path / "new")
+    rows = list(csv.DictReader(io.StringIO(table.read_text(encoding="utf-8"))))
+    assert [row["item"] for row in rows] == [item.item for item in bill.items]
+    assert sum(float(row["cost"]) for row in rows) == pytest.approx(
+        bill.cost + bill.tooling_cost, abs=0.005 * len(rows)
+    )
+    read = json.loads(data.read_text(encoding="utf-8"))
+    assert read["cost"] == pytest.approx(bill.cost)
+    assert read["prices"]["source"].startswith("assumed")
+    assert [item["count"] for item in read["items"]] == [item.count for item in bill.items]
+    assert text.read_text(encoding="utf-8").count("\n") == len(bill.items) + 5
+    assert sorted(path.name for path in (tmp_path / "new").iterdir()) == ["bill.csv", "bill.json", "bill.txt"]

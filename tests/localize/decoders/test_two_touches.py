@@ -1,0 +1,84 @@
+"""Two touches at once are found among all pairs, and one touch stays one."""
+
+import numpy as np
+import pytest
+import scipy.linalg
+from rc_line import rc_line
+
+import localize
+from localize.decoders import frame_covariance as moments
+from localize.decoders.two_touches import LEVELS
+
+
+@pytest.fixture(scope="module")
+def array():
+    """Two lines of three points, each between microphones of its own."""
+    one = rc_line(3)
+    h = np.zeros((6, 4, len(one.frequency)), complex)
+    h[:3, :2] = h[3:, 2:] = one.transfer_function
+    return localize.ArrayResponse(h, one.frequency, np.repeat([0, 1], 3), np.tile([0, 1, 2], 2), ("a", "b", "c", "d"))
+
+
+@pytest.fixture(scope="module")
+def decoder(array):
+    return localize.TwoTouchDecoder(array, 1e-3)
+
+
+def drawn(array, powers, count, rng):
+    """Frames drawn from the model itself: independent Gaussian sources at the given points, and noise of 1 mPa."""
+    touched = moments.touch_covariances(array, np.eye(moments.SAMPLES))
+    noise = np.kron(np.eye(4), scipy.linalg.toeplitz(moments.noise_covariance(1e-3)))
+    factor = np.linalg.cholesky(sum(power * touched[point] for point, power in powers.items()) + noise)
+    wanted = (rng.standard_normal((count, len(noise))) @ factor.T).reshape(count, 4, moments.SAMPLES)
+    # Any signal with these decimated samples will do.
+    return wanted @ np.linalg.pinv(moments.low_pass()).T
+
+
+@pytest.mark.parametrize("level", [0, 10])
+def test_pairs_drawn_from_the_model_are_found_with_their_level(array, decoder, level):
+    rng = np.random.default_rng(level)
+    for i, j in decoder.pairs:
+        found = decoder.locate(drawn(array, {i: 1.0, j: 10 ** (level / 10)}, 12, rng))
+        assert found.is_two.all()
+        # Any two points of one line can make the signals of its two microphones: only their spectra differ.
+        exact = array.line[i] != array.line[j]
+        assert (found.pair == (i, j)).all(1).mean() > (0.9 if exact else 0.4)
+        assert not exact or abs(np.median(found.level) - level) < 10
+
+
+def test_single_touches_are_not_called_two(array, decoder):
+    touches = localize.TouchGenerator(array, 3, "evaluation", 1e-3).samples(0, 400)
+    found = decoder.locate(touches.signals[..., :250])
+    assert (found.point == touches.point.numpy()).mean() > 0.99
+    assert found.is_two.mean() < 0.01
+
+
+def test_the_likelihood_of_a_pair_is_that_of_the_summed_covariances(array, decoder):
+    frames = drawn(array, {0: 1.0, 4: 0.1}, 3, np.random.default_rng(0))
+    touched = moments.touch_covariances(array, np.eye(moments.SAMPLES))
+    noise = np.kron(np.eye(4), scipy.linalg.toeplitz(moments.noise_covariance(1e-3)))
+    x = (frames @ moments.low_pass().T).reshape(3, -1)
+    # The same term is left out for all covariances of a frame.
+    constant = 0.5 * np.linalg.slogdet(noise)[1] + 0.5 * (x.T * np.linalg.solve(noise, x.T)).sum(0)
+    _, pairs = decoder.log_likelihood(frames)
+    number = decoder.pairs.tolist().index([0, 4])
+    for k, level in enumerate(LEVELS):
+        ratio = 10 ** (level / 10)
+        shape = (touched[0] + ratio * touched[4]) / (1 + ratio)
+        scores = []
+        for power in 10 ** np.arange(-2.5, 2.5, 0.02):
+            covariance = power * shape + noise
+            energy = (x.T * np.linalg.solve(covariance, x.T)).sum(0)
+            scores.append(constant - 0.5 * (energy + np.linalg.slogdet(covariance)[1]))
+        assert pairs[:, number, k] == pytest.approx(np.max(scores, 0), abs=4.0)  # of 1e7: powers 4 dB apart
+
+
+def test_bad_arguments_are_refused(array, decoder):
+    with pytest.raises(ValueError, match="threshold = -1"):
+        localize.TwoTouchDecoder(array, threshold=-1)
+    with pytest.raises(ValueError, match="microphone_noise = 0"):
+        localize.TwoTouchDecoder(array, 0.0)
+    with pytest.raises(ValueError, match="65 points: pairs are searched among at most 64"):
+        localize.TwoTouchDecoder(rc_line(65, np.arange(1.0, 101.0)))
+    with pytest.raises(ValueError, match="3 channels"):
+        decoder.locate(np.random.default_rng(0).standard_normal((1, 3, 250)))

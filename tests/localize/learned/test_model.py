@@ -1,0 +1,108 @@
+"""The networks that are offered by name are what they are called after, and learn."""
+
+from dataclasses import replace
+
+import pytest
+import torch
+from rc_line import rc_line
+from torch import nn
+
+import localize
+from localize.learned.classifier import NETWORKS, NetworkShape, TouchClassifier, TouchNetwork
+from localize.learned.features import map_count
+
+
+def shape(name: str, microphones: int = 2, points: int = 36, features="phasors") -> NetworkShape:
+    return NetworkShape(maps=map_count(microphones, features), points=points, features=features, **NETWORKS[name])
+
+
+def multiply_adds(network: nn.Module, maps: int) -> int:
+    """Of convolutions and linear layers, for one frame."""
+    counted = []
+
+    def count(layer, inputs, output):
+        per_output = layer.weight[0].numel()
+        counted.append(per_output * output[0].numel())
+
+    for layer in network.modules():
+        if isinstance(layer, nn.Conv2d | nn.Linear):
+            layer.register_forward_hook(count)
+    network(torch.zeros(1, maps, 64, 32))
+    return sum(counted)
+
+
+@pytest.mark.parametrize(
+    ("name", "parameters", "work"), [("paper", 856e3, 14.2e6), ("stride-2", 553e3, 3.3e6), ("patches", 243e3, 2.0e6)]
+)
+def test_networks_have_the_size_that_the_documentation_says(name, parameters, work):
+    network = TouchNetwork(shape(name)).eval()
+    assert sum(p.numel() for p in network.parameters()) == pytest.approx(parameters, rel=0.01)
+    assert multiply_adds(network, 4) == pytest.approx(work, rel=0.08)
+
+
+def test_the_papers_network_is_five_stages_of_which_each_is_followed_by_a_merging():
+    network = TouchNetwork(shape("paper", features="paper"))
+    widths = [layer.out_channels for layer in network.stages if isinstance(layer, nn.Conv2d)]
+    assert widths == [12, 24, 48, 96, 192, 384]
+    sides = []
+    for layer in network.stages:
+        layer.register_forward_hook(lambda layer, inputs, output: sides.append(tuple(output.shape[2:])))
+    network(torch.zeros(2, 2, 64, 32))
+    assert (sides[0], sides[-1]) == ((64, 32), (2, 1))
+
+
+@pytest.mark.parametrize("microphones", [2, 3, 4])
+@pytest.mark.parametrize("features", ["phasors", "paper"])
+def test_the_papers_network_takes_the_maps_of_any_array(microphones, features):
+    classifier = TouchClassifier(microphones, shape("paper", microphones, 7, features)).eval()
+    assert classifier(torch.randn(2, microphones, 250)).shape == (2, 7)
+
+
+def test_a_stride_of_2_does_not_survive_the_papers_mergings():
+    with pytest.raises(ValueError, match="32 columns of a map cannot be cut into patches of 2 and halved 5 times"):
+        replace(shape("paper"), patch=(2, 2))
+
+
+@pytest.mark.parametrize("change", [{"network": "stride-2"}, {"bfloat16": True}, {"features": "paper"}])
+def test_other_networks_maps_and_precisions_learn_and_are_saved(change, tmp_path):
+    plan = localize.TrainingPlan(seconds_per_point=60, epochs=4, seed=1, **change)
+    array = rc_line(4, spread=3.0)
+    localizer = localize.train(array, plan)
+    assert localizer.training["held_out_accuracy"][-1] > 0.6
+    assert localizer.training["loss"][-1] < localizer.training["loss"][0]
+    localizer.save(tmp_path)
+    signals = localize.TouchGenerator(array, 0, "evaluation").samples(0, 8).signals
+    assert (localize.load_localizer(tmp_path).locate(signals) == localizer.locate(signals)).all()
+
+
+def test_training_takes_gains_and_finger_stimuli():
+    plan = localize.TrainingPlan(seconds_per_point=16, epochs=1, microphone_gain=0.5, stimuli=("multi-sines", "taps"))
+    localizer = localize.train(rc_line(4), plan)
+    assert localizer.plan["stimuli"] == ("multi-sines", "taps")
+
+
+def test_sound_from_outside_needs_an_array_that_has_an_outside():
+    with pytest.raises(ValueError, match="ambient needs a library with a design"):
+        localize.train(rc_line(4), localize.TrainingPlan(seconds_per_point=4, epochs=1, ambient=(30.0, 90.0)))
+
+
+def test_the_papers_plan_is_the_papers():
+    plan = localize.TrainingPlan.paper()
+    assert (plan.learning_rate, plan.epochs, plan.label_sigma) == (1e-3, 30, 1.0)
+    assert (plan.network, plan.features, plan.microphone_noise) == ("paper", "paper", 0.0)
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"network": "big"}, "network = 'big' must be one of: patches, stride-2, paper"),
+        ({"features": "raw"}, "features = 'raw' must be one of"),
+        ({"stimuli": ()}, "must name at least one of"),
+        ({"stimuli": ("taps", "drums")}, "must name at least one of: multi-sines, taps, friction, pulse-wave"),
+        ({"ambient": (90.0, 30.0)}, "dB SPL must be lowest and highest level"),
+        ({"microphone_gain": 21.0}, "microphone_gain = 21.0 must be between 0 and 20"),
+    ],
+)
+def test_a_plan_that_asks_for_what_there_is_not_is_refused(change, message):
+    with pytest.raises(ValueError, match=message):
+        localize.TrainingPlan(**change)

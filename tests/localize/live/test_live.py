@@ -1,0 +1,345 @@
+"""Live input: decisions are those of the whole recording, and whatever happens to the source is told and survived."""
+
+from __future__ import annotations
+
+import io
+import itertools
+import time
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+import pytest
+from fake_audio import FakeAudio, Run
+from hypothesis import given, settings, strategies as st
+from rc_line import rc_line
+from rich.console import Console
+
+import localize
+from acoustic_fem.sound.sound_file import read_wav
+from localize import Decision, Fault, TouchStream
+from localize.live.listener import Heard, Latencies, LiveListener, Notice
+from localize.live.recorder import LiveRecorder
+from localize.live.sound_device import DeviceSource, input_devices
+from localize.live.sources import Block, BlockQueue, SourceError
+from localize.signals.resampling import at_one_kilohertz
+from studies.cli.live_display import LivePicture, sparkline
+
+NOISE = 1e-2
+
+
+@pytest.fixture(scope="module")
+def array():
+    return rc_line(6)
+
+
+@pytest.fixture(scope="module")
+def decoder(array):
+    return localize.BayesDecoder(array, NOISE)
+
+
+@pytest.fixture(scope="module")
+def signals(array):
+    """(2, 6000) Pa at 1 kHz: touches of a second, each behind half a second of noise."""
+    made = localize.TouchGenerator(array, 0, "evaluation", 0.0).samples(0, 30).signals.double().numpy()
+    noise = NOISE * np.random.default_rng(0).standard_normal((2, 6000))
+    for turn, sample in enumerate(np.argsort(-made.std(-1).max(1))[:4]):
+        noise[:, 1500 * turn + 500 : 1500 * turn + 1500] += made[sample]
+    return noise
+
+
+@dataclass
+class Given:
+    """A source of blocks as they are given, at once; None is a loss of the source."""
+
+    blocks: list[list[Block]]
+    rate: float
+    limit: float | None = None
+    name: str = "given"
+    room: float = 60.0
+    ended: bool = False
+    trouble: str | None = None
+    opened: int = 0
+    closed: int = field(default=0)
+
+    def open(self) -> BlockQueue:
+        queue = BlockQueue(self.room, self.rate)
+        self.trouble = None
+        for block in self.blocks[self.opened]:
+            queue.put(block)
+        self.opened += 1
+        self.ended = self.opened == len(self.blocks)
+        self.trouble = None if self.ended else "it was taken away"
+        return queue
+
+    def close(self) -> None:
+        self.closed += 1
+
+
+def blocks(samples: np.ndarray, rate: float, cuts: list[int], start: float = 100.0) -> list[Block]:
+    edges = [0, *sorted(cuts), samples.shape[1]]
+    return [Block(samples[:, a:b], a, start + (b - 1) / rate) for a, b in itertools.pairwise(edges) if b > a]
+
+
+def stretched(signals: np.ndarray, factor: int) -> np.ndarray:
+    """At ``factor`` kHz, by straight lines."""
+    n = signals.shape[1]
+    return np.stack([np.interp(np.arange(n * factor) / factor, np.arange(n), row) for row in signals])
+
+
+@settings(max_examples=6, deadline=None)
+@given(factor=st.sampled_from([1, 8, 44]), cuts=st.lists(st.floats(0, 1), max_size=40))
+def test_decisions_are_those_of_the_whole_recording(decoder, signals, factor, cuts) -> None:
+    samples = stretched(signals[:, :1400], round(factor))
+    rate = 1000.0 * factor
+    source = Given([blocks(samples, rate, [round(c * samples.shape[1]) for c in cuts])], rate)
+    heard = list(LiveListener(source, TouchStream(decoder)).listen())
+    assert [h.event for h in heard] == TouchStream(decoder).push(at_one_kilohertz(samples, rate))
+    assert source.closed == 1
+
+
+def test_the_age_of_a_decision_is_that_of_the_last_sample_of_its_frame(decoder, signals) -> None:
+    for rate, factor in ((1000.0, 1), (8000.0, 8)):
+        samples = stretched(signals[:, :1000], factor)
+        source = Given([blocks(samples, rate, list(range(0, samples.shape[1], 33)))], rate)
+        for heard in LiveListener(source, TouchStream(decoder)).listen():
+            if heard.available is not None:
+                number = round(heard.event.time * 1000) - 1
+                assert heard.available == pytest.approx(100 + number / 1000, abs=1e-6)
+
+
+def test_samples_that_found_no_room_are_told_by_their_number(decoder, signals) -> None:
+    # the queue holds two seconds; all three come at once and nobody takes them
+    source = Given([blocks(signals[:, :3000], 1000.0, list(range(0, 3000, 10)))], 1000.0, room=2.0)
+    events = [heard.event for heard in LiveListener(source, TouchStream(decoder)).listen()]
+    assert events[-1] == Fault(2.0, "samples lost", samples=1000)
+    assert events[:-1] == TouchStream(decoder).push(signals[:, :2000])
+
+
+@pytest.mark.parametrize("factor", [1, 8])
+def test_a_gap_between_blocks_is_told_and_no_frame_spans_it(decoder, signals, factor) -> None:
+    samples = stretched(signals[:, :3000], factor)
+    given = blocks(samples, 1000.0 * factor, list(range(0, 3000 * factor, 10 * factor)))
+    source = Given([given[:100] + given[150:]], 1000.0 * factor)
+    events = [heard.event for heard in LiveListener(source, TouchStream(decoder)).listen()]
+    (fault,) = [event for event in events if isinstance(event, Fault)]
+    # behind the filter the last 10 ms before the gap are missing too
+    assert fault == Fault(1.0, "samples lost", samples=500) if factor == 1 else Fault(0.99, "samples lost", samples=510)
+    after = [event for event in events if event.time > 1.5]
+    if factor == 1:
+        assert after == TouchStream(decoder).push(samples[:, 1500:], 1500)
+    assert after[0].time == 1.75
+
+
+def test_a_device_gives_what_it_recorded_and_the_recording_gives_the_same_again(decoder, signals, tmp_path) -> None:
+    raw = (stretched(signals, 48) / 2).astype(np.float32)
+    board = np.zeros((raw.shape[1], 4), np.float32)
+    board[:, 3], board[:, 1] = raw
+    audio = FakeAudio([Run(board[:96_000], end="stall")], pace=0.0002)
+    source = DeviceSource(("left", "right"), "usb", 2.0, {"left": 4, "right": 2}, audio)
+    assert (source.rate, source.name) == (48_000.0, "USB array (ALSA, 48000 Hz)")
+    recorder = LiveRecorder(tmp_path / "live.wav", source.rate, 2, 2.0)
+    stream = TouchStream(decoder, limit=source.limit)
+    expected = TouchStream(decoder).push(at_one_kilohertz(2.0 * raw[:, :96_000].astype(np.float64), 48_000.0))
+    heard = []
+    listening = LiveListener(source, stream, recorder).listen()
+    for each in listening:
+        heard.append(each.event)
+        if len(heard) == len(expected) - 1:  # the end of the filter has no end of the device to wait for
+            break
+    # all has been taken from the queue but perhaps the last blocks, behind the last whole frame
+    listening.close()
+    assert heard == expected[: len(heard)]
+    written = read_wav(tmp_path / "live.wav")
+    count = len(written.channels["1"])
+    assert count > 95_000
+    np.testing.assert_array_equal(np.stack(list(written.channels.values())), raw[:, :count])
+    again = localize.read_recording(tmp_path / "live.wav", ("left", "right"), 2.0)
+    assert TouchStream(decoder).push(again.signals)[: len(heard) - 1] == heard[:-1]
+    (arguments,) = audio.opened
+    assert (arguments["channels"], arguments["dtype"], arguments["blocksize"]) == (4, "float32", 192)
+
+
+def test_an_overflow_of_the_device_is_a_loss_by_its_clock(decoder, signals) -> None:
+    board = (stretched(signals[:, :2000], 8) / 2).T.astype(np.float32)
+    audio = FakeAudio(
+        [Run(board, "stall", overflow_at=100, overflow_samples=800)], rate=8000.0, channels=2, pace=0.0002
+    )
+    listening = LiveListener(DeviceSource(("left", "right"), None, 2.0, None, audio), TouchStream(decoder)).listen()
+    faults = [heard.event for heard in itertools.takewhile(lambda h: h.event.time < 1.5, listening)]
+    listening.close()
+    assert [fault for fault in faults if isinstance(fault, Fault)] == [Fault(0.39, "samples lost", samples=110)]
+
+
+def test_clipping_is_seen_before_the_filter_hides_it(decoder, signals) -> None:
+    board = (stretched(signals[:, :1500], 48) / 2).T.astype(np.float32)
+    board[48_000:48_003, 1] = 1.0
+    audio = FakeAudio([Run(board, "stall")], channels=2, pace=0.0002)
+    source = DeviceSource(("left", "right"), None, 2.0, None, audio)
+    listening = LiveListener(source, TouchStream(decoder, limit=source.limit)).listen()
+    events = [heard.event for heard in itertools.takewhile(lambda h: h.event.time < 1.4, listening)]
+    listening.close()
+    (fault,) = [event for event in events if isinstance(event, Fault)]
+    assert (fault.kind, fault.channel) == ("clipped", "right")
+    states = {event.time: event.state for event in events if isinstance(event, Decision)}
+    assert {state for at, state in states.items() if 1.02 < at < 1.24} == {"unreadable"}
+    assert states[0.986] != "unreadable"
+
+
+@pytest.mark.parametrize("end", ["stop", "stall"])
+def test_a_device_that_is_unplugged_is_waited_for(decoder, signals, tmp_path, end) -> None:
+    board = (stretched(signals[:, :1000], 8) / 2).T.astype(np.float32)
+    audio = FakeAudio(
+        [Run(board, end), Run(board, "stall")],
+        rate=8000.0,
+        channels=2,
+        absent=2,
+        failures=["Error opening InputStream: Device unavailable"],
+        pace=0.0002,
+    )
+    waits: list[float] = []
+    recorder = LiveRecorder(tmp_path / "live.wav", 8000.0, 2, 2.0)
+    source = DeviceSource(("left", "right"), 1, 2.0, None, audio)
+    listening = LiveListener(source, TouchStream(decoder), recorder, lambda s: (waits.append(s), time.sleep(0.02)))
+    events = []
+    for heard in (run := listening.listen()):
+        events.append(heard.event)
+        back = [k for k, event in enumerate(events) if isinstance(event, Notice) and event.kind == "source back"]
+        if back and sum(isinstance(event, Decision) for event in events[back[0] :]) > 20:
+            break
+    run.close()
+    notices = [event for event in events if isinstance(event, Notice)]
+    assert [notice.kind for notice in notices] == ["source lost", "source lost", "source lost", "source back"]
+    reason = "the device has stopped" if end == "stop" else "no samples for 1 s"
+    assert [notice.text for notice in notices] == [
+        f"USB array (ALSA, 8000 Hz): {reason}",
+        "USB array: is not there",
+        "USB array: Error opening InputStream: Device unavailable",
+        "USB array (ALSA, 8000 Hz)",
+    ]
+    assert waits == [0.5, 1.0, 2.0, 5.0]
+    # opened by the number it has now
+    assert [arguments["device"] for arguments in audio.opened] == [1, 2]
+    (fault,) = [event for event in events if isinstance(event, Fault)]
+    assert fault.kind == "samples lost"
+    assert fault.time == pytest.approx(0.99, abs=0.002)
+    first = next(event for event in events[events.index(fault) :] if isinstance(event, Decision))
+    assert first.time == pytest.approx(fault.time + fault.samples / 1000 + 0.25)
+    times = [event.time for event in events if isinstance(event, Decision)]
+    assert times == sorted(times)
+    assert [path.name for path in recorder.paths] == ["live.wav", "live-2.wav"]
+    np.testing.assert_array_equal(read_wav(tmp_path / "live.wav").channels["1"], board[:, 0])
+
+
+def test_devices_are_chosen_by_number_or_part_of_a_name() -> None:
+    audio = FakeAudio([])
+    (only,) = input_devices(audio)
+    assert (only.number, only.name, only.host, only.channels, only.default) == (1, "USB array", "ALSA", 4, True)
+    names = ("A", "B")
+    for device in (None, 1, "usb", "USB array"):
+        assert DeviceSource(names, device, sounddevice=audio).name.startswith("USB array")
+    for device, message in ((7, "device = 7 is not there: 1 'USB array'"), ("x", "device = x is not there")):
+        with pytest.raises(SourceError, match=message):
+            DeviceSource(names, device, sounddevice=audio)
+    for channels, message in (
+        ({"A": 1, "B": 9}, "USB array: has 4 channels; channel 9 of microphone B is not there"),
+        ({"A": 1}, "channels = A=1 must give A, B a number each, all different"),
+        ({"A": 1, "B": 1}, "channels = A=1,B=1 must give A, B a number each, all different"),
+        ({"A": 1, "C": 2}, "channels = A=1,C=2 must give A, B"),
+    ):
+        with pytest.raises(SourceError, match=message):
+            DeviceSource(names, None, channels=channels, sounddevice=audio)
+    with pytest.raises(SourceError, match="sample rate = 50 Hz must be between 250 and 1e"):
+        DeviceSource(names, None, sounddevice=FakeAudio([], rate=50.0))
+    with pytest.raises(SourceError, match="no device that can record is there; plug one in"):
+        DeviceSource(names, None, sounddevice=FakeAudio([], channels=0))
+
+
+def test_putting_never_waits_and_a_bounded_queue_holds_what_it_can() -> None:
+    queue = BlockQueue(1.0, 1000.0)
+    for first in range(0, 100_000, 100):
+        queue.put(Block(np.zeros((2, 100)), first, 0.0))  # one that waited would wait for ever
+    held = [queue.get(0.0) for _ in range(11)]
+    assert [block.first for block in held if block] == list(range(0, 1000, 100))
+    assert held[-1] is None
+    assert queue.end == 100_000
+    queue.put(Block(np.zeros((2, 100)), 100_000, 0.0))
+    assert queue.get(0.0).first == 100_000
+
+
+def test_latencies_are_counted_in_memory_that_does_not_grow() -> None:
+    latencies = Latencies()
+    assert latencies.percentile(99) == 0
+    drawn = np.random.default_rng(0).gamma(2.0, 0.004, 20_000)
+    for value in drawn:
+        latencies.add(float(value))
+    latencies.add(9.0)
+    assert latencies.count == 20_001
+    assert latencies.largest == 9.0
+    for share in (50, 99):
+        assert latencies.percentile(share) == pytest.approx(np.percentile(drawn, share), abs=2e-4)
+
+
+def test_a_full_disk_ends_the_recording_and_not_the_listening(decoder, signals) -> None:
+    if not Path("/dev/full").exists():
+        pytest.skip("needs /dev/full")
+    source = Given([blocks(signals, 1000.0, list(range(0, 6000, 50)))], 1000.0)
+    recorder = LiveRecorder("/dev/full", 1000.0, 2)
+    events = [heard.event for heard in LiveListener(source, TouchStream(decoder), recorder).listen()]
+    assert events[0] == Notice(0.0, "recording stopped", "No space left on device")
+    assert events[1:] == TouchStream(decoder).push(signals)
+
+
+def test_lost_samples_are_zeros_in_the_recording_and_no_file_is_replaced_by_a_second_one(tmp_path) -> None:
+    (tmp_path / "a-2.wav").write_text("mine")
+    recorder = LiveRecorder(tmp_path / "a.wav", 1000.0, 1, 4.0)
+    recorder.begin()
+    recorder.write(np.full((1, 10), 2.0))
+    recorder.skip(2500)
+    recorder.write(np.full((1, 10), 1.0))
+    recorder.begin()
+    recorder.close()
+    samples = read_wav(tmp_path / "a.wav").channels["1"]
+    assert (len(samples), samples[9], samples[10], samples[2509], samples[2510]) == (2520, 0.5, 0.0, 0.0, 0.25)
+    assert [path.name for path in recorder.paths] == ["a.wav", "a-3.wav"]
+    assert (tmp_path / "a-2.wav").read_text() == "mine"
+
+
+# -- what the terminal shows -----------------------------------------------------------------------------
+def drawn(picture: LivePicture, encoding: str = "utf-8") -> str:
+    console = Console(width=80, record=True, file=io.TextIOWrapper(io.BytesIO(), encoding=encoding))
+    console.print(picture)
+    return console.export_text()
+
+
+def test_the_picture_lights_the_point_and_tells_what_went_wrong(array) -> None:
+    latencies = Latencies()
+    latencies.add(0.0042)
+    recent = np.sin(np.linspace(0, 20, 1000)) * np.array([[1.0], [0.5]])
+    picture = LivePicture("USB array", array, ("left", "right"), lambda: recent, latencies)
+    assert "nothing heard yet" in drawn(picture)
+    probability = np.array([0.0, 0.0, 0.15, 0.8, 0.05, 0.0])
+    picture.hear(Heard(Decision(1.25, "touch", 0.5, 4, 0.8, probability)))
+    picture.hear(Heard(Fault(0.5, "dead channel", "left")))
+    picture.hear(Heard(Fault(0.7, "samples lost", samples=12)))
+    picture.hear(Heard(Notice(0.9, "source lost", "USB array: the device has stopped")))
+    text = drawn(picture)
+    assert "line 1  ○─○─◍─●─○─○" in text
+    assert "1.25 s  touch  point 4, 80 %   level 0.5 Pa" in text
+    assert "latency p50 4.2 ms, p99 4.2 ms   faults: dead channel 1, samples lost 1" in text
+    assert "0.70 s  samples lost: 12" in text
+    assert "source lost: USB array: the device has stopped" in text
+    assert "left    " in text
+    assert "█" in text
+    assert "line 1  o-o-x-#-o-o" in drawn(picture, "ascii")
+    # a state that is not known here is shown as it is called
+    picture.hear(Heard(Decision(2.0, "other", 0.1)))
+    assert "2.00 s  other   level 0.1 Pa" in drawn(picture)
+    assert "●" not in drawn(picture)
+
+
+def test_a_sparkline_runs_from_minus_to_plus_its_peak() -> None:
+    assert sparkline(np.array([-2.0, -1.0, 0.0, 1.0, 2.0]), 5, "01234") == ("01234", 2.0)
+    assert sparkline(np.array([0.1, -3.0, 0.2, 1.0]), 2, "01234") == ("03", 3.0)
+    assert sparkline(np.zeros(10), 3, "01234") == ("222", 0.0)
+    assert len(sparkline(np.arange(500.0), 40)[0]) == 40

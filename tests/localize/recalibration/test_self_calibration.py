@@ -1,0 +1,407 @@
+"""A sensor calibrated by touches of which nobody knows the points, or refused, and then nothing changes."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+import acoustic_fem
+import geometry
+import localize
+from acoustic_fem.calibration.fitted_model import Posterior, UpdatedModel
+from acoustic_fem.library.result import Library
+from localize.decoders.bayes import NOISE_SHARE
+from localize.recalibration.marginal_likelihood import MarginalLikelihood
+from localize.recalibration.objections import gaps, likeliest_order, numbers
+from localize.recalibration.search import value_and_slope
+from localize.recalibration.self_calibration import SelfCalibration, SelfCalibrationError, self_calibrate
+from localize.signals.array_response import response_of
+from studies.cli.app import main
+from studies.made_sensor.rig import HiddenScatter, Rig
+
+GRID = np.linspace(1.0, 100.0, 24)
+DESIGN = geometry.prototype("array-2x6")
+NOISE = 1e-3
+
+Array = NDArray[np.float64]
+
+
+@cache
+def nominal() -> Library:
+    return acoustic_fem.solve(DESIGN, GRID, "lumped")
+
+
+@cache
+def truth(seed: int = 6, modulus: float = 0.85) -> localize.ArrayResponse:
+    """A made sensor, on which the nominal library names half of the touches right."""
+    h = Rig(DESIGN, seed, HiddenScatter(modulus=modulus)).transfer_function(GRID)
+    return replace(response_of(nominal()), transfer_function=h)
+
+
+def touches(response: localize.ArrayResponse, count: int, seed: int = 1) -> tuple[Array, NDArray[np.int64]]:
+    """Frames and the points nobody tells."""
+    made = localize.TouchGenerator(response, seed, "training", NOISE).samples(0, count)
+    return made.signals[:, :, :250].double().numpy(), made.point.numpy()
+
+
+def top1(library: Library, response: localize.ArrayResponse) -> float:
+    return localize.evaluate(localize.BayesDecoder(library, NOISE), response, 20, NOISE, seed=7).top1
+
+
+@cache
+def heard() -> Array:
+    """160 frames, none of point 7."""
+    frames, points = touches(truth(), 180)
+    return frames[points != 6][:160]
+
+
+@cache
+def calibrated() -> SelfCalibration:
+    return self_calibrate(nominal(), heard(), NOISE)
+
+
+def test_the_slope_is_that_of_finite_differences() -> None:
+    model = UpdatedModel(nominal())
+    likelihood = MarginalLikelihood(GRID, touches(truth(), 24)[0], 0.01)
+    random = np.random.default_rng(3)
+    u, direction = 0.5 * random.standard_normal((2, model.count))
+    value, slope = value_and_slope(model, likelihood, u)
+    step = 1e-4
+
+    def at(parameters: Array) -> float:
+        return float(likelihood.evidence(model.transfer_function(parameters[None])[0]).frames.sum())
+
+    assert at(u) == pytest.approx(value, rel=1e-9)
+    along = (at(u + step * direction) - at(u - step * direction)) / (2 * step)
+    assert along == pytest.approx(float(slope @ direction), rel=1e-5)
+
+
+def test_the_likelihood_ranks_points_as_the_decoder_does() -> None:
+    frames, points = touches(truth(), 120)
+    likelihood = MarginalLikelihood(GRID, frames, NOISE_SHARE * NOISE)
+    share = likelihood.evidence(truth().transfer_function).share
+    assert np.allclose(share.sum(1), 1)
+    decoder = localize.BayesDecoder(truth(), NOISE)
+    assert (share.argmax(1) == decoder.locate(frames).argmax(1)).mean() > 0.98
+    assert (share.argmax(1) == points).mean() > 0.98
+
+
+def test_information_is_symmetric_never_negative_and_grows_with_the_frames() -> None:
+    model = UpdatedModel(nominal())
+    h = nominal().transfer_function.values
+    likelihood = MarginalLikelihood(GRID, touches(truth(), 24)[0], 0.01)
+    information = likelihood.information(h, model.jacobian(np.zeros(model.count)))
+    assert np.allclose(information, information.T)
+    assert np.linalg.eigvalsh(information)[0] > -1e-4 * np.linalg.eigvalsh(information)[-1]
+    twice = MarginalLikelihood(GRID, np.tile(touches(truth(), 24)[0], (2, 1, 1)), 0.01)
+    # products are of single precision
+    assert np.allclose(
+        twice.information(h, model.jacobian(np.zeros(model.count))), 2 * information, 1e-6, 1e-6 * information.max()
+    )
+
+
+def test_information_of_touches_adds_up() -> None:
+    """Whatever points they are of, and loud ones and quiet ones: each says what it says."""
+    model = UpdatedModel(nominal())
+    h, jacobian = truth().transfer_function, model.jacobian(np.zeros(model.count))
+    frames, points = touches(truth(), 72)
+    frames[::5] *= 0.1
+
+    def told(chosen: NDArray[np.bool_]) -> Array:
+        return MarginalLikelihood(GRID, frames[chosen], 0.01).information(h, jacobian)
+
+    begin = points < 4
+    both = told(points >= 0)
+    assert np.allclose(told(begin) + told(~begin), both, rtol=1e-4, atol=1e-4 * both.max())
+
+
+def test_touches_of_unknown_loudness_do_not_tell_the_level_that_microphones_have_in_common() -> None:
+    model = UpdatedModel(nominal())
+    u = np.zeros(model.count)
+    likelihood = MarginalLikelihood(GRID, touches(truth(), 120)[0], 0.01)
+    information = likelihood.information(nominal().transfer_function.values, model.jacobian(u))
+    gain = np.array([name.startswith("gain") for name in model.names], float)
+    against = gain * np.where([name.endswith("A") for name in model.names], 1, -1)
+    assert abs(gain @ information @ gain) < 1e-3
+    assert against @ information @ against > 10
+
+
+@pytest.mark.parametrize("louder", [0.1, 10.0])
+def test_louder_touches_in_as_much_louder_noise_say_the_same(louder: float) -> None:
+    model = UpdatedModel(nominal())
+    u = calibrated().posterior.parameters
+    h, jacobian = calibrated().posterior.transfer_function, model.jacobian(u)
+    likelihoods = [MarginalLikelihood(GRID, k * heard(), k * calibrated().noise) for k in (1.0, louder)]
+    one, other = (each.information(h, jacobian) for each in likelihoods)
+    assert np.allclose(other, one, rtol=0.01, atol=0.01 * np.abs(one).max())
+    one, other = (Posterior.of(model, u, each).deviation for each in (one, other))
+    assert np.allclose(other, one, rtol=0.01)
+    one, other = (each.evidence(h).frames for each in likelihoods)
+    assert np.allclose(other, one, atol=0.01)
+
+
+def test_the_stated_uncertainty_of_ratios_is_about_what_they_are_off() -> None:
+    """What the model is trusted to is left out."""
+    found, true = calibrated().posterior, truth().transfer_function
+    h, jacobian = found.transfer_function, found.model.jacobian(found.parameters)
+    by_parameters = jacobian[:, :, 0] / h[:, 0] - jacobian[:, :, 1] / h[:, 1]
+    spread = np.einsum("apf,ab,bpf->pf", by_parameters.conj(), found.covariance, by_parameters).real
+    error = np.log(h[:, 0] / h[:, 1] * true[:, 1] / true[:, 0])
+    assert 0.2 < np.sqrt(np.mean(np.abs(error) ** 2 / spread)) < 1.5
+
+
+def test_the_stated_uncertainty_holds_the_level() -> None:
+    """A sensor 6 % louder, or quieter, at all microphones makes the same touches of quieter, or louder, fingers."""
+    found = calibrated().posterior
+    h = truth().transfer_function
+    own = float(np.exp(np.log(np.abs(found.transfer_function / h)).mean()))
+    radius = np.sqrt(-2 * np.log(0.05)) * found.deviation
+    for level in (0.94, 1.0, 1.06):
+        assert (np.abs(found.transfer_function - level * own * h) < radius).mean() > 0.9
+
+
+def test_unlabelled_touches_bring_the_library_to_the_made_sensor() -> None:
+    found = calibrated()
+    assert found.objection is None
+    before, after, known = top1(nominal(), truth()), top1(found.library(), truth()), 1.0
+    assert before < 0.7
+    assert after > known - 0.01
+
+
+def test_the_library_says_what_it_was_made_from(tmp_path: Path) -> None:
+    library = calibrated().library()
+    acoustic_fem.save(library, tmp_path / "now.nc")
+    read = acoustic_fem.load(tmp_path / "now.nc")
+    assert np.array_equal(read.transfer_function.values, library.transfer_function.values)
+    made = read.provenance["self_calibration"]
+    assert (made["frames"], made["seed"], made["objection"]) == (160, 0, None)
+    assert set(made["parameters"]) == set(UpdatedModel(nominal()).names)
+    assert read.provenance["present"]["fidelity"] == "lumped"
+    assert read.transfer_function_deviation is not None
+    error = np.abs(read.transfer_function.values - truth().transfer_function)
+    assert np.median(error / read.transfer_function_deviation.values) < 3
+
+
+def recording(path: Path, frames: Array) -> Path:
+    """The frames one after the other, as a recording of 1 kHz."""
+    np.savez(path, signals=np.concatenate(list(frames), axis=1))
+    return path
+
+
+def run(monkeypatch: pytest.MonkeyPatch, *arguments: object) -> int:
+    monkeypatch.setattr("sys.argv", ["acoustic-fem", "recalibrate", *map(str, arguments), "--noise", "1e-3"])
+    with pytest.raises(SystemExit) as ended:
+        main()
+    return int(str(ended.value.code))
+
+
+def test_the_command_makes_the_same_library_from_recordings(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    acoustic_fem.save(nominal(), tmp_path / "last.nc")
+    files = [recording(tmp_path / f"{k}.npz", part) for k, part in enumerate(np.split(heard(), [70]))]
+    assert run(monkeypatch, tmp_path / "last.nc", *files, "--out", tmp_path / "now.nc") == 0
+    said = capsys.readouterr().out
+    assert "from 160 frames with touches" in said
+    assert "no touch was named point 7:" in said
+    made = acoustic_fem.load(tmp_path / "now.nc")
+    assert made.provenance["self_calibration"] == calibrated().summary()
+    assert np.array_equal(made.transfer_function.values, calibrated().library().transfer_function.values)
+
+
+def test_the_command_writes_nothing_when_it_refuses(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A library that is right already is kept, and so is one that the touches say too little of."""
+    last, out = tmp_path / "last.nc", tmp_path / "now.nc"
+    acoustic_fem.save(nominal(), last)
+    before = last.read_bytes()
+    own = touches(replace(truth(), transfer_function=nominal().transfer_function.values), 110)[0]
+    for frames, reason in (
+        (own, "which is as good"),
+        (own[:30], "30 of 30 frames hold a touch"),
+        (own[:, :1], "has 1 channels"),
+    ):
+        file = recording(tmp_path / "touches.npz", frames)
+        assert run(monkeypatch, last, file, "--out", out) == 1
+        assert reason in capsys.readouterr().err.splitlines()[-1]
+        assert run(monkeypatch, last, tmp_path / "none.npz", "--out", out) == 1
+    assert last.read_bytes() == before
+    assert not out.exists()
+
+
+def test_one_take_given_twice_is_refused_by_the_names_of_its_files(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Cut elsewhere and at another gain, it holds no frame that is a copy of another one."""
+    acoustic_fem.save(nominal(), tmp_path / "last.nc")
+    take = recording(tmp_path / "monday.npz", heard()[:70])
+    other = recording(tmp_path / "tuesday.npz", heard()[70:])
+    silent = tmp_path / "silent.npz"
+    np.savez(silent, signals=1e-4 * np.random.default_rng(4).standard_normal((2, 4100)))
+    again = tmp_path / "again.npz"
+    np.savez(again, signals=0.9 * np.load(take)["signals"][:, 1111:])
+    assert run(monkeypatch, tmp_path / "last.nc", silent, take, other, again, "--out", tmp_path / "now.nc") == 1
+    assert f"{again} is the same take as {take}: the correlation" in " ".join(capsys.readouterr().err.split())
+    assert not (tmp_path / "now.nc").exists()
+
+
+def test_the_command_never_overwrites_a_library_its_own_least_of_all(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "last.nc").write_bytes(b"the last calibration")
+    (tmp_path / "again.nc").symlink_to("last.nc")
+    monkeypatch.chdir(tmp_path)
+    for out in ("last.nc", "./last.nc", "again.nc"):
+        assert run(monkeypatch, "last.nc", "touches.npz", "--out", out) == 1
+        assert "exists, and a calibrated library is never overwritten" in capsys.readouterr().err
+    assert (tmp_path / "last.nc").read_bytes() == b"the last calibration"
+
+
+@pytest.mark.slow
+def test_touches_of_another_sensor_are_refused() -> None:
+    other = DESIGN.with_values({"tube.inner_diameter": 0.6 * DESIGN.tube.inner_diameter})
+    h = acoustic_fem.solve(other, GRID, "lumped").transfer_function.values
+    found = self_calibrate(nominal(), touches(replace(truth(), transfer_function=h), 110)[0], NOISE)
+    assert found.objection is not None
+    assert found.library() is nominal()
+
+
+def made() -> Library:
+    """The library of the made sensor, as if it had been measured."""
+    return replace(nominal(), transfer_function=nominal().transfer_function.copy(data=truth().transfer_function))
+
+
+def test_the_likeliest_order_of_channels_is_that_they_were_recorded_in() -> None:
+    frames, _ = touches(truth(), 60)
+    right, wrong = (MarginalLikelihood(GRID, each, 0.01) for each in (frames, frames[:, ::-1]))
+    order = likeliest_order(right, truth().transfer_function, ("A", "B"))
+    assert (order.heard, order.gain, order.differs) == (("A", "B"), 0.0, False)
+    order = likeliest_order(wrong, truth().transfer_function, ("A", "B"))
+    assert (order.heard, order.differs) == (("B", "A"), True)
+    # a nominal array is its own mirror image
+    order = likeliest_order(wrong, nominal().transfer_function.values, ("A", "B"))
+    assert abs(order.gain) < 1e-6
+    assert not order.differs
+
+
+def test_three_channels_in_turn_are_put_back() -> None:
+    design = geometry.prototype("glove")
+    library = acoustic_fem.solve(design, GRID, "lumped")
+    h = Rig(design, 3).transfer_function(GRID)
+    response = replace(response_of(library), transfer_function=h)
+    frames, _ = touches(response, 60)
+    order = likeliest_order(MarginalLikelihood(GRID, frames[:, [2, 0, 1]], 0.01), h, response.microphones)
+    assert order.heard == tuple(response.microphones[k] for k in (2, 0, 1))
+    assert order.differs
+
+
+def test_exchanged_channels_are_refused_by_name() -> None:
+    found = self_calibrate(made(), touches(truth(), 110)[0][:, ::-1], NOISE)
+    assert "the channels look exchanged: A, B are likelier B, A" in str(found.objection)
+    assert found.library() is found.present
+
+
+def test_a_gain_that_is_6_db_higher_is_named() -> None:
+    found = self_calibrate(made(), touches(truth(), 110)[0] * np.array([2.0, 1.0])[:, None], NOISE)
+    assert "the sensor is not one of this tolerance (gain of microphone" in str(found.objection)
+    for name, ratio in (("A", 1.4), ("B", 0.7)):
+        text = str(found.objection).split(f"gain of microphone {name} x ")[1]
+        assert float(text.split(",")[0]) == pytest.approx(ratio, abs=0.05)
+
+
+def test_touches_of_a_part_of_the_points_are_refused() -> None:
+    line = np.repeat([0, 1], [36, 12])
+
+    def refused(*untouched: int) -> str:
+        count = np.full(48, 4)
+        count[list(untouched)] = 0
+        return numbers(gaps(count, line))
+
+    assert refused() == refused(0, 7, 9, 35) == refused(10, 11, 12) == refused(36, 40, 47) == ""
+    assert refused(0, 1) == "1-2"
+    assert refused(34, 35, 36) == "35-36"
+    assert refused(10, 11, 12, 13, 30) == "11-14"
+    assert refused(*range(1, 36, 2)) == ", ".join(map(str, range(2, 37, 2)))
+    assert refused(40, 41) == "41-42"
+    count = np.where(np.arange(12) < 4, 40, 0)
+    found = replace(calibrated(), touches=count)
+    assert "no touch is named point 5-12:" in str(found.objection)
+    assert found.library() is nominal()
+
+
+def test_a_refusal_names_what_touches_look_like() -> None:
+    assert "touches of another kind, such as taps or friction, two at a time, sound from outside" in str(
+        replace(calibrated(), explained=0.5).objection
+    )
+    with pytest.raises(SelfCalibrationError, match=r"Pa rms at their loudest microphone, where .* are the samples pas"):
+        self_calibrate(nominal(), touches(truth(), 120)[0] * 32768, NOISE)
+
+
+def test_help_says_what_touches_are_needed(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(monkeypatch, "--help") == 0
+    said = " ".join(capsys.readouterr().out.split())
+    assert "touches that fill 1 to 100 Hz (multi-sines or noise; no taps and no friction), one at a time" in said
+
+
+@pytest.mark.slow
+def test_a_third_of_a_line_is_refused() -> None:
+    """It looks like touches one place further on a stiffer sensor."""
+    design = DESIGN.with_values(
+        {"lines.0.points": 36, "layout.columns": 18, "membrane.thickness": 1.0, "resonator.cavity_diameter": 8.0,
+         "resonator.cavity_height": 3.0, "tube.inner_diameter": 0.6, "tube.outer_diameter": 1.1,
+         "microphone_tube.inner_diameter": 0.6, "microphone_tube.outer_diameter": 1.1}
+    )  # fmt: skip
+    library = acoustic_fem.solve(design, GRID, "lumped")
+    h = Rig(design, 11, HiddenScatter(modulus=0.85)).transfer_function(GRID)
+    response = replace(response_of(library), transfer_function=h)
+    frames, points = touches(response, 360)
+    found = self_calibrate(library, frames[points < 12], NOISE)
+    assert "no touch is named point" in str(found.objection)
+
+
+@pytest.mark.slow
+def test_two_touches_at_once_are_refused() -> None:
+    frames = touches(truth(), 220)[0]
+    found = self_calibrate(nominal(), frames[:110] + frames[110:], NOISE)
+    assert "two at a time" in str(found.objection)
+    assert "; farthest off: " in str(found.objection)
+
+
+@pytest.mark.slow
+def test_noise_that_differs_between_microphones_is_refused() -> None:
+    noise = 0.1 * np.random.default_rng(5).standard_normal((110, 2, 250))
+    found = self_calibrate(nominal(), noise, NOISE)
+    assert "held-out frames are touches of the sensor found" in str(found.objection)
+    assert found.library() is nominal()
+
+
+def test_frames_that_cannot_be_used_are_refused() -> None:
+    frames = touches(truth(), 120)[0]
+    with pytest.raises(ValueError, match="99 of 99 frames hold a touch; a calibration needs at least 100"):
+        self_calibrate(nominal(), frames[:99], NOISE)
+    quiet = frames.copy()
+    quiet[30:] *= 1e-6
+    with pytest.raises(ValueError, match="of 120 frames hold a touch"):
+        self_calibrate(nominal(), quiet)
+    with pytest.raises(ValueError, match="have 1 channels, must have 2"):
+        self_calibrate(nominal(), frames[:, :1])
+    with pytest.raises(ValueError, match=r"must be \(n, n_microphone, 250\)"):
+        self_calibrate(nominal(), np.pad(frames, ((0, 0), (0, 0), (0, 50))))
+    with pytest.raises(ValueError, match="channel B of signal 0 is silent"):
+        self_calibrate(nominal(), frames * np.array([1.0, 0.0])[:, None])
+    with pytest.raises(
+        SelfCalibrationError, match="2 of 122 frames with a touch are copies of others, such as frame 121 of frame 3 "
+    ):
+        self_calibrate(nominal(), np.concatenate([frames, np.zeros((1, 2, 250)), frames[[3, 5]]]), NOISE)
+    for gain in (1.0, -0.3):
+        same = frames[:, :1] * np.array([1.0, gain])[:, None]
+        with pytest.raises(SelfCalibrationError, match=f"channels A and B hold one signal: .* B is {gain:g} times A"):
+            self_calibrate(nominal(), same + 1e-5 * np.random.default_rng(2).standard_normal(same.shape), NOISE)
+    with pytest.raises(ValueError, match="microphone_noise = 0 Pa must be between"):
+        self_calibrate(nominal(), frames, 0)

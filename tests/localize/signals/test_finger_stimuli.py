@@ -1,0 +1,156 @@
+"""Taps, friction, the pulse wave and recordings: in Pa, within their second, each sample made again alone."""
+
+import numpy as np
+import pytest
+import torch
+from scipy import stats
+from scipy.io import wavfile
+
+from localize.signals import finger_stimuli as fingers, stimulus
+from localize.signals.finger_stimuli import Mixture, RecordedStimulus
+
+WIDE = (0.25, 499.75)
+
+
+def pressure(source, count=300, band=WIDE, seed=0):
+    """(count, 4000) Pa: the second and the silence after it."""
+    return stimulus.time_signal(source(seed, "training", 0, count, band, "cpu").spectrum, stimulus.PERIOD)
+
+
+@pytest.fixture
+def wav(tmp_path):
+    """Two seconds of noise at 8 kHz, below 100 Hz, with a peak of half of full scale."""
+    draw = np.random.default_rng(0)
+    noise = np.convolve(draw.normal(size=16000), np.hanning(160), "same")
+    path = tmp_path / "finger.wav"
+    wavfile.write(path, 8000, (16384 * noise / np.abs(noise).max()).astype(np.int16))
+    return path
+
+
+@pytest.mark.parametrize("name", [*fingers.STIMULI, "mixture", "recording"])
+def test_a_sample_made_alone_is_the_one_made_in_a_batch(name, wav):
+    source = {
+        **fingers.STIMULI,
+        "mixture": Mixture((fingers.taps, stimulus.multi_sines, fingers.friction)),
+        "recording": RecordedStimulus(wav, 1.0),
+    }[name]
+    whole = source(5, "training", 0, 200, WIDE, "cpu")
+    for start, count in ((0, 1), (63, 2), (150, 50)):
+        part = source(5, "training", start, count, WIDE, "cpu")
+        assert torch.allclose(part.spectrum, whole.spectrum[start : start + count], atol=1e-7)
+        assert torch.equal(part.interval, whole.interval[start : start + count])
+    other = source(6, "training", 0, 200, WIDE, "cpu").spectrum
+    assert not torch.allclose(other, whole.spectrum, atol=1e-4)
+
+
+def test_taps_are_single_pulses_of_5_to_100_ms_in_the_last_quarter_of_a_second():
+    taps = pressure(fingers.taps, 800).numpy()
+    assert np.abs(taps[:, :740]).max(1) == pytest.approx(np.zeros(800), abs=0.02 * float(taps.max()))
+    peak = taps.max(1)
+    assert (peak.min() > 0.09, peak.max() < 10.1) == (True, True)
+    # Long ones are not touched by the fading at the top of the band: sin^2 is above one half for half of its length.
+    length = 2 * (taps > peak[:, None] / 2).sum(1)
+    assert (length.min() >= 4, length.max() <= 102) == (True, True)
+    assert stats.kstest(np.log(length[length > 20] / 20), stats.uniform(0, np.log(5)).cdf).pvalue > 1e-3
+    assert (np.argmax(taps, 1) - length / 2 >= 745).all()
+    assert (np.argmax(taps, 1) + length / 2 <= 955).all()
+
+
+def test_friction_is_noise_of_a_moving_level_in_its_band_silent_outside_its_second():
+    rubbed = pressure(fingers.friction, 400).numpy()
+    rms = rubbed[:, :1000].std(1)
+    assert (rms.min() > 0.015, rms.max() < 1.05) == (True, True)
+    assert np.abs(rubbed[:, 1100:3900]).max() < 0.01 * np.abs(rubbed).max()
+    power = np.abs(np.fft.rfft(rubbed[:, :1000] * np.hanning(1000))) ** 2
+    share = power / power.sum(1, keepdims=True)
+    assert share[:, 310:].sum(1).max() < 0.02
+    assert share[:, :2].sum(1).max() < 0.2
+    quarters = rubbed[:, :1000].reshape(400, 4, 250).std(-1)
+    assert np.median(quarters.max(1) / quarters.min(1)) > 1.5
+
+
+def test_a_pulse_wave_beats_45_to_105_times_a_minute_and_repeats_exactly():
+    spectrum = fingers.pulse_wave(0, "training", 0, 400, WIDE, "cpu").spectrum
+    first = (spectrum.abs() > 0).int().argmax(1)
+    assert sorted(set(first.tolist())) == [3, 4, 5, 6, 7]
+    wave = pressure(fingers.pulse_wave, 400)
+    assert (wave.amax(1).min() > 0.019, wave.amax(1).max() < 0.51) == (True, True)
+    four = first == 4
+    assert torch.allclose(wave[four, :1000], wave[four, 1000:2000], atol=1e-6)
+    # One systole a beat: the wave passes nine tenths of its peak upwards once.
+    above = wave > 0.9 * wave.amax(1, keepdim=True)
+    assert torch.equal((above & ~above.roll(1, 1)).sum(1), first)
+
+
+@pytest.mark.parametrize("name", list(fingers.STIMULI))
+def test_nothing_is_excited_beyond_the_band(name):
+    spectrum = fingers.STIMULI[name](0, "training", 0, 50, (1.0, 100.0), "cpu").spectrum
+    assert (spectrum[:, 401:] == 0).all()
+
+
+def test_a_mixture_takes_its_sources_equally_often():
+    mixed = Mixture((fingers.taps, stimulus.multi_sines))(0, "training", 0, 64 * 200, WIDE, "cpu")
+    share = (mixed.interval == -1).double().mean().item()
+    assert share == pytest.approx(0.5, abs=0.12)
+    assert (mixed.interval.reshape(200, 64) == -1).any(1).eq((mixed.interval.reshape(200, 64) == -1).all(1)).all()
+
+
+def test_a_recording_is_cut_resampled_and_scaled_to_pascals(wav):
+    cuts = pressure(RecordedStimulus(wav, 4.0), 50).numpy()[:, 50:950]
+    assert 1.0 < np.abs(cuts).max() <= 2.0 * 1.02
+    _, values = wavfile.read(wav)
+    source = 4.0 * values[::8] / 32768
+    window = np.lib.stride_tricks.sliding_window_view(source, 900)
+    for cut in cuts[:5]:
+        assert np.abs(window - cut).max(1).min() < 0.02
+
+
+def test_formats_of_wav_files_have_the_same_scale(tmp_path):
+    wave = 0.5 * np.sin(2 * np.pi * 20 * np.arange(3000) / 1000)
+    for name, values in {
+        "16": (wave * 2**15).astype(np.int16),
+        "32": (wave * 2**31).astype(np.int32),
+        "8": (wave * 128 + 128).astype(np.uint8),
+        "float": wave.astype(np.float32),
+    }.items():
+        wavfile.write(tmp_path / f"{name}.wav", 1000, values)
+        read = RecordedStimulus(tmp_path / f"{name}.wav", 2.0).pressure.numpy()
+        assert np.abs(read - 2 * wave).max() < 0.02
+
+
+@pytest.mark.parametrize(
+    ("kind", "message"),
+    [
+        ("missing", r"missing\.wav: cannot be read: No such file"),
+        ("text", "cut short or not a WAV file"),
+        ("cut", "cut short: it has 30 of"),
+        ("stereo", "has 2 channels, must have one"),
+        ("short", r"lasts 0\.5 s, must last at least 1 s"),
+        ("silent", "is silent"),
+        ("nan", "not finite"),
+    ],
+)
+def test_recordings_that_cannot_be_used_are_refused_by_file_and_reason(tmp_path, wav, kind, message):
+    path = tmp_path / f"{kind}.wav"
+    wave = np.sin(np.arange(3000) / 30).astype(np.float32)
+    match kind:
+        case "text":
+            path.write_text("no sound")
+        case "cut":
+            path.write_bytes(wav.read_bytes()[:30])
+        case "stereo":
+            wavfile.write(path, 1000, np.stack([wave, wave], 1))
+        case "short":
+            wavfile.write(path, 1000, wave[:500])
+        case "silent":
+            wavfile.write(path, 1000, 0 * wave)
+        case "nan":
+            wavfile.write(path, 1000, np.where(wave > 0.9, np.nan, wave))
+    with pytest.raises(ValueError, match=message):
+        RecordedStimulus(path, 1.0)
+
+
+@pytest.mark.parametrize("scale", [0.0, -1.0, float("nan"), float("inf")])
+def test_a_scale_of_a_recording_that_is_no_scale_is_refused(wav, scale):
+    with pytest.raises(ValueError, match=rf"full_scale = {scale} Pa must be a finite number above zero"):
+        RecordedStimulus(wav, scale)

@@ -1,0 +1,278 @@
+"""The verb live from the outside: replay, recording, a sound card that is not there, one that goes, and kills."""
+
+import json
+import os
+import re
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import fake_audio
+import numpy as np
+import pytest
+from rc_line import rc_line
+
+import localize
+from acoustic_fem.sound.sound_file import read_wav, write_wav
+
+ROOT = Path(__file__).parents[3]
+NOISE = 1e-2
+RATE = 8000
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    """A decoder as an ONNX file, and three seconds of 8 kHz with a touch in their middle, in the wrong order."""
+    path = tmp_path_factory.mktemp("live")
+    array = rc_line(6)
+    localize.export_onnx(localize.BayesDecoder(array, NOISE), path / "model.onnx")
+    made = localize.TouchGenerator(array, 0, "evaluation", 0.0).samples(0, 30).signals.double().numpy()
+    signals = NOISE * np.random.default_rng(0).standard_normal((2, 3000))
+    signals[:, 1000:2000] += made[np.argmax(made.std(-1).max(1))]
+    at = np.arange(3 * RATE) / RATE * 1000
+    write_wav(path / "play.wav", np.stack([np.interp(at, np.arange(3000), row) for row in signals[::-1]]) / 4, RATE)
+    return path
+
+
+def acoustic_fem(*arguments: object, path: Path | None = None, **options):
+    """The command as a process; ``path`` holds the package sounddevice that it finds."""
+    found = os.pathsep.join(map(str, [ROOT, *([] if path is None else [path])]))
+    return subprocess.Popen(
+        [sys.executable, "-m", "studies.cli", *map(str, arguments)],
+        env={**os.environ, "PYTHONPATH": found, **options.pop("env_more", {})},
+        stdout=options.pop("stdout", subprocess.PIPE),
+        stderr=subprocess.PIPE,
+        text=True,
+        **options,
+    )
+
+
+def test_a_replay_gives_what_locate_gives_and_records_what_it_plays(folder, tmp_path):
+    chosen = ("--channels", "left=2,right=1", "--full-scale", "4")
+    with acoustic_fem(
+        *("live", folder / "model.onnx", "--replay", folder / "play.wav", *chosen),
+        *("--out", tmp_path / "live.jsonl", "--record", tmp_path / "again.wav"),
+    ) as process:
+        told, errors = process.communicate(timeout=60)
+    assert process.returncode == 0, errors
+    assert (tmp_path / "live.jsonl").read_text() == told
+    lines = [json.loads(line) for line in told.splitlines()]
+    recording = localize.read_recording(tmp_path / "again.wav", ("left", "right"), 4.0)
+    np.testing.assert_array_equal(
+        np.stack(list(read_wav(tmp_path / "again.wav").channels.values())),
+        np.stack(list(read_wav(folder / "play.wav").channels.values()))[::-1],
+    )
+    events = localize.TouchStream(localize.OnnxLocalizer(folder / "model.onnx")).push(recording.signals)
+    expected = [json.loads(event.json_line()) for event in events]
+    late = [line.pop("latency") for line in lines if "latency" in line]
+    assert lines == expected
+    assert sum(line["state"] == "touch" for line in lines) > 40
+    # the end of the filter comes when the file has ended, and has no age
+    assert len(late) >= len(lines) - 1
+    assert min(late) > 0.01
+    assert re.search(r"listened for [3-9]\.\d s; decisions: \d+ no touch, \d+ touch\n", errors)
+    assert "faults: none" in errors
+    assert re.search(r"latency: p50 \d+\.\d ms, p99 \d+\.\d ms, at most", errors)
+    assert errors.rstrip().endswith(str(tmp_path / "again.wav"))
+
+
+@pytest.mark.skipif(not hasattr(signal, "SIGKILL"), reason="needs a system that kills")
+def test_a_killed_program_leaves_its_recording_and_its_lines(folder, tmp_path):
+    played = read_wav(folder / "play.wav").channels
+    with acoustic_fem(
+        *("live", folder / "model.onnx", "--replay", folder / "play.wav", "--full-scale", "4"),
+        *("--out", tmp_path / "live.jsonl", "--record", tmp_path / "cut.wav"),
+    ) as process:
+        for _ in range(60):
+            process.stdout.readline()
+        process.kill()
+    assert process.returncode == -signal.SIGKILL
+    left = read_wav(tmp_path / "cut.wav").channels
+    assert 1.2 * RATE < len(left["1"]) < 3 * RATE
+    np.testing.assert_array_equal(left["1"], played["1"][: len(left["1"])])
+    assert all("time" in json.loads(line) for line in (tmp_path / "live.jsonl").read_text().splitlines())
+
+
+SOUND_CARD = f"""
+import sys
+sys.path.insert(0, {str(ROOT / "tests" / "support")!r})
+import numpy as np
+import fake_audio
+noise = 1e-2 * np.random.default_rng(0).standard_normal(({RATE} * 60, 2)).astype(np.float32)
+card = fake_audio.FakeAudio([fake_audio.Run(noise[:4000]), fake_audio.Run(noise, "stall")], rate={RATE}, channels=2,
+                            absent=1, pace=0.004)
+globals().update({{name: getattr(card, name) for name in dir(card) if not name.startswith("__")}})
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="needs signals between processes")
+def test_a_sound_card_is_listened_to_until_ctrl_c_though_it_is_unplugged(folder, tmp_path):
+    (tmp_path / "sounddevice.py").write_text(SOUND_CARD)
+    with acoustic_fem(
+        *("live", folder / "model.onnx", "--device", "usb", "--record", tmp_path / "card.wav"), path=tmp_path
+    ) as process:
+        lines, back = [], 0
+        while back < 20:
+            lines.append(json.loads(process.stdout.readline()))
+            back += any(line.get("notice") == "source back" for line in lines)
+        process.send_signal(signal.SIGINT)
+        _, errors = process.communicate(timeout=60)
+    assert process.returncode == 0, errors
+    notices = [(line["notice"], line["text"]) for line in lines if "notice" in line]
+    assert notices == [
+        ("source lost", "USB array (ALSA, 8000 Hz): the device has stopped"),
+        ("source lost", "USB array: is not there"),
+        ("source back", "USB array (ALSA, 8000 Hz)"),
+    ]
+    (lost,) = [line for line in lines if line.get("fault") == "samples lost"]
+    assert 1000 < lost["samples"] < 10_000
+    assert f"1 samples lost ({lost['samples']} samples)" in errors
+    assert errors.rstrip().splitlines()[-2:] == [str(tmp_path / "card.wav"), str(tmp_path / "card-2.wav")]
+    assert len(read_wav(tmp_path / "card.wav").channels["1"]) == 4000
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="needs a pseudo-terminal")
+def test_a_terminal_shows_the_array_and_ctrl_c_ends_it(folder, tmp_path):
+    import pty
+
+    ours, theirs = pty.openpty()
+    environment = {"TERM": "xterm", "COLUMNS": "90", "LINES": "30", "PYTHONIOENCODING": "utf-8"}
+    with acoustic_fem(
+        *("live", folder / "model.onnx", "--replay", folder / "play.wav", "--full-scale", "4"),
+        *("--channels", "left=2,right=1", "--out", tmp_path / "live.jsonl"),
+        stdout=theirs,
+        env_more=environment,
+    ) as process:
+        os.close(theirs)
+        shown = b""
+        while b"point" not in shown:
+            shown += os.read(ours, 65536)
+        process.send_signal(signal.SIGINT)
+        _, errors = process.communicate(timeout=60)
+    os.close(ours)
+    assert process.returncode == 0, errors
+    assert "listened for" in errors
+    text = shown.decode(errors="replace")
+    for words in ("play.wav, played", "line 1", "○", "level", "latency p50", "faults: none", "left   ", "right  "):
+        assert words in text, words
+    assert "{" not in text
+    assert len((tmp_path / "live.jsonl").read_text().splitlines()) > 10
+
+
+def test_lines_into_a_program_that_ends_are_no_error(folder):
+    with acoustic_fem("live", folder / "model.onnx", "--replay", folder / "play.wav") as process:
+        process.stdout.readline()
+        process.stdout.close()
+        errors = process.stderr.read()
+    assert process.returncode == 0
+    assert "Error" not in errors
+    assert "listened for" in errors
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ((), "sounddevice is not installed: pip install 'acoustic-fem[live]'; on Linux PortAudio itself: apt install "),
+        (("--list-devices",), "sounddevice is not installed"),
+        (("--replay", "nowhere.wav"), "nowhere.wav: no such file"),
+        (("--replay", "{folder}/play.wav", "--channels", "left=1,right=3"), "has 2 channels; channel 3 of microphone"),
+        (("--replay", "{folder}/play.wav", "--channels", "left=1"), "--channels = left=1 must give left, right a num"),
+        (("--replay", "{folder}/play.wav", "--full-scale", "0"), "--full-scale = 0.0 Pa must be finite and above 0"),
+        (("--replay", "{folder}/model.onnx"), "cut short or not a WAV file"),
+        (("--replay", "{folder}/play.wav", "--record", "{folder}/play.wav"), "is the file that --replay plays"),
+        (
+            ("--replay", "{folder}/play.wav", "--record", "{folder}/model.onnx"),
+            "exists, and a recording is never overwritten; name another file, or remove this one",
+        ),
+        (("--replay", "{folder}/play.wav", "--record", "{folder}"), "is a folder; --record must be a file"),
+        (
+            ("--replay", "{folder}/play.wav", "--record", "{folder}/no/x.wav"),
+            "--record must lie in a folder that exists",
+        ),
+        (("--replay", "{folder}/play.wav", "--noise", "1"), "--noise = 1.0 is for a library"),
+    ],
+)
+def test_what_cannot_be_listened_to_is_one_line(folder, monkeypatch, capsys, arguments, message):
+    from studies.cli import app
+
+    monkeypatch.setitem(sys.modules, "sounddevice", None)  # as if it were not installed
+    given = [argument.format(folder=folder) for argument in arguments]
+    monkeypatch.setattr(sys, "argv", ["acoustic-fem", "live", str(folder / "model.onnx"), *given])
+    with pytest.raises(SystemExit) as ended:
+        app.main()
+    (line,) = capsys.readouterr().err.splitlines()
+    assert ended.value.code == 1
+    assert line.startswith("acoustic-fem: ")
+    assert message in line
+
+
+def test_a_computer_without_portaudio_is_told_what_to_install(folder, tmp_path, monkeypatch):
+    from localize.live.sound_device import load_sounddevice
+    from localize.live.sources import SourceError
+
+    # what the package does where it finds no library
+    (tmp_path / "sounddevice.py").write_text("raise OSError('PortAudio library not found')\n")
+    monkeypatch.syspath_prepend(tmp_path)
+    monkeypatch.delitem(sys.modules, "sounddevice", raising=False)
+    with pytest.raises(SourceError, match=r"PortAudio library not found: pip install .* apt install libportaudio2"):
+        load_sounddevice()
+
+
+def test_sound_cards_are_listed_without_a_model(monkeypatch, capsys):
+    from studies.cli import app
+
+    monkeypatch.setitem(sys.modules, "sounddevice", fake_audio.FakeAudio([]))
+    monkeypatch.setattr(sys, "argv", ["acoustic-fem", "live", "--list-devices"])
+    with pytest.raises(SystemExit) as ended:
+        app.main()
+    assert ended.value.code == 0
+    assert re.search(r"1\s+USB array\s+ALSA\s+4\s+48000\s+default", capsys.readouterr().out)
+
+
+@pytest.mark.parametrize("arguments", [("--device", "1", "--replay", "a.wav"), ("--channels", "A:1")])
+def test_options_that_do_not_go_together_are_a_wrong_command_line(folder, monkeypatch, capsys, arguments):
+    from studies.cli import app
+
+    monkeypatch.setattr(sys, "argv", ["acoustic-fem", "live", str(folder / "model.onnx"), *arguments])
+    with pytest.raises(SystemExit) as ended:
+        app.main()
+    assert ended.value.code == 2
+    assert arguments[0] in capsys.readouterr().err
+
+
+@pytest.mark.slow
+def test_twenty_seconds_of_two_times_36_points_in_real_time_lose_no_frame():
+    result = subprocess.run(
+        [sys.executable, ROOT / "benchmarks" / "live.py", "--seconds", "20", "--json"],
+        env={**os.environ, "PYTHONPATH": str(ROOT)},
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=300,
+    )
+    assert result.returncode == 0, result.stderr
+    # Latencies are the benchmark's to tell: they say how busy a machine is.
+    for row in json.loads(result.stdout):
+        assert row["decisions"] == row["offline"] == (20_000 - 250) // 16 + 1
+        assert row["same"]
+        assert row["faults"] == 0
+        assert row["memory at the end"] < 1.05 * row["memory at first"]
+
+
+def test_a_replay_is_not_faster_than_its_file(folder):
+    from localize.live.sources import ReplaySource
+
+    source = ReplaySource(folder / "play.wav", ("left", "right"))
+    began = time.perf_counter()
+    queue = source.open()
+    count = 0
+    while (block := queue.get(0.5)) is not None:
+        assert time.perf_counter() >= block.available
+        count += block.samples.shape[1]
+        if count > RATE:
+            break
+    assert time.perf_counter() - began > 0.95
+    source.close()
+    assert not source.ended

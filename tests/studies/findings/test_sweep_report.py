@@ -1,0 +1,180 @@
+"""The newcomer's study from the how-to, the page about it, and the table behind the page."""
+
+from __future__ import annotations
+
+import json
+import re
+import shlex
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from geometry import load_design
+from studies.findings.page import LARGEST_CLOUD, render_sweep
+from studies.findings.result_table import Column, ResultTable, effect, fast_front, pair_map, table_of_sweep, unit_of
+from studies.optimization.search import pareto_front
+from studies.sweep.store import open_sweep
+
+ROOT = Path(__file__).parents[3]
+PAGE = ROOT / "docs" / "first-study.md"
+
+
+def blocks(kind: str) -> list[str]:
+    return re.findall(rf"^```{kind}\n(.*?)^```", PAGE.read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The how-to, followed to the letter in an empty folder."""
+    folder = tmp_path_factory.mktemp("newcomer")
+    (study,) = blocks("toml")
+    (folder / "first-study.toml").write_text(study, encoding="utf-8")
+    for line in "".join(blocks("bash")).splitlines():
+        program, *words = shlex.split(line)
+        assert program == "acoustic-fem"
+        command = f"import sys; sys.path.insert(0, {str(ROOT)!r}); from studies.cli.app import main; main()"
+        subprocess.run([sys.executable, "-c", command, *words], cwd=folder, check=True, capture_output=True)
+    return folder
+
+
+@pytest.fixture(scope="module")
+def table(folder: Path) -> ResultTable:
+    return table_of_sweep(open_sweep(folder / "results.zarr"))
+
+
+@pytest.fixture(scope="module")
+def page(folder: Path) -> str:
+    return (folder / "report.html").read_text(encoding="utf-8")
+
+
+def data_of(page: str) -> dict[str, Any]:
+    found = re.search(r'<script type="application/json" id="data">(.*?)</script>', page, re.DOTALL)
+    assert found is not None
+    data: dict[str, Any] = json.loads(found.group(1))
+    return data
+
+
+def test_the_newcomers_study_has_its_256_designs(table: ResultTable) -> None:
+    assert len(table.number) == 256
+    assert table.failures == ()
+    assert [column.name for column in table.parameters] == [
+        "tube.inner_diameter", "resonator.cavity_height", "membrane.thickness",
+    ]  # fmt: skip
+
+
+def test_the_newcomers_answer_is_the_papers_rule(table: ResultTable) -> None:
+    """Thinner tubes and softer membranes set the points apart, at the price of the loud room."""
+    bore, _, thickness = table.parameters
+    distance, loud, _ = table.metrics
+    for parameter in (bore, thickness):
+        means = effect(parameter, distance).mean
+        assert means[0] > 2 * means[-1]
+    assert effect(bore, distance).share > 0.2
+    assert effect(bore, loud).mean[0] < effect(bore, loud).mean[-1]
+
+
+def test_the_file_of_a_listed_design_is_that_design(folder: Path, table: ResultTable) -> None:
+    design = load_design(folder / "design-0.toml")
+    assert design.tube.inner_diameter == table.values(0)["tube.inner_diameter"]
+    assert design.membrane.thickness == table.values(0)["membrane.thickness"]
+
+
+def test_the_page_needs_no_network(page: str) -> None:
+    own = re.sub(r"<script>.*?</script>", "", page, count=1, flags=re.DOTALL)  # plotly itself names addresses
+    assert not re.search(r"""(src|href)\s*=\s*["'](https?:)?//""", own)
+    assert "Plotly" in page
+    assert len(page) > 4_000_000  # the plotting program is inside
+
+
+def test_the_page_holds_the_results(page: str, table: ResultTable) -> None:
+    data = data_of(page)
+    assert data["cloud"]["number"] == table.number.tolist()
+    np.testing.assert_allclose(data["cloud"]["metrics"][0], table.metrics[0].values, rtol=1e-4)
+    for name, numbers in data["best"].items():
+        column = table.metric(name)
+        best = column.values.min() if column.better == "smaller" else column.values.max()
+        assert column.values[list(table.number).index(numbers[0])] == best
+        assert all(str(number) in data["designs"] for number in numbers)
+    assert len(data["maps"]) == 3
+    assert data["families"][0]["title"] == "the base design"
+    assert len(data["families"][0]["level"]) == 12
+
+
+def test_a_design_file_in_the_page_is_that_of_the_command(folder: Path, page: str, tmp_path: Path) -> None:
+    data = data_of(page)
+    number, text = next(iter(data["designs"].items()))
+    (tmp_path / "from-page.toml").write_text(text, encoding="utf-8")
+    words = shlex.split(data["command"].replace("{number}", number))
+    command = f"import sys; sys.path.insert(0, {str(ROOT)!r}); from studies.cli.app import main; main()"
+    words[-1] = str(tmp_path / "from-command.toml")
+    subprocess.run([sys.executable, "-c", command, *words[1:]], cwd=folder, check=True, capture_output=True)
+    assert load_design(tmp_path / "from-page.toml") == load_design(tmp_path / "from-command.toml")
+
+
+def test_text_of_the_user_cannot_become_script(table: ResultTable) -> None:
+    vars_of = {**vars(table), "title": "</script><script>alert(1)</script>"}
+    page = render_sweep(ResultTable(**vars_of), "acoustic-fem best '</script><b>' {number}")
+    assert "<script>alert" not in page
+    assert "</script><b>" not in page
+
+
+# -- the table --------------------------------------------------------------------------------------
+def made_up(metric: Callable[[np.ndarray, np.ndarray], np.ndarray], count: int = 4000) -> tuple[Column, Column, Column]:
+    a, b = np.random.default_rng(1).random((2, count))
+    return Column("a", "a", "mm", a), Column("b", "b", "mm", b), Column("m", "m", "", metric(a, b), (), "larger")
+
+
+def test_shares_are_those_of_an_additive_function() -> None:
+    """Of 3 a + b the variances are 9 : 1."""
+    a, b, metric = made_up(lambda a, b: 3 * a + b)
+    assert effect(a, metric).share == pytest.approx(0.9, abs=0.02)
+    assert effect(b, metric).share == pytest.approx(0.1, abs=0.02)
+    own = effect(a, metric)
+    np.testing.assert_allclose(own.mean, 3 * own.centres + 0.5, atol=0.06)
+
+
+def test_a_parameter_without_effect_has_a_share_near_zero() -> None:
+    a, b, metric = made_up(lambda a, b: np.sin(9 * a), count=60)
+    assert effect(b, metric).share < 0.15
+    assert effect(a, metric).share > 0.5
+
+
+def test_a_map_holds_the_means_of_its_fields() -> None:
+    a, b, metric = made_up(lambda a, b: a * b)
+    x, y, means = pair_map(a, b, metric)
+    np.testing.assert_allclose(means, np.outer(y, x), atol=0.03)
+
+
+def test_the_fast_front_is_the_plain_one() -> None:
+    random = np.random.default_rng(0)
+    for _ in range(20):
+        values = random.integers(0, 6, (40, 2)).astype(float)
+        assert (fast_front(values) == pareto_front(values)).all()
+
+
+def test_of_many_designs_the_best_and_the_fronts_are_drawn(table: ResultTable) -> None:
+    count = LARGEST_CLOUD + 500
+    rows = np.resize(np.arange(len(table.number)), count)
+    random = np.random.default_rng(2)
+    metrics = tuple(
+        Column(c.name, c.title, c.unit, c.values[rows] * random.uniform(0.9, 1, count), (), c.better)
+        for c in table.metrics
+    )
+    parameters = tuple(Column(c.name, c.title, c.unit, c.values[rows], c.labels) for c in table.parameters)
+    many = {**vars(table), "number": np.arange(count), "metrics": metrics, "parameters": parameters}
+    large = ResultTable(**many)
+    data = data_of(render_sweep(large, "x {number}"))
+    drawn = set(data["cloud"]["number"])
+    assert len(drawn) == LARGEST_CLOUD
+    assert set(large.fronts().tolist()) <= drawn
+    assert {number for numbers in data["best"].values() for number in numbers} <= drawn
+
+
+def test_units_come_from_the_design() -> None:
+    assert unit_of("lines.0.tube.length") == "mm"
+    assert unit_of("membrane.material") == ""

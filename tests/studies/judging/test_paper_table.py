@@ -1,0 +1,57 @@
+"""The study of the paper's table: the page shows the stored rows, and rows that are there are not made again."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+import typer
+
+from studies.judging import paper_table
+from studies.judging.paper_table import BEGIN, END, Row, solved, table
+
+PAGE = Path(__file__).parents[3] / "docs" / "studies" / "paper_table" / "README.md"
+ROWS = [json.loads(path.read_text(encoding="utf-8")) for path in sorted(PAGE.parent.glob("line-*.json"))]
+
+
+def test_the_table_of_the_page_is_that_of_the_stored_rows():
+    shown = PAGE.read_text(encoding="utf-8").partition(BEGIN)[2].partition(END)[0].strip()
+    assert shown == table(ROWS)
+    assert len(shown.splitlines()) == 2 + len(ROWS)
+
+
+@pytest.mark.parametrize("row", ROWS, ids=lambda row: f"{row['design']}-{row['points_per_line']}-{row['noise']:g}")
+def test_a_row_was_trained_and_is_shown_as_its_file_says(row):
+    assert row["plan"]["microphone_noise"] == row["noise"]
+    trained = row["network"]["training"]["touches"] // row["points"]
+    assert f"| {row['points']} | {1e3 * row['noise']:g} | " in table([row])
+    assert f" | {trained} | " in table([row])
+
+
+@pytest.mark.parametrize(("design", "lines"), [("line-2", 1), ("line-3", 3), ("line-4", 6)])
+def test_the_arrays_have_so_many_points_on_every_line(design, lines):
+    response = solved(Row(design, 4, 0.0))
+    assert np.bincount(response.line).tolist() == [4] * lines
+
+
+def test_rows_that_are_stored_are_not_made_again(tmp_path, monkeypatch, capsys):
+    made = []
+
+    def measured(row, full, folder):
+        made.append(row.name)
+        return ROWS[0] | {"design": row.design, "points_per_line": row.points_per_line, "noise": row.noise}
+
+    monkeypatch.setattr(paper_table, "measure", measured)
+    for points in ([12], [12, 24]):
+        paper_table.main(tmp_path, False, ["line-2"], points)
+    assert made == [f"line-2-{points}-noise-{noise}" for points in (12, 24) for noise in ("0", "0.001")]
+    assert (tmp_path / "table.md").read_text(encoding="utf-8").count("\n") == 2 + 4
+
+
+@pytest.mark.parametrize(("design", "points"), [(["line-5"], None), (None, [1]), (None, [65])])
+def test_arrays_out_of_range_are_refused(tmp_path, design, points):
+    with pytest.raises(typer.BadParameter, match="must be"):
+        paper_table.main(tmp_path / "none", False, design, points)
+    assert not (tmp_path / "none").exists()

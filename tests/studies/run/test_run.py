@@ -1,0 +1,319 @@
+"""A run of the whole chain: what lies in its folder, and what it does with folders that are not its own."""
+
+from __future__ import annotations
+
+import io
+import json
+import os
+import subprocess
+import sys
+import warnings
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from small_run import PLAN, small_design, small_run
+
+import acoustic_fem
+import geometry
+from acoustic_fem.numerics.disk_cache import CacheWarning
+from localize import TrainingPlan, load_localizer
+from studies.metrics.pairs import separability
+from studies.output import folders
+from studies.output.display import Display
+from studies.output.folders import MARK, check_folder, check_new_file, claim_folder, replaced_folder
+from studies.run import chain as run_module
+from studies.run.chain import run_design, training_plan
+from studies.run.findings import array_size, membrane_compliance
+
+ROOT = Path(__file__).parents[3]
+
+
+def results() -> dict:
+    return json.loads((small_run().folder / "results.json").read_text(encoding="utf-8"))
+
+
+def test_the_folder_of_a_run_is_complete() -> None:
+    folder = small_run().folder
+    names = {path.name for path in folder.iterdir()}
+    assert names == {
+        MARK, "design.toml", "library.nc", "parts", "localizer", "figures", "results.json", "report.html"
+    }  # fmt: skip
+    stems = {path.stem for path in (folder / "parts").iterdir()}
+    assert stems == set(small_run().part_counts)
+    assert {path.suffix for path in (folder / "parts").iterdir()} == {".stl", ".step", ".3mf"}
+    assert not list(folder.rglob(".*.new"))
+
+
+def test_the_design_file_of_a_run_stands_alone() -> None:
+    written = geometry.load_design(small_run().folder / "design.toml")
+    assert written == small_design().completed()
+    assert set(written.materials) == {"silicone-shore-a-30", "photopolymer-resin"}
+
+
+def test_the_library_and_the_localizer_of_a_run_are_those_it_judged() -> None:
+    result = small_run()
+    library = acoustic_fem.load(result.folder / "library.nc")
+    assert np.array_equal(library.transfer_function.values, result.library.transfer_function.values)
+    assert np.array_equal(library.frequency, np.arange(1.0, 501.0))
+    localizer = load_localizer(result.folder / "localizer")
+    assert (localizer.design, localizer.point_count) == ("row-3", 3)
+    assert localizer.plan["seconds_per_point"] == PLAN.seconds_per_point
+
+
+def test_the_results_are_those_of_the_library() -> None:
+    result, found = small_run(), results()
+    distances = separability(result.library.transfer_function)
+    assert found["separability"]["combined"] == distances.combined.tolist()
+    assert found["separability"]["hardest_pairs"][0] == list(distances.hardest_pairs[0])
+    assert np.sum(found["network"]["confusion"]) == found["network"]["touches"] == 3000
+    for row, levels in zip(found["points"], np.abs(result.library.transfer_function.values[..., 9]), strict=True):
+        assert row["level_10_hz_db"] == pytest.approx(20 * np.log10(levels))
+    assert found["network"]["top1"] == pytest.approx(np.trace(found["network"]["confusion"]) / 3000)
+
+
+def test_three_points_are_told_apart() -> None:
+    found = results()
+    assert found["bayes"]["top1"] > 0.99
+    assert found["network"]["top1"] > 0.5  # three short epochs; chance is 0.33
+
+
+def test_the_results_say_how_they_were_made() -> None:
+    found = results()
+    assert found["program"] == "acoustic-fem run"
+    assert found["provenance"]["fidelity"] == "lumped"
+    assert found["provenance"]["library"]["libraries"]["numpy"] == np.__version__
+    assert found["provenance"]["localizer"]["seed"] == 0
+    assert set(found["seconds"]) == {"Parts", "Cells", "Localizer", "Evaluation", "Figures"}
+    assert [cell["method"] for cell in found["cells"]] == ["closed form"] * 2
+
+
+def test_every_mesh_file_is_within_half_a_percent_of_its_solid() -> None:
+    files = results()["files"]
+    assert len(files) == 3 * len(small_run().part_counts)
+    assert all(abs(file["volume_error"]) < 0.005 for file in files)
+
+
+def test_the_size_and_the_compliance_are_those_of_the_design() -> None:
+    width, depth, height = array_size(small_design())
+    # three points at a pitch of 18.5 mm, microphone tubes of 12.5 mm, housings and chambers beyond
+    assert width == pytest.approx(2 * 18.5 + 2 * (3 + 12.5) + 2 * 1.9 + 2 * 1.0)
+    assert depth == pytest.approx(10.0)
+    assert height == pytest.approx(1.0 + 2.5 + 0.5)
+    compliance, ratio = membrane_compliance(small_run())
+    # a disc of a = 3 mm, h = 0.5 mm glued on a rim of 1.5 mm has 1.64 times the pi a^6 / (192 D) of a thin plate
+    rigidity = 1.1424 * 0.5**3 / (12 * (1 - 0.49**2))
+    assert compliance == pytest.approx(1.64 * np.pi * 3**6 / (192 * rigidity) * 1e-3, rel=0.005)
+    assert ratio == pytest.approx(compliance / (70.686 / 101.325), rel=1e-3)
+
+
+def test_training_depends_on_the_number_of_points_alone() -> None:
+    plans = {points: training_plan(points) for points in (2, 12, 64, 216, 16_000)}
+    assert all((plan.time_limit, plan.epochs, plan.seed) == (None, 20, 0) for plan in plans.values())
+    assert all(plan.microphone_noise == "design" for plan in plans.values())
+    assert [plan.seconds_per_point for plan in plans.values()] == [200, 200, 200, 69, 1]
+
+
+def test_the_same_run_again_gives_the_same_figures(tmp_path: Path) -> None:
+    again = run_design(small_design(), tmp_path / "again", fidelity="lumped", training=PLAN)
+    first = small_run()
+    for one, two in ((first.network, again.network), (first.bayes, again.bayes)):
+        assert np.array_equal(one.confusion, two.confusion)
+    assert first.training["loss"] == again.training["loss"]
+    weights = [next((run.folder / "localizer").glob("*.safetensors")).read_bytes() for run in (first, again)]
+    assert weights[0] == weights[1]
+
+
+def test_warnings_reach_the_console_and_those_of_the_cache_are_no_limits_of_models(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    solve = acoustic_fem.solve
+
+    def warned(*arguments: Any, **options: Any) -> acoustic_fem.Library:
+        warnings.warn("old.cell is damaged; the cell is solved again", CacheWarning, stacklevel=1)
+        return solve(*arguments, **options)
+
+    monkeypatch.setattr(acoustic_fem, "solve", warned)
+    told = io.StringIO()
+    plan = TrainingPlan(seconds_per_point=2, epochs=1)
+    result = run_design(small_design(), tmp_path, display=Display(told), fidelity="lumped", training=plan)
+    assert "note: old.cell is damaged; the cell is solved again\n" in told.getvalue()
+    assert not any("damaged" in line for line in result.warnings)
+    assert any("shear number" in line for line in result.warnings)  # at 500 Hz
+    assert all(f"note: {line}\n" in told.getvalue() for line in result.warnings)
+
+
+def test_a_design_of_one_point_is_refused_before_any_work(tmp_path: Path) -> None:
+    one = small_design().with_values({"lines.0.points": 1})
+    with pytest.raises(
+        ValueError, match=r"row-3: lines\.0\.points = 1 must be at least 2: run needs at least 2 points"
+    ):
+        run_design(one, tmp_path / "out")
+    assert not (tmp_path / "out").exists()
+
+
+# -- folders ------------------------------------------------------------------------------------------------
+def test_a_folder_of_somebody_else_is_left_alone(tmp_path: Path) -> None:
+    (tmp_path / "thesis.txt").write_text("all my work")
+    with pytest.raises(ValueError, match=r"holds files that no run of this program made"):
+        run_design(small_design(), tmp_path, fidelity="lumped")
+    assert [path.name for path in tmp_path.iterdir()] == ["thesis.txt"]
+
+
+def earlier_run(folder: Path, design: str) -> None:
+    """What a finished run of a design leaves, and a file of the user's."""
+    claim_folder(folder, design)
+    for name in ("report.html", "results.json", "library.nc", "notes.txt"):
+        (folder / name).write_text("old")
+    for name in ("parts", "localizer", "figures"):
+        (folder / name).mkdir()
+        (folder / name / "file").write_text("old")
+
+
+def names(folder: Path) -> set[str]:
+    return {path.name for path in folder.iterdir()}
+
+
+def test_a_new_run_of_the_same_design_takes_the_old_report_away_first(tmp_path: Path) -> None:
+    earlier_run(tmp_path, "one")
+    claim_folder(tmp_path, "one")
+    assert names(tmp_path) == {MARK, "design.toml", "library.nc", "parts", "localizer", "figures", "notes.txt"}
+
+
+def test_a_new_run_of_another_design_takes_all_earlier_results_away_first(tmp_path: Path) -> None:
+    earlier_run(tmp_path, "one")
+    claim_folder(tmp_path, "two")
+    assert names(tmp_path) == {MARK, "design.toml", "notes.txt"}
+    assert (tmp_path / "design.toml").read_text() == "two"
+
+
+def test_no_state_of_a_folder_mixes_two_designs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    class Killed(BaseException):
+        pass
+
+    remove, killed_at = folders._remove, 0
+
+    def killed(path: Path) -> None:
+        nonlocal left
+        if left == 0:
+            raise Killed
+        left -= 1
+        remove(path)
+
+    monkeypatch.setattr(folders, "_remove", killed)
+    for killed_at in range(20):
+        folder, left = tmp_path / str(killed_at), 10**6
+        earlier_run(folder, "one")
+        left = killed_at
+        try:
+            claim_folder(folder, "two")
+        except Killed:
+            results_left = names(folder) - {MARK, "notes.txt", "design.toml"}
+            of_design = (folder / "design.toml").read_text() if (folder / "design.toml").exists() else None
+            assert of_design == "one" or not results_left
+        else:
+            break
+    assert killed_at == 7  # every step was tried
+
+
+def test_a_run_that_fails_leaves_no_report_and_can_be_repeated(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def killed(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(run_module, "_make_parts", killed)
+    with pytest.raises(KeyboardInterrupt):
+        run_design(small_design(), tmp_path, fidelity="lumped")
+    assert names(tmp_path) == {MARK, "design.toml"}
+    assert claim_folder(tmp_path, "one") == tmp_path
+
+
+def test_a_folder_is_replaced_only_when_all_went_well(tmp_path: Path) -> None:
+    target = tmp_path / "parts"
+    target.mkdir()
+    (target / "old.stl").write_text("old")
+
+    def fail() -> None:
+        with replaced_folder(target) as fresh:
+            (fresh / "half.stl").write_text("half")
+            raise ValueError("broken")
+
+    with pytest.raises(ValueError, match="broken"):
+        fail()
+    assert [path.name for path in target.iterdir()] == ["old.stl"]
+    assert names(tmp_path) == {"parts"}
+    with replaced_folder(target) as fresh:
+        (fresh / "new.stl").write_text("new")
+    assert [path.name for path in target.iterdir()] == ["new.stl"]
+    assert names(tmp_path) == {"parts"}
+
+
+def test_the_old_folder_stays_where_the_new_one_cannot_be_put_in_its_place(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    target = tmp_path / "parts"
+    target.mkdir()
+    (target / "old.stl").write_text("old")
+    replace = os.replace
+
+    def refused(source: Path, goal: Path) -> None:
+        if source.name == ".parts.new":
+            raise OSError(28, "No space left on device", str(goal))
+        replace(source, goal)
+
+    monkeypatch.setattr(os, "replace", refused)
+    with pytest.raises(OSError, match="No space left"), replaced_folder(target) as fresh:
+        (fresh / "new.stl").write_text("new")
+    assert names(tmp_path) == {"parts"}
+    assert names(target) == {"old.stl"}
+
+
+def test_places_that_cannot_be_written_are_refused(tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("")
+    with pytest.raises(ValueError, match="is a folder; --out must be a file"):
+        check_new_file(tmp_path)
+    with pytest.raises(ValueError, match="must lie in a folder that exists"):
+        check_new_file(tmp_path / "none" / "library.nc")
+    check_new_file(tmp_path / "file")  # replaced, where it is not kept
+    with pytest.raises(ValueError, match=r"file: exists, and a design is never overwritten; name another file, or rem"):
+        check_new_file(tmp_path / "file", kept="a design")
+    for place in (tmp_path / "file", tmp_path / "file" / "deeper"):
+        with pytest.raises(ValueError, match=r"must be a folder; .*file is a file"):
+            check_folder(place)
+    check_folder(tmp_path / "new" / "deeper")
+    assert names(tmp_path) == {"file"}
+
+
+@pytest.mark.skipif(not Path("/proc/self").exists(), reason="needs a file system in which nothing can be made")
+def test_a_file_system_in_which_nothing_can_be_made_is_refused() -> None:
+    for check, place in ((check_folder, Path("/proc/foo")), (check_new_file, Path("/proc/foo.nc"))):
+        with pytest.raises(ValueError, match=rf"{place}: --out cannot be written: .*: /proc$"):
+            check(place)
+
+
+@pytest.mark.slow
+def test_a_run_from_the_command_line_solves_cells_once_and_says_so(tmp_path: Path) -> None:
+    geometry.save_design(small_design(), tmp_path / "row-3.toml")
+    environment = {**os.environ, "ACOUSTIC_FEM_CACHE": str(tmp_path / "cells")}
+    told, verdicts = [], []
+    for _ in range(2):
+        done = subprocess.run(
+            [sys.executable, "-m", "studies.cli", "run", str(tmp_path / "row-3.toml"), "--out", str(tmp_path / "out")],
+            cwd=ROOT, env=environment, capture_output=True, text=True, check=True,
+        )  # fmt: skip
+        told.append(done.stderr)
+        verdicts.append(done.stdout)
+        assert done.stdout.endswith("report.html\n")
+    assert verdicts[0] == verdicts[1]
+    assert told[0].count("unknowns solved at") == 2
+    assert "from the cache" not in told[0]
+    assert told[1].count("from the cache (") == 2
+    found = json.loads((tmp_path / "out" / "results.json").read_text(encoding="utf-8"))
+    assert all(cell["cached"] for cell in found["cells"])
+    assert found["training"]["plan"] == json.loads(json.dumps(asdict(training_plan(3))))
+    assert not found["training"]["cut_short"]
+    assert found["network"]["top1"] > 0.98
+    assert found["lumped_difference"]["magnitude"] < 0.015
+    assert found["lumped_difference"]["phase"] < 1.0
+    assert "Lumped is within them" in (tmp_path / "out" / "report.html").read_text(encoding="utf-8")

@@ -1,0 +1,214 @@
+"""Manufacturing scatter: draws that repeat, parts that are those of a changed design, indices that are known."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+import scipy.stats
+from typer.testing import CliRunner
+
+import acoustic_fem
+import geometry
+from acoustic_fem.batch.network import batch_transfer_function
+from acoustic_fem.batch.parameters import ArrayParameters, design_air
+from studies.cli.app import app
+from studies.scatter.effects import deviation, scattered_accuracy, sobol_indices, tolerance_study
+from studies.scatter.tolerances import CUT, TOLERANCES, ScatteredDesign, Tolerance, read_tolerances
+
+GRID = np.linspace(1.0, 100.0, 24)
+DESIGN = geometry.prototype("array-2x6").with_values({"lines.0.points": 4})
+
+
+@pytest.fixture(scope="module")
+def scattered() -> ScatteredDesign:
+    return ScatteredDesign(DESIGN)
+
+
+def only(quantity: str, size: float) -> tuple[Tolerance, ...]:
+    kind = "relative" if quantity.startswith("modulus") else "absolute"
+    return (Tolerance(quantity, size, kind, "a test"),)
+
+
+def test_a_sample_is_the_same_whatever_is_drawn_with_it(scattered: ScatteredDesign) -> None:
+    many = scattered.draws(0, 20, 3)
+    alone = scattered.draws(13, 1, 3)
+    for name, values in many.items():
+        assert np.array_equal(values[13:14], alone[name])
+    assert not np.array_equal(scattered.draws(13, 1, 4)["bore"], alone["bore"])
+
+
+def test_deviations_have_the_stated_size_and_are_independent(scattered: ScatteredDesign) -> None:
+    parameters = scattered.sample(0, 4000, 0)
+    bore = 2e3 * parameters.tube_radius
+    # 0.9733 of the normal's deviation is left by the cut at three
+    assert bore.std(axis=0) == pytest.approx(np.full(5, 0.015 * 0.987), rel=0.05, abs=0)
+    assert np.abs(bore - 0.44).max() <= CUT * 0.015 + 1e-9
+    assert np.abs(np.corrcoef(bore.T) - np.eye(5)).max() < 0.07
+    # one batch of silicone: all membranes of a sensor are softer or stiffer together
+    compliance = np.log(ScatteredDesign(DESIGN, only("modulus_of_batch", 0.15)).sample(0, 50, 0).membrane_compliance)
+    assert np.ptp(compliance, axis=1).max() < 1e-12
+    assert np.ptp(compliance, axis=0).min() > 0.2
+
+
+def test_without_deviations_it_is_the_design(scattered: ScatteredDesign) -> None:
+    zero = {name: np.zeros_like(values) for name, values in scattered.draws(0, 1, 0).items()}
+    h = batch_transfer_function(scattered.parameters(zero), scattered.topology, GRID, design_air(DESIGN))[0]
+    expected = acoustic_fem.solve(DESIGN, GRID, "lumped").transfer_function.values
+    assert np.abs(h / expected - 1).max() < 3e-5
+
+
+@pytest.mark.parametrize(("thickness", "diameter"), [(0.38, 6.1), (0.5, 5.9), (0.64, 6.0)])
+def test_membranes_between_the_nodes_are_those_of_the_elastic_solution(
+    scattered: ScatteredDesign, thickness: float, diameter: float
+) -> None:
+    changed = DESIGN.with_values({"membrane.thickness": thickness, "resonator.cavity_diameter": diameter})
+    exact = ArrayParameters.from_design(changed)
+    one = np.ones((1, 1))
+    compliance, share, frequency = scattered._discs.at(one * diameter / 2e3, one * thickness / 1e3, one)
+    # the rim keeps its ratio to the opening: a tenth of a percent
+    assert compliance == pytest.approx(exact.membrane_compliance, rel=1e-3, abs=0)
+    assert np.abs(share - exact.membrane_share).max() < 1e-4
+    assert frequency == pytest.approx(exact.membrane_frequency, rel=2e-3, abs=0)
+
+
+@pytest.mark.parametrize(
+    ("quantity", "size", "values"),
+    [
+        ("length", 0.2, {"tube.length": 12.7, "microphone_tube.length": 12.7}),
+        ("bore", 0.02, {"tube.inner_diameter": 0.46, "microphone_tube.inner_diameter": 0.46}),
+        ("cavity_height", 0.1, {"resonator.cavity_height": 2.6}),
+        ("cavity_diameter", 0.1, {"resonator.cavity_diameter": 6.1}),
+        ("membrane_thickness", 0.05, {"membrane.thickness": 0.55}),
+    ],
+)
+def test_all_parts_one_deviation_up_are_the_changed_design(quantity: str, size: float, values: dict) -> None:
+    scattered = ScatteredDesign(DESIGN, only(quantity, size))
+    ones = {name: np.ones_like(drawn) for name, drawn in scattered.draws(0, 1, 0).items()}
+    h = batch_transfer_function(scattered.parameters(ones), scattered.topology, GRID, design_air(DESIGN))
+    changed = acoustic_fem.solve(DESIGN.with_values(values), GRID, "lumped").transfer_function.values[None]
+    moved = deviation(changed, acoustic_fem.solve(DESIGN, GRID, "lumped").transfer_function.values[None])[0]
+    assert deviation(h, changed)[0] < 0.03 * moved
+
+
+def test_indices_of_a_known_function() -> None:
+    """Ishigami's function: first 0.3139, 0.4424, 0; total 0.5576, 0.4424, 0.2437 (Saltelli 2000, p. 179)."""
+
+    def ishigami(x: np.ndarray) -> np.ndarray:
+        return np.sin(x[0]) + 7 * np.sin(x[1]) ** 2 + 0.1 * x[2] ** 4 * np.sin(x[0])
+
+    draws = np.pi * (2 * scipy.stats.qmc.Sobol(6, seed=1).random(4096).T - 1)
+    a, b = draws[:3], draws[3:]
+    mixed = np.stack([ishigami(np.where(np.arange(3)[:, None] == k, b, a)) for k in range(3)])
+    found = {index.quantity: index for index in sobol_indices("xyz", ishigami(a), ishigami(b), mixed)}
+    for name, first, total in (("x", 0.3139, 0.5576), ("y", 0.4424, 0.4424), ("z", 0.0, 0.2437)):
+        assert found[name].first == pytest.approx(first, abs=0.03)
+        assert found[name].total == pytest.approx(total, abs=0.03)
+        assert abs(found[name].total - total) < 4 * found[name].error + 0.01
+    uniform = scipy.stats.uniform(-np.pi, 2 * np.pi)
+    scipys = scipy.stats.sobol_indices(func=ishigami, n=4096, dists=[uniform] * 3, rng=1)
+    assert [found[name].total for name in "xyz"] == pytest.approx(scipys.total_order, abs=0.04)
+
+
+def test_an_output_that_never_changes_has_no_causes() -> None:
+    assert all(index.total == 0 for index in sobol_indices("ab", np.ones(8), np.ones(8), np.ones((2, 8))))
+
+
+def test_scatter_costs_accuracy_and_a_calibrated_sensor_gets_it_back() -> None:
+    found = tolerance_study(DESIGN, GRID, samples=24, base=8, noise=3e-3)
+    mean = {name: values.mean() for name, values in found.accuracy.items()}
+    assert mean["nominal"] < mean["calibrated"]
+    assert mean["calibrated"] == pytest.approx(found.nominal_accuracy, abs=0.02)
+    assert {index.quantity for index in found.sobol["deviation"]} == {t.quantity for t in TOLERANCES}
+    largest = [index.quantity for index in found.sobol["deviation"]][:2]
+    assert {"membrane_thickness", "modulus_of_batch"} & set(largest)
+    again = tolerance_study(DESIGN, GRID, samples=24, base=0, noise=3e-3)
+    assert np.array_equal(again.transfer_function, found.transfer_function)
+    assert again.sobol == {}
+    json.dumps(found.summary(), allow_nan=False)
+
+
+def test_without_scatter_every_sensor_is_the_design() -> None:
+    found = tolerance_study(DESIGN, GRID, samples=2, base=2, tolerances=only("length", 0.0), noise=3e-3)
+    assert found.deviation == pytest.approx(np.zeros(2), abs=1e-4)
+    assert found.accuracy["nominal"] == pytest.approx(np.full(2, found.nominal_accuracy))
+    assert found.sobol["deviation"][0].total == 0
+
+
+def test_stiff_membranes_forgive() -> None:
+    """The air's compliance, which does not scatter, takes the place of the silicone's."""
+    stiff = DESIGN.with_values({"lines.0.points": 12, "membrane.thickness": 2.0})
+    soft = DESIGN.with_values({"lines.0.points": 12})
+    assert (scattered_accuracy(stiff, GRID, sensors=8) - scattered_accuracy(soft, GRID, sensors=8)).mean() > 0.02
+    precise = tuple(replace(tolerance, deviation=0.0) for tolerance in TOLERANCES)
+    assert scattered_accuracy(soft, GRID, sensors=2, tolerances=precise).min() > 0.95
+
+
+def test_a_stretched_membrane_with_loss_is_refused_in_the_words_of_the_design_file() -> None:
+    with pytest.raises(ValueError, match=r"^membrane\.stretch = 1\.1 must be 1 for manufacturing scatter, unless "):
+        scattered_accuracy(DESIGN.with_values({"membrane.stretch": 1.1}), GRID, sensors=2)
+
+
+def test_a_file_replaces_what_it_names(tmp_path: Path) -> None:
+    file = tmp_path / "mine.toml"
+    file.write_text('[bore]\ndeviation = 0.03\nkind = "relative"\n[length]\ndeviation = 0.05\nsource = "a ruler"\n')
+    found = {tolerance.quantity: tolerance for tolerance in read_tolerances(file)}
+    assert (found["bore"].deviation, found["bore"].kind) == (0.03, "relative")
+    assert (found["length"].deviation, found["length"].source) == (0.05, "a ruler")
+    assert found["cavity_height"] in TOLERANCES
+    assert len(found) == len(TOLERANCES)
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("[boar]\ndeviation = 1", "[boar] must be one of: bore"),
+        ("[bore]\nsize = 1", "[bore] must hold deviation, kind and source only"),
+        ("[bore]\ndeviation = 9.0", "tolerance bore: deviation = 9 mm must be between 0 and 5 mm"),
+        ("[bore]\ndeviation = nan", "tolerance bore: deviation = nan mm must be between 0 and 5 mm"),
+        ("[bore]\ndeviation = true", "deviation = True must be a number"),
+        ('[bore]\nkind = "some"', "kind = 'some' must be absolute or relative"),
+        ('[modulus_of_part]\nkind = "absolute"', "modulus_of_part: kind must be relative"),
+        ("[bore", "mine.toml:"),
+        ("bore = 3", "[bore] must hold"),
+    ],
+)
+def test_a_bad_file_is_refused_by_name(text: str, message: str, tmp_path: Path) -> None:
+    file = tmp_path / "mine.toml"
+    file.write_text(text)
+    with pytest.raises(ValueError) as error:
+        read_tolerances(file)
+    assert message in str(error.value)
+    assert str(error.value).startswith(str(file))
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ({"samples": 1}, "samples = 1 must be a whole number from 2"),
+        ({"base": -1}, "base = -1 must be a whole number from 0"),
+        ({"noise": 0.0}, "noise = 0.0 Pa must be above 0"),
+        ({"tolerances": TOLERANCES[:1] * 2}, "tolerances: bore is given twice"),
+    ],
+)
+def test_bad_arguments_are_refused(arguments: dict, message: str) -> None:
+    with pytest.raises(ValueError) as error:
+        tolerance_study(DESIGN, GRID, **arguments)
+    assert message in str(error.value)
+
+
+def test_the_verb_writes_its_files(tmp_path: Path) -> None:
+    design = tmp_path / "four.toml"
+    design.write_text(geometry.design.write_design(DESIGN))
+    out = tmp_path / "scatter"
+    arguments = ["tolerance", str(design), "--out", str(out), "--samples", "8", "--base", "4", "--library", "5"]
+    result = CliRunner().invoke(app, arguments)
+    assert result.exit_code == 0, result.output
+    assert "one localizer, trained on mis-made sensors" in result.stdout
+    assert json.loads((out / "tolerance.json").read_text())["samples"] == 8
+    assert (out / "tolerance.png").stat().st_size > 10_000
+    again = CliRunner().invoke(app, arguments)
+    assert "library.zarr: exists" in str(again.exception)

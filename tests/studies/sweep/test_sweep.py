@@ -1,0 +1,543 @@
+"""Sweeps: right values, whole stores, the same ones after an interruption; failures that stop nothing."""
+
+from __future__ import annotations
+
+import filecmp
+import json
+import re
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+import xarray as xr
+from typer.testing import CliRunner
+
+import acoustic_fem
+from acoustic_fem.cell import design_cells
+from acoustic_fem.membrane.elasticity import DiscShape, ElasticDisc, solve_dimensionless
+from acoustic_fem.numerics import disk_cache
+from acoustic_fem.quantities.medium import Medium
+from geometry.air.cells import Cell
+from studies.cli.app import app
+from studies.metrics.responses import Responses
+from studies.study.cases import cases_of
+from studies.study.file import read_study
+from studies.study.metric_registry import METRICS
+from studies.study.reasons import by_kind
+from studies.study.study import Study, StudyError
+from studies.sweep import block, cost, run, store
+from studies.sweep.one_design import design_metrics
+from studies.sweep.plan import plan_sweep
+from studies.sweep.retries import ENDED_WORKERS
+from studies.sweep.run import Progress, Summary, run_sweep
+from studies.sweep.store import BlockResult, SweepStore, block_size, open_sweep
+from studies.sweep.workers import Workers, open_workers
+
+METRICS_OF_STUDY = ("distance_smallest", "ipd_mean", "sensitivity_force", "volume")
+TEXT = f"""
+name = "bores"
+base = "array-2x6"
+fidelity = "lumped"
+frequencies = "1:100:12"
+metrics = {json.dumps(METRICS_OF_STUDY)}
+sampling = "random"
+cases = 40
+transfer_functions = true
+
+[parameters]
+"tube.inner_diameter" = {{from = 0.3, to = 0.8}}
+"tube.length" = {{from = 8, to = 30, scale = "log"}}
+"lines.0.points" = [6, 12]
+"membrane.material" = ["silicone-shore-a-30", "silicone-shore-a-10"]
+"""
+
+
+@pytest.fixture(scope="module")
+def study() -> Study:
+    return read_study(TEXT)
+
+
+@pytest.fixture(scope="module")
+def finished(study: Study, tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Summary]:
+    out = tmp_path_factory.mktemp("sweep") / "results.zarr"
+    return out, run_sweep(study, out, workers=1)
+
+
+def assert_same_store(one: Path, other: Path) -> None:
+    """Every file of two stores is the same, byte for byte."""
+
+    def walk(compared: filecmp.dircmp[str]) -> Iterator[str]:
+        yield from (*compared.left_only, *compared.right_only, *compared.funny_files)
+        _, differ, broken = filecmp.cmpfiles(compared.left, compared.right, compared.common_files, shallow=False)
+        yield from (*differ, *broken)
+        for below in compared.subdirs.values():
+            yield from walk(below)
+
+    assert list(walk(filecmp.dircmp(one, other, ignore=[]))) == []
+
+
+# -- values -----------------------------------------------------------------------------------------
+def test_every_case_has_the_metrics_of_its_design_solved_alone(study: Study, finished: tuple[Path, Summary]) -> None:
+    result = open_sweep(finished[0])
+    assert result.metrics == METRICS_OF_STUDY
+    for number in np.flatnonzero(result.done)[:6]:
+        library = acoustic_fem.solve(result.design(number), study.frequency, "lumped")
+        for name in METRICS_OF_STUDY:
+            assert float(result.dataset[name][number]) == pytest.approx(
+                METRICS[name].of_library(library), rel=1e-6, abs=0
+            )
+        count = library.design.point_count
+        stored = (result.dataset["transfer_function_real"] + 1j * result.dataset["transfer_function_imag"])[number]
+        np.testing.assert_allclose(stored[:count], library.transfer_function, rtol=1e-7)
+        assert np.isnan(stored[count:]).all()
+
+
+def test_a_case_that_is_no_design_is_kept_as_failed_with_its_reason(finished: tuple[Path, Summary]) -> None:
+    out, summary = finished
+    result = open_sweep(out)
+    failed = np.flatnonzero(result.failed)
+    assert 0 < len(failed) < 40
+    assert result.done.sum() + len(failed) == 40
+    for number in failed:
+        case = result.case(int(number))
+        assert case["tube.inner_diameter"] > 0.74
+        assert re.search(r"tube\.\w+ = .* mm must be", str(result.dataset["reason"].values[number]))
+        for name in METRICS_OF_STUDY:
+            assert np.isnan(result.dataset[name].values[number])
+    assert sorted(number for numbers in summary.failures.values() for number in numbers) == list(failed)
+    for number in np.flatnonzero(result.done):
+        assert result.dataset["reason"].values[number] == ""
+
+
+def test_the_store_opens_in_xarray_with_units_and_carries_its_study(
+    finished: tuple[Path, Summary], study: Study
+) -> None:
+    dataset = xr.open_zarr(finished[0], consolidated=False)
+    assert dict(dataset.sizes) == {"case": 40, "point": 12, "microphone": 2, "frequency": 12}
+    assert dataset["tube.length"].attrs["units"] == "mm"
+    assert dataset["distance_smallest"].attrs == {
+        "kind": "metric",
+        "units": METRICS["distance_smallest"].unit,
+        "long_name": METRICS["distance_smallest"].long_name,
+    }
+    assert dataset.attrs["study"] == TEXT
+    assert dataset.attrs["seed"] == 0
+    assert open_sweep(finished[0]).base == study.base.completed()
+    np.testing.assert_array_equal(dataset["tube.length"].values, cases_of(study).columns[1])
+
+
+def test_air_that_differs_from_case_to_case_is_each_cases_own(tmp_path: Path) -> None:
+    text = TEXT.split("[parameters]")[0].replace("cases = 40", "cases = 5") + (
+        '[parameters]\n"air.temperature" = [0, 20, 40]\n"tube.length" = {from = 12, to = 20}\n'
+    )
+    study = read_study(text)
+    run_sweep(study, tmp_path / "r.zarr", workers=1)
+    result = open_sweep(tmp_path / "r.zarr")
+    for number in range(5):
+        library = acoustic_fem.solve(result.design(number), study.frequency, "lumped")
+        expected = METRICS["distance_smallest"].of_library(library)
+        assert float(result.dataset["distance_smallest"][number]) == pytest.approx(expected, rel=1e-6, abs=0)
+
+
+def test_a_stretched_membrane_with_loss_is_computed_alone(tmp_path: Path) -> None:
+    """The batch cannot hold it; the sweep does not mind."""
+    text = TEXT.split("[parameters]")[0].replace('"random"\ncases = 40', '"grid"') + (
+        '[parameters]\n"membrane.stretch" = [1.0, 1.2]\n'
+    )
+    study = read_study(text)
+    run_sweep(study, tmp_path / "r.zarr", workers=1)
+    result = open_sweep(tmp_path / "r.zarr")
+    assert result.done.all()
+    library = acoustic_fem.solve(result.design(1), study.frequency, "lumped")
+    expected = METRICS["distance_smallest"].of_library(library)
+    assert float(result.dataset["distance_smallest"][1]) == pytest.approx(expected, rel=1e-9, abs=0)
+
+
+# -- interruptions ----------------------------------------------------------------------------------
+class _Killed(BaseException):
+    pass
+
+
+@pytest.mark.parametrize("after", [0, 1, 5])
+def test_a_sweep_that_was_cut_off_goes_on_to_the_same_store(
+    after: int, study: Study, finished: tuple[Path, Summary], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    out = tmp_path / "results.zarr"
+    write = SweepStore.write
+    written = 0
+
+    def write_some(self: SweepStore, result: BlockResult) -> None:
+        nonlocal written
+        if written == after:  # the block's metrics are there, its state is not
+            self._variables["volume"][result.first : result.first + len(result.state)] = -1.0
+            raise _Killed
+        written += 1
+        write(self, result)
+
+    monkeypatch.setattr(SweepStore, "write", write_some)
+    with pytest.raises(_Killed):
+        run_sweep(study, out, workers=1)
+    (out / "volume" / "c" / "0.abc.partial").write_bytes(b"half")  # what zarr leaves of a file it was writing
+    monkeypatch.setattr(SweepStore, "write", write)
+    assert (open_sweep(out).dataset["state"].values == 0).sum() == 40 - after * block_size(study, cases_of(study))
+    summary = run_sweep(study, out, workers=1)
+    assert summary.computed == 40 - after * block_size(study, cases_of(study))
+    assert_same_store(out, finished[0])
+
+
+def test_a_finished_sweep_is_not_computed_again(study: Study, finished: tuple[Path, Summary]) -> None:
+    summary = run_sweep(study, finished[0], workers=1)
+    assert (summary.computed, summary.cases) == (0, 40)
+    assert summary.failures == finished[1].failures
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        ("from = 0.3", "from = 0.31", "its values of tube.inner_diameter are not the same"),
+        ('"tube.length"', '"microphone_tube.length"', "it does not vary microphone_tube.length"),
+        ("1:100:12", "1:100:13", "its frequencies are 1:100:12, not 1:100:13"),
+        ("cases = 40", "cases = 41", "its cases is 40, not 41"),
+        ("array-2x6", "line-2", "its base design is not the same"),
+        ('"random"', '"random"\nseed = 7', "its seed is 0, not 7"),
+        (', "volume"]', "]", "its metrics is"),
+    ],
+)
+def test_the_store_of_another_study_is_refused_by_name(
+    old: str, new: str, message: str, finished: tuple[Path, Summary]
+) -> None:
+    with pytest.raises(StudyError, match=re.escape(f"{finished[0]}: holds the results of another study: {message}")):
+        run_sweep(read_study(TEXT.replace(old, new, 1)), finished[0], workers=1)
+
+
+def test_nobody_elses_folder_is_touched(study: Study, tmp_path: Path) -> None:
+    (tmp_path / "mine.zarr").mkdir()
+    (tmp_path / "mine.zarr" / "letter.txt").write_text("dear")
+    with pytest.raises(StudyError, match="holds what no sweep made"):
+        run_sweep(study, tmp_path / "mine.zarr", workers=1)
+    (tmp_path / "file").write_text("")
+    with pytest.raises(ValueError, match="--out must be a folder"):
+        run_sweep(study, tmp_path / "file", workers=1)
+    assert [entry.name for entry in (tmp_path / "mine.zarr").iterdir()] == ["letter.txt"]
+
+
+def test_two_sweeps_do_not_write_to_one_store(study: Study, tmp_path: Path) -> None:
+    def start_another(_: Progress) -> None:
+        with pytest.raises(StudyError, match="another sweep is writing"):
+            run_sweep(study, tmp_path / "r.zarr", workers=1)
+
+    run_sweep(study, tmp_path / "r.zarr", workers=1, progress=start_another)
+    assert open_sweep(tmp_path / "r.zarr").done.any()
+
+
+# -- failures ---------------------------------------------------------------------------------------
+def test_a_metric_that_fails_for_one_design_fails_that_case_only(
+    study: Study, finished: tuple[Path, Summary], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    whole = open_sweep(finished[0])
+    victim = int(np.flatnonzero(whole.done)[7])
+    length = whole.case(victim)["tube.length"]
+    volume = METRICS["volume"]
+
+    def picky(responses: Responses) -> np.ndarray:
+        if any(design.tube.length == length for design in responses.designs or ()):
+            raise ArithmeticError("too long")
+        return volume.compute(responses)
+
+    monkeypatch.setitem(METRICS, "volume", replace(volume, compute=picky))
+    run_sweep(study, tmp_path / "r.zarr", workers=1)
+    result = open_sweep(tmp_path / "r.zarr")
+    assert result.done.sum() == whole.done.sum() - 1
+    assert str(result.dataset["reason"].values[victim]) == "metric volume: ArithmeticError: too long"
+    others = result.done
+    np.testing.assert_array_equal(result.dataset["volume"].values[others], whole.dataset["volume"].values[others])
+
+
+def test_a_mistake_of_the_program_is_no_property_of_a_design(
+    tmp_path: Path, finished: tuple[Path, Summary], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    volume = METRICS["volume"]
+
+    def mistaken(responses: Responses) -> np.ndarray:
+        if any(design.point_count == 6 for design in responses.designs or ()):
+            raise KeyError("six")
+        return volume.compute(responses)
+
+    def tried(job: object, design: object) -> None:
+        """The first case is tried before any work, where a mistake is a traceback."""
+
+    monkeypatch.setitem(METRICS, "volume", replace(volume, compute=mistaken))
+    monkeypatch.setattr(run, "check_metrics", tried)
+    (tmp_path / "study.toml").write_text(TEXT)
+    out = tmp_path / "r.zarr"
+    told = CliRunner().invoke(app, ["sweep", str(tmp_path / "study.toml"), "--out", str(out)])
+    whole, result = open_sweep(finished[0]), open_sweep(out)
+    wrong = whole.done & (whole.dataset["lines.0.points"].values == 6)
+    assert 0 < wrong.sum() < whole.done.sum()
+    np.testing.assert_array_equal(result.done, whole.done & ~wrong)
+    for reason in result.dataset["reason"].values[wrong]:
+        assert re.fullmatch(r"program error: metric volume: KeyError in test_sweep\.py:\d+: 'six'", str(reason))
+    assert told.exit_code == 1
+    assert isinstance(told.exception, run.SweepError)
+    assert f"{wrong.sum()} cases (the first is {np.flatnonzero(wrong)[0]}) failed by a mistake" in str(told.exception)
+    assert "x program error: metric volume: KeyError" in told.stdout
+    with open_workers(1, None) as team, pytest.raises(RuntimeError, match="program error: metric volume: KeyError"):
+        design_metrics([{"lines.0.points": 6}], read_study(TEXT), (METRICS["volume"],), team)
+
+
+def test_metrics_that_the_frequencies_cannot_give_are_refused_before_any_work(tmp_path: Path) -> None:
+    text = TEXT.replace('"1:100:12"', '"150:200:5"')
+    with pytest.raises(StudyError, match=r"^study.toml: metric distance_smallest needs frequencies from 1 to 100 Hz"):
+        run_sweep(read_study(text), tmp_path / "r.zarr", workers=1)
+    assert list(tmp_path.iterdir()) == []
+
+
+# -- 3-D cells --------------------------------------------------------------------------------------
+CELLS = """
+base = "array-2x6"
+fidelity = "navier-stokes"
+frequencies = "1:100:4"
+metrics = ["distance_smallest"]
+[parameters]
+"resonator.cavity_height" = [2.5, 3.0]
+"tube.length" = [12.5, 14, 15, 16, 18, 20]
+"membrane.thickness" = [0.5, 0.6]
+"""
+
+
+def test_every_distinct_cell_is_solved_once_and_one_that_fails_takes_its_own_cases_only(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The 3-D solution is replaced: what is tested is who asks for it, and how often."""
+    monkeypatch.setenv("ACOUSTIC_FEM_CACHE", str(tmp_path / "cache"))
+    asked: list[Cell] = []
+
+    def solve_cells(
+        cells: list[Cell], frequency: np.ndarray, medium: Medium, fidelity: str, *, apart: bool
+    ) -> dict[Cell, object]:
+        from acoustic_fem.cell.lumped import lumped_admittance
+
+        assert apart  # a crash of the solver is that cell's alone
+        (cell,) = cells
+        asked.append(cell)
+        if cell.kind == "resonator" and cell.height == 3.0 and len({port.bore_diameter for port in cell.ports}) == 1:
+            raise design_cells.CellError(f"{cell.label}: no mesh")
+        admittance = lumped_admittance(cell, frequency, medium)
+        return {cell: design_cells.CellSolution(admittance, fidelity, 1, (), 0.0, 0.0, 1.0, cached=False)}
+
+    monkeypatch.setattr(block, "solve_cells", solve_cells)
+    study = read_study(CELLS)
+    summary = run_sweep(study, tmp_path / "r.zarr", workers=1)
+    assert len(asked) == len(set(asked)) == summary.cells
+    assert summary.cells_solved == sum(1 for cell in asked if cell.height != 3.0)
+    result = open_sweep(tmp_path / "r.zarr")
+    tall = result.dataset["resonator.cavity_height"].values == 3.0
+    np.testing.assert_array_equal(result.failed, tall)
+    assert all("no mesh" in str(reason) for reason in result.dataset["reason"].values[tall])
+    lumped = acoustic_fem.solve(result.design(0), study.frequency, "lumped")
+    expected = METRICS["distance_smallest"].of_library(lumped)
+    assert float(result.dataset["distance_smallest"][0]) == pytest.approx(expected, rel=1e-6, abs=0)
+
+
+# -- command line -----------------------------------------------------------------------------------
+def test_a_dry_run_says_what_it_will_cost_and_writes_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("ACOUSTIC_FEM_CACHE", str(tmp_path / "cache"))
+    (tmp_path / "study.toml").write_text(CELLS)
+    result = CliRunner().invoke(app, ["sweep", str(tmp_path / "study.toml"), "--dry-run", "--workers", "2"])
+    assert result.exit_code == 0, result.output
+    assert "cases: 24" in result.stdout
+    cells = {cell for number in range(24) for cell in block.cells_of(cases_of(read_study(CELLS)).design(number))}
+    assert f"distinct cells (navier-stokes): {len(cells)}, of which 0 are in the cache" in result.stdout
+    assert re.search(r"expected time: \S+ (s|min|h) with 2 workers", result.stdout)
+    assert sorted(entry.name for entry in tmp_path.iterdir()) == ["study.toml"]
+
+
+@pytest.mark.parametrize(("count", "told"), [(40, True), (64, False)])
+def test_a_dry_run_says_that_a_sobol_sample_is_not_balanced(count: int, told: bool, tmp_path: Path) -> None:
+    text = TEXT.replace('"random"\ncases = 40', f'"sobol"\ncases = {count}')
+    (tmp_path / "study.toml").write_text(text)
+    result = CliRunner().invoke(app, ["sweep", str(tmp_path / "study.toml"), "--dry-run"])
+    assert result.exit_code == 0, result.output
+    assert ("note: a Sobol sample of 40 cases is not balanced; one of 32 or 64 is" in result.stdout) == told
+
+
+def test_the_verb_says_what_it_did_and_goes_on(tmp_path: Path) -> None:
+    (tmp_path / "study.toml").write_text(TEXT)
+    out = tmp_path / "results.zarr"
+    first = CliRunner().invoke(app, ["sweep", str(tmp_path / "study.toml"), "--out", str(out)])
+    assert first.exit_code == 0, first.output
+    assert "40 cases, 40 computed now" in first.stdout
+    assert re.search(r"\d+ failed, of each kind the first:\n +\d+ x array-2x6: ", first.stdout)
+    assert "40 of 40 cases" in first.stderr
+    again = CliRunner().invoke(app, ["sweep", str(tmp_path / "study.toml"), "--out", str(out)])
+    assert "40 cases, 0 computed now" in again.stdout
+    assert "40 by earlier runs" in again.stdout
+    events = [json.loads(line)["event"] for line in (tmp_path / "results.zarr.log").read_text().splitlines()]
+    assert events.count("start") == events.count("end") == 2
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ([], "--out is missing"),
+        (["--out", "r.zarr", "--workers", "0"], "--workers 0 must be between 1 and 1024"),
+        (["--out", "r.zarr", "--workers", "2", "--scheduler", "tcp://x:1"], "must not be given beside --scheduler"),
+    ],
+)
+def test_a_wrong_command_line_is_refused(arguments: list[str], message: str, tmp_path: Path) -> None:
+    (tmp_path / "study.toml").write_text(TEXT)
+    result = CliRunner().invoke(app, ["sweep", str(tmp_path / "study.toml"), *arguments])
+    assert result.exit_code == 2
+    assert message in " ".join(result.output.replace("│", " ").split())
+
+
+def test_blocks_depend_on_the_study_alone(study: Study) -> None:
+    cases = cases_of(study)
+    size = block_size(study, cases)
+    assert size == block_size(read_study("# the same\n" + TEXT), cases)
+    assert 1 <= size <= 1024
+
+
+class _Asked(Exception):
+    """How many workers a sweep asked for."""
+
+
+@pytest.mark.parametrize(("start_up", "workers"), [(10.0, 1), (0.0, 2)])
+def test_a_sweep_and_its_plan_take_workers_where_they_save_more_than_their_start(
+    start_up: float, workers: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    study = read_study(TEXT.replace("cases = 40", "cases = 600"))
+
+    def asked(count: int | None, scheduler: str | None) -> Iterator[Workers]:
+        raise _Asked(count)
+
+    monkeypatch.setattr(cost, "cores", lambda: 2)
+    monkeypatch.setattr(cost, "START_UP", start_up)
+    monkeypatch.setattr(run, "open_workers", asked)
+    plan = plan_sweep(study)
+    assert plan.workers == workers
+    assert plan.seconds >= start_up * (workers > 1)
+    with pytest.raises(_Asked, match=f"^{workers}$"):
+        run_sweep(study, tmp_path / "r.zarr")
+    assert plan_sweep(study, 2).seconds > start_up
+    with pytest.raises(_Asked, match=r"^2$"):
+        run_sweep(study, tmp_path / "r.zarr", workers=2)
+
+
+def test_a_case_that_cannot_be_timed_stops_no_plan(monkeypatch: pytest.MonkeyPatch) -> None:
+    def refused(design: object) -> None:
+        raise ValueError("no such membrane")
+
+    monkeypatch.setattr(cost, "design_disc", refused)
+    assert plan_sweep(read_study(TEXT)).seconds >= 0
+
+
+def test_costly_cases_are_worth_workers(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(cost, "cores", lambda: 4)
+    assert [cost.team_size(seconds) for seconds in (1.0, 20.0, 60.0, 1e5)] == [1, 1, 4, 4]
+    monkeypatch.setattr(cost, "cores", lambda: 1)
+    assert cost.team_size(1e5) == 1
+
+
+def test_reasons_that_differ_in_numbers_alone_are_one_kind() -> None:
+    reasons = [
+        "a: bore = 0.7 mm must be below 0.5 mm",
+        "program error: x in a.py:3: y",
+        "a: bore = 0.8 mm must be below 0.5 mm",
+        "program error: x in a.py:4: y",
+        "no mesh",
+    ]
+    assert by_kind(enumerate(reasons, 10)) == {
+        reasons[0]: [10, 12],
+        reasons[1]: [11],
+        reasons[3]: [13],
+        "no mesh": [14],
+    }
+
+
+def test_failures_of_one_kind_are_told_in_one_line(finished: tuple[Path, Summary]) -> None:
+    result = open_sweep(finished[0])
+    failed = np.flatnonzero(result.failed)
+    assert len(set(result.dataset["reason"].values[failed])) == len(failed) == 2
+    assert len(finished[1].failures) == 1
+    for reason, numbers in finished[1].failures.items():
+        assert reason == result.dataset["reason"].values[numbers[0]]
+
+
+class _Fragile:
+    """Workers that end over blocks with certain cases in them, as a dask cluster tells it."""
+
+    def __init__(self, deadly: set[int]) -> None:
+        self.deadly = deadly
+
+    def run(
+        self, function: Callable[..., Any], tasks: Iterable[tuple[Any, ...]], lost: Callable[..., Any] | None = None
+    ) -> Iterator[tuple[int, Any]]:
+        for number, (job, cases, first, cells) in enumerate(tasks):
+            if self.deadly & set(range(first, first + len(cases))):
+                assert lost is not None
+                yield number, lost(job, cases, first, cells)
+            else:
+                yield number, function(job, cases, first, cells)
+
+
+@pytest.mark.parametrize("deadly", [{5}, {0, 1, 2, 3}, {4, 6, 39}])
+def test_a_case_that_ends_workers_fails_alone(
+    deadly: set[int], study: Study, finished: tuple[Path, Summary], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    @contextmanager
+    def fragile(count: int | None, scheduler: str | None) -> Iterator[Workers]:
+        yield _Fragile(deadly)
+
+    monkeypatch.setattr(run, "open_workers", fragile)
+    monkeypatch.setattr(run, "disc_tables", lambda discs, solve: ())
+    monkeypatch.setattr(store, "block_size", lambda study, cases: 8)
+    summary = run_sweep(study, tmp_path / "r.zarr", workers=2)
+    whole, result = open_sweep(finished[0]), open_sweep(tmp_path / "r.zarr")
+    assert summary.failures[ENDED_WORKERS] == sorted(deadly)
+    others = np.array([number not in deadly for number in range(40)])
+    np.testing.assert_array_equal(result.done, whole.done & others)
+    for name in ("distance_smallest", "transfer_function_real"):
+        np.testing.assert_allclose(
+            result.dataset[name].values[others], whole.dataset[name].values[others], rtol=1e-9, atol=1e-15
+        )
+    assert run_sweep(study, tmp_path / "r.zarr", workers=2).computed == 0
+
+
+def test_a_cell_in_the_cache_is_known_without_reading_it(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("ACOUSTIC_FEM_CACHE", str(tmp_path))
+    (cell, air), *_ = block.cells_of(read_study(TEXT).base)
+    assert not design_cells.is_cached(cell, [10.0, 20.0], air)
+    key = design_cells.CellTask(cell, air, design_cells.DESIGN_BAND, "navier-stokes").key
+    disk_cache.store(key, {}, {})
+    assert design_cells.is_cached(cell, [10.0, 20.0], air)
+    assert not design_cells.is_cached(cell, [10.0, 20.0], air, "helmholtz")
+
+
+def test_many_membranes_are_interpolated_between_few_that_are_solved(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    text = TEXT.split("[parameters]")[0].replace("cases = 40", "cases = 120") + (
+        '[parameters]\n"membrane.thickness" = {from = 0.4, to = 0.6}\n'
+    )
+    study = read_study(text)
+    solved: list[object] = []
+
+    def counted(shape: DiscShape) -> ElasticDisc:
+        solved.append(shape)
+        return solve_dimensionless(shape)
+
+    monkeypatch.setattr(run, "solve_dimensionless", counted)
+    run_sweep(study, tmp_path / "r.zarr", workers=1)
+    assert 0 < len(solved) < 12
+    result = open_sweep(tmp_path / "r.zarr")
+    assert result.done.all()
+    for number in (0, 119):
+        library = acoustic_fem.solve(result.design(number), study.frequency, "lumped")
+        for name, accuracy in (("distance_smallest", 2e-4), ("sensitivity_force", 4e-4)):
+            expected = METRICS[name].of_library(library)
+            assert float(result.dataset[name][number]) == pytest.approx(expected, rel=accuracy, abs=0)

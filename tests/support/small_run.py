@@ -1,0 +1,27 @@
+"""A small array and a whole run of it, for the tests of the run and of its report."""
+
+from __future__ import annotations
+
+import functools
+import tempfile
+from pathlib import Path
+
+import geometry
+from geometry.design.array_design import ArrayDesign
+from localize import TrainingPlan
+from studies.run.chain import run_design
+from studies.run.result import RunResult
+
+PLAN = TrainingPlan(seconds_per_point=150, epochs=3, microphone_noise="design")
+
+
+def small_design() -> ArrayDesign:
+    """The reference array with three points in one row."""
+    return geometry.prototype("array-2x6").with_values({"name": "row-3", "lines.0.points": 3, "layout.columns": 3})
+
+
+@functools.cache
+def small_run() -> RunResult:
+    """One run for all tests of a process, at fidelity lumped; nobody writes into its folder."""
+    folder = Path(tempfile.mkdtemp(prefix="row-3-")) / "out"
+    return run_design(small_design(), folder, fidelity="lumped", training=PLAN)
