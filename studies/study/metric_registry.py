@@ -190,7 +190,7 @@ def _predicted() -> Iterable[Metric]:
             unit="1",
             long_name=f"predicted top-1 accuracy{', loud' * bool(level)}",
             definition=f"Share of simulated touches whose point a trained network is predicted to name, under {where} "
-            "(studies.metrics.confusion, 64 multi-sine touches per point).",
+            "(studies.metrics, 64 multi-sine touches per point).",
             compute=partial(_top1, level),
             needs=needs,
             band=BAND,

@@ -13,7 +13,7 @@ from random_networks import every_node_at_once, random_parameters, topologies
 from scipy.special import jn_zeros, jve
 
 import acoustic_fem
-from acoustic_fem.batch import elements, interpolation, means, network
+from acoustic_fem.batch import elements, interpolation, means, network, series
 from acoustic_fem.batch.interpolation import cylinder_means, disc_means
 from acoustic_fem.batch.network import batch_response, batch_transfer_function
 from acoustic_fem.batch.parameters import ArrayParameters, MediumParameters
@@ -260,7 +260,7 @@ def test_a_batch_is_its_designs_one_by_one(monkeypatch):
     parameters = replace(parameters, hole_length=parameters.hole_length[:1], tube_radius=parameters.tube_radius[:1])
     whole = batch_response(parameters, topology, BAND, AIR)
     monkeypatch.setattr(network, "_CHUNK", 2 * topology.point_count * len(BAND))  # two designs at once
-    monkeypatch.setattr(means, "_BLOCK", 7)
+    monkeypatch.setattr(series, "_BLOCK", 7)
     pieces = batch_response(parameters, topology, BAND, AIR)
     assert whole.source_response.shape == (5, 15, 3, 4)
     for k in range(5):

@@ -17,6 +17,7 @@ from acoustic_fem.numerics.disk_cache import CacheWarning
 from acoustic_fem.quantities import checks
 from geometry.air.cells import Cell
 from geometry.design.design_file import prototype
+from geometry.refusal import Refusal
 from geometry.stated.ports import CellPort
 
 CHAMBER = Cell("microphone", 2.2, 1.3, 0.65, (CellPort(0.0, 0.44),), 0.5, 0.3)
@@ -160,7 +161,7 @@ def test_a_step_file_cut_short_is_refused_by_its_name(tmp_path, length):
 @pytest.mark.usefixtures("no_meshing")
 def test_a_cavity_with_no_port_is_refused_by_its_name():
     sealed = Cell("resonator", 3.0, 2.0, 1.0, (), 3.0, 0.0)
-    with pytest.raises(RuntimeError, match=r"resonator 3 x 2 mm .* has no port; it needs at least one tube"):
+    with pytest.raises(Refusal, match=r"resonator 3 x 2 mm .* has no port; it needs at least one tube"):
         solve_cells([sealed], [1.0], AIR)
 
 

@@ -297,7 +297,7 @@ def test_a_mistake_in_a_process_that_solves_a_cell_is_not_taken_for_a_cell_witho
     tmp_path, monkeypatch, capfd
 ):
     (tmp_path / "sitecustomize.py").write_text(
-        "import geometry.air\ngeometry.air.air_volume = lambda cell: cell.nonsense\n"
+        "import geometry.air.volume\ngeometry.air.volume.air_volume = lambda cell: cell.nonsense\n"
     )
     monkeypatch.syspath_prepend(tmp_path)
     monkeypatch.setenv("ACOUSTIC_FEM_CACHE", str(tmp_path / "cache"))

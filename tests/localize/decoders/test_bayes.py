@@ -13,7 +13,7 @@ import geometry
 import localize
 from localize.decoders import bayes
 from localize.decoders.frame_covariance import INTEGRATION_STEP, SOURCE_RMS, frame_noise_covariance, low_pass
-from localize.signals import stimulus
+from localize.signals import stimulus, threads
 from localize.signals.array_response import response_of
 from localize.signals.finger_stimuli import taps
 from localize.signals.noise import NoiseSpectrum
@@ -160,6 +160,7 @@ def test_decoding_and_evaluation_run_on_one_thread_and_leave_the_setting_alone(a
         return original(values)
 
     monkeypatch.setattr(bayes, "vertex", spied)
+    threads._controller.cache_clear()  # other tests may have loaded more libraries since it was made
     before = torch.get_num_threads()
     torch.set_num_threads(2)
     try:

@@ -27,7 +27,7 @@ def decoder(array):
 def drawn(array, powers, count, rng):
     """Frames drawn from the model itself: independent Gaussian sources at the given points, and noise of 1 mPa."""
     touched = moments.touch_covariances(array, np.eye(moments.SAMPLES))
-    noise = np.kron(np.eye(4), scipy.linalg.toeplitz(moments.noise_covariance(1e-3)))
+    noise = np.kron(np.eye(4), scipy.linalg.toeplitz(moments.frame_noise_covariance(1e-3)))
     factor = np.linalg.cholesky(sum(power * touched[point] for point, power in powers.items()) + noise)
     wanted = (rng.standard_normal((count, len(noise))) @ factor.T).reshape(count, 4, moments.SAMPLES)
     # Any signal with these decimated samples will do.
@@ -56,7 +56,7 @@ def test_single_touches_are_not_called_two(array, decoder):
 def test_the_likelihood_of_a_pair_is_that_of_the_summed_covariances(array, decoder):
     frames = drawn(array, {0: 1.0, 4: 0.1}, 3, np.random.default_rng(0))
     touched = moments.touch_covariances(array, np.eye(moments.SAMPLES))
-    noise = np.kron(np.eye(4), scipy.linalg.toeplitz(moments.noise_covariance(1e-3)))
+    noise = np.kron(np.eye(4), scipy.linalg.toeplitz(moments.frame_noise_covariance(1e-3)))
     x = (frames @ moments.low_pass().T).reshape(3, -1)
     # The same term is left out for all covariances of a frame.
     constant = 0.5 * np.linalg.slogdet(noise)[1] + 0.5 * (x.T * np.linalg.solve(noise, x.T)).sum(0)

@@ -88,7 +88,7 @@ def test_help_of_a_search_names_its_section(command: Command) -> None:
 def test_help_loads_nothing_heavy() -> None:
     code = (
         "import sys\n"
-        "from studies.cli import app\n"
+        "from studies.cli.app import app\n"
         "try:\n    app(['--help'])\nexcept SystemExit:\n    pass\n"
         "heavy = {'OCP', 'cadquery', 'gmsh', 'matplotlib', 'numpy', 'pyvista', 'scipy', 'skfem', 'torch', 'xarray'}\n"
         "print(sorted(heavy & set(sys.modules)), file=sys.stderr)"

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import filecmp
 import json
 import re
 from collections.abc import Callable, Iterable, Iterator
@@ -14,10 +13,11 @@ from typing import Any
 import numpy as np
 import pytest
 import xarray as xr
+from stores import assert_same_store
 from typer.testing import CliRunner
 
 import acoustic_fem
-from acoustic_fem.cell import design_cells
+from acoustic_fem.cell import design_cells, one_cell
 from acoustic_fem.membrane.elasticity import DiscShape, ElasticDisc, solve_dimensionless
 from acoustic_fem.numerics import disk_cache
 from acoustic_fem.quantities.medium import Medium
@@ -65,19 +65,6 @@ def study() -> Study:
 def finished(study: Study, tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Summary]:
     out = tmp_path_factory.mktemp("sweep") / "results.zarr"
     return out, run_sweep(study, out, workers=1)
-
-
-def assert_same_store(one: Path, other: Path) -> None:
-    """Every file of two stores is the same, byte for byte."""
-
-    def walk(compared: filecmp.dircmp[str]) -> Iterator[str]:
-        yield from (*compared.left_only, *compared.right_only, *compared.funny_files)
-        _, differ, broken = filecmp.cmpfiles(compared.left, compared.right, compared.common_files, shallow=False)
-        yield from (*differ, *broken)
-        for below in compared.subdirs.values():
-            yield from walk(below)
-
-    assert list(walk(filecmp.dircmp(one, other, ignore=[]))) == []
 
 
 # -- values -----------------------------------------------------------------------------------------
@@ -325,9 +312,9 @@ def test_every_distinct_cell_is_solved_once_and_one_that_fails_takes_its_own_cas
         (cell,) = cells
         asked.append(cell)
         if cell.kind == "resonator" and cell.height == 3.0 and len({port.bore_diameter for port in cell.ports}) == 1:
-            raise design_cells.CellError(f"{cell.label}: no mesh")
+            raise one_cell.CellError(f"{cell.label}: no mesh")
         admittance = lumped_admittance(cell, frequency, medium)
-        return {cell: design_cells.CellSolution(admittance, fidelity, 1, (), 0.0, 0.0, 1.0, cached=False)}
+        return {cell: one_cell.CellSolution(admittance, fidelity, 1, (), 0.0, 0.0, 1.0, cached=False)}
 
     monkeypatch.setattr(block, "solve_cells", solve_cells)
     study = read_study(CELLS)
@@ -512,7 +499,7 @@ def test_a_cell_in_the_cache_is_known_without_reading_it(tmp_path: Path, monkeyp
     monkeypatch.setenv("ACOUSTIC_FEM_CACHE", str(tmp_path))
     (cell, air), *_ = block.cells_of(read_study(TEXT).base)
     assert not design_cells.is_cached(cell, [10.0, 20.0], air)
-    key = design_cells.CellTask(cell, air, design_cells.DESIGN_BAND, "navier-stokes").key
+    key = one_cell.CellTask(cell, air, one_cell.DESIGN_BAND, "navier-stokes").key
     disk_cache.store(key, {}, {})
     assert design_cells.is_cached(cell, [10.0, 20.0], air)
     assert not design_cells.is_cached(cell, [10.0, 20.0], air, "helmholtz")

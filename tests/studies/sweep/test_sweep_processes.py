@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 import psutil
 import pytest
-from test_sweep import assert_same_store
+from stores import assert_same_store
 
 from geometry import ArrayDesign
 from studies.study.cases import Cases, cases_of
