@@ -27,17 +27,24 @@ class Cell:
 
     It is a cylinder where no other shape is given. The opening is the membrane (as wide as the cavity, length 0)
     or the microphone's sound hole.
-    Lengths in mm.
     """
 
     kind: Literal["resonator", "microphone"]
+    """What the air belongs to."""
     diameter: float
+    """Diameter of the cavity, mm."""
     height: float
+    """Height of the cavity, mm."""
     port_height: float
+    """Height above the floor of the ports that state none of their own, mm."""
     ports: tuple[CellPort, ...]
+    """Tube ports in canonical order."""
     opening_diameter: float
+    """Diameter of the membrane or of the sound hole, mm."""
     opening_length: float
+    """Length of the sound hole, mm; 0 under a membrane."""
     shape: Box | Dome | None = None
+    """What makes the cavity differ from a cylinder; None for a cylinder."""
 
     @property
     def label(self) -> str:
@@ -57,7 +64,7 @@ class Cell:
         return self.port_height if port.height is None else port.height
 
     def mouth_of(self, port: CellPort) -> float:
-        """From the axis to where the port's axis meets the wall of the cavity, mm."""
+        """Distance from the axis to where the port's axis meets the wall of the cavity, mm."""
         return wall_distance(self.shape, self.diameter / 2, self.height_of(port), port.angle)
 
     def bore_of(self, port: CellPort) -> float:
@@ -67,10 +74,12 @@ class Cell:
 
 @dataclass(frozen=True)
 class CellUse:
-    """One place of the array that a cell fills: ``order[k]`` is the cell's port at the place's k-th tube."""
+    """Use of a cell at one place of the array: ``order[k]`` is the cell's port at the place's k-th tube."""
 
     cell: Cell
+    """The cell in its canonical form."""
     order: tuple[int, ...]
+    """Index of the cell's port at each of the place's tubes."""
 
 
 @dataclass(frozen=True)
@@ -81,7 +90,9 @@ class CellCatalogue:
     """
 
     points: tuple[CellUse, ...]
+    """Cell at each point, its tubes to the previous and to the next node of the line."""
     microphones: tuple[CellUse, ...]
+    """Cell at each microphone, its tubes in the order of the microphone's ports."""
 
     @property
     def distinct(self) -> tuple[Cell, ...]:

@@ -20,6 +20,14 @@ def split_wall_corners(
 
     The pressure at their common corner belongs to no free velocity and would be locked: the element's
     volume would drop out of the compliance.
+
+    Args:
+        nodes: (n_node, 3) float64, in any unit.
+        tetrahedra: (n_tetrahedron, 10) int64: corners, then the middles of :data:`EDGES`.
+        triangles: corner nodes of the boundary by name, (n_triangle, 3) int64 each.
+
+    Returns:
+        Nodes (n_node + n_new, 3) float64 and tetrahedra (n_tetrahedron + n_more, 10) int64.
     """
     boundary = {tuple(sorted(t)) for part in triangles.values() for t in part.tolist()}
     opposite = ((1, 2, 3), (0, 2, 3), (0, 1, 3), (0, 1, 2))
@@ -73,7 +81,16 @@ def _shape_gradients(point: NDArray[np.float64]) -> NDArray[np.float64]:
 def jacobians(
     nodes: NDArray[np.float64], tetrahedra: NDArray[np.int64], points: NDArray[np.float64]
 ) -> NDArray[np.float64]:
-    """Determinants of the curved elements at reference points (n, 3): (n, n_tetrahedron)."""
+    """Jacobian determinants of curved elements.
+
+    Args:
+        nodes: (n_node, 3) float64, in any unit.
+        tetrahedra: (n_tetrahedron, 10) int64.
+        points: (n, 3) float64, places in the reference element.
+
+    Returns:
+        (n, n_tetrahedron) float64, in the cube of the nodes' unit.
+    """
     places = nodes[tetrahedra]
     columns = [np.einsum("ka,ean->ken", _shape_gradients(point), places) for point in points]
     return np.stack([np.einsum("en,en->e", np.cross(x, y), z) for x, y, z in columns])
@@ -94,5 +111,10 @@ SOLVER_RULE = _barycentric(
 
 
 def curved_volume(nodes: NDArray[np.float64], tetrahedra: NDArray[np.int64]) -> float:
-    """Volume of all elements, in the cube of the nodes' unit."""
+    """Volume of all elements, in the cube of the nodes' unit.
+
+    Args:
+        nodes: (n_node, 3) float64.
+        tetrahedra: (n_tetrahedron, 10) int64.
+    """
     return float(jacobians(nodes, tetrahedra, VOLUME_RULE).sum() / 24)

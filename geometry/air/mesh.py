@@ -39,19 +39,20 @@ class InvertedElementsError(MeshError):
 
 @dataclass(frozen=True)
 class MeshSizes:
-    """Element sizes as multiples of the radius of the nearest port, and the largest size (mm)."""
+    """Element sizes of a mesh: fine at the mouths of tubes, growing into the cavity."""
 
     mouth_edge: float
-    """At the re-entrant edge where a tube meets the cavity."""
+    """Size at the re-entrant edge where a tube meets the cavity, in radii of the nearest port."""
     tube: float
-    """Along the stub of a tube, and, in radii of curvature, on every curved face."""
+    """Size along the stub of a tube in radii of its port, and on every curved face in its radii of curvature."""
     growth: float
     """Increase of size per distance from the mouth."""
     largest: float
+    """Largest size, mm."""
     wall: float | None = None
-    """Near every face (mm), where a layer along the walls must be resolved."""
+    """Size near every face, mm, where a layer along the walls must be resolved; None where it need not be."""
     tube_layer: float = math.inf
-    """Upper limit of the sizes at mouths and along stubs (mm), where a layer along their walls is thin."""
+    """Upper limit of the sizes at mouths and along stubs, mm, where a layer along their walls is thin."""
 
 
 @dataclass(frozen=True)
@@ -59,13 +60,15 @@ class SolidMesh:
     """Second-order tetrahedra of one solid; lengths in mm."""
 
     nodes: NDArray[np.float64]
-    """(n_node, 3) float64."""
+    """Places of the nodes, (n_node, 3) float64, mm."""
     tetrahedra: NDArray[np.int64]
-    """(n_tetrahedron, 10) int64, node order of scikit-fem."""
+    """Nodes of every element, (n_tetrahedron, 10) int64, in the order of scikit-fem."""
     faces: dict[str, NDArray[np.int64]]
-    """Per name (n_triangle, 3) int64 corner nodes; every unnamed face is listed under ``wall``."""
+    """Corner nodes of the triangles of every face by name, (n_triangle, 3) int64 each; unnamed faces are listed under
+    ``wall``.
+    """
     normals: dict[str, NDArray[np.float64]]
-    """Per named flat face its unit normal out of the solid, (3,) float64."""
+    """Unit normal out of the solid of every named flat face, (3,) float64 each."""
     volume: float
     """Volume of the CAD solid, mm^3."""
     mesh_volume: float
@@ -129,10 +132,12 @@ def checked_mesh(
     """A mesh fit for the solvers: elements that would lock a pressure split, Jacobians and volume checked.
 
     Args:
-        nodes: as in :class:`SolidMesh`, like all others.
-        tetrahedra: corners, then the middles of :data:`geometry.air.curved_tetrahedra.EDGES`.
-        triangles: faces; every face that is no port, moving wall or mirror under :data:`WALL`.
-        normals: of the other faces.
+        nodes: (n_node, 3) float64, mm.
+        tetrahedra: (n_tetrahedron, 10) int64: corners, then the middles of
+            :data:`geometry.air.curved_tetrahedra.EDGES`.
+        triangles: corner nodes of the faces, (n_triangle, 3) int64 each; every face that is no port, moving wall or
+            mirror under :data:`WALL`.
+        normals: of the other faces, (3,) float64 each.
         volume: of the solid, mm^3.
 
     Raises:

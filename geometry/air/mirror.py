@@ -29,10 +29,11 @@ class Half:
     """One side of a mirror plane, with points on the faces that the plane cut."""
 
     solid: cadquery.Solid
+    """The half, mm."""
     ports: dict[str, Point]
     """A point on what is left of each port, mm."""
     mirror: Point
-    """A point on the mirror plane's face."""
+    """A point on the mirror plane's face, mm."""
 
 
 def mirror_half(solid: cadquery.Solid, ports: Mapping[str, Point]) -> Half | None:

@@ -28,14 +28,15 @@ class AirVolume:
     """Air of a cell, mm. The cavity's floor lies at z = 0, its axis is z."""
 
     solid: cadquery.Solid
+    """The air, or one half of it, mm."""
     ports: dict[str, Point]
-    """Per tube port a point on the flat end of its stub, in the order of ``Cell.ports``."""
+    """A point on the flat end of the stub of each tube port, mm, in the order of ``Cell.ports``."""
     opening: Point
-    """A point on the membrane, or on the inner end of the microphone's sound hole."""
+    """A point on the membrane, or on the inner end of the microphone's sound hole, mm."""
     centre: Point
-    """Centre of the opening."""
+    """Centre of the opening, mm."""
     mirror: Point | None
-    """A point on the plane y = 0 where only one half of the cell is drawn, that of positive y."""
+    """A point on the plane y = 0, mm, where only one half of the cell is drawn, that of positive y; else None."""
 
 
 def port_names(cell: Cell) -> tuple[str, ...]:

@@ -26,16 +26,14 @@ class Winding:
     """Centre line of a tube: straight, a circular or helical arc about the z axis, straight again; mm.
 
     The straight ends follow the tangents of the arc. ``at(0)`` lies at the azimuth 0 where the arc begins.
-
-    Attributes:
-        diameter: of the cylinder that holds the arc.
-        angle: azimuth wound, degrees.
-        pitch: rise per turn; 0 gives a flat arc.
     """
 
     diameter: float
+    """Diameter of the cylinder that holds the arc, mm."""
     angle: float
+    """Azimuth wound, degrees."""
     pitch: float = 0.0
+    """Rise per turn, mm; 0 gives a flat arc."""
 
     @property
     def arc_length(self) -> float:
@@ -44,12 +42,12 @@ class Winding:
 
     @property
     def curvature(self) -> float:
-        """Of the arc, 1/mm: r / (r^2 + b^2), b = pitch / 2 pi."""
+        """Curvature of the arc, 1/mm: r / (r^2 + b^2), b = pitch / 2 pi."""
         return self.diameter / 2 / self._per_radian**2
 
     @property
     def torsion(self) -> float:
-        """Of the arc, 1/mm: b / (r^2 + b^2)."""
+        """Torsion of the arc, 1/mm: b / (r^2 + b^2)."""
         return self.pitch / (2 * math.pi) / self._per_radian**2
 
     @property
@@ -60,10 +58,11 @@ class Winding:
         """Points of the centre line and frames across it.
 
         Args:
-            along: (n,) mm, the arc from 0 to ``arc_length``, the straight ends outside.
+            along: (n,) float64, mm, the arc from 0 to ``arc_length``, the straight ends outside.
 
         Returns:
-            Points (n, 3) and frames (n, 3, 3), mm: rows away from the axis, across, and along the line.
+            Points (n, 3) float64, mm, and frames (n, 3, 3) float64: rows away from the axis, across, and along the
+            line.
         """
         along = np.asarray(along, dtype=np.float64)
         on_arc = np.clip(along, 0.0, self.arc_length)
@@ -100,10 +99,10 @@ def swept_mesh(
     on the swept shape.
 
     Args:
-        section: (n, 2) nodes of the disc around (0, 0), mm: away from the axis of the winding, and across.
-        triangles: (m, 6) second-order triangles, counter-clockwise: corners, then the middles of 01, 12, 20.
+        section: (n, 2) float64 nodes of the disc around (0, 0), mm: away from the axis of the winding, and across.
+        triangles: (m, 6) int64 second-order triangles, counter-clockwise: corners, then the middles of 01, 12, 20.
         winding: the centre line; None for a straight one.
-        along: (k + 1,) ascending places of the layers, mm; the corners of a bend should be among them.
+        along: (k + 1,) float64 ascending places of the layers, mm; the corners of a bend should be among them.
 
     Raises:
         InvertedElementsError: a layer is too long, or the bend too tight for the section.

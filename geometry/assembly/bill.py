@@ -30,37 +30,34 @@ Use = Literal["printed", "cast", "bought", "tooling"]
 
 @dataclass(frozen=True)
 class Prices:
-    """What materials cost and how much of them is lost; every value is an assumption to be replaced.
-
-    Attributes:
-        currency: of all prices.
-        resin: photopolymer, per ml.
-        silicone: both parts mixed, per ml.
-        spring: close-wound coil spring, per metre.
-        sheath: heat-shrink or catheter tube, per metre.
-        microphone: MEMS microphone, each.
-        board: that carries it, each.
-        gasket: under a board, each.
-        glue: per joint of a tube, a membrane or a board.
-        resin_factor: resin used per resin in the parts, for supports and what stays in the tank.
-        silicone_factor: silicone mixed per silicone in the membranes, for the overflow and the cup.
-        cutting_loss: of spring and sheath per cut, mm.
-        source: where the values come from.
-    """
+    """What materials cost and how much of them is lost; every value is an assumption to be replaced."""
 
     currency: str = "USD"
+    """Currency of all prices."""
     resin: float = 0.06
+    """Price of photopolymer, per ml."""
     silicone: float = 0.04
+    """Price of silicone, both parts mixed, per ml."""
     spring: float = 3.0
+    """Price of close-wound coil spring, per metre."""
     sheath: float = 0.5
+    """Price of heat-shrink or catheter tube, per metre."""
     microphone: float = 1.5
+    """Price of a MEMS microphone."""
     board: float = 0.3
+    """Price of the board that carries a microphone."""
     gasket: float = 0.05
+    """Price of the gasket under a board."""
     glue: float = 0.01
+    """Price of the glue of one joint: of a tube, a membrane or a board."""
     resin_factor: float = 1.3
+    """Resin used per resin in the parts, for supports and what stays in the tank."""
     silicone_factor: float = 2.0
+    """Silicone mixed per silicone in the membranes, for the overflow and the cup."""
     cutting_loss: float = 0.5
+    """Length of spring and sheath lost per cut, mm."""
     source: str = "assumed: orders of magnitude of small retail quantities in 2025, no quotation"
+    """Where the values come from."""
 
     def __post_init__(self) -> None:
         """Refuse prices that are none.
@@ -79,45 +76,53 @@ class BillItem:
     """One line of the bill."""
 
     item: str
+    """What is needed."""
     use: Use
+    """How it comes into the array, or that it is a tool."""
     count: int
-    """Pieces."""
+    """Number of pieces."""
     quantity: float
-    """Of all pieces together, with what is lost, in ``unit``."""
+    """Quantity of all pieces together, with what is lost, in ``unit``."""
     unit: Literal["ml", "m", "pieces"]
+    """Unit of the quantity."""
     unit_price: float
+    """Price per unit, in the currency of the bill."""
     note: str = ""
+    """What else is to be known, for people."""
 
     @property
     def cost(self) -> float:
-        """Of all pieces."""
+        """Cost of all pieces, in the currency of the bill."""
         return self.quantity * self.unit_price
 
 
 @dataclass(frozen=True)
 class Bill:
-    """What one array takes. Costs are in ``prices.currency``."""
+    """What one array takes; costs are in ``prices.currency``."""
 
     design: str
+    """Name of the design."""
     items: tuple[BillItem, ...]
+    """Every line of the bill."""
     prices: Prices
+    """Prices that the costs follow from."""
     resin_ml: float
-    """In the parts that stay in the array, without supports."""
+    """Resin in the parts that stay in the array, without supports, ml."""
     tooling_resin_ml: float
-    """In the molds, which serve many arrays."""
+    """Resin in the molds, which serve many arrays, ml."""
     silicone_ml: float
-    """In the membranes."""
+    """Silicone in the membranes, ml."""
     tube_m: float
-    """Of sheath, cut to length; springs of bent tubes are a little shorter."""
+    """Length of sheath, cut to length, m; springs of bent tubes are a little shorter."""
 
     @property
     def cost(self) -> float:
-        """Of the materials of one array, without its tools and without work."""
+        """Cost of the materials of one array, without its tools and without work."""
         return sum(item.cost for item in self.items if item.use != "tooling")
 
     @property
     def tooling_cost(self) -> float:
-        """Of the molds."""
+        """Cost of the molds."""
         return sum(item.cost for item in self.items if item.use == "tooling")
 
     def to_dict(self) -> dict[str, object]:
@@ -126,7 +131,7 @@ class Bill:
         return {**asdict(replace(self, items=())), "items": rows, "cost": self.cost, "tooling_cost": self.tooling_cost}
 
     def to_csv(self) -> str:
-        """One line per item, with a header."""
+        """The bill as CSV: one line per item, with a header."""
         text = io.StringIO()
         table = csv.writer(text, lineterminator="\n")
         table.writerow(

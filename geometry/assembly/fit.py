@@ -29,9 +29,11 @@ class Interference:
     """Two placed parts that are in each other's way, by their labels."""
 
     first: str
+    """Label of one part."""
     second: str
+    """Label of the other."""
     volume: float
-    """Of what they share, mm^3."""
+    """Volume that both share, mm^3."""
 
 
 @dataclass(frozen=True)
@@ -39,33 +41,35 @@ class Clearance:
     """The smallest distance of two placed parts that do not belong together, by their labels."""
 
     first: str
+    """Label of one part."""
     second: str
+    """Label of the other."""
     distance: float
-    """mm."""
+    """Smallest distance of the two, mm."""
 
 
 @dataclass(frozen=True)
 class PortFit:
-    """A tube in a port, as measured on the faces of their solids; lengths mm."""
+    """A tube in a port, as measured on the faces of their solids."""
 
     tube: str
     """Label of the sheath."""
     part: str
     """Label of the shell or housing."""
     bore: float
-    """Diameter of the hole through the lip."""
+    """Diameter of the hole through the lip, mm."""
     counterbore: float
-    """Diameter of the socket."""
+    """Diameter of the socket, mm."""
     spring_bore: float
-    """Inside diameter of the spring."""
+    """Inside diameter of the spring, mm."""
     tube_outside: float
-    """Outside diameter of the sheath."""
+    """Outside diameter of the sheath, mm."""
     axis_offset: float
-    """Largest distance of the spring's axis from that of the bore, from its shoulder to the outside of the part."""
+    """Largest distance of the spring's axis from that of the bore, from its shoulder to the outside of the part, mm."""
 
     @property
     def glue_gap(self) -> float:
-        """Radial gap between tube and socket."""
+        """Radial gap between tube and socket, mm."""
         return (self.counterbore - self.tube_outside) / 2
 
 

@@ -42,29 +42,26 @@ _KINDS: dict[str, Kind] = {
 
 @dataclass(frozen=True)
 class ArrayModel:
-    """An array put together.
-
-    Attributes:
-        design: what it was drawn from.
-        layout: where everything lies.
-        shapes: each distinct part in its own coordinates, mm.
-        placed: every copy.
-        schematic: tubes that are not among the parts, since their way is drawn for the eye only.
-    """
+    """An array put together."""
 
     design: ArrayDesign
+    """Design that it was drawn from."""
     layout: ArrayLayout
+    """Where everything lies."""
     shapes: Mapping[str, cq.Shape]
+    """Each distinct part by name, in its own coordinates, mm."""
     placed: tuple[PlacedPart, ...]
+    """Every copy of every part."""
     schematic: tuple[TubePlacement, ...]
+    """Tubes that are not among the parts, since their way is drawn for the eye only."""
 
     def kind(self, part: str) -> Kind:
-        """What a part is."""
+        """Kind of a part, by its name."""
         return kind_of(part)
 
 
 def kind_of(part: str) -> Kind:
-    """What a part is, by its name."""
+    """Kind of a part, by its name."""
     return next(kind for start, kind in _KINDS.items() if part.startswith(start))
 
 
@@ -129,12 +126,12 @@ def assembly_of(model: ArrayModel) -> cq.Assembly:
 
 
 def component_name(model: ArrayModel, part: PlacedPart) -> str:
-    """What a placed part is called in an assembly, where its group has the name of its place."""
+    """Name of a placed part in an assembly, where its group has the name of its place."""
     return part.label if part.label != part.group else f"{part.label} {model.kind(part.part)}"
 
 
 def plane_of(matrix: NDArray[np.float64]) -> cq.Plane:
-    """The CadQuery plane of a (4, 4) matrix that turns and moves, mm."""
+    """The CadQuery plane of a (4, 4) float64 matrix that turns and moves, mm."""
     import cadquery as cq
 
     return cq.Plane(

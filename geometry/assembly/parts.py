@@ -46,11 +46,15 @@ class PlacedPart:
     """One copy of a part in the array: turned about its z by ``rotation`` degrees, laid along ``axes``, moved (mm)."""
 
     part: str
+    """Name of the part."""
     label: str
+    """Name of this copy."""
     position: tuple[float, float, float]
+    """Where the origin of its own coordinates lies, mm."""
     rotation: float
+    """Angle by which it is turned about its own z, degrees."""
     axes: Axes = FLAT
-    """Where its x, y and z point, as rows; on a flat array as in its own coordinates."""
+    """Directions of its x, y and z, as rows; on a flat array those of its own coordinates."""
     group: str = ""
     """What it belongs to: ``point 3``, ``microphone A``, ``tube 2 of line 1``."""
 

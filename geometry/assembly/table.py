@@ -30,16 +30,22 @@ class JoinedTube:
     """The tube from one place of a line to the next."""
 
     name: str
-    """``tube 2 of line 1``."""
+    """Name such as ``tube 2 of line 1``."""
     bore: float
+    """Diameter of the bore, mm."""
     outside: float
+    """Outside diameter, mm."""
     sheath_length: float
+    """Length to which the sheath is cut, mm."""
     spring_length: float
+    """Length to which the spring is cut, before it is bent, mm."""
     turns: float
+    """Number of turns of the spring."""
     bend_radius: float
-    """Smallest radius of its axis; infinite where it lies straight."""
+    """Smallest radius of its axis, mm; infinite where it lies straight."""
     schematic: bool
-    """It is drawn to show what is joined: how it bends is not known, and its spring is that of a straight tube."""
+    """Whether it is drawn to show what is joined: how it bends is not known, and its spring is that of a straight tube.
+    """
 
 
 @dataclass(frozen=True)
@@ -47,24 +53,25 @@ class AssemblyStep:
     """One place of a line, from its first microphone to its second: what stands there and what leads on."""
 
     line: int
-    """From 1."""
+    """Number of the line, from 1."""
     place: str
-    """``microphone A`` or ``point 3``."""
+    """Name of the place: ``microphone A`` or ``point 3``."""
     part: str
     """Name of its shell or housing, as of its files."""
     rotation: float
-    """By which the part is turned about its axis, anticlockwise from above."""
+    """Angle by which the part is turned about its axis, degrees, anticlockwise from above."""
     position: tuple[float, float, float]
+    """Where the origin of the part lies, mm."""
     port_before: float | None
     """Port of the part for the tube before, in the part's own degrees; None at the first microphone."""
     port_after: float | None
-    """Port for the tube that follows; None at the second microphone."""
+    """Port for the tube that follows, in the part's own degrees; None at the second microphone."""
     tube: JoinedTube | None
     """The tube that follows; None at the second microphone."""
 
 
 def assembly_steps(design: ArrayDesign) -> tuple[AssemblyStep, ...]:
-    """Line by line from microphone to microphone; a microphone that joins several lines stands at the end of each."""
+    """Steps line by line from microphone to microphone; one that joins several lines stands at the end of each."""
     layout = lay_out(design)
     parts = {part.group: part for part in place_parts(design, layout) if part.part.startswith(_HOUSINGS)}
     tubes = {(tube.line, tube.segment): tube for tube in layout.tubes}

@@ -37,21 +37,26 @@ _TOLERANCE_IN_HOLES = 1 / 50
 
 @dataclass(frozen=True)
 class ExportedFile:
-    """A file that was written and read back. Lengths mm, volumes mm^3; STEP is exact and has no facets."""
+    """A file that was written and read back; STEP is exact and has no facets."""
 
     path: Path
+    """Path of the file."""
     part: str
+    """Name of the part."""
     format: str
+    """Format of the file, one of :data:`FORMATS`."""
     triangles: int | None
+    """Number of facets; None of a STEP file."""
     linear_deviation: float | None
-    """Largest distance of the facets' edges from the CAD surface."""
+    """Largest distance of the facets' edges from the CAD surface, mm; None of a STEP file."""
     cad_volume: float
+    """Volume of the CAD solid, mm^3."""
     mesh_volume: float
-    """Volume of what the file holds."""
+    """Volume of what the file holds, mm^3."""
     count: int = 1
     """How many to make, of all parts of this shape."""
     also: tuple[str, ...] = ()
-    """Other parts of the same shape: they have no file of their own."""
+    """Names of other parts of the same shape: they have no file of their own."""
 
     @property
     def volume_error(self) -> float:
@@ -141,8 +146,11 @@ class SharedShape:
     """A shape, the parts that have it, and how many of them there are."""
 
     names: tuple[str, ...]
+    """Names of the parts, in order."""
     count: int
+    """How many to make, of all of them."""
     facets: Tessellation
+    """Facets of the shape."""
 
 
 def tessellate_distinct(

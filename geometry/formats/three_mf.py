@@ -26,10 +26,13 @@ class Body:
     """A part as it is written: once, however many copies are placed."""
 
     name: str
+    """Name of the part."""
     facets: Tessellation
+    """Facets in the part's own coordinates, mm."""
     parameters: Mapping[str, Any] = field(default_factory=dict)
+    """What the part was generated from."""
     places: tuple[NDArray[np.float64], ...] = (np.eye(4),)
-    """How each copy is turned and moved, mm: (4, 4) float64."""
+    """How each copy is turned and moved, (4, 4) float64 matrices, mm."""
 
 
 def write_3mf(bodies: Sequence[Body], title: str, path: Path) -> None:

@@ -17,32 +17,36 @@ _STRAIGHT = 1e-3
 
 @dataclass(frozen=True)
 class Cut:
-    """Equal pieces of tube, lengths in mm."""
+    """Equal pieces of tube."""
 
     use: Literal["segment", "microphone"]
-    """``segment`` between points or ``microphone`` from the end of a line."""
+    """Where the tube leads: ``segment`` between points, ``microphone`` from the end of a line."""
     tube: Tube
+    """The tube as the design states it."""
     cut_length: float
-    """Of the sheath, along the axis: its ends stop on the lips of the ports, which carry on the bore to the walls."""
+    """Length of the sheath along the axis, mm: its ends stop on the lips of the ports, which carry on the bore to the
+    walls.
+    """
     count: int
+    """Number of pieces."""
     spring_length: float
-    """Of the coil before it is bent, see :func:`spring_length`."""
+    """Length of the coil before it is bent, mm, see :func:`spring_length`."""
     lines: tuple[int, ...]
     """Numbers of the lines that it is for, from 1."""
 
     @property
     def total_length(self) -> float:
-        """Length of all sheaths, without the saw."""
+        """Length of all sheaths, without what the saw takes, mm."""
         return self.count * self.cut_length
 
     @property
     def turns(self) -> float:
-        """Turns of one coil."""
+        """Number of turns of one coil."""
         return self.spring_length / self.tube.wire_diameter
 
     @property
     def place(self) -> str:
-        """Where it goes, for people: ``between points of lines 2, 4``."""
+        """Words that say where it goes: ``between points of lines 2, 4``."""
         where = "between points of" if self.use == "segment" else "to microphones of"
         return f"{where} line{'s' if len(self.lines) > 1 else ''} {', '.join(map(str, self.lines))}"
 
@@ -64,7 +68,7 @@ def spring_length(tube: Tube, length: float, bend: float) -> float:
 
 
 def cut_lengths(design: ArrayDesign, placed: TubePlacement) -> tuple[float, float]:
-    """Of sheath and spring of one tube, mm; one that is drawn schematically is taken as straight."""
+    """Lengths of sheath and spring of one tube, mm; one that is drawn schematically is taken as straight."""
     tube, bend = placed.tube, 0.0 if placed.schematic else turning(placed.course)
     sheath = round(tube.length - 2 * design.printing.port_lip, 6)
     # In hundredths, finer than any blade, so that pieces which differ by rounding are one.

@@ -14,18 +14,18 @@ from geometry.stated.parts import Tube
 
 @dataclass(frozen=True)
 class PointPlacement:
-    """One sensing point. Lengths mm, angles degrees from +x, anticlockwise seen from above."""
+    """One sensing point; angles are counted from +x, anticlockwise seen from above."""
 
     number: int
-    """From 1, counted through all lines in order."""
+    """Number of the point, from 1, counted through all lines in order."""
     line: int
     """Index of its line in the design."""
     place: int
     """Index along its line, from 0 at the line's first microphone."""
     position: tuple[float, float]
-    """Axis of the cavity."""
+    """Axis of the cavity in plan, mm."""
     port_angles: tuple[float, float]
-    """Directions of the tubes towards the previous and the next node of the line."""
+    """Directions of the tubes towards the previous and the next node of the line, degrees."""
 
 
 @dataclass(frozen=True)
@@ -33,9 +33,11 @@ class MicrophonePort:
     """Where one end of a line enters a microphone chamber."""
 
     line: int
+    """Index of the line in the design."""
     end: Literal[0, 1]
-    """0: the line's first microphone, 1: its second."""
+    """End of the line: 0 at its first microphone, 1 at its second."""
     angle: float
+    """Direction of the tube, degrees."""
 
 
 @dataclass(frozen=True)
@@ -43,26 +45,29 @@ class MicrophonePlacement:
     """One microphone chamber and the line ends it joins, in order of (line, end)."""
 
     name: str
+    """Name of the microphone."""
     position: tuple[float, float]
+    """Axis of the chamber in plan, mm."""
     ports: tuple[MicrophonePort, ...]
+    """Line ends that it joins, in order of (line, end)."""
 
 
 @dataclass(frozen=True)
 class TubePlacement:
-    """A routed tube from one cavity wall to the next.
-
-    ``segment`` k runs before point k of its line; 0 and n_points are the microphone tubes.
-    """
+    """A routed tube from one cavity wall to the next."""
 
     line: int
+    """Index of its line in the design."""
     segment: int
+    """Number of points of its line before it: 0 and n_points are the microphone tubes."""
     tube: Tube
+    """The tube as the design states it."""
     path: NDArray[np.float64]
-    """(n, 3) float64, mm, along the axis of the bore, in plan: x, y and the height above the cavities' floors."""
+    """Axis of the bore in plan, (n, 3) float64, mm: x, y and the height above the cavities' floors."""
     course: NDArray[np.float64]
-    """(n, 3) float64, mm, along the axis of the bore in space: the path, but for arrays on a cylinder."""
+    """Axis of the bore in space, (n, 3) float64, mm: the path, but for arrays on a cylinder."""
     schematic: bool = False
-    """The path is drawn to show what is joined; its length is not the tube's."""
+    """Whether the path is drawn to show what is joined; its length is then not the tube's."""
 
     @property
     def label(self) -> str:
@@ -72,14 +77,19 @@ class TubePlacement:
 
 @dataclass(frozen=True)
 class ArrayLayout:
-    """The whole array. ``notes`` says what is drawn but could not be built as drawn."""
+    """Where all of an array lies."""
 
     points: tuple[PointPlacement, ...]
+    """Every sensing point, in the order of the numbers."""
     microphones: tuple[MicrophonePlacement, ...]
+    """Every microphone, in the order of the design."""
     tubes: tuple[TubePlacement, ...]
+    """Every tube."""
     notes: tuple[str, ...]
+    """What is drawn but could not be built as drawn, a sentence each."""
     surface: Plane | Cylinder
+    """What the shells stand on."""
 
     def frame(self, placement: PointPlacement | MicrophonePlacement) -> Frame:
-        """Where a point or a microphone stands in space; the floors of resonators' cavities lie at its z = 0."""
+        """Place of a point or a microphone in space; the floors of resonators' cavities lie at its z = 0."""
         return self.surface.frame(*placement.position)

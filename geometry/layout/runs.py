@@ -17,35 +17,51 @@ from geometry.plan.routing import bearing, unit
 
 @dataclass(frozen=True)
 class End:
-    """An end of a line: its last point and the direction from there to the microphone, degrees."""
+    """An end of a line: its last point and the way from there to the microphone."""
 
     line: int
+    """Index of the line in the design."""
     end: Literal[0, 1]
+    """Which end: 0 at the line's first microphone, 1 at its second."""
     microphone: str
+    """Name of the microphone."""
     point: NDArray[np.float64]
+    """Axis of the last point in plan, (2,) float64, mm."""
     direction: float
+    """Direction from the point to the microphone, degrees."""
     distance: float
-    """From the axis of the point to the axis of the chamber if the tube lies straight, mm."""
+    """Distance of the axes of point and chamber if the tube lies straight, mm."""
 
     @property
     def target(self) -> NDArray[np.float64]:
-        """Axis of the chamber at the end of a straight tube, (2,) float64."""
+        """Axis of the chamber at the end of a straight tube, (2,) float64, mm."""
         return self.point + self.distance * unit(self.direction)
 
 
 @dataclass(frozen=True)
 class Run:
-    """The points of one line in plan and the side (+1 left, -1 right) to which each tube bows."""
+    """The points of one line in plan, the sides to which its tubes bow, and its ends."""
 
     positions: NDArray[np.float64]
+    """Axes of the points in plan, (n_point, 2) float64, mm."""
     sides: tuple[int, ...]
+    """Side to which each tube between two points bows: +1 left, -1 right."""
     ends: tuple[End, End]
+    """The first and the second end."""
 
 
 def run_of(
     design: ArrayDesign, line: int, positions: NDArray[np.float64], sides: tuple[int, ...], out: tuple[float, float]
 ) -> Run:
-    """A line whose two ends point in the directions ``out``, degrees, its microphone tubes straight."""
+    """A line whose microphone tubes lie straight.
+
+    Args:
+        design: the array.
+        line: index of the line.
+        positions: axes of its points in plan, (n_point, 2) float64, mm.
+        sides: to which its tubes bow, +1 left, -1 right.
+        out: directions in which its two ends point, degrees.
+    """
     microphones = design.lines[line].between
     around, along = _microphone_reach(design, line)
     ends = [
