@@ -47,18 +47,22 @@ WEAKEST = 1e-2
 """Eigenvectors that hold less than this share of the assumed noise at g = 1 are left out: 1e-4 names the same points,
 40 dB louder ones as well."""
 NOISE_SHARE = 0.25
-"""Of the noise that is told, in amplitude; tried on 216 points were 1, 1/2, 0.3, 1/5 and 1/10. See docs/decoder.md."""
+"""Share of the noise that is told, in amplitude, that likelihoods assume; tried on 216 points were 1, 1/2, 0.3, 1/5 and
+1/10. See docs/decoder.md."""
 TEMPERATURE = NOISE_SHARE**-2
-"""Counts misfits by the noise that is told again: probabilities are then calibrated, see docs/decoder.md."""
+"""Divisor of log-likelihoods: it counts misfits by the noise that is told again, so that probabilities are calibrated,
+see docs/decoder.md."""
 QUIET_BONUS = 30.0
-"""Nats, after the temperature: the likelihood assumes less noise than there is, and would take the rest for sound. In
-quiet, sound was preferred by at most 35 nats on line-2 (1 of 100 by 27 or more), at 60 dB SPL by at least 90."""
+"""Advantage of quiet over sound, nats, after the temperature: the likelihood assumes less noise than there is, and
+would take the rest for sound. In quiet, sound was preferred by at most 35 nats on line-2 (1 of 100 by 27 or more), at
+60 dB SPL by at least 90."""
 SURE = 20.0
-"""Nats: points this far behind the best one, and what single precision may err, are not scored again in double."""
+"""Lead of the best point, nats: those this far behind it, and what single precision may err, are not scored again in
+double."""
 SCREEN_ERROR = 8 * float(np.finfo(np.float32).eps) / (2 * TEMPERATURE)
-"""Nats that a score in single precision may err, per unit of the sum of squares of a frame's white samples."""
+"""Error that a score in single precision may have, nats, per unit of the sum of squares of a frame's white samples."""
 CHUNK = 64
-"""Frames that are decoded at once."""
+"""Number of frames that are decoded at once."""
 
 
 def sound_levels(loudest: float | None) -> tuple[float | None, ...]:
@@ -80,18 +84,20 @@ Ambient = float | None | Sequence[float | None]
 
 @dataclass(frozen=True, eq=False)
 class DecoderTables:
-    """What the likelihood of a frame is computed from, for one level of the sound around."""
+    """Tables that the likelihood of a frame is computed from, for one level of the sound around."""
 
     reduce: NDArray[np.float64]
-    """(n_microphone 250, n_microphone SAMPLES): from the samples to fewer ones whose noise is white of variance 1."""
+    """Matrix from the samples to fewer ones whose noise is white of variance 1; (n_microphone 250, n_microphone
+    SAMPLES) float64, 1/Pa."""
     vectors: NDArray[np.float64]
-    """(n_point, n_microphone SAMPLES, rank) eigenvectors of each C_i."""
+    """Eigenvectors of each C_i where the noise is white; (n_point, n_microphone SAMPLES, rank) float64."""
     weight: NDArray[np.float64]
-    """(n_point, rank, n_power) of the energy along each of them, per value of g."""
+    """Weight of the energy along each eigenvector, per value of g; (n_point, rank, n_power) float64."""
     log_determinant: NDArray[np.float64]
-    """(n_point, n_power) of the covariance."""
+    """Logarithm of the covariance's determinant over that of the noise, over the temperature; (n_point, n_power)
+    float64, nats."""
     offset: float
-    """Nats: of the noise and sound alone, which tells levels apart."""
+    """Log-likelihood of the noise and sound alone, nats, which tells levels apart."""
 
 
 class BayesDecoder:
@@ -162,7 +168,7 @@ class BayesDecoder:
 
     @one_thread()
     def log_probability(self, signals: ArrayLike | Tensor) -> NDArray[np.float64]:
-        """The logarithm of what :meth:`locate` gives, which does not end at the smallest number there is.
+        """Logarithm of what :meth:`locate` gives, which does not end at the smallest number there is.
 
         Args:
             signals: (n, n_microphone, n_sample), Pa, at 1 kHz, at least 250 samples.
@@ -188,7 +194,7 @@ class BayesDecoder:
         """Log-likelihood of every point, maximised over the power of the touch and divided by the temperature.
 
         Args:
-            frames: (n, n_microphone, 250), Pa.
+            frames: (n, n_microphone, 250) float64, Pa.
 
         Returns:
             (n, n_point) float64, nats, up to a constant per frame.
@@ -258,7 +264,14 @@ class _Screen:
 
 
 def vertex(values: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Maximum over the last axis of samples of a smooth curve: that of the parabola around the largest one."""
+    """Maximum over the last axis of samples of a smooth curve: that of the parabola around the largest one.
+
+    Args:
+        values: (..., n) float64, n >= 3, in any unit, equally spaced.
+
+    Returns:
+        (...,) float64, in the unit of the values.
+    """
     # A flat view and whole indices: for a single frame the calls take the time, not the numbers.
     flat = values.reshape(-1, values.shape[-1])
     row = np.arange(len(flat))
@@ -274,14 +287,14 @@ def vertex(values: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def share_of(noise: float | NoiseSpectrum) -> float | NoiseSpectrum:
-    """The noise that likelihoods are computed with."""
+    """Noise that likelihoods are computed with, from the one that is told."""
     if isinstance(noise, NoiseSpectrum):
         return NoiseSpectrum(noise.power * NOISE_SHARE**2, noise.source)
     return noise * NOISE_SHARE
 
 
 def checked_levels(response: ArrayResponse, ambient: Ambient) -> tuple[float | None, ...]:
-    """The levels of an ``ambient``, from quiet to loud.
+    """Levels of an ``ambient``, from quiet to loud.
 
     Raises:
         Refusal: no level, or as :func:`localize.decoders.frame_covariance.check_level`.

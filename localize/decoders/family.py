@@ -68,13 +68,33 @@ class FamilyDecoder:
         return len(self.line)
 
     def locate(self, signals: ArrayLike | Tensor) -> NDArray[np.float64]:
-        """Where the array was touched: (n_point,) or (n, n_point), as :meth:`localize.BayesDecoder.locate`."""
+        """Where the array was touched, the hypotheses summed out.
+
+        Args:
+            signals: (n_microphone, n_sample) or (n, n_microphone, n_sample), Pa, at 1 kHz, at least 250 samples.
+
+        Returns:
+            (n_point,) or (n, n_point) float64: probability per point.
+
+        Raises:
+            Refusal: as :meth:`localize.BayesDecoder.locate`.
+        """
         joint, batched = self._joint(signals)
         probability = softmax(logsumexp(joint, axis=2), axis=1)
         return np.asarray(probability if batched else probability[0])
 
     def hypotheses(self, signals: ArrayLike | Tensor) -> NDArray[np.float64]:
-        """Which hypothesis the signals speak for: probability of each, (n_hypothesis,) or (n, n_hypothesis)."""
+        """Which hypothesis the signals speak for.
+
+        Args:
+            signals: (n_microphone, n_sample) or (n, n_microphone, n_sample), Pa, at 1 kHz, at least 250 samples.
+
+        Returns:
+            (n_hypothesis,) or (n, n_hypothesis) float64: probability per hypothesis.
+
+        Raises:
+            Refusal: as :meth:`localize.BayesDecoder.locate`.
+        """
         joint, batched = self._joint(signals)
         probability = softmax(logsumexp(joint, axis=1), axis=1)
         return np.asarray(probability if batched else probability[0])

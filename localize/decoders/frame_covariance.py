@@ -24,15 +24,15 @@ from localize.signals.stimulus import BAND, NOISE, SAMPLE_RATE
 
 DECIMATION = 4
 TAPS = 35
-"""Length of the low-pass filter."""
+"""Length of the low-pass filter, samples."""
 CUTOFF = 115.0
-"""Hz."""
+"""Corner of the low-pass filter, Hz."""
 SAMPLES = (FRAME - TAPS) // DECIMATION + 1
-"""Samples of a frame and microphone after decimation."""
+"""Number of samples of a frame and microphone after decimation."""
 SOURCE_RMS = 0.25
-"""Pa: the touch at power 1, typical of the multi-sine stimuli."""
+"""Level of the touch at power 1, Pa rms, typical of the multi-sine stimuli."""
 INTEGRATION_STEP = 0.5
-"""Hz: covariances repeat after 2 s, eight frames."""
+"""Step of the integrals over frequency, Hz: covariances repeat after 2 s, eight frames."""
 
 
 def check_noise(choice: NoiseChoice) -> None:
@@ -46,7 +46,7 @@ def check_noise(choice: NoiseChoice) -> None:
 
 
 def low_pass() -> NDArray[np.float64]:
-    """Filter and decimation of a frame, (SAMPLES, 250); its last output sees the last sample."""
+    """Matrix that filters and decimates a frame, whose last output sees the last sample; (SAMPLES, 250) float64."""
     taps = scipy.signal.firwin(TAPS, CUTOFF, fs=SAMPLE_RATE)
     matrix = np.zeros((SAMPLES, FRAME))
     for row in range(SAMPLES):
@@ -56,7 +56,14 @@ def low_pass() -> NDArray[np.float64]:
 
 
 def frame_noise_covariance(noise: float | NoiseSpectrum) -> NDArray[np.float64]:
-    """Covariance of filtered noise, white ones in Pa rms, at the lags of the decimated samples, (SAMPLES,), Pa^2."""
+    """Covariance of filtered noise at the lags of the decimated samples.
+
+    Args:
+        noise: white, Pa rms over 0 to 500 Hz, or a spectrum.
+
+    Returns:
+        (SAMPLES,) float64, Pa^2.
+    """
     taps = scipy.signal.firwin(TAPS, CUTOFF, fs=SAMPLE_RATE)
     if isinstance(noise, NoiseSpectrum):
         frequency = np.arange(len(noise.power), dtype=np.float64)
@@ -69,7 +76,7 @@ def frame_noise_covariance(noise: float | NoiseSpectrum) -> NDArray[np.float64]:
 
 
 def whitening(noise: float | NoiseSpectrum) -> NDArray[np.float64]:
-    """(SAMPLES, SAMPLES): makes filtered noise white, of variance 1."""
+    """Matrix that makes the filtered noise of one microphone white, of variance 1; (SAMPLES, SAMPLES) float64, 1/Pa."""
     covariance = scipy.linalg.toeplitz(frame_noise_covariance(noise))
     return np.asarray(np.linalg.inv(np.linalg.cholesky(covariance)))
 
@@ -77,7 +84,16 @@ def whitening(noise: float | NoiseSpectrum) -> NDArray[np.float64]:
 def joint_whitening(
     response: ArrayResponse, noise: float | NoiseSpectrum, ambient: float | None
 ) -> NDArray[np.float64]:
-    """(n, n), n = n_microphone SAMPLES: makes noise and sound at all microphones together white, of variance 1."""
+    """Matrix that makes noise and sound at all microphones together white, of variance 1.
+
+    Args:
+        response: the array, with its ``ambient_response`` where there is sound.
+        noise: white, Pa rms over 0 to 500 Hz, or a spectrum.
+        ambient: level of the sound outside, dB SPL; None for quiet.
+
+    Returns:
+        (n, n) float64, n = n_microphone SAMPLES, microphone by microphone, 1/Pa.
+    """
     alone = np.kron(np.eye(len(response.microphones)), scipy.linalg.toeplitz(frame_noise_covariance(noise)))
     sound = 0.0 if ambient is None else ambient_covariance(response, ambient)
     return np.asarray(scipy.linalg.solve_triangular(np.linalg.cholesky(alone + sound), np.eye(len(alone)), lower=True))
@@ -119,7 +135,14 @@ def ambient_covariance(response: ArrayResponse, level: float) -> NDArray[np.floa
 
 
 def source_density(frequency: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Power density of the touch at power 1, Pa^2/Hz, at frequencies from 1 Hz."""
+    """Power density of the touch at power 1.
+
+    Args:
+        frequency: (n,) float64, Hz, from 1 Hz on.
+
+    Returns:
+        (n,) float64, Pa^2/Hz.
+    """
     return np.where(frequency <= BAND[1], SOURCE_RMS**2 / (BAND[1] - BAND[0]), NOISE**2 / (SAMPLE_RATE / 2))
 
 
@@ -128,12 +151,12 @@ def touch_covariances(
     whiten: NDArray[np.float64],
     density: Callable[[NDArray[np.float64]], NDArray[np.float64]] = source_density,
 ) -> NDArray[np.float64]:
-    """C_i of every point at power 1, where the noise is white of variance 1.
+    """Covariances C_i of every point at power 1, where the noise is white of variance 1.
 
     Args:
         response: the array.
-        whiten: of :func:`whitening`.
-        density: power density of the touch at frequencies in Hz, Pa^2/Hz.
+        whiten: (SAMPLES, SAMPLES) float64, 1/Pa, of :func:`whitening`, or (n, n) of :func:`joint_whitening`.
+        density: power density of the touch, Pa^2/Hz, from frequencies in Hz, both of shape (n_freq,).
 
     Returns:
         (n_point, n, n) float64, n = n_microphone SAMPLES, microphone by microphone.
@@ -151,7 +174,14 @@ def touch_covariances(
 
 
 def sampled_waves(frequency: NDArray[np.float64]) -> tuple[NDArray[np.complex128], NDArray[np.float64]]:
-    """What the decimated samples see of a wave, (n, SAMPLES), and the gain of the filter, (n,)."""
+    """Waves as the decimated samples see them, and the gain of the filter.
+
+    Args:
+        frequency: (n,) float64, Hz.
+
+    Returns:
+        (n, SAMPLES) complex128, and (n,) float64.
+    """
     taps = scipy.signal.firwin(TAPS, CUTOFF, fs=SAMPLE_RATE)
     _, gain = scipy.signal.freqz(taps, worN=frequency, fs=SAMPLE_RATE)
     time = np.arange(SAMPLES) * DECIMATION / SAMPLE_RATE

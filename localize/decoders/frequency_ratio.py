@@ -84,7 +84,7 @@ class FrequencyRatioDecoder:
         """Log-likelihood of every point.
 
         Args:
-            frames: (n, n_microphone, 250), Pa.
+            frames: (n, n_microphone, 250) float64, Pa.
 
         Returns:
             (n, n_point) float64, nats, up to a constant per frame.

@@ -48,19 +48,19 @@ class Judgement:
     """Decisions on n signals."""
 
     points: NDArray[np.int64]
-    """(n, top) the most probable points, from 0, best first."""
+    """Most probable points, from 0, best first; (n, top) int64."""
     probability: NDArray[np.float64]
-    """(n, top) of those."""
+    """Probabilities of these points; (n, top) float64."""
     margin: NDArray[np.float64]
-    """(n,) log of the ratio of the two highest probabilities, nats."""
+    """Logarithm of the ratio of the two highest probabilities; (n,) float64, nats."""
     p_value: NDArray[np.float64]
-    """(n,) probability that noise leaves as large a residual under the best point."""
+    """Probability that noise leaves as large a residual under the best point; (n,) float64."""
     explained: NDArray[np.bool_]
-    """(n,) the p-value is at least the rate of false alarms; where not, "none of these"."""
+    """Whether the p-value is at least the rate of false alarms; where not, "none of these"; (n,) bool."""
 
 
 class ResidualTest:
-    """Whether a touch of a given point can have made a signal.
+    """Test of whether a touch of a given point can have made a signal.
 
     Args:
         library: transfer functions of the array that was made. An error of them of 1 % leaves a residual 40 dB below
@@ -118,7 +118,7 @@ class ResidualTest:
         Args:
             signals: (n, n_microphone, n_sample), Pa, at 1 kHz, at least 250 samples; cut into frames that do not
                 overlap, whose residuals are added.
-            point: (n,) from 0.
+            point: (n,) int64, from 0.
 
         Returns:
             (n,) float64.

@@ -37,11 +37,11 @@ if TYPE_CHECKING:
     from acoustic_fem import Library
 
 PAPER_WINDOW, PAPER_HOP = 32, 16
-"""Samples of the paper's short-window transform."""
+"""Window and hop of the paper's short-window transform, samples."""
 _STEP = 0.25
 """Hz: covariances repeat after 4 s."""
 LONGEST = 1000
-"""Samples of the longest window; its lags stay below half of that period."""
+"""Length of the longest window, samples; its lags stay below half of the period of 4 s."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,10 +49,10 @@ class Waveform:
     """Pressure in the touched cavity, Pa at 1 kHz."""
 
     pressure: NDArray[np.float64]
-    """(n, n_sample): posterior mean; its first ``window - latency - 1`` and last ``latency`` samples have no whole
-    window and are NaN."""
+    """Posterior mean of the pressure; (n, n_sample) float64, Pa. Its first ``window - latency - 1`` and last
+    ``latency`` samples have no whole window and are NaN."""
     deviation: float
-    """Posterior standard deviation, Pa: the same for all samples."""
+    """Posterior standard deviation of the pressure, Pa: the same for all samples."""
 
 
 class Reconstructor:
@@ -101,7 +101,9 @@ class Reconstructor:
         return len(self._response)
 
     def filters(self, point: int) -> NDArray[np.float64]:
-        """The FIR filter of each microphone, (n_microphone, window); tap k takes the sample k before the newest."""
+        """FIR filter of each microphone, whose tap k takes the sample k before the newest; (n_microphone, window)
+        float64.
+        """
         return self._filter(point)[0].copy()
 
     def deviation(self, point: int) -> float:
@@ -158,7 +160,7 @@ def short_window_waveform(
     window: int = PAPER_WINDOW,
     hop: int = PAPER_HOP,
 ) -> NDArray[np.float64]:
-    """The paper's way: short-window transform, least squares over microphones per bin, and back.
+    """Waveform in the paper's way: short-window transform, least squares over microphones per bin, and back.
 
     The product with a transfer function is exact only for windows much longer than the impulse response. At the
     paper's 32 samples, 31 Hz between bins, the error is that of the window, whatever the noise.

@@ -29,17 +29,17 @@ if TYPE_CHECKING:
 FALSE_ALARM = 1e-6
 """Share of frames of sound on the library's own sensor that are not called so: one in four hours at 62 a second."""
 GAIN = 0.15
-"""Gains of the microphones that differ from their mean by less than this share do not matter: they are fitted to each
+"""Largest share by which a microphone's gain may differ from their mean without mattering: gains are fitted to each
 frame."""
 MISMATCH = 0.04
-"""Of a frame, in amplitude: what sound may leave beside its directions on a mis-made sensor, gains apart; see
+"""Share of a frame, in amplitude, that sound may leave beside its directions on a mis-made sensor, gains apart; see
 docs/decoder.md for how many sensors that holds of."""
 LEAK = 1e-2
 """Share of the noise's variance that the loudest sound may have in a direction that is left to the noise."""
 
 
 class SoundTest:
-    """Tells sound without a touch from everything else.
+    """Test that tells sound without a touch from everything else.
 
     Args:
         library: of a design, which tells how sound comes in.
@@ -94,10 +94,10 @@ class SoundTest:
 
     @one_thread()
     def beside(self, signals: ArrayLike | Tensor) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """How much of signals sound does not explain, and how much it and noise may leave, see :data:`MISMATCH`.
+        """Energy that sound does not explain, and the most that it and noise may leave, see :data:`MISMATCH`.
 
         Args:
-            signals: as :meth:`p_value`.
+            signals: (n, n_microphone, n_sample), as :meth:`p_value`.
 
         Returns:
             Two of (n,) float64, energies; the unit is that of the noise in one direction.
@@ -125,7 +125,7 @@ class SoundTest:
         """Whether sound explains signals, on the library's sensor or on one that is made a little differently.
 
         Args:
-            signals: as :meth:`p_value`.
+            signals: (n, n_microphone, n_sample), as :meth:`p_value`.
 
         Returns:
             (n,) bool; True also of noise alone.

@@ -30,11 +30,11 @@ if TYPE_CHECKING:
     from acoustic_fem import Library
 
 LEVELS = (-20.0, -10.0, 0.0, 10.0, 20.0)
-"""dB: power of the second touch over that of the first, as tried."""
+"""Powers of the second touch over that of the first that are tried, dB."""
 WEAKEST = 1e-4
-"""Eigenvectors that hold less than this share of the noise at g = 1 are left out."""
+"""Share of the noise at g = 1 below which eigenvectors are left out."""
 THRESHOLD = 5.0
-"""Nats: gain of the best pair over the best point from which there are two touches."""
+"""Gain of the best pair over the best point, nats, from which there are two touches."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,15 +42,15 @@ class TwoTouches:
     """Decisions on n signals."""
 
     pair: NDArray[np.int64]
-    """(n, 2) the best two points, from 0, the lower one first."""
+    """Best two points, from 0, the lower one first; (n, 2) int64."""
     level: NDArray[np.float64]
-    """(n,) dB: power of the second over that of the first, the best of the grid."""
+    """Power of the second point over that of the first, the best of the grid; (n,) float64, dB."""
     point: NDArray[np.int64]
-    """(n,) the best single point."""
+    """Best single point, from 0; (n,) int64."""
     gain: NDArray[np.float64]
-    """(n,) log-likelihood of the best pair over that of the best point, nats."""
+    """Log-likelihood of the best pair over that of the best point; (n,) float64, nats."""
     is_two: NDArray[np.bool_]
-    """(n,) the gain is above the threshold."""
+    """Whether the gain is above the threshold; (n,) bool."""
 
 
 class TwoTouchDecoder:
@@ -101,7 +101,7 @@ class TwoTouchDecoder:
         """Log-likelihoods of every point and of every pair, maximised over the powers.
 
         Args:
-            frames: (n, n_microphone, 250), Pa.
+            frames: (n, n_microphone, 250) float64, Pa.
 
         Returns:
             (n, n_point) and (n, n_pair, n_level) float64, nats, up to the same constant per frame.

@@ -17,29 +17,29 @@ from localize.signals.resampling import at_one_kilohertz
 from localize.signals.stimulus import SAMPLE_RATE
 
 LOWEST_RATE, HIGHEST_RATE = 250.0, 1e6
-"""Hz; below the lowest the band of 1 to 100 Hz is not in a recording."""
+"""Lowest and highest sample rate, Hz; below the lowest the band of 1 to 100 Hz is not in a recording."""
 FLAT = 8
-"""Consecutive equal samples at the extreme of a channel that show clipping."""
+"""Number of consecutive equal samples at the extreme of a channel that show clipping."""
 FINE = 2000
-"""Flat tops count where the extreme is this many of the channel's smallest steps or more: smaller ones are coarse."""
+"""Number of the channel's smallest steps up to its extreme from which flat tops count: smaller ones are coarse."""
 
 
 class RecordingError(Refusal):
-    """A recording that cannot be used: one line that names the file and the reason."""
+    """Refusal of a recording that cannot be used: one line that names the file and the reason."""
 
 
 @dataclass(frozen=True, eq=False)
 class Recording:
-    """Signals at 1 kHz."""
+    """Signals of an array's microphones at 1 kHz."""
 
     signals: NDArray[np.float64]
-    """(n_microphone, n_sample) Pa."""
+    """Pressures at the microphones, in their order; (n_microphone, n_sample) float64, Pa."""
     rate: float
-    """Hz, of the file."""
+    """Sample rate of the file, Hz."""
 
     @property
     def seconds(self) -> float:
-        """Length."""
+        """Length of the recording, s."""
         return self.signals.shape[1] / SAMPLE_RATE
 
 
@@ -80,7 +80,7 @@ def read_recording(
 
 
 def check_full_scale(full_scale: float | None) -> None:
-    """Refuse what is no pressure.
+    """Refuse a full scale that is no pressure.
 
     Raises:
         Refusal: it is not finite and positive.

@@ -23,9 +23,9 @@ Array = NDArray[np.float64]
 Single = NDArray[np.float32]
 
 STRETCH = 4000
-"""Samples at 1 kHz of a stretch; all, of a shorter recording."""
+"""Length of a stretch, samples at 1 kHz; all, of a shorter recording."""
 LEAST_TOUCHED = 2000
-"""Of them, that frames with a touch must cover: one tap is like many others."""
+"""Number of a stretch's samples that frames with a touch must cover: one tap is like many others."""
 ALIKE = 0.99
 """Correlation from which two stretches are one; docs/localizer.md has what takes reach."""
 _COARSE = 4
@@ -41,23 +41,24 @@ _TINY = np.finfo(np.float64).tiny
 
 @dataclass(frozen=True)
 class SameTake:
-    """Two recordings of one take."""
+    """Pair of recordings that hold one take."""
 
     first: int
+    """Number of the earlier recording, from 0."""
     second: int
-    """Numbers of the recordings, the lower one first."""
+    """Number of the later recording, from 0."""
     correlation: float
-    """By which they were found: the lower of those of the signals and of their differences, 0 to 1."""
+    """Correlation by which they were found: the lower of those of the signals and of their differences, 0 to 1."""
 
 
 def find_same_take(signals: Sequence[Single], touched: Sequence[NDArray[np.int64]]) -> SameTake | None:
-    """The first two recordings found that hold one take, or none.
+    """First two recordings found that hold one take, or None.
 
     Recordings without a stretch that is touched for :data:`LEAST_TOUCHED` are not told apart.
 
     Args:
-        signals: of each recording, (n_microphone, n_sample) at 1 kHz, of any level.
-        touched: of each recording, (n,) first samples of the frames with a touch, n >= 1, ascending.
+        signals: of each recording, (n_microphone, n_sample) float32 at 1 kHz, of any level.
+        touched: of each recording, (n,) int64, first samples of the frames with a touch, n >= 1, ascending.
     """
     stretches = [
         (number, start)

@@ -31,13 +31,13 @@ from geometry.refusal import Refusal
 
 Part = Literal["random-1-100", "random-1-10", "friction", "taps"]
 PARTS: tuple[Part, ...] = ("random-1-100", "random-1-10", "friction", "taps")
-"""What the touches of a recording are; the paper records 13, 2, 2 and 2 minutes of them at every point."""
+"""Kinds of touches that a recording may hold; the paper records 13, 2, 2 and 2 minutes of them at every point."""
 HELD_OUT = 0.2
 """Share of the recordings of a point and part that are kept for judging: 4 to 1, as in the paper."""
 
 
 class TouchManifestError(Refusal):
-    """Recorded touches that cannot be used: one line that names the file, the field and the reason."""
+    """Refusal of recorded touches that cannot be used: one line that names the file, the field and the reason."""
 
 
 class _Recording(BaseModel):
@@ -57,26 +57,30 @@ class _File(BaseModel):
 
 @dataclass(frozen=True)
 class TouchRecording:
-    """One recording."""
+    """Recording of touches of one point, as a manifest states it."""
 
     file: str
-    """As the manifest names it."""
+    """Name of the file, as the manifest gives it."""
     path: Path
+    """Path of the file."""
     point: int
-    """From 1."""
+    """Point that is touched, from 1."""
     part: Part
+    """Kind of the touches."""
     sha256: str
-    """Of the content of the file."""
+    """SHA-256 of the file's content, hexadecimal."""
 
 
 @dataclass(frozen=True)
 class TouchManifest:
-    """All recordings, in the order of the manifest."""
+    """Manifest of recorded touches, read and checked."""
 
     path: Path
+    """Path of the manifest itself."""
     recordings: tuple[TouchRecording, ...]
+    """All recordings, in the order of the manifest."""
     full_scale: float
-    """Pa, of WAV files."""
+    """Pressure at full scale of WAV files, Pa."""
 
 
 def read_touch_manifest(path: str | os.PathLike[str], points: int) -> TouchManifest:

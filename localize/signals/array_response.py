@@ -28,29 +28,31 @@ class ArrayResponse:
     """The transfer functions of one array as plain arrays: what the localizer takes from a library."""
 
     transfer_function: NDArray[np.complex128]
-    """(n_point, n_microphone, n_freq) complex128, pressure at a microphone / pressure in the touched cavity."""
+    """Pressure at a microphone over pressure in the touched cavity; (n_point, n_microphone, n_freq) complex128,
+    Pa/Pa."""
     frequency: NDArray[np.float64]
-    """(n_freq,) float64, Hz, increasing, covering 1 to 100 Hz."""
+    """Frequencies of the transfer functions, increasing, covering 1 to 100 Hz; (n_freq,) float64, Hz."""
     line: NDArray[np.int64]
-    """(n_point,) line of each point."""
+    """Line of each point, as the library numbers it; (n_point,) int64."""
     place: NDArray[np.int64]
-    """(n_point,) place of each point along its line."""
+    """Place of each point along its line, as the library numbers it; (n_point,) int64."""
     microphones: tuple[str, ...]
+    """Names of the microphones, in the order of the transfer functions."""
     name: str = "array"
     """Name of the design."""
     provenance: Mapping[str, Any] = field(default_factory=dict)
-    """Design, fidelity, air, frequencies and versions, as JSON can hold them."""
+    """Design, fidelity, air, frequencies and versions that the transfer functions come from, as JSON can hold them."""
     own_noise: NoiseSpectrum | None = None
     """Noise of the design's microphone; None where there is no design."""
     ambient_response: NDArray[np.complex128] | None = None
-    """(n_microphone, n_freq) complex128, pressure at a microphone per pressure outside, the same on all membranes,
+    """Pressure at a microphone per pressure outside, the same on all membranes; (n_microphone, n_freq) complex128,
     Pa/Pa; None where there is no design."""
     sealed: bool = False
     """Whether all pressures of the array are equal at 0 Hz, as those of a design are; if not, the spline is left to
     itself there."""
     vent_ratio: NDArray[np.complex128] | None = None
-    """(n_freq,) complex128, admittance of the microphone's compliances over that of its vent, see
-    :func:`acoustic_fem.network.microphone.vent_ratio`; None where there is no design."""
+    """Admittance of the microphone's compliances over that of its vent, see
+    :func:`acoustic_fem.network.microphone.vent_ratio`; (n_freq,) complex128; None where there is no design."""
 
     def __post_init__(self) -> None:
         h, f = self.transfer_function, self.frequency
@@ -90,7 +92,7 @@ class ArrayResponse:
         return len(self.transfer_function)
 
     def noise(self, choice: NoiseChoice) -> float | NoiseSpectrum:
-        """What is added to every microphone: white noise in Pa rms over 0 to 500 Hz, or that of the design.
+        """Noise that is added to every microphone: white, in Pa rms over 0 to 500 Hz, or that of the design.
 
         Raises:
             Refusal: "design" where there is none, or a number that is not finite or below zero.
@@ -106,8 +108,11 @@ class ArrayResponse:
     def at(self, frequency: NDArray[np.float64]) -> NDArray[np.complex128]:
         """Transfer functions interpolated to frequencies inside the library's range.
 
+        Args:
+            frequency: (n,) float64, Hz.
+
         Returns:
-            (n_point, n_microphone, n) complex128.
+            (n_point, n_microphone, n) complex128, Pa/Pa.
         """
         return interpolated_from_zero(self.transfer_function, self.frequency, frequency, self.sealed)
 
@@ -117,22 +122,30 @@ class TransferFunctionSource(Protocol):
 
     @property
     def frequency(self) -> NDArray[np.float64]:
-        """(n_freq,) float64, Hz."""
+        """Frequencies of the transfer functions; (n_freq,) float64, Hz."""
 
     @property
     def sensor_count(self) -> int:
         """Number of sensors."""
 
     def sensors(self, first: int, count: int) -> NDArray[np.complex128]:
-        """(count, n_point, n_microphone, n_freq) complex128 of consecutive sensors."""
+        """Transfer functions of consecutive sensors; (count, n_point, n_microphone, n_freq) complex128, Pa/Pa."""
 
 
 def interpolated(
     values: NDArray[np.complex128], grid: NDArray[np.float64], frequency: NDArray[np.float64]
 ) -> NDArray[np.complex128]:
-    """The spline through values (..., n_freq) of a real system, (..., n): its response at -f is the conjugate.
+    """Values of a real system, whose response at -f is the conjugate of that at f, by a cubic spline through them.
 
     Few values on many frequencies take a hundredth of the time of the matrices of :func:`interpolation`.
+
+    Args:
+        values: (..., n_freq) complex128, in any unit.
+        grid: (n_freq,) float64, Hz, increasing, zero or above.
+        frequency: (n,) float64, Hz.
+
+    Returns:
+        (..., n) complex128, in the unit of the values.
     """
     mirrored = grid > 0
     both = np.concatenate([-grid[mirrored][::-1], grid])
@@ -143,7 +156,17 @@ def interpolated(
 def interpolated_from_zero(
     values: NDArray[np.complex128], grid: NDArray[np.float64], frequency: NDArray[np.float64], sealed: bool
 ) -> NDArray[np.complex128]:
-    """The same, where an array is sealed with its value at 0 Hz, which counts below the grid alone."""
+    """Values by the spline of :func:`interpolated`; where an array is sealed, its value at 0 Hz counts below the grid.
+
+    Args:
+        values: (..., n_freq) complex128, Pa/Pa.
+        grid: (n_freq,) float64, Hz, increasing, above zero.
+        frequency: (n,) float64, Hz.
+        sealed: whether all pressures are equal at 0 Hz.
+
+    Returns:
+        (..., n) complex128, Pa/Pa.
+    """
     found = interpolated(values, grid, frequency)
     is_below = frequency < grid[0]
     if sealed and is_below.any():
@@ -156,7 +179,16 @@ def interpolated_from_zero(
 def interpolation(
     grid: NDArray[np.float64], frequency: NDArray[np.float64]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """The splines as matrices (n, n_freq): of real parts, which are even about 0 Hz, and of imaginary ones, odd."""
+    """Matrices of the spline of :func:`interpolated`: of real parts, which are even about 0 Hz, and of imaginary ones,
+    odd.
+
+    Args:
+        grid: (n_freq,) float64, Hz, increasing, zero or above.
+        frequency: (n,) float64, Hz.
+
+    Returns:
+        Two of (n, n_freq) float64: values on ``frequency`` are either times values on the grid.
+    """
     # Continued to negative frequencies, where the response of a real system is the conjugate: the spline then
     # needs no end condition near 0 Hz, where the response bends most.
     unit, mirrored = np.eye(len(grid)), grid > 0
@@ -168,7 +200,18 @@ def interpolation(
 def interpolation_from_zero(
     grid: NDArray[np.float64], frequency: NDArray[np.float64], sealed: bool
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """The same, for values that :func:`from_zero` has put that at 0 Hz before; it counts below the grid alone."""
+    """Matrices as of :func:`interpolation`, for values that :func:`from_zero` has put that at 0 Hz before.
+
+    That value counts below the grid alone.
+
+    Args:
+        grid: (n_freq,) float64, Hz, increasing, above zero.
+        frequency: (n,) float64, Hz.
+        sealed: whether the value at 0 Hz is there.
+
+    Returns:
+        Two of (n, n_freq) float64, or of (n, n_freq + 1) where an array is sealed: of real and of imaginary parts.
+    """
     even, odd = interpolation(grid, frequency)
     if not sealed:
         return even, odd
@@ -180,14 +223,22 @@ def interpolation_from_zero(
 
 
 def from_zero(transfer_function: NDArray[np.complex128], sealed: bool) -> NDArray[np.complex128]:
-    """Transfer functions (..., n_freq), with the one at 0 Hz before them where it is known."""
+    """Transfer functions with the one at 0 Hz before them where it is known.
+
+    Args:
+        transfer_function: (..., n_freq) complex128, Pa/Pa.
+        sealed: whether all pressures are equal at 0 Hz.
+
+    Returns:
+        (..., n_freq + 1) complex128 where the array is sealed, else the same, (..., n_freq); Pa/Pa.
+    """
     if not sealed:
         return transfer_function
     return np.concatenate([np.ones_like(transfer_function[..., :1]), transfer_function], -1)
 
 
 def response_of(library: Library | ArrayResponse) -> ArrayResponse:
-    """The plain arrays of a library.
+    """Transfer functions of a library as plain arrays; those that are plain already are handed back.
 
     Raises:
         Refusal: the library's frequencies do not cover 1 to 100 Hz, or a value is not finite.

@@ -23,23 +23,23 @@ from localize.signals.random_streams import Purpose, between, complex_normal, ra
 from localize.signals.stimulus import SAMPLE_LENGTH, SAMPLE_RATE, Device
 
 REFERENCE = 20e-6
-"""Pa."""
+"""Reference pressure of sound levels, Pa."""
 LOWEST_SOUND = 20.0
-"""Hz."""
+"""Lowest frequency of the sound outside, Hz."""
 SOUND_LINES = SAMPLE_LENGTH // 2
-"""Lines of the sound, 1 Hz apart: it repeats after a second, the length of a sample."""
+"""Number of lines of the sound, 1 Hz apart: it repeats after a second, the length of a sample."""
 
 
 @dataclass(frozen=True)
 class MicrophoneMismatch:
-    """How unlike the microphones of an array are; each sample is recorded by microphones of its own.
+    """Scatter of the microphones of an array; each sample is recorded by microphones of its own.
 
     Raises:
         Refusal: a figure outside its range.
     """
 
     gain: float = 0.0
-    """dB, standard deviation of the sensitivity, 0 to 20."""
+    """Standard deviation of the sensitivity, 0 to 20 dB."""
     vent: float = 0.0
     """Relative standard deviation of the vent's conductance (log-normal), 0 to 1."""
 
@@ -51,7 +51,7 @@ class MicrophoneMismatch:
     def factors(
         self, seed: int, purpose: Purpose, start: int, count: int, microphones: int, vent_ratio: Tensor
     ) -> Tensor:
-        """Recorded over nominal signal.
+        """Ratio of the recorded to the nominal signal, of each sample's own microphones.
 
         Args:
             seed: any non-negative integer.
@@ -59,7 +59,7 @@ class MicrophoneMismatch:
             start: index of the first sample.
             count: how many.
             microphones: of the array.
-            vent_ratio: (n_line,) complex, v; on the device on which the result shall be.
+            vent_ratio: (n_line,) complex, v of the module's text; on the device on which the result shall be.
 
         Returns:
             (count, microphones, n_line) complex64.

@@ -42,27 +42,27 @@ from localize.signals.stimulus import (
 )
 
 PULSE_SECONDS = (0.005, 0.1)
-"""From a tap to a short press."""
+"""Shortest and longest pulse, s: from a tap to a short press."""
 PULSE_PEAK = (0.1, 10.0)
-"""Pa."""
+"""Lowest and highest peak of a pulse, Pa."""
 LISTEN = 50
 """Samples between the end of a pulse and that of the frame it falls in, for the response to arrive."""
 
 FRICTION_EDGES = ((3.0, 30.0), (60.0, 300.0))
-"""Hz: where the lower and the upper edge of the band lie."""
+"""Ranges in which the lower and the upper edge of the band of friction lie, Hz."""
 FRICTION_RMS = (0.02, 1.0)
-"""Pa."""
+"""Lowest and highest level of friction, Pa rms."""
 SWELL = 0.7
 """Standard deviation of the logarithm of the moving level of friction."""
 SWELL_HERTZ = 4
-"""The level moves with so many hertz at most."""
+"""Highest frequency of the moving level of friction, Hz."""
 FADE = 20
 """Samples over which what does not begin or end by itself is faded in and out."""
 
 HEART_LINES = (3, 7)
 """Beats in the four seconds of the period: 45 to 105 per minute."""
 PULSE_WAVE_PEAK = (0.02, 0.5)
-"""Pa."""
+"""Lowest and highest peak of a pulse wave, Pa."""
 _HARMONICS = 24
 
 TOP_SHARE = 0.2
@@ -145,9 +145,11 @@ class RecordedStimulus:
     """
 
     path: str | os.PathLike[str]
+    """File of one channel, at least a second long."""
     full_scale: float
+    """Pressure of the largest value that the file's format can hold, Pa."""
     pressure: Tensor = field(init=False, repr=False)
-    """(n_sample,) float32, Pa, at 1 kHz."""
+    """Content of the file at 1 kHz; (n_sample,) float32, Pa."""
 
     def __post_init__(self) -> None:
         if not 0 < self.full_scale < math.inf:
@@ -158,7 +160,7 @@ class RecordedStimulus:
     def __call__(
         self, seed: int, purpose: Purpose, start: int, count: int, band: tuple[float, float], device: Device
     ) -> Stimuli:
-        """Arguments as :class:`localize.signals.stimulus.StimulusSource`."""
+        """Cuts of consecutive samples; arguments as :class:`localize.signals.stimulus.StimulusSource`."""
         drawn = uniform(random_words(seed, purpose, "recording", start, count, 1), device)
         begin = choice(drawn[:, 0, 0], len(self.pressure) - SAMPLE_LENGTH + 1)
         cut = self.pressure.to(device)[begin[:, None] + torch.arange(SAMPLE_LENGTH, device=device)]
@@ -167,14 +169,17 @@ class RecordedStimulus:
 
 @dataclass(frozen=True)
 class Mixture:
-    """Several sources, each as often as the others: every 64 consecutive samples come from one of them, drawn."""
+    """Mixture of several sources, each as often as the others: every 64 consecutive samples come from one of them,
+    drawn.
+    """
 
     sources: tuple[StimulusSource, ...]
+    """Sources from which is drawn, at least one."""
 
     def __call__(
         self, seed: int, purpose: Purpose, start: int, count: int, band: tuple[float, float], device: Device
     ) -> Stimuli:
-        """Arguments as :class:`localize.signals.stimulus.StimulusSource`."""
+        """Stimuli of consecutive samples; arguments as :class:`localize.signals.stimulus.StimulusSource`."""
         first, last = start // _RUN, (start + count - 1) // _RUN
         drawn = uniform(random_words(seed, purpose, "mixture", first, last - first + 1, 1))
         parts = []
@@ -211,9 +216,16 @@ def _unnamed(spectrum: Tensor) -> Stimuli:
 
 
 def top_faded(band: tuple[float, float], device: Device = "cpu") -> Tensor:
-    """What the sources here limit themselves to the library's frequencies by, (LINE_COUNT,).
+    """Factors on the lines by which the sources here keep to the library's frequencies.
 
     One up to four fifths of the band's top, then half a cosine down to zero.
+
+    Args:
+        band: frequencies that the transfer functions cover, Hz.
+        device: where the result shall be.
+
+    Returns:
+        (LINE_COUNT,) float32.
     """
     stop = lines_within(band).stop
     frequency = torch.arange(LINE_COUNT, device=device) * LINE_SPACING

@@ -13,18 +13,18 @@ from geometry.refusal import Refusal
 from localize.signals.stimulus import SAMPLE_RATE
 
 FRAME = 250
-"""Samples of one frame."""
+"""Length of a frame, samples."""
 
 
 def cut_frames(signals: Tensor, hop: int = FRAME) -> Tensor:
     """Frames of 250 samples, the last one ending with the signal.
 
     Args:
-        signals: (n, n_microphone, n_sample), n_sample at least 250.
+        signals: (n, n_microphone, n_sample), n_sample at least 250, in any unit.
         hop: samples between the beginnings of two frames.
 
     Returns:
-        (n, n_frame, n_microphone, 250).
+        (n, n_frame, n_microphone, 250), a view in the type and unit of the signals.
     """
     rest = (signals.shape[-1] - FRAME) % hop
     return signals[..., rest:].unfold(-1, FRAME, hop).transpose(1, 2)
@@ -72,12 +72,12 @@ def checked_signals(signals: ArrayLike | Tensor, microphones: Sequence[str]) -> 
 
 
 def combined_probability(log_probability: Tensor) -> Tensor:
-    """One touch from several frames, taken as independent observations of the same point.
+    """Probabilities of one touch from several frames, taken as independent observations of the same point.
 
     Args:
-        log_probability: (n, n_frame, n_point), normalised per frame or not.
+        log_probability: (n, n_frame, n_point), nats, normalised per frame or not.
 
     Returns:
-        (n, n_point), each row summing to 1.
+        (n, n_point) of the same type, each row summing to 1.
     """
     return log_probability.sum(1).softmax(-1)

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 NoiseChoice = float | Literal["design"]
 
 NOISE_BAND = (1.0, 500.0)
-"""Hz: from the lowest frequency of the stimuli to half the sample rate."""
+"""Band in which a microphone's noise is taken, Hz: from the lowest frequency of the stimuli to half the sample rate."""
 _STEPS_PER_HERTZ = 20
 
 
@@ -35,23 +35,26 @@ class NoiseSpectrum:
     """Coloured Gaussian noise, independent for each microphone."""
 
     power: NDArray[np.float64]
-    """(500,) float64, Pa^2: mean square of the noise in the hertz around 0, 1, ..., 499 Hz."""
+    """Mean square of the noise in the hertz around 0, 1, ..., 499 Hz; (500,) float64, Pa^2."""
     source: str
-    """What it is the noise of, and where the figures come from."""
+    """Name of what makes the noise, and where its figures come from."""
 
     @property
     def rms(self) -> float:
-        """Pa, over 1 to 500 Hz."""
+        """Root mean square of the noise over 1 to 500 Hz, Pa."""
         return float(np.sqrt(self.power.sum()))
 
 
 def input_density(microphone: Microphone, frequency: ArrayLike, medium: Medium) -> NDArray[np.float64]:
-    """Density of a microphone's noise as a pressure in its chamber, n / |R|, in Pa/sqrt(Hz).
+    """Density of a microphone's noise as a pressure in its chamber, n / |R|.
 
     Args:
         microphone: from the design.
-        frequency: Hz, any shape.
+        frequency: Hz, (n,) or any other shape.
         medium: the gas.
+
+    Returns:
+        Same shape as the frequencies, float64, Pa/sqrt(Hz).
 
     Raises:
         Refusal: a frequency that is not finite and positive.
@@ -62,7 +65,7 @@ def input_density(microphone: Microphone, frequency: ArrayLike, medium: Medium) 
 
 
 def microphone_noise(microphone: Microphone, medium: Medium) -> NoiseSpectrum:
-    """The noise of a design's microphone over 1 to 500 Hz, as a pressure in its chamber.
+    """Noise of a design's microphone over 1 to 500 Hz, as a pressure in its chamber.
 
     Args:
         microphone: from the design.

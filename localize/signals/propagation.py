@@ -22,19 +22,19 @@ from torch import Tensor
 from localize.signals.stimulus import PERIOD, SAMPLE_LENGTH, time_signal
 
 WINDOW, HOP = 32, 16
-"""Samples of the paper's short-window transform."""
+"""Window and hop of the paper's short-window transform, samples."""
 
 
 def microphone_signals(spectrum: Tensor, transfer_function: Tensor, sample_count: int = SAMPLE_LENGTH) -> Tensor:
     """Exact steady state at the microphones; for stimuli of one second and silence also the exact convolution.
 
     Args:
-        spectrum: (n, n_line) complex amplitudes of the cavity pressure on the lowest spectral lines.
-        transfer_function: (n, n_microphone, n_line) complex, on the same lines.
+        spectrum: (n, n_line) complex amplitudes of the cavity pressure on the lowest spectral lines, Pa.
+        transfer_function: (n, n_microphone, n_line) complex, on the same lines, Pa/Pa.
         sample_count: at most ``stimulus.PERIOD``.
 
     Returns:
-        (n, n_microphone, sample_count) real.
+        (n, n_microphone, sample_count) real, Pa.
     """
     return time_signal(spectrum[:, None, :] * transfer_function, sample_count)
 
@@ -43,41 +43,42 @@ def impulse_response(transfer_function: Tensor) -> Tensor:
     """Impulse response at 1 kHz, limited to the band of the lines given.
 
     Args:
-        transfer_function: (..., n_line) complex, on the lowest spectral lines, 0 Hz included.
+        transfer_function: (..., n_line) complex, on the lowest spectral lines, 0 Hz included, Pa/Pa.
 
     Returns:
-        (..., PERIOD) real; what comes before time zero, by the limited band alone, stands at the end.
+        (..., PERIOD) real, Pa/Pa; what comes before time zero, by the limited band alone, stands at the end.
     """
     return time_signal(transfer_function, PERIOD) / PERIOD
 
 
 def late_energy(transfer_function: Tensor) -> float:
-    """The largest share of the energy of an impulse response that lies more than a second from time zero.
+    """Largest share of the energy of an impulse response that lies more than a second from time zero.
 
     Touches never show that part, for they last a second; but what lies beyond two seconds is folded back onto it, so
     that a share that is not small means transfer functions of an array that remembers for too long.
 
-    Arguments as :func:`impulse_response`; a band that ends abruptly rings, see
-    :func:`localize.signals.finger_stimuli.top_faded`.
+    Args:
+        transfer_function: (..., n_line) complex, on the lowest spectral lines, 0 Hz included, Pa/Pa. A band that ends
+            abruptly rings, see :func:`localize.signals.finger_stimuli.top_faded`.
     """
     power = impulse_response(transfer_function).square()
     return float((power[..., SAMPLE_LENGTH:-SAMPLE_LENGTH].sum(-1) / power.sum(-1)).max())
 
 
 def short_window_signals(spectrum: Tensor, transfer_function: Tensor) -> Tensor:
-    """The paper's way: short-window transform (32 samples, hop 16), times the transfer function, and back.
+    """Signals in the paper's way: short-window transform (32 samples, hop 16), times the transfer function, and back.
 
     Its error is that of the window, whatever the noise. Against the exact steady state, both microphones together,
     signal over error is -0.1 to 10.4 dB over the points of ``line-2`` (4.9 in the median, 0 in mid-line, where a
     touch is farthest from both), and 9.7 to 11.7 dB over those of ``array-2x6``.
 
     Args:
-        spectrum: (n, n_line) complex amplitudes of the cavity pressure on the lowest spectral lines.
-        transfer_function: (n, n_microphone, n_line) complex, on the same lines, of which every 125th is used; where
-            the lines end, so do the signals.
+        spectrum: (n, n_line) complex amplitudes of the cavity pressure on the lowest spectral lines, Pa.
+        transfer_function: (n, n_microphone, n_line) complex, on the same lines, Pa/Pa, of which every 125th is used;
+            where the lines end, so do the signals.
 
     Returns:
-        (n, n_microphone, SAMPLE_LENGTH) real.
+        (n, n_microphone, SAMPLE_LENGTH) real, Pa.
     """
     pressure = time_signal(spectrum)
     window = torch.hann_window(WINDOW, dtype=pressure.dtype, device=pressure.device)

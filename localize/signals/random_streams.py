@@ -17,6 +17,7 @@ from torch import Tensor
 
 Purpose = Literal["training", "held-out", "evaluation"]
 PURPOSES: tuple[Purpose, ...] = ("training", "held-out", "evaluation")
+"""All purposes; streams of different ones never share a number."""
 Kind = Literal[
     "stimulus",
     "microphone",
@@ -67,14 +68,30 @@ def random_words(seed: int, purpose: Purpose, kind: Kind, start: int, count: int
 
 
 def uniform(words: NDArray[np.uint64], device: torch.device | str = "cpu") -> Tensor:
-    """Two float32 numbers in (0, 1) from each word: (..., 2)."""
+    """Two numbers in (0, 1) from each word.
+
+    Args:
+        words: (...) uint64.
+        device: where the result shall be.
+
+    Returns:
+        (..., 2) float32.
+    """
     halves = torch.from_numpy(np.ascontiguousarray(words).view(np.int32).reshape(*words.shape, 2)).to(device)
     # The ends are kept out: zero has no logarithm, and one would be a choice beyond the last.
     return (halves.to(torch.float32) * 2.0**-32 + 0.5).clamp_(2.0**-26, 1 - 2.0**-24)
 
 
 def complex_normal(words: NDArray[np.uint64], device: torch.device | str = "cpu") -> Tensor:
-    """A complex number from each word, real and imaginary part normal with variance 1 (Box and Muller 1958)."""
+    """A complex number from each word, real and imaginary part normal with variance 1 (Box and Muller 1958).
+
+    Args:
+        words: (n, n_word) uint64, or any other shape.
+        device: where the result shall be.
+
+    Returns:
+        Same shape as the words, complex64.
+    """
     parts = uniform(words, device)
     radius = parts[..., 0].log().mul_(-2).sqrt_()
     angle = (2 * math.pi) * parts[..., 1]
@@ -82,15 +99,17 @@ def complex_normal(words: NDArray[np.uint64], device: torch.device | str = "cpu"
 
 
 def choice(number: Tensor, count: Tensor | int) -> Tensor:
-    """An integer in [0, count) from a number in (0, 1)."""
+    """Integers in [0, count) from numbers in (0, 1); same shape as the numbers, int64."""
     return (number * count).long()
 
 
 def between(low: float, high: float, number: Tensor) -> Tensor:
-    """A number from low to high, evenly spread."""
+    """Numbers from low to high, evenly spread, from numbers in (0, 1); same shape as these, float32."""
     return low + (high - low) * number
 
 
 def log_between(low: float, high: float, number: Tensor) -> Tensor:
-    """A number from low to high, its logarithm evenly spread."""
+    """Numbers from low to high, their logarithms evenly spread, from numbers in (0, 1); same shape as these,
+    float32.
+    """
     return torch.exp(between(math.log(low), math.log(high), number))

@@ -17,13 +17,13 @@ from localize.signals.stimulus import SAMPLE_RATE
 Array = NDArray[np.float64]
 
 HALF_LENGTH = 10
-"""Samples of the lower rate from the middle of the filter to its end."""
+"""Length of the filter from its middle to its end, samples of the lower rate."""
 LARGEST_DENOMINATOR = 10_000
-"""Of the ratio of the rates, which is rounded to it."""
+"""Largest denominator of the ratio of the rates, which is rounded to it."""
 
 
 def ratio_to_one_kilohertz(rate: float) -> tuple[int, int]:
-    """Up and down: 1 kHz over a rate in Hz, as a fraction in lowest terms."""
+    """Ratio of 1 kHz to a rate in Hz as a fraction in lowest terms: up and down."""
     ratio = Fraction(SAMPLE_RATE / rate).limit_denominator(LARGEST_DENOMINATOR)
     return ratio.numerator, ratio.denominator
 
@@ -36,20 +36,27 @@ def _filter(up: int, down: int) -> Array:
 
 
 def at_one_kilohertz(samples: Array, rate: float) -> Array:
-    """(n_channel, n_sample) at a rate in Hz, resampled by a polyphase filter (as scipy.signal.resample_poly).
+    """Samples at 1 kHz by a polyphase filter (as scipy.signal.resample_poly).
 
     The ends are continued by the end values: a step to zero there would ring into the first and last frame.
+
+    Args:
+        samples: (n_channel, n_sample) float64, in any unit.
+        rate: of the samples, Hz.
+
+    Returns:
+        (n_channel, k) float64, in the unit of the samples.
     """
     resampler = StreamResampler(rate, len(samples))
     return np.concatenate([resampler.push(samples), resampler.finish()], axis=1)
 
 
 class StreamResampler:
-    """:func:`at_one_kilohertz` of a stream: all pushed chunks and the end joined are what it gives of the whole, to the
-    last bit.
+    """Resampler of a stream to 1 kHz: all pushed chunks and the end joined are what :func:`at_one_kilohertz` gives of
+    the whole, to the last bit.
 
     Args:
-        rate: Hz.
+        rate: of what is pushed, Hz.
         channels: how many.
         limit: samples that reach it before the filter are put at it behind the filter, which would hide them. By
             default none are.
@@ -83,7 +90,14 @@ class StreamResampler:
         self._clipped = np.empty((3, 0))  # output number, channel and value of samples that reached the limit
 
     def push(self, chunk: Array) -> Array:
-        """(n_channel, n) input samples that follow those before; (n_channel, k) output samples, k >= 0."""
+        """Samples at 1 kHz that a chunk completes.
+
+        Args:
+            chunk: (n_channel, n) float64, input samples that follow those before.
+
+        Returns:
+            (n_channel, k) float64, k >= 0, in the unit of the chunks.
+        """
         if not chunk.shape[1]:
             return np.empty((self._channels, 0))
         if self.limit is not None:
@@ -102,7 +116,9 @@ class StreamResampler:
         return self._filtered((self._input * self.up - 1 - self._half) // self.down + 1)
 
     def finish(self) -> Array:
-        """(n_channel, k) the rest: the last value goes on, as behind the end of a whole recording."""
+        """Last samples at 1 kHz: the last value goes on, as behind the end of a whole recording; (n_channel, k)
+        float64.
+        """
         stop = -(-self._input * self.up // self.down)
         if self.up == self.down or not self._begun or stop <= self.next:
             return np.empty((self._channels, 0))

@@ -25,7 +25,7 @@ DESCRIPTION_FILE = "touches.json"
 
 
 class ShardError(Refusal):
-    """A folder of shards that cannot be used: one line that names the file and the reason."""
+    """Refusal of a folder of shards that cannot be used: one line that names the file and the reason."""
 
 
 def write_shards(
@@ -77,7 +77,7 @@ def write_shards(
 
 
 def read_shards(folder: str | os.PathLike[str]) -> Iterator[TouchSignals]:
-    """The shards of a folder in their order.
+    """Touches of the shards of a folder, in the order of the shards.
 
     Raises:
         ShardError: the folder holds none, or one of them is missing or damaged.

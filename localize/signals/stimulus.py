@@ -23,25 +23,25 @@ from torch import Tensor
 from localize.signals.random_streams import Purpose, between, choice, complex_normal, random_words, uniform
 
 SAMPLE_RATE = 1000.0
-"""Hz."""
+"""Sample rate of all signals, Hz."""
 BAND = (1.0, 100.0)
-"""Hz, the band of the stimuli and of the features."""
+"""Band of the stimuli and of the features, Hz."""
 PERIOD = 4000
-"""Samples of the periodic grid: spectral lines are 0.25 Hz apart."""
+"""Length of the periodic grid, samples: spectral lines are 0.25 Hz apart."""
 LINE_SPACING = SAMPLE_RATE / PERIOD
-"""Hz."""
+"""Distance of two spectral lines, Hz."""
 LINE_COUNT = PERIOD // 2
-"""Lines below half the sample rate; line k lies at k LINE_SPACING, line 0 stays empty."""
+"""Number of lines below half the sample rate; line k lies at k LINE_SPACING, line 0 stays empty."""
 SAMPLE_LENGTH = 1000
-"""Samples of one stimulus: one second."""
+"""Length of one stimulus, samples: one second."""
 COMPONENT_INTERVALS = ((1, 4), (4, 20), (20, 40), (40, 60), (60, 80), (80, 100), (1, 101))
 """Half-open intervals of the number of sinusoids."""
 AMPLITUDE = (0.02, 0.1)
-"""Pa."""
+"""Lowest and highest amplitude of a sinusoid, Pa."""
 PEAK = 1.0
-"""Pa: stronger sums are scaled down to it."""
+"""Highest peak, Pa: stronger sums are scaled down to it."""
 NOISE = 0.005
-"""Pa rms over 0 to 500 Hz."""
+"""Level of the white noise of a stimulus, Pa rms over 0 to 500 Hz."""
 
 Device = torch.device | str
 _MOST_COMPONENTS = max(high for _, high in COMPONENT_INTERVALS) - 1
@@ -54,32 +54,32 @@ class Stimuli:
     """Spectra of consecutive samples, in Pa: x(t) = spectrum_0 + 2 Re sum_k spectrum_k exp(2 pi j f_k t), k > 0."""
 
     spectrum: Tensor
-    """(n, LINE_COUNT) complex64."""
+    """Complex amplitudes on the lines of the periodic grid; (n, LINE_COUNT) complex64, Pa."""
     interval: Tensor
-    """(n,) int64: index into ``COMPONENT_INTERVALS``; -1 for what is no sum of sinusoids."""
+    """Index of each sample into ``COMPONENT_INTERVALS``, -1 for what is no sum of sinusoids; (n,) int64."""
     components: Tensor
-    """(n,) int64: number of sinusoids."""
+    """Number of sinusoids of each sample; (n,) int64."""
 
 
 class StimulusSource(Protocol):
-    """Whatever makes stimuli: :func:`multi_sines`, those of :mod:`localize.signals.finger_stimuli`, or your own."""
+    """Source of stimuli: :func:`multi_sines`, those of :mod:`localize.signals.finger_stimuli`, or your own."""
 
     def __call__(
         self, seed: int, purpose: Purpose, start: int, count: int, band: tuple[float, float], device: Device, /
     ) -> Stimuli:
-        """Samples ``start`` to ``start + count - 1``, each the same whatever was asked for before.
+        """Stimuli of samples ``start`` to ``start + count - 1``, each the same whatever was asked for before.
 
         ``band`` is what the transfer functions cover, Hz: no line above it may be excited.
         """
 
 
 def line_frequencies() -> NDArray[np.float64]:
-    """Frequencies of the spectral lines, (LINE_COUNT,) float64, Hz."""
+    """Frequencies of the spectral lines; (LINE_COUNT,) float64, Hz."""
     return np.arange(LINE_COUNT, dtype=np.float64) * LINE_SPACING
 
 
 def lines_within(band: tuple[float, float]) -> slice:
-    """The lines from ``band[0]`` to ``band[1]`` Hz, both included."""
+    """Slice of the lines from ``band[0]`` to ``band[1]`` Hz, both included, line 0 never."""
     tolerance = 1e-6
     first = math.ceil(band[0] / LINE_SPACING - tolerance)
     last = math.floor(band[1] / LINE_SPACING + tolerance)
@@ -89,7 +89,7 @@ def lines_within(band: tuple[float, float]) -> slice:
 def multi_sines(
     seed: int, purpose: Purpose, start: int, count: int, noise_band: tuple[float, float], device: Device = "cpu"
 ) -> Stimuli:
-    """Samples ``start`` to ``start + count - 1`` of a stream of stimuli.
+    """Sums of sinusoids with white noise: samples ``start`` to ``start + count - 1`` of a stream of stimuli.
 
     Args:
         seed: any non-negative integer.
@@ -124,10 +124,10 @@ def multi_sines(
 
 
 def time_signal(spectrum: Tensor, sample_count: int = SAMPLE_LENGTH) -> Tensor:
-    """The first samples of the periodic signal with the given lines.
+    """First samples of the periodic signal with the given lines.
 
     Args:
-        spectrum: (..., n_line) complex amplitudes of the lowest lines; n_line may be below LINE_COUNT.
+        spectrum: (..., n_line) complex amplitudes of the lowest lines, in any unit; n_line may be below LINE_COUNT.
         sample_count: at most PERIOD.
 
     Returns:
@@ -140,6 +140,15 @@ def white_noise(
     seed: int, purpose: Purpose, start: int, count: int, channels: int, rms: float, device: Device = "cpu"
 ) -> Tensor:
     """White Gaussian noise over 0 to 500 Hz, one stream beside the one of the stimuli.
+
+    Args:
+        seed: any non-negative integer.
+        purpose: streams of different purposes never share a number.
+        start: index of the first sample.
+        count: how many.
+        channels: independent of each other.
+        rms: root mean square, in any unit.
+        device: where the result shall be.
 
     Returns:
         (count, channels, SAMPLE_LENGTH) float32 in the unit of ``rms``.
@@ -165,7 +174,7 @@ def coloured_noise(
         start: index of the first sample.
         count: how many.
         channels: independent of each other.
-        power: (SAMPLE_LENGTH / 2,) mean square at 0, 1, ..., 499 Hz, in the square of the unit of the result.
+        power: (SAMPLE_LENGTH / 2,) float64, mean square at 0, 1, ..., 499 Hz, in the square of the unit of the result.
         device: where the result shall be.
 
     Returns:

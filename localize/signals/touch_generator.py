@@ -35,7 +35,7 @@ from localize.signals.stimulus import BAND, Device, StimulusSource, multi_sines
 from localize.signals.threads import one_thread
 
 SHARD = 256
-"""Samples made at once when streaming: their spectra fit in the processor's cache."""
+"""Number of samples made at once when streaming: their spectra fit in the processor's cache."""
 Method = Literal["exact", "stft"]
 
 
@@ -44,11 +44,12 @@ class TouchSignals:
     """Signals of consecutive samples, one second each at 1 kHz."""
 
     signals: Tensor
-    """(n, n_microphone, SAMPLE_LENGTH) float32, Pa."""
+    """Pressures at the microphones; (n, n_microphone, SAMPLE_LENGTH) float32, Pa."""
     point: Tensor
-    """(n,) int64: index of the touched point, from 0."""
+    """Index of the touched point of each sample, from 0; (n,) int64."""
     interval: Tensor
-    """(n,) int64: index into ``stimulus.COMPONENT_INTERVALS``; -1 where the stimulus is no sum of sinusoids."""
+    """Index of each sample into ``stimulus.COMPONENT_INTERVALS``, -1 where the stimulus is no sum of sinusoids; (n,)
+    int64."""
 
 
 class TouchGenerator:
@@ -158,7 +159,7 @@ class TouchGenerator:
 
     @one_thread()
     def samples(self, start: int, count: int) -> TouchSignals:
-        """Samples ``start`` to ``start + count - 1``, the same whatever was asked for before."""
+        """Signals of samples ``start`` to ``start + count - 1``, the same whatever was asked for before."""
         sample = (self.seed, self.purpose, start, count)
         stimuli = self.stimuli(*sample, self._band, self.device)
         channels = len(self.response.microphones)
@@ -199,7 +200,7 @@ class TouchGenerator:
         return digest.hexdigest()
 
     def stream(self, start: int, count: int, shard: int = SHARD) -> Iterator[TouchSignals]:
-        """The same samples in shards."""
+        """Signals of samples ``start`` to ``start + count - 1`` in shards, the same as of :meth:`samples`."""
         for first in range(start, start + count, shard):
             yield self.samples(first, min(shard, start + count - first))
 
