@@ -24,11 +24,11 @@ if TYPE_CHECKING:
 
 
 RELIABILITY_BINS = 10
-"""Equal ranges of the stated probability."""
+"""Number of equal ranges of the stated probability."""
 
 
 class Locator(Protocol):
-    """What can be evaluated: the network's localizer and the model-based decoder alike."""
+    """Locator that can be evaluated: the network's localizer and the model-based decoder alike."""
 
     @property
     def microphones(self) -> Sequence[str]:
@@ -39,7 +39,14 @@ class Locator(Protocol):
         """Number of sensing points."""
 
     def locate(self, signals: ArrayLike) -> NDArray[np.float64]:
-        """(n, n_microphone, n_sample) to (n, n_point)."""
+        """Probability per point of signals.
+
+        Args:
+            signals: (n, n_microphone, n_sample), Pa, at 1 kHz.
+
+        Returns:
+            (n, n_point) float64.
+        """
 
 
 def wilson_interval(share: float, touches: int, confidence: float = 0.95) -> tuple[float, float]:
@@ -64,19 +71,23 @@ class ReliabilityBin:
     """Touches whose named point was given a probability within a range."""
 
     low: float
+    """Lower end of the range."""
     high: float
+    """Upper end of the range, which belongs to the next one, if there is one."""
     touches: int
+    """Number of touches in the range."""
     stated: float | None
     """Mean stated probability; None where there is no touch."""
     right: float | None
-    """Share of them that were named right."""
+    """Share of these touches that were named right; None where there is no touch."""
 
 
 @dataclass(frozen=True)
 class Reliability:
-    """Whether stated probabilities are kept: of touches named with 80 %, four in five should be right."""
+    """Agreement of stated probabilities with the truth: of touches named with 80 %, four in five should be right."""
 
     bins: tuple[ReliabilityBin, ...]
+    """Equal ranges of the stated probability, from 0 to 1."""
 
     @property
     def expected_error(self) -> float:
@@ -93,7 +104,7 @@ class Reliability:
 
 @dataclass(frozen=True, eq=False)
 class Evaluation:
-    """Results over a set of touches; shares run from 0 to 1."""
+    """Results of a localizer over a set of touches; shares run from 0 to 1."""
 
     top1: float
     """Share of touches whose most probable point is the right one."""
@@ -102,18 +113,23 @@ class Evaluation:
     within_one: float
     """Share of touches whose most probable point is the right one or a neighbour on its line."""
     confusion: NDArray[np.int64]
-    """(n_point, n_point): touches of the point of the row for which the point of the column was named."""
+    """Number of touches of the point of the row for which the point of the column was named; (n_point, n_point)
+    int64."""
     by_components: dict[str, tuple[float, int]]
-    """Per interval of the number of sinusoids: top-1 and number of touches."""
+    """Top-1 and number of touches per interval of the number of sinusoids."""
     reliability: Reliability
+    """Agreement of stated probabilities with the truth."""
     touches: int
+    """Number of touches."""
     seed: int
+    """Seed of the touches."""
     microphone_noise: float
-    """Pa rms: over 0 to 500 Hz where white, over 1 to 500 Hz where that of the design's microphone."""
+    """Noise of every microphone, Pa rms: over 0 to 500 Hz where white, over 1 to 500 Hz where that of the design's
+    microphone."""
     noise_source: str
     """"white", or what the noise is that of."""
     samples: int
-    """Samples of each signal, at 1 kHz."""
+    """Length of each signal, samples at 1 kHz."""
 
     def interval(self, name: str = "top1") -> tuple[float, float]:
         """95 % interval of ``top1``, ``top2`` or ``within_one``, by :func:`wilson_interval`."""
@@ -121,7 +137,7 @@ class Evaluation:
 
     @property
     def hardest_pair(self) -> tuple[int, int, float] | None:
-        """The two points most often taken for each other, numbered from 1, and how often, as a share of their touches.
+        """Two points most often taken for each other, numbered from 1, and how often, as a share of their touches.
 
         None where no touch was missed.
         """
@@ -133,7 +149,7 @@ class Evaluation:
         return (int(a) + 1, int(b) + 1, float(share[a, b])) if share[a, b] > 0 else None
 
     def to_dict(self) -> dict[str, Any]:
-        """All of it as JSON can hold it."""
+        """Results as JSON can hold them."""
         return {
             "top1": self.top1,
             "top2": self.top2,
@@ -164,7 +180,7 @@ def evaluate(
     stimuli: StimulusSource = multi_sines,
     ambient: float | None = None,
 ) -> Evaluation:
-    """Let a localizer name the points of held-out touches.
+    """Results of a localizer that names the points of held-out touches.
 
     The stimuli come from a stream of their own: none was seen in training, whatever the seeds.
 

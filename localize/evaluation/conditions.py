@@ -21,49 +21,58 @@ from localize.signals.frames import FRAME
 from localize.signals.noise import NoiseChoice
 
 NOISES = (0.0, 1e-4, 1e-3, 3e-3, 1e-2, 3e-2, 1e-1)
-"""Pa rms of white noise over 0 to 500 Hz; 1e-3 is 60 dB below 94 dB SPL."""
+"""Levels of white noise, Pa rms over 0 to 500 Hz; 1e-3 is 60 dB below 94 dB SPL."""
 AMBIENT_LEVELS = (50.0, 60.0, 70.0, 80.0, 90.0)
-"""dB SPL."""
+"""Levels of the sound outside, dB SPL."""
 LENGTHS = (250, 500, 750, 1000)
-"""Samples, one to four frames."""
+"""Lengths of the signals, samples: one to four frames."""
 
 
 @dataclass(frozen=True)
 class Condition:
-    """One departure from the usual evaluation."""
+    """Condition that departs in one thing from the usual evaluation."""
 
     group: str
-    """What is changed."""
+    """Name of what is changed."""
     name: str
-    """To what, in words with the unit."""
+    """Name of what it is changed to, in words with the unit."""
     value: float | None
-    """To what, as a number where it is one."""
+    """Number that it is changed to, where it is one."""
     arguments: dict[str, Any]
-    """Those of :func:`localize.evaluate` that differ."""
+    """Arguments of :func:`localize.evaluate` that differ."""
 
 
 @dataclass(frozen=True)
 class Outcome:
-    """What came of a condition; shares run from 0 to 1."""
+    """Result of a localizer under a condition; shares run from 0 to 1."""
 
     group: str
+    """Name of what is changed."""
     name: str
+    """Name of what it is changed to, in words with the unit."""
     value: float | None
+    """Number that it is changed to, where it is one."""
     top1: float
+    """Share of touches whose most probable point is the right one."""
     top2: float
+    """Share of touches whose right point is among the two most probable ones."""
     within_one: float
+    """Share of touches whose most probable point is the right one or a neighbour on its line."""
     expected_calibration_error: float
+    """Expected calibration error of the stated probabilities."""
     touches: int
+    """Number of touches, of all sensors together."""
     low: float
-    """95 % interval of top-1: of touches by :func:`localize.evaluation.accuracy.wilson_interval`; where there were
-    several sensors, of their mean by Student's t, for they differ more than chance."""
+    """Lower end of the 95 % interval of top-1: of touches by :func:`localize.evaluation.accuracy.wilson_interval`;
+    where there were several sensors, of their mean by Student's t, for they differ more than chance."""
     high: float
+    """Upper end of that interval."""
     worst: float | None = None
     """Top-1 of the worst sensor, where there were several."""
 
 
 def conditions(response: ArrayResponse) -> tuple[Condition, ...]:
-    """The conditions that an array allows: ambient sound needs a design that tells what it does."""
+    """Conditions that an array allows: ambient sound needs a design that tells what it does."""
     loud = AMBIENT_LEVELS if response.ambient_response is not None else ()
     return (
         *(Condition("microphone noise", f"{rms:g} Pa", rms, {"microphone_noise": rms}) for rms in NOISES),
@@ -81,7 +90,7 @@ def evaluate_conditions(
     seed: int = 0,
     progress: Callable[[str, float], None] | None = None,
 ) -> list[Outcome]:
-    """Evaluate one condition after the other.
+    """Results of a localizer under one condition after the other.
 
     Args:
         localizer: anything that :func:`localize.evaluate` takes.
@@ -113,13 +122,13 @@ def evaluate_sensors(
     microphone_noise: NoiseChoice,
     seed: int = 0,
 ) -> list[Outcome]:
-    """Evaluate on sensors that were made differently from the library's.
+    """Results of a localizer on sensors that were made differently from the library's.
 
     Args:
         localizer: anything that :func:`localize.evaluate` takes.
         response: the array of the library.
-        sensors: sets of sensors: name, scatter as a number, and (n_sensor, n_point, n_microphone, n_freq) transfer
-            functions on the frequencies of the library.
+        sensors: sets of sensors: name, scatter as a number, and (n_sensor, n_point, n_microphone, n_freq) complex128
+            transfer functions on the frequencies of the library, Pa/Pa.
         touches_per_point: of each sensor.
         microphone_noise: as :func:`localize.evaluate`.
         seed: any non-negative integer.

@@ -27,26 +27,27 @@ _MOMENTS = ("step", "exp_avg", "exp_avg_sq")
 
 
 class CheckpointError(Refusal):
-    """A checkpoint that cannot be gone on from: one line that names the file and the reason."""
+    """Refusal of a checkpoint that cannot be gone on from: one line that names the file and the reason."""
 
 
 @dataclass
 class Progress:
-    """How far a training has come."""
+    """Progress of a training."""
 
     step: int = 0
+    """Number of steps that are done."""
     turned: float = 0.0
     """Share of the cosine that is behind."""
     seconds: float = 0.0
-    """That it has taken, in all processes together."""
+    """Time that training has taken, in all processes together, s."""
     losses: list[float] = field(default_factory=list)
-    """Of the steps of the epoch under way."""
+    """Losses of the steps of the epoch under way."""
     curve: list[list[Any]] = field(default_factory=list)
     """Fields of :class:`localize.learned.training.TrainingProgress`, per epoch."""
 
 
 def training_identity(plan: Mapping[str, Any], touches: TouchGenerator) -> dict[str, str]:
-    """What must agree for one training to be the continuation of another.
+    """Facts that must agree for one training to be the continuation of another.
 
     Args:
         plan: fields of the plan, as JSON can hold them.
@@ -61,7 +62,7 @@ def training_identity(plan: Mapping[str, Any], touches: TouchGenerator) -> dict[
 
 
 class Checkpoint:
-    """The checkpoint of one training.
+    """Checkpoint of one training: a file that is replaced as a whole.
 
     Args:
         path: of the file; its folder must exist.

@@ -21,9 +21,9 @@ from geometry.refusal import Refusal
 from localize.learned.features import COLUMNS, FREQUENCIES, FeatureChoice, PairFeatures
 
 EXPANSION = 2
-"""Channels inside a block, in multiples of its width."""
+"""Number of channels inside a block, in multiples of its width."""
 PARTIAL = 4
-"""One of this many channels is filtered in space."""
+"""Ratio of a block's channels to those that are filtered in space."""
 
 
 @dataclass(frozen=True)
@@ -31,19 +31,19 @@ class NetworkShape:
     """Sizes of the network; checked against the maps when it is made."""
 
     maps: int
-    """Maps at its input."""
+    """Number of maps at its input."""
     points: int
-    """Probabilities at its output."""
+    """Number of logits at its output, one per point."""
     width: int = 32
-    """Channels of the embedding; each merging doubles them."""
+    """Number of channels of the embedding; each merging doubles them."""
     depths: tuple[int, ...] = (1, 2, 2)
-    """Blocks per stage."""
+    """Number of blocks of each stage."""
     patch: tuple[int, int] = (4, 8)
     """Rows (frequency) and columns (time) of the embedding's patches."""
     merge_last: bool = False
     """Whether a merging layer follows the last stage too."""
     features: FeatureChoice = "phasors"
-    """Which maps they are, see :mod:`localize.learned.features`."""
+    """Choice of the maps, see :mod:`localize.learned.features`."""
 
     def __post_init__(self) -> None:
         for name, value, least in (
@@ -67,7 +67,7 @@ class NetworkShape:
 
     @property
     def mergings(self) -> int:
-        """How often both sides are halved behind the embedding."""
+        """Number of mergings, each of which halves both sides of the maps, behind the embedding."""
         return len(self.depths) - (0 if self.merge_last else 1)
 
 
@@ -80,7 +80,7 @@ NETWORKS: Mapping[str, Mapping[str, Any]] = {
 
 
 class PartialBlock(nn.Module):
-    """3 x 3 on the first quarter of the channels, then 1 x 1 up and down, added to its input."""
+    """Block of a 3 x 3 filter on the first quarter of the channels, then 1 x 1 up and down, added to its input."""
 
     def __init__(self, width: int) -> None:
         super().__init__()
@@ -94,13 +94,20 @@ class PartialBlock(nn.Module):
         )
 
     def forward(self, x: Tensor) -> Tensor:
-        """(n, width, rows, columns) in and out."""
+        """Channels behind the block.
+
+        Args:
+            x: (n, width, rows, columns).
+
+        Returns:
+            Same shape as ``x``.
+        """
         filtered = torch.cat([self.spatial(x[:, : self.part]), x[:, self.part :]], 1)
         return x + self.mix(filtered)
 
 
 class TouchNetwork(nn.Module):
-    """Maps (n, maps, 64, 32) to one logit per point, (n, points)."""
+    """Network from maps (n, maps, 64, 32) to one logit per point, (n, points)."""
 
     def __init__(self, shape: NetworkShape) -> None:
         super().__init__()
@@ -118,15 +125,24 @@ class TouchNetwork(nn.Module):
         self.head = nn.Linear(width, shape.points)
 
     def forward(self, maps: Tensor) -> Tensor:
-        """Logits of a batch of normalised maps."""
+        """Logits of a batch of normalised maps.
+
+        Args:
+            maps: (n, maps, 64, 32) float32.
+
+        Returns:
+            (n, points) float32.
+        """
         return self.head(self.stages(maps).mean((-2, -1)))
 
 
 class TouchClassifier(nn.Module):
-    """Frames (n, n_microphone, 250) to one logit per point, (n, n_point): features, normalisation, network."""
+    """Classifier of frames (n, n_microphone, 250), one logit per point: features, normalisation, network."""
 
     mean: Tensor
+    """Mean of each map and frequency over the frames of :meth:`fit_normalisation`; (1, maps, 64, 1) float32."""
     scale: Tensor
+    """Standard deviation of each map and frequency over these frames, at least 1e-3; (1, maps, 64, 1) float32."""
 
     def __init__(self, microphones: int, shape: NetworkShape) -> None:
         super().__init__()
@@ -144,17 +160,35 @@ class TouchClassifier(nn.Module):
                 parameter.data = parameter.data.contiguous(memory_format=torch.channels_last)
 
     def fit_normalisation(self, frames: Tensor) -> None:
-        """Take mean and standard deviation of the maps over these frames."""
+        """Take mean and standard deviation of the maps over frames.
+
+        Args:
+            frames: (n, n_microphone, 250) float32, Pa, at 1 kHz.
+        """
         maps = self.features(frames)
         self.mean.copy_(maps.mean((0, 3), keepdim=True))
         self.scale.copy_(maps.std((0, 3), keepdim=True).clamp_min(1e-3))
 
     def maps(self, frames: Tensor) -> Tensor:
-        """Normalised maps of a batch of frames, (n, maps, 64, 32); nothing is differentiated through them."""
+        """Normalised maps of a batch of frames; nothing is differentiated through them.
+
+        Args:
+            frames: (n, n_microphone, 250) float32, Pa, at 1 kHz.
+
+        Returns:
+            (n, maps, 64, 32) float32.
+        """
         with torch.no_grad():
             maps = (self.features(frames) - self.mean) / self.scale
         return maps.contiguous(memory_format=torch.channels_last)
 
     def forward(self, frames: Tensor) -> Tensor:
-        """Logits of a batch of frames."""
+        """Logits of a batch of frames.
+
+        Args:
+            frames: (n, n_microphone, 250) float32, Pa, at 1 kHz.
+
+        Returns:
+            (n, n_point) float32.
+        """
         return self.network(self.maps(frames))

@@ -31,28 +31,30 @@ from localize.signals.frames import FRAME
 from localize.signals.stimulus import BAND, SAMPLE_RATE
 
 CONTINUATION = 250
-"""How often the last sample is repeated behind the frame."""
+"""Number of times that the last sample is repeated behind the frame."""
 FREQUENCIES = 64
+"""Number of frequencies, the rows of a map."""
 TAIL = 47
-"""Samples at the end of the frame whose ratios are used."""
+"""Number of samples at the end of the frame whose ratios are used."""
 AVERAGE = 16
-"""Samples over which they are averaged."""
+"""Number of samples over which ratios are averaged."""
 COLUMNS = TAIL - AVERAGE + 1
+"""Number of columns of a map."""
 FeatureChoice = Literal["phasors", "paper"]
-"""Level, phasor and power: the default; or the paper's level and phase difference alone."""
+"""Choice of the maps: level, phasor and power, the default; or the paper's level and phase difference alone."""
 MAPS_PER_PAIR: dict[FeatureChoice, int] = {"phasors": 3, "paper": 2}
 GRID = 2048
-"""Samples of the circular wavelet grid: on 512 the wavelets below 20 Hz would wrap around onto the frame."""
+"""Length of the circular wavelet grid, samples: on 512 the wavelets below 20 Hz would wrap around onto the frame."""
 BANDWIDTH = 1.0
 """Standard deviation of the wavelet's Gaussian envelope, in periods of its centre frequency."""
 RANK = 64
 """Rank of the two factors of the linear map."""
 POWER_RANGE = 60.0
-"""dB: weaker parts of a frame are drawn as this far below its maximum."""
+"""Range of the power, dB: weaker parts of a frame are drawn as this far below its maximum."""
 
 
 def wavelet_frequencies() -> NDArray[np.float64]:
-    """Centre frequencies of the rows of a map, (64,) float64, Hz."""
+    """Centre frequencies of the rows of a map; (64,) float64, Hz."""
     return np.linspace(*BAND, FREQUENCIES)
 
 
@@ -68,16 +70,16 @@ def map_count(microphones: int, choice: FeatureChoice = "phasors") -> int:
 
 
 def wavelet_transform(frames: NDArray[np.float64]) -> NDArray[np.complex128]:
-    """The direct route: continue, transform, multiply, transform back.
+    """Wavelet transform by the direct route: continue, transform, multiply, transform back.
 
     The wavelet is exp(-(2 pi b (f/f0 - 1))^2 / 2) in frequency, an analytic Morlet wavelet of b = ``BANDWIDTH``
     periods (Torrence and Compo 1998, table 1, with another scale).
 
     Args:
-        frames: (..., 250) float64.
+        frames: (..., 250) float64, Pa.
 
     Returns:
-        (..., 64, 47) complex128: the last 47 samples of the frame.
+        (..., 64, 47) complex128, Pa: the last 47 samples of the frame.
     """
     last = np.repeat(frames[..., -1:], CONTINUATION, axis=-1)
     spectrum = np.fft.fft(np.concatenate([frames, last], axis=-1), GRID, axis=-1)
@@ -86,7 +88,7 @@ def wavelet_transform(frames: NDArray[np.float64]) -> NDArray[np.complex128]:
 
 
 class PairFeatures(nn.Module):
-    """Maps of a batch of frames, (n, n_microphone, 250) to (n, n_map, 64, 32) float32.
+    """Module that makes maps (n, n_map, 64, 32) of a batch of frames (n, n_microphone, 250).
 
     Pairs run (1, 2), (1, 3), ..., (2, 3), ...; maps of a pair are level in dB, real and imaginary part of the
     phasor, and the power comes last; with ``choice="paper"`` they are level in dB and phase in rad, and that is all.
@@ -98,7 +100,9 @@ class PairFeatures(nn.Module):
     """
 
     analysis: Tensor
+    """First factor of continuation and wavelet; (250, 64) float64."""
     synthesis: Tensor
+    """Second factor of continuation and wavelet; (64, 2 * 64 * 47) float32, real rows first, then imaginary ones."""
 
     def __init__(self, microphones: int, choice: FeatureChoice = "phasors") -> None:
         super().__init__()
@@ -112,13 +116,27 @@ class PairFeatures(nn.Module):
         self.choice = choice
 
     def transform(self, frames: Tensor) -> tuple[Tensor, Tensor]:
-        """Real and imaginary part of the wavelet transform, (..., 250) to two of (..., 64, 47)."""
+        """Real and imaginary part of the wavelet transform.
+
+        Args:
+            frames: (..., 250) float32, Pa.
+
+        Returns:
+            Two of (..., 64, 47) float32, Pa.
+        """
         shares = (frames.double() @ self.analysis).to(self.synthesis.dtype)
         parts = (shares @ self.synthesis).unflatten(-1, (2, FREQUENCIES, TAIL))
         return parts.select(-3, 0), parts.select(-3, 1)
 
     def forward(self, frames: Tensor) -> Tensor:
-        """Maps of a batch of frames; a common gain of all microphones changes nothing."""
+        """Maps of a batch of frames; a common gain of all microphones changes nothing.
+
+        Args:
+            frames: (n, n_microphone, 250) float32, Pa, at 1 kHz.
+
+        Returns:
+            (n, n_map, 64, 32) float32.
+        """
         # Scaled so that powers neither overflow nor vanish.
         exact = frames.double()
         real, imag = self.transform(exact / exact.abs().amax((-2, -1), keepdim=True))

@@ -27,26 +27,29 @@ DESCRIPTION_FILE = "localizer.json"
 
 
 class LocalizerError(Refusal):
-    """A localizer that cannot be read: one line that names the file and the reason."""
+    """Refusal of a localizer that cannot be read: one line that names the file and the reason."""
 
 
 @dataclass(frozen=True, eq=False)
 class Localizer:
-    """A network trained on the transfer functions of one array. Made by :func:`localize.train`."""
+    """Network trained on the transfer functions of one array, made by :func:`localize.train`."""
 
     classifier: TouchClassifier = field(repr=False)
+    """Network with its features and normalisation."""
     shape: NetworkShape
+    """Sizes of the network."""
     design: str
     """Name of the design."""
     microphones: tuple[str, ...]
+    """Names of the microphones, in the order of the signals."""
     line: NDArray[np.int64]
-    """(n_point,) line of each point."""
+    """Line of each point, as the library numbers it; (n_point,) int64."""
     place: NDArray[np.int64]
-    """(n_point,) place of each point along its line."""
+    """Place of each point along its line, as the library numbers it; (n_point,) int64."""
     plan: Mapping[str, Any] = field(repr=False)
-    """The training plan, seed included."""
+    """Fields of the training plan, seed included."""
     training: Mapping[str, Any] = field(repr=False)
-    """What training did: loss and accuracy per epoch, seconds, touches."""
+    """Record of the training: loss and accuracy per epoch, seconds, touches."""
     provenance: Mapping[str, Any] = field(repr=False)
     """Design, fidelity, air, frequencies and versions."""
 
@@ -119,7 +122,7 @@ class Localizer:
 
 
 def load_localizer(folder: str | os.PathLike[str]) -> Localizer:
-    """Read a localizer that :meth:`Localizer.save` wrote; it gives the same probabilities, bit for bit.
+    """Localizer that :meth:`Localizer.save` wrote, read back; it gives the same probabilities, bit for bit.
 
     Raises:
         LocalizerError: a file is missing, cut short, or not of a localizer.

@@ -41,10 +41,10 @@ if TYPE_CHECKING:
 FORMAT = "acoustic-fem onnx"
 VERSION = 1
 KEY = "acoustic-fem"
-"""Of the JSON text among the metadata of a file."""
+"""Key of the JSON text among the metadata of a file."""
 OPSET = 20
 BATCH = 64
-"""Frames that are decoded at once."""
+"""Number of frames that are decoded at once."""
 
 
 def export_onnx(localizer: Localizer | BayesDecoder, path: str | os.PathLike[str]) -> None:
@@ -64,7 +64,7 @@ def export_onnx(localizer: Localizer | BayesDecoder, path: str | os.PathLike[str
 
 
 class OnnxLocalizer:
-    """A localizer read from an ONNX file, run by ONNX Runtime on one thread.
+    """Localizer read from an ONNX file, run by ONNX Runtime on one thread.
 
     Args:
         path: a file that :func:`export_onnx` wrote.
@@ -140,7 +140,7 @@ class _NetworkGraph(nn.Module):
 
 
 class DecoderGraph(nn.Module):
-    """The likelihood of :class:`localize.BayesDecoder`, all points in single precision, the best in double."""
+    """Graph of the likelihood of :class:`localize.BayesDecoder`, all points in single precision, the best in double."""
 
     def __init__(self, decoder: BayesDecoder) -> None:
         super().__init__()
@@ -149,7 +149,14 @@ class DecoderGraph(nn.Module):
         self.levels = nn.ModuleList(self._levels)
 
     def forward(self, frames: Tensor) -> tuple[Tensor, Tensor]:
-        """(n, n_microphone, 250) to two of (n, n_point)."""
+        """Probabilities and their logarithms.
+
+        Args:
+            frames: (n, n_microphone, 250) float32, Pa, at 1 kHz.
+
+        Returns:
+            Two of (n, n_point) float32: probability per point, and its logarithm, nats.
+        """
         flat = frames.double().flatten(1)
         levels = [(level, *level.screened(flat)) for level in self._levels]
         # Points are left to single precision only where none of any level may come near the best of all.

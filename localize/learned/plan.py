@@ -15,44 +15,51 @@ from localize.signals.stimulus import StimulusSource
 
 @dataclass(frozen=True)
 class TrainingPlan:
-    """How to train. The same plan on the same library and machine gives the same localizer.
+    """Plan of a training. The same plan on the same library and machine gives the same localizer.
 
     Raises:
         Refusal: a field outside its range, with field, value and range.
     """
 
     seconds_per_point: int = 200
-    """One-second touches of every point in an epoch; each epoch draws new ones and each touch gives one frame."""
+    """Number of one-second touches of every point in an epoch; each epoch draws new ones and each touch gives one
+    frame."""
     epochs: int = 20
+    """Number of epochs."""
     held_out_fraction: float = 0.25
-    """Held-out touches, drawn once from seeds of their own, as a fraction of an epoch's: 4 to 1, as in the paper."""
+    """Number of held-out touches, drawn once from seeds of their own, as a fraction of an epoch's: 4 to 1, as in the
+    paper."""
     batch: int = 128
+    """Number of touches of a step."""
     learning_rate: float = 3e-3
-    """The highest; a cosine takes it to zero."""
+    """Highest learning rate; a cosine takes it to zero."""
     weight_decay: float = 0.01
+    """Weight decay of AdamW."""
     label_sigma: float = 0.35
-    """Places along a line over which labels are smoothed; 0 for hard labels. Lines never mix. The paper's 1 made half
-    a percent more errors on array-2x6 with microphone noise, and its probabilities say too little of the point."""
+    """Standard deviation over which labels are smoothed along a line, in places; 0 for hard labels. Lines never mix.
+    The paper's 1 made half a percent more errors on array-2x6 with microphone noise, and its probabilities say too
+    little of the point."""
     microphone_noise: NoiseChoice = 1e-3
-    """Added to the training signals; held-out ones have the same. Pa rms over 0 to 500 Hz, white; or "design" for the
-    noise of the microphone of the library's design, see :mod:`localize.signals.noise`."""
+    """Noise added to the training signals; held-out ones have the same. Pa rms over 0 to 500 Hz, white; or "design" for
+    the noise of the microphone of the library's design, see :mod:`localize.signals.noise`."""
     microphone_gain: float = 0.0
-    """dB, standard deviation of the microphones' gains, drawn anew for each touch."""
+    """Standard deviation of the microphones' gains, drawn anew for each touch, dB."""
     ambient: tuple[float, float] | None = None
     """Lowest and highest level of the sound outside, dB SPL, drawn anew for each touch; None for silence."""
     stimuli: tuple[str, ...] = ("multi-sines",)
-    """What the touches are, each as often as the others: names of :data:`localize.signals.finger_stimuli.STIMULI`."""
+    """Kinds of touches, each as often as the others: names of :data:`localize.signals.finger_stimuli.STIMULI`."""
     recorded: float = 0.5
     """Share of the touches that are frames of recordings, where there are recordings to train on."""
     seed: int = 0
+    """Seed of touches, initial weights and splits."""
     time_limit: float | None = None
-    """Seconds; None trains as planned, with the same result on a busy machine. Where the plan would take longer,
+    """Time limit, s; None trains as planned, with the same result on a busy machine. Where the plan would take longer,
     training is cut short, the cosine still ending at zero: the result then depends on the speed of the machine, and
     ``training["cut_short"]`` of the localizer says so."""
     network: str = "patches"
-    """A name of :data:`localize.learned.classifier.NETWORKS`."""
+    """Name of the network's shape, one of :data:`localize.learned.classifier.NETWORKS`."""
     features: FeatureChoice = "phasors"
-    """Maps of the network, see :mod:`localize.learned.features`."""
+    """Choice of the network's maps, see :mod:`localize.learned.features`."""
     bfloat16: bool = False
     """Whether the network computes in bfloat16 while it is trained: the paper's is half as fast again where the
     processor has instructions for it, and slower elsewhere. Weights and finished localizer are in single precision."""
@@ -93,7 +100,7 @@ class TrainingPlan:
 
     @classmethod
     def paper(cls) -> TrainingPlan:
-        """As the paper trains, except that it draws new touches in every epoch and far fewer of them in all.
+        """Plan by which the paper trains, except that it draws new touches in every epoch and far fewer of them in all.
 
         FasterNet on level and phase, 30 epochs, learning rate 1e-3, labels smoothed over one place of the line, no
         microphone noise. The paper has 14,000 touches of every point; ``dataclasses.replace`` sets them.
@@ -109,11 +116,11 @@ class TrainingPlan:
 
     @property
     def source(self) -> StimulusSource:
-        """What makes the stimuli."""
+        """Source of the stimuli: one kind, or a mixture of several."""
         sources = tuple(STIMULI[name] for name in self.stimuli)
         return sources[0] if len(sources) == 1 else Mixture(sources)
 
     @property
     def mismatch(self) -> MicrophoneMismatch | None:
-        """What the microphones' gains are drawn from."""
+        """Scatter that the microphones' gains are drawn from; None where they are all alike."""
         return MicrophoneMismatch(self.microphone_gain) if self.microphone_gain else None

@@ -30,17 +30,19 @@ from localize.signals.random_streams import choice, random_words, uniform
 from localize.signals.stimulus import SAMPLE_RATE, Device
 
 JUDGED = 64
-"""Frames of a held-out recording that are judged, evenly spread; all, where there are no more."""
+"""Number of frames of a held-out recording that are judged, evenly spread; all, where there are no more."""
 
 
 @dataclass(frozen=True)
 class PartAccuracy:
-    """How the held-out recordings of one part were named."""
+    """Accuracy on the held-out recordings of one part."""
 
     right: float
     """Share of the frames that were named right."""
     frames: int
+    """Number of frames."""
     recordings: int
+    """Number of recordings."""
 
 
 class _Ears:
@@ -140,7 +142,7 @@ class RecordedFrames:
         Sample i is of point i modulo the number of points, the parts that were recorded of it equally often.
 
         Returns:
-            (count, n_microphone, 250) float32 Pa, and (count,) int64 points from 0.
+            (count, n_microphone, 250) float32, Pa, and (count,) int64, points from 0.
         """
         words = random_words(self.seed, "training", "recorded frame", start, count, 1)
         number = uniform(words, self._signals.device)[:, 0]
@@ -154,7 +156,7 @@ class RecordedFrames:
         return self._signals[:, index].transpose(0, 1)
 
     def judged(self, named: Tensor) -> dict[Part, PartAccuracy]:
-        """Accuracy by part.
+        """Accuracy by part of points that were named.
 
         Args:
             named: (n,) int64, points from 0 that were named for :attr:`judged_frames`.
@@ -172,17 +174,17 @@ class RecordedFrames:
 
     @property
     def judged_frames(self) -> Tensor:
-        """(n, n_microphone, 250) float32, Pa: of held-out recordings."""
+        """Frames of held-out recordings; (n, n_microphone, 250) float32, Pa, at 1 kHz."""
         return self._cut(self._judged)
 
     def judge(self, locator: Locator) -> dict[Part, PartAccuracy]:
-        """Let a localizer, or the model-based decoder, name the frames of the held-out recordings."""
+        """Accuracy by part of a localizer, or the model-based decoder, on the held-out recordings."""
         frames = self.judged_frames.cpu().numpy()
         named = [locator.locate(part).argmax(1) for part in np.array_split(frames, -(-len(frames) // 512))]
         return self.judged(torch.from_numpy(np.concatenate(named)).to(self._signals.device))
 
     def identity(self) -> dict[str, str]:
-        """What must agree for a training to go on: content, point, part and side of every recording, by its name."""
+        """Facts that must agree for a training to go on: content, point, part and side of every recording, by name."""
         return {
             f"recording {each.file}": f"{each.sha256[:16]}, point {each.point}, {each.part}, "
             f"{'held out' if held else 'training'}"
@@ -190,7 +192,7 @@ class RecordedFrames:
         }
 
     def to_dict(self) -> dict[str, Any]:
-        """The split, as JSON can hold it."""
+        """Split of the recordings, as JSON can hold it."""
         return {
             "seed": self.seed,
             "training": [self._entry(k) for k, held in enumerate(self.held_out) if not held],

@@ -35,29 +35,29 @@ if TYPE_CHECKING:
 __all__ = ["TrainingPlan", "TrainingProgress", "soft_labels", "train"]
 
 WARM_UP = 20
-"""Steps over which the learning rate rises: a fresh batch normalisation does not bear the full one."""
+"""Number of steps over which the learning rate rises: a fresh batch normalisation does not bear the full one."""
 SETTLING = 0.25
 """Share of a time limit after which the speed of training is judged."""
 NORMALISATION_TOUCHES = 20
-"""Touches per point from which the normalisation of the maps is taken."""
+"""Number of touches per point from which the normalisation of the maps is taken."""
 SAVE_EVERY = 60.0
-"""Seconds between checkpoints within an epoch; there is one at the end of every epoch too."""
+"""Time between checkpoints within an epoch, s; there is one at the end of every epoch too."""
 
 
 @dataclass(frozen=True)
 class TrainingProgress:
-    """One finished epoch; where time runs out, the last one is a part of one."""
+    """Figures of one finished epoch; where time runs out, the last one is a part of one."""
 
     epoch: int
-    """From 1."""
+    """Number of the epoch, from 1."""
     epochs: int
-    """How many there will be."""
+    """Number of epochs that there will be."""
     loss: float
     """Mean soft-target cross-entropy over the epoch."""
     accuracy: float
     """Share of held-out touches whose most probable point is the right one."""
     seconds: float
-    """Since training began."""
+    """Time since training began, s."""
     recorded: Mapping[str, float] = field(default_factory=dict)
     """Share of the frames of held-out recordings that are named right, by part; empty without recordings."""
 
@@ -153,9 +153,9 @@ def soft_labels(line: NDArray[np.int64], place: NDArray[np.int64], sigma: float)
     """Target probabilities of each point: a Gaussian over places of its own line, zero on the others.
 
     Args:
-        line: (n_point,).
-        place: (n_point,) along the line.
-        sigma: in places; 0 gives the identity.
+        line: (n_point,) int64, line of each point.
+        place: (n_point,) int64, place of each point along its line.
+        sigma: standard deviation, in places; 0 gives the identity.
 
     Returns:
         (n_point, n_point) float64, rows sum to 1.

@@ -22,51 +22,54 @@ from localize.signals.resampling import StreamResampler
 from localize.signals.stimulus import SAMPLE_RATE
 
 POLL = 0.1
-"""s after which a source without a block is asked whether it is well."""
+"""Time without a block after which a source is asked whether it is well, s."""
 STALL = 1.0
-"""s without a sample after which a source is lost, whatever it says."""
+"""Time without a sample after which a source is lost, whatever it says, s."""
 WAITS = (0.5, 1.0, 2.0, 5.0)
-"""s before each attempt to open a lost source again; the last one repeats."""
+"""Times before each attempt to open a lost source again, s; the last one repeats."""
 RECENT = 1000
-"""Samples of 1 kHz that are kept to be looked at."""
+"""Number of samples of 1 kHz that are kept to be looked at."""
 
 
 @dataclass(frozen=True)
 class Notice:
-    """What happens to the source or the recording, not to the samples."""
+    """Notice of what happens to the source or the recording, not to the samples."""
 
     time: float
-    """s, of the sample that is due."""
+    """Time of the sample that is due, s; the stream's sample 0 is at 0."""
     kind: Literal["source lost", "source back", "recording stopped"]
+    """Kind of what happened."""
     text: str
+    """Reason or result, in words for the user."""
 
     def json_line(self) -> str:
-        """One line of JSON."""
+        """Notice as one line of JSON."""
         return json.dumps({"time": round(self.time, 6), "notice": self.kind, "text": self.text})
 
 
 @dataclass(frozen=True)
 class Heard:
-    """An event of the stream."""
+    """Event of a stream, with the time at which its samples were there."""
 
     event: Decision | Fault | Notice
+    """Decision or fault of the stream, or notice of the listener."""
     available: float | None = None
-    """s on the clock of ``time.perf_counter``: when the last sample of the frame of a decision was there."""
+    """Time at which the last sample of the frame of a decision was there, s on the clock of ``time.perf_counter``."""
 
     def json_line(self, latency: float | None) -> str:
-        """One line of JSON, of a decision with ``latency`` in s."""
+        """Event as one line of JSON, of a decision with ``latency`` in s."""
         line = self.event.json_line()
         return line if latency is None else f'{line[:-1]}, "latency": {latency:.5f}}}'
 
 
 class LiveListener:
-    """Joins a source to a stream.
+    """Listener that joins a source to a stream.
 
     Args:
         source: where samples come from.
         stream: listens to them; new.
         recorder: writes them as they come in.
-        wait: takes the s to wait before a lost source is opened again.
+        wait: called with the time to wait, s, before a lost source is opened again.
     """
 
     def __init__(
@@ -207,7 +210,7 @@ class Latencies:
     """Percentiles of any number of latencies in memory that does not grow."""
 
     STEP = 5e-5
-    """s: their resolution."""
+    """Resolution of the percentiles, s."""
     _COUNT = 40_000
 
     def __init__(self) -> None:
@@ -216,17 +219,17 @@ class Latencies:
         """s."""
 
     def add(self, latency: float) -> None:
-        """Take one, in s; beyond 2 s only the largest is known exactly."""
+        """Take one latency, in s; beyond 2 s only the largest is known exactly."""
         self._bins[min(max(int(latency / self.STEP), 0), self._COUNT - 1)] += 1
         self.largest = max(self.largest, latency)
 
     @property
     def count(self) -> int:
-        """How many there were."""
+        """Number of latencies so far."""
         return int(self._bins.sum())
 
     def percentile(self, share: float) -> float:
-        """The latency in s that ``share`` percent do not exceed, to :attr:`STEP` above; 0 of none."""
+        """Latency in s that ``share`` percent do not exceed, to :attr:`STEP` above; 0 of none."""
         total = np.cumsum(self._bins)
         if not total[-1]:
             return 0.0

@@ -1,4 +1,4 @@
-"""What comes in while a stream is listened to, as WAV files that survive a kill."""
+"""Files of what comes in while a stream is listened to: WAV files that survive a kill."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from acoustic_fem.sound.growing_wav import GrowingWav
 
 
 class LiveRecorder:
-    """Writes samples as fractions of full scale; a file for each time that the source is opened.
+    """Recorder of samples as fractions of full scale; a file for each time that the source is opened.
 
     A file that is full is followed by another one. Samples that were lost within a file are zeros in it, so that its
     times are right; between files nothing is known.
@@ -20,9 +20,9 @@ class LiveRecorder:
     Args:
         path: of the first file; the next ones are called ``name-2.wav``, ``name-3.wav`` and so on, and pass over names
             that are taken.
-        rate: Hz.
+        rate: of the samples, Hz.
         channels: how many.
-        full_scale: Pa, of a fraction of 1.
+        full_scale: pressure of a fraction of 1, Pa.
     """
 
     def __init__(self, path: str | os.PathLike[str], rate: float, channels: int, full_scale: float = 1.0) -> None:
@@ -46,7 +46,10 @@ class LiveRecorder:
         self.paths.append(path)
 
     def write(self, samples: NDArray[np.float64]) -> None:
-        """Append (n_channel, n) Pa.
+        """Append samples to the file.
+
+        Args:
+            samples: (n_channel, n) float64, Pa.
 
         Raises:
             OSError: it cannot be written.
@@ -57,7 +60,7 @@ class LiveRecorder:
         self._file.write(samples / self._scale)
 
     def skip(self, count: int) -> None:
-        """Zeros in place of samples that were lost."""
+        """Append zeros in place of a number of samples that were lost."""
         for first in range(0, count, self._rate):
             self.write(np.zeros((self._channels, min(self._rate, count - first))))
 

@@ -17,14 +17,15 @@ from localize.live.sources import BLOCK, QUEUE, Block, BlockQueue, SourceError, 
 from localize.recordings.recording import HIGHEST_RATE, LOWEST_RATE
 
 INSTALL = "pip install 'acoustic-fem[live]'; on Linux PortAudio itself: apt install libportaudio2"
+"""Commands that install what a sound card needs, in words."""
 LARGEST = 32767 / 32768
-"""Of full scale: what 16 bits can hold; a sample at or above it is clipped, with more bits too."""
+"""Share of full scale that 16 bits can hold; a sample at or above it is clipped, with more bits too."""
 _OLDEST = 10.0
 """s: a sample that is older when it is handed on has a wrong time stamp."""
 
 
 def load_sounddevice() -> Any:
-    """The module ``sounddevice``.
+    """Module ``sounddevice``, imported.
 
     Raises:
         SourceError: it or PortAudio is not installed, with what to install.
@@ -41,16 +42,20 @@ def load_sounddevice() -> Any:
 
 @dataclass(frozen=True)
 class InputDevice:
-    """What PortAudio knows of a device."""
+    """Device as PortAudio knows it."""
 
     number: int
+    """Number of the device, by PortAudio's count."""
     name: str
+    """Name of the device."""
     host: str
-    """The audio system."""
+    """Name of the audio system."""
     channels: int
+    """Number of its input channels."""
     rate: float
-    """Hz, its own."""
+    """Sample rate of its own, Hz."""
     default: bool
+    """Whether it is the system's default."""
 
 
 def input_devices(sounddevice: Any | None = None) -> list[InputDevice]:
@@ -87,12 +92,12 @@ def input_devices(sounddevice: Any | None = None) -> list[InputDevice]:
 
 
 class DeviceSource:
-    """Microphones on a sound card, at its own rate.
+    """Source of the microphones on a sound card, at its own rate.
 
     Args:
         microphones: names of the array's microphones.
         device: number or a part of the name; by default that of the system.
-        full_scale: Pa, of the largest value of the device.
+        full_scale: pressure of the largest value of the device, Pa.
         channels: microphone -> channel of the device, from 1; by default the first ones in order.
         sounddevice: the module, or one that behaves like it.
 
@@ -127,12 +132,14 @@ class DeviceSource:
 
     @property
     def name(self) -> str:
-        """The device."""
+        """Name of the device, its audio system and its rate, for the user."""
         return f"{self._device.name} ({self._device.host}, {self.rate:g} Hz)"
 
     @property
     def trouble(self) -> str | None:
-        """Whether PortAudio has ended the stream by itself, as it does where a device is unplugged."""
+        """Reason why no more samples come, where PortAudio has ended the stream by itself, as it does where a device is
+        unplugged; None where all is well.
+        """
         return "the device has stopped" if self._lost.is_set() else None
 
     def open(self) -> BlockQueue:

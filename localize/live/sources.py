@@ -25,33 +25,33 @@ from localize.recordings.recording import HIGHEST_RATE, LOWEST_RATE
 Array = NDArray[np.float64]
 
 BLOCK = 0.004
-"""s: a source hands on its samples in blocks this long."""
+"""Length of the blocks in which a source hands on its samples, s."""
 QUEUE = 2.0
-"""s of samples that wait to be taken; more are dropped."""
+"""Length of the samples that wait to be taken, s; more are dropped."""
 
 
 class SourceError(Refusal):
-    """A source that cannot be listened to: one line with the reason."""
+    """Refusal of a source that cannot be listened to: one line with the reason."""
 
 
 @dataclass(frozen=True, eq=False)
 class Block:
-    """Samples that came in together."""
+    """Block of samples that came in together."""
 
     samples: Array
-    """(n_microphone, n) Pa at the rate of the source."""
+    """Pressures at the microphones, at the rate of the source; (n_microphone, n) float64, Pa."""
     first: int
     """Number of the first sample since the source was opened; a step beyond the end of the block before is a loss."""
     available: float
-    """s on the clock of ``time.perf_counter``: when the last sample was there, before any buffer."""
+    """Time at which the last sample was there, before any buffer, s on the clock of ``time.perf_counter``."""
 
 
 class BlockQueue:
-    """Blocks on their way from the thread of a source to that which decodes; bounded, and never waits to put.
+    """Queue of blocks on their way from the thread of a source to that which decodes; bounded, and never waits to put.
 
     Args:
-        seconds: of samples that it holds.
-        rate: Hz.
+        seconds: length of the samples that it holds, s.
+        rate: of the samples, Hz.
     """
 
     def __init__(self, seconds: float, rate: float) -> None:
@@ -73,7 +73,7 @@ class BlockQueue:
         self._blocks.put(block)
 
     def get(self, timeout: float) -> Block | None:
-        """The oldest block; None where none comes within ``timeout`` s."""
+        """Oldest block; None where none comes within ``timeout`` s."""
         try:
             block = self._blocks.get(timeout=timeout)
         except Empty:
@@ -84,19 +84,19 @@ class BlockQueue:
 
 
 class Source(Protocol):
-    """What can be listened to live."""
+    """Source that can be listened to live."""
 
     @property
     def name(self) -> str:
-        """In words, for the user."""
+        """Name of the source in words, for the user."""
 
     @property
     def rate(self) -> float:
-        """Hz; the same whenever it is opened."""
+        """Sample rate, Hz; the same whenever it is opened."""
 
     @property
     def limit(self) -> float | None:
-        """Pa: a sample that reaches it is clipped; None where there is no such limit."""
+        """Pressure at which a sample is clipped, Pa; None where there is no such limit."""
 
     def open(self) -> BlockQueue:
         """Begin to put blocks into a new queue, numbered from 0.
@@ -106,7 +106,7 @@ class Source(Protocol):
         """
 
     def close(self) -> None:
-        """End, if it is open."""
+        """End the blocks, if the source is open."""
 
     @property
     def ended(self) -> bool:
@@ -114,7 +114,7 @@ class Source(Protocol):
 
     @property
     def trouble(self) -> str | None:
-        """Why no more samples come, though there should be more; None where all is well."""
+        """Reason why no more samples come, though there should be more; None where all is well."""
 
 
 def checked_channels(
@@ -126,7 +126,10 @@ def checked_channels(
         microphones: of the array.
         channels: microphone -> channel from 1; by default the first ones in order.
         available: how many there are.
-        what: has them, for the refusal.
+        what: name of what has them, for the refusal.
+
+    Returns:
+        (n_microphone,) int64.
 
     Raises:
         SourceError: a microphone is missing, unknown, or has a channel that is not there or another's.
@@ -142,12 +145,12 @@ def checked_channels(
 
 
 class ReplaySource:
-    """A WAV file, played as if it came in now.
+    """Source of a WAV file, played as if it came in now.
 
     Args:
         path: of the file.
         microphones: names of the array's microphones.
-        full_scale: Pa, of the largest value of the file.
+        full_scale: pressure of the largest value of the file, Pa.
         channels: microphone -> channel of the file, from 1; by default the first ones in order.
 
     Raises:
@@ -184,7 +187,7 @@ class ReplaySource:
 
     @property
     def name(self) -> str:
-        """The file."""
+        """Path of the file, for the user."""
         return f"{self._path}, played"
 
     @property

@@ -26,35 +26,37 @@ if TYPE_CHECKING:
     from localize.decoders.sound_test import SoundTest
 
 HOP = 16
-"""Samples from one decision to the next."""
+"""Number of samples from one decision to the next."""
 SILENCE = 2.0
-"""A microphone hears something where its level exceeds this many times its noise."""
+"""Multiple of its noise above which a microphone hears something."""
 LEAST_SILENCE = 1e-6
-"""Pa rms: the threshold where no noise is assumed."""
+"""Threshold of silence where no noise is assumed, Pa rms."""
 LARGEST_PRESSURE = 1e6
-"""Pa: a larger value is no pressure; ten atmospheres."""
+"""Largest value that is a pressure, Pa: ten atmospheres."""
 DEAD = 0.02
-"""A channel is dead where its level is below this share of a microphone's noise: its converter may still toggle."""
+"""Share of a microphone's noise below whose level a channel is dead: its converter may still toggle."""
 RESTART = 1000
-"""Samples: a larger step back in their numbers is a device that was started anew; a smaller one repeats."""
+"""Largest step back in the numbers of samples that repeats some, samples; a larger one is a device that was started
+anew."""
 REFUSED = 1e-6
-"""Of the frames of true touches: at 62 a second one in four hours."""
+"""Share of the frames of true touches that are refused: at 62 a second one in four hours."""
 AGAIN = 500
-"""Samples: a fault that returns sooner still lasts."""
+"""Time within which a fault that returns still lasts, samples."""
 LARGEST_NUMBER = 2**53
-"""Of a sample; its time is exact below."""
+"""Largest number of a sample; its time is exact below."""
 _SPARE = 64 * HOP
 """Samples of the ring buffer beyond those that are needed, so that it is moved seldom."""
 
 State = Literal["touch", "no touch", "sound", "other", "unreadable"]
-"""Sound: of a room, the same on all membranes, and no touch. Other: a touch of no single point explains what is heard.
-Unreadable: a channel is clipped or dead, or was not finite within the last 250 samples."""
+"""State that a frame shows. Sound: of a room, the same on all membranes, and no touch. Other: a touch of no single
+point explains what is heard. Unreadable: a channel is clipped or dead, or was not finite within the last 250
+samples."""
 
 FaultKind = Literal["samples lost", "samples repeated", "restarted", "not finite", "clipped", "dead channel"]
 
 
 class StreamLocator(Protocol):
-    """What can listen to a stream: network, model-based decoder, and either as an ONNX file."""
+    """Locator that can listen to a stream: network, model-based decoder, and either as an ONNX file."""
 
     @property
     def microphones(self) -> tuple[str, ...]:
@@ -65,32 +67,40 @@ class StreamLocator(Protocol):
         """Noise of a microphone, Pa rms."""
 
     def locate(self, signals: ArrayLike) -> NDArray[np.float64]:
-        """(n_microphone, 250) to (n_point,)."""
+        """Probability per point of one frame.
+
+        Args:
+            signals: (n_microphone, 250), Pa, at 1 kHz.
+
+        Returns:
+            (n_point,) float64.
+        """
 
 
 @dataclass(frozen=True)
 class Decision:
-    """What one frame says."""
+    """Decision that is made from one frame."""
 
     time: float
-    """s, of the end of the frame; the stream's sample 0 is at 0."""
+    """Time of the end of the frame, s; the stream's sample 0 is at 0."""
     state: State
+    """State that the frame shows."""
     level: float
-    """Pa rms about the mean, of the loudest microphone."""
+    """Level of the loudest microphone about its mean, Pa rms."""
     point: int | None = None
-    """The most probable one, from 1; None unless there is a touch."""
+    """Most probable point, from 1; None unless there is a touch."""
     probability: float | None = None
-    """Of that point."""
+    """Probability of that point; None unless there is a touch."""
     distribution: NDArray[np.float64] | None = field(default=None, repr=False, compare=False)
-    """(n_point,) probabilities of all points; None unless there is a touch."""
+    """Probability of every point; (n_point,) float64, None unless there is a touch."""
     weight: float | None = field(default=None, repr=False, compare=False)
-    """Where sound is expected, what stands out of it, in terms of the noise; None where it is not."""
+    """Amplitude that stands out of sound where sound is expected, in terms of the noise; None where it is not."""
     waveform: tuple[float, ...] | None = None
-    """Pa: the pressure in the cavity of the point over the newest 16 samples less the latency of the reconstructor;
-    None without one, without a touch, and before its window is full."""
+    """Pressure in the cavity of the point, Pa, over the newest 16 samples less the latency of the reconstructor; None
+    without one, without a touch, and before its window is full."""
 
     def json_line(self) -> str:
-        """One line of JSON, without the distribution."""
+        """Decision as one line of JSON, without the distribution."""
         line: dict[str, object] = {"time": round(self.time, 6), "state": self.state, "level": self.level}
         if self.state == "touch":
             line |= {"point": self.point, "probability": self.probability}
@@ -101,18 +111,19 @@ class Decision:
 
 @dataclass(frozen=True)
 class Fault:
-    """What is wrong with the stream, told once when it begins."""
+    """Fault of a stream, told once when it begins."""
 
     time: float
-    """s: of the sample where it begins; of clipping and dead channels, the end of the frame that showed it."""
+    """Time of the sample where it begins, s; of clipping and dead channels, the end of the frame that showed it."""
     kind: FaultKind
+    """Kind of the fault."""
     channel: str | None = None
     """Name of the microphone; None where it is all of them."""
     samples: int | None = None
-    """How many were lost, or repeated in this chunk."""
+    """Number of samples that were lost, or repeated in this chunk; None for other faults."""
 
     def json_line(self) -> str:
-        """One line of JSON."""
+        """Fault as one line of JSON."""
         line: dict[str, object] = {"time": round(self.time, 6), "fault": self.kind}
         line |= {} if self.channel is None else {"channel": self.channel}
         line |= {} if self.samples is None else {"samples": self.samples}
@@ -120,7 +131,7 @@ class Fault:
 
 
 class TouchStream:
-    """Listens to microphones, 250 samples at a time.
+    """Stream of decisions from microphones, 250 samples at a time.
 
     Args:
         locator: names the point of a frame.
@@ -177,10 +188,10 @@ class TouchStream:
         self._restart()
 
     def push(self, chunk: ArrayLike, first: int | None = None) -> list[Decision | Fault]:
-        """Take the next samples.
+        """Take the next samples and say what they show.
 
         Args:
-            chunk: (n_microphone, n) Pa at 1 kHz, any n.
+            chunk: (n_microphone, n), Pa, at 1 kHz, any n.
             first: number of the chunk's first sample in the stream. By default it follows the chunk before; a larger
                 number means that samples are lost, a smaller one that they are repeated, and those are left out; one
                 that is smaller by more than a second, that the device counts anew.

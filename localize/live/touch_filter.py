@@ -18,11 +18,11 @@ from geometry.refusal import Refusal
 
 
 class TouchFilter:
-    """Exact filtering and smoothing of point likelihoods over time.
+    """Filter that tracks a touch: exact filtering and smoothing of point likelihoods over time.
 
     Args:
-        line: (n_point,) line of each point.
-        place: (n_point,) place of each point along its line.
+        line: (n_point,) int64, line of each point.
+        place: (n_point,) int64, place of each point along its line.
         stay: probability of staying at a point from one frame to the next, above 0.
         jump: probability of landing anywhere on the array, all points alike, above 0; the rest, 1 - stay - jump, goes
             to the neighbours on the line, or stays where there is none.
@@ -55,7 +55,7 @@ class TouchFilter:
         self._started = False
 
     def update(self, log_likelihood: ArrayLike) -> NDArray[np.float64]:
-        """Take in the next frame of a stream.
+        """Probability of each point after the next frame of a stream, which is taken in.
 
         Args:
             log_likelihood: (n_point,), nats, up to a constant.
@@ -73,7 +73,17 @@ class TouchFilter:
         return self._belief.copy()
 
     def forward(self, log_likelihood: ArrayLike) -> NDArray[np.float64]:
-        """Probability of each point given the frames up to each one, (n_frame, n_point) in and out."""
+        """Probability of each point given the frames up to each one.
+
+        Args:
+            log_likelihood: (n_frame, n_point), nats, up to a constant per frame.
+
+        Returns:
+            (n_frame, n_point) float64.
+
+        Raises:
+            Refusal: as :meth:`update`.
+        """
         frames = self._checked(log_likelihood, 2)
         likelihood = np.exp(frames - frames.max(1, keepdims=True))
         result = np.empty_like(likelihood)
@@ -84,7 +94,17 @@ class TouchFilter:
         return result
 
     def forward_backward(self, log_likelihood: ArrayLike) -> NDArray[np.float64]:
-        """Probability of each point given all frames, (n_frame, n_point) in and out."""
+        """Probability of each point at each frame given all frames.
+
+        Args:
+            log_likelihood: (n_frame, n_point), nats, up to a constant per frame.
+
+        Returns:
+            (n_frame, n_point) float64.
+
+        Raises:
+            Refusal: as :meth:`update`.
+        """
         frames = self._checked(log_likelihood, 2)
         likelihood = np.exp(frames - frames.max(1, keepdims=True))
         result = self.forward(frames)

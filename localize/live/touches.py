@@ -24,46 +24,46 @@ from localize.signals.frames import FRAME
 from localize.signals.stimulus import SAMPLE_RATE
 
 PAUSE = 0.05
-"""s: a contact that is interrupted for less goes on."""
+"""Longest interruption after which a contact goes on, s."""
 HELD = 6
-"""Frames, 96 ms: a point named for fewer within a longer contact is passed over."""
+"""Number of frames, 96 ms, that a point must be named for: for fewer within a longer contact it is passed over."""
 LIKELY = 0.5
 """Probability that a point must reach to be touched in a contact shorter than that."""
 STAY, JUMP = 0.97, 1e-3
-"""From one frame to the next, 16 ms later: probability of staying at a point, and of landing anywhere."""
+"""Probability of staying at a point from one frame to the next, 16 ms later, and of landing anywhere."""
 _LEAST_PROBABILITY = 1e-12
 
 
 class Array(Protocol):
-    """The points of an array."""
+    """Points of an array."""
 
     @property
     def line(self) -> NDArray[np.int64]:
-        """(n_point,) line of each point."""
+        """Line of each point; (n_point,) int64."""
 
     @property
     def place(self) -> NDArray[np.int64]:
-        """(n_point,) place of each point along its line."""
+        """Place of each point along its line; (n_point,) int64."""
 
 
 @dataclass(frozen=True)
 class Touch:
-    """One point, touched for a while."""
+    """Touch of one point for a while."""
 
     start: float
-    """s: end of the first frame that heard it; the touch began at most a frame (250 ms) before."""
+    """Time of the end of the first frame that heard it, s; the touch began at most a frame (250 ms) before."""
     end: float
-    """s: end of the last frame that heard it."""
+    """Time of the end of the last frame that heard it, s."""
     point: int
-    """From 1."""
+    """Point that was touched, from 1."""
     probability: float
-    """Mean over its frames, each by how much of the touch is in it."""
+    """Mean probability of the point over its frames, each by how much of the touch is in it."""
     level: float
-    """Pa rms of the loudest microphone in the loudest frame."""
+    """Level of the loudest microphone in the loudest frame, Pa rms."""
 
 
 def touches_of(events: Iterable[Decision | Fault], array: Array) -> list[Touch]:
-    """Join the decisions of a stream into touches.
+    """Touches into which the decisions of a stream join.
 
     Args:
         events: what :meth:`localize.TouchStream.push` returned, in order.

@@ -30,11 +30,11 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
 STEP = 1.0
-"""Hz, of the integral over frequency: covariances then repeat after 1 s, four frames."""
+"""Step of the integral over frequency, Hz: covariances then repeat after 1 s, four frames."""
 COARSE = 2
-"""Steps of it that the information is summed in."""
+"""Number of steps of the integral that the information takes as one."""
 NEAR = 25.0
-"""Nats: points this far behind the best one of a frame add nothing to it."""
+"""Distance to the best point of a frame, nats, beyond which points add nothing to it."""
 HELD = 1e-2
 """Share of the noise that an eigenvector holds at least, at the loudest touch, to count in the information."""
 UNMOVED = 1e-4
@@ -44,12 +44,12 @@ _NEWTON_STEPS = 4
 
 @dataclass(frozen=True, eq=False)
 class Evidence:
-    """What frames say of one sensor."""
+    """Evidence of frames for one sensor."""
 
     frames: Array
-    """(n,) log-likelihood of each, nats, divided by the decoder's temperature."""
+    """Log-likelihood of each frame, divided by the decoder's temperature; (n,) float64, nats."""
     share: Array
-    """(n, n_point) probability of each point, each row summing to 1."""
+    """Probability of each point, each row summing to 1; (n, n_point) float64."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,8 +77,8 @@ class MarginalLikelihood:
     """Log-likelihood of unlabelled frames at one level of noise.
 
     Args:
-        frequency: (n_freq,) Hz, of the transfer functions, covering 1 to 100 Hz.
-        frames: (n, n_microphone, 250) Pa at 1 kHz.
+        frequency: (n_freq,) float64, Hz, of the transfer functions, covering 1 to 100 Hz.
+        frames: (n, n_microphone, 250) float64, Pa, at 1 kHz.
         noise: Pa rms over 0 to 500 Hz, white, above 0.
     """
 
@@ -100,22 +100,22 @@ class MarginalLikelihood:
 
     @one_thread()
     def evidence(self, h: Complex) -> Evidence:
-        """What the frames say of a sensor.
+        """Evidence of the frames for a sensor.
 
         Args:
-            h: (n_point, n_microphone, n_freq) transfer functions, Pa/Pa.
+            h: (n_point, n_microphone, n_freq) complex128, transfer functions, Pa/Pa.
         """
         return self._score(self._eigen(h)).evidence
 
     @one_thread()
     def slope(self, h: Complex) -> tuple[float, Complex]:
-        """Sum over the frames, and its derivative: that by the real part of h + j that by the imaginary part.
+        """Log-likelihood of all frames, and its derivative: that by the real part of h + j that by the imaginary part.
 
         Args:
-            h: as :meth:`evidence`.
+            h: (n_point, n_microphone, n_freq) complex128, transfer functions, Pa/Pa.
 
         Returns:
-            nats, and (n_point, n_microphone, n_freq) nats.
+            Log-likelihood, nats, and (n_point, n_microphone, n_freq) complex128, nats per Pa/Pa.
         """
         eigen = self._eigen(h)
         found = self._score(eigen)
@@ -133,7 +133,7 @@ class MarginalLikelihood:
 
     @one_thread()
     def information(self, h: Complex, jacobian: Complex) -> Array:
-        """What touches as loud as these, at the points that each may be of, say of parameters (Fisher).
+        """Fisher information on parameters of touches as loud as these, at the points that each may be of.
 
         For a Gaussian of covariance S it is tr(S^-1 dS_a S^-1 dS_b) / 2 per frame. The power of a touch is fitted with
         the parameters (its derivative is dS = C), so that its share is taken out (Schur complement): whatever makes
@@ -142,11 +142,12 @@ class MarginalLikelihood:
         may be of, or none that is above the noise, tells nothing.
 
         Args:
-            h: as :meth:`evidence`.
-            jacobian: (count, n_point, n_microphone, n_freq) its derivatives by the parameters.
+            h: (n_point, n_microphone, n_freq) complex128, transfer functions, Pa/Pa.
+            jacobian: (count, n_point, n_microphone, n_freq) complex128, their derivatives by the parameters, Pa/Pa per
+                unit of the parameters.
 
         Returns:
-            (count, count) nats.
+            (count, count) float64, nats per square of that unit.
         """
         total = np.zeros((len(jacobian), len(jacobian)))
         found = self._score(self._eigen(h))

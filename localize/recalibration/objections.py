@@ -24,21 +24,22 @@ NEEDED = (
     "touches that fill 1 to 100 Hz (multi-sines or noise, no taps and no friction), one at a time, in a quiet room, "
     "spread over all points"
 )
-"""What a calibration takes."""
+"""Touches that a calibration takes, in words."""
 GAIN = 2.0
-"""Standard errors by which held-out frames must be likelier than with the present library."""
+"""Number of standard errors by which held-out frames must be likelier than with the present library."""
 RIVAL = 10.0
-"""Nats by which a sensor that names other points must be less probable."""
+"""Lead, nats, over a sensor that names other points."""
 EXPLAINED = 0.95
 """Share of the held-out frames that must pass the residual test, with half of the noise that the fit assumes."""
 AGREEMENT = 0.95
 """Share of the held-out frames that must keep their points when they join the fit."""
 FALSE_ALARM = 1e-3
-"""Rate of it, and probability below which the size of the parameters speaks against them."""
+"""Rate of false alarms of the residual test, and probability below which the size of the parameters speaks against
+them."""
 EXCHANGED = 3.0
-"""Standard errors by which another order of the microphones must be likelier to be called so."""
+"""Number of standard errors by which another order of the microphones must be likelier to be called so."""
 CLEARLY = 0.1
-"""Nats per frame that it must be likelier by, as rounding is not."""
+"""Lead of another order, nats per frame, that rounding does not reach."""
 REGAINED = 0.6
 """Share of what the fit gains that the order alone must gain: else a gain or a part has changed, not the order. With
 channels exchanged it was 0.9 or more, with a gain 6 dB higher at most 0.43."""
@@ -51,29 +52,29 @@ UNTOUCHED = 1 / 4
 
 @dataclass(frozen=True)
 class Order:
-    """An order of the microphones, and how much likelier frames are in it than in the one they came in."""
+    """Order of the microphones, and how much likelier frames are in it than in the one they came in."""
 
     microphones: tuple[str, ...]
-    """As the library names them."""
+    """Names of the microphones, as the library orders them."""
     heard: tuple[str, ...]
-    """Those that the channels hold."""
+    """Names of the microphones that the channels hold, one for each of these."""
     gain: float
-    """Nats per frame."""
+    """Lead of this order over the one that the frames came in, nats per frame."""
     error: float
-    """Standard error of it."""
+    """Standard error of the lead, nats per frame."""
 
     @property
     def differs(self) -> bool:
-        """Whether it is clearly likelier than that of the channels."""
+        """Whether this order is clearly likelier than that of the channels."""
         return self.gain > max(EXCHANGED * self.error, CLEARLY)
 
 
 def likeliest_order(likelihood: MarginalLikelihood, h: Complex, microphones: tuple[str, ...]) -> Order:
-    """Exchanges of two channels, one after the other, as long as frames become likelier.
+    """Order of the microphones by exchanges of two channels, one after the other, as long as frames become likelier.
 
     Args:
         likelihood: of the frames.
-        h: (n_point, n_microphone, n_freq) transfer functions of the library, Pa/Pa.
+        h: (n_point, n_microphone, n_freq) complex128, transfer functions of the library, Pa/Pa.
         microphones: their names.
     """
     order = tuple(range(len(microphones)))
@@ -101,8 +102,11 @@ def gaps(touches: NDArray[np.int64], line: NDArray[np.int64]) -> NDArray[np.int6
     """Points without a touch, from 0, where they are too many of a line, or too many that follow each other.
 
     Args:
-        touches: (n_point,) of each point.
-        line: (n_point,) of each point; points of a line follow each other.
+        touches: (n_point,) int64, number of touches of each point.
+        line: (n_point,) int64, line of each point; points of a line follow each other.
+
+    Returns:
+        (n,) int64, line by line.
     """
     found = [np.empty(0, np.int64)]
     for number in np.unique(line):
@@ -119,59 +123,63 @@ def gaps(touches: NDArray[np.int64], line: NDArray[np.int64]) -> NDArray[np.int6
 
 
 def numbers(points: NDArray[np.int64]) -> str:
-    """Points, from 0, as the user counts them: "3, 13-24"."""
+    """Points as the user counts them, from 1: "3, 13-24".
+
+    Args:
+        points: (n,) int64, from 0, ascending.
+    """
     runs = np.split(points, np.flatnonzero(np.diff(points) > 1) + 1)
     return ", ".join(f"{run[0] + 1}" if len(run) == 1 else f"{run[0] + 1}-{run[-1] + 1}" for run in runs if len(run))
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Objections:
-    """The figures by which a sensor is accepted or refused."""
+    """Figures by which a sensor is accepted or refused."""
 
     posterior: Posterior
-    """Of the parameters, about the present library."""
+    """Posterior of the parameters, about the present library."""
     gain: float
-    """Nats by which a held-out frame is likelier than with the present library, on average."""
+    """Lead of a held-out frame over the present library on average, nats."""
     gain_error: float
-    """Standard error of it."""
+    """Standard error of that lead, nats."""
     rival: float
-    """Nats by which the next sensor, one that names other points, is less probable; infinite where all fall back."""
+    """Lead over the next sensor, one that names other points, nats; infinite where all fall back."""
     rival_held_out: float
-    """Nats by which it is less likely on the held-out frames."""
+    """Lead over that sensor on the held-out frames alone, nats."""
     explained: float
     """Share of the held-out frames that pass the residual test."""
     agreement: float
     """Share of the held-out frames whose point stays the same when they join the fit."""
     order: Order
-    """Of the microphones, in which the held-out frames are likeliest with the present library."""
+    """Order of the microphones in which the held-out frames are likeliest with the present library."""
     touches: NDArray[np.int64]
-    """(n_point,) frames that name each point."""
+    """Number of frames that name each point; (n_point,) int64."""
     line: NDArray[np.int64]
-    """(n_point,) line of each point."""
+    """Line of each point, as the library numbers it; (n_point,) int64."""
 
     @property
     def size(self) -> float:
-        """|u|^2 of the parameters, in standard deviations of the priors."""
+        """Squared distance |u|^2 of the parameters from their priors, in standard deviations of these."""
         return float(self.posterior.parameters @ self.posterior.parameters)
 
     @property
     def expected_size(self) -> float:
-        """What it is on average for a sensor of these priors: the number of combinations that the touches determine."""
+        """Mean of :attr:`size` over sensors of these priors: the number of combinations that the touches determine."""
         return float((self.posterior.eigenvalues / (1 + self.posterior.eigenvalues)).sum())
 
     @property
     def largest_size(self) -> float:
-        """Above, fewer than one sensor of these priors in a thousand lies."""
+        """Limit of :attr:`size` above which fewer than one sensor of these priors in a thousand lies."""
         return float(scipy.stats.chi2.isf(FALSE_ALARM, max(self.expected_size, 1.0)))
 
     @property
     def untouched(self) -> NDArray[np.int64]:
-        """Points, from 0, that no frame names."""
+        """Points that no frame names, from 0; (n,) int64."""
         return np.flatnonzero(self.touches == 0)
 
     @property
     def objection(self) -> str | None:
-        """Why it is refused; None where it is accepted."""
+        """Reason why the sensor is refused; None where it is accepted."""
         untouched = gaps(self.touches, self.line)
         # an exchange looks like a bad fit too, and is the simpler reason
         if self.order.differs and self.order.gain > REGAINED * self.gain:
@@ -219,5 +227,5 @@ class Objections:
 
     @property
     def accepted(self) -> bool:
-        """Whether the library is a new one."""
+        """Whether nothing speaks against the sensor, so that its library is a new one."""
         return self.objection is None

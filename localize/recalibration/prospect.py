@@ -21,12 +21,13 @@ from localize.signals.array_response import response_of
 from localize.signals.noise import NoiseChoice
 
 DRAWS, TOUCHES = 20, 5
-"""Sensors, and touches of each of their points."""
+"""Number of sensors that are drawn, and of touches of each of their points."""
 ENOUGH = 0.95
-"""Of touches named right: where the worst of these sensors is below, another point should be measured. One in ten would
-be fairer, were the posterior exact."""
+"""Share of touches named right that the worst of these sensors must reach, else another point should be measured. One
+in ten would be fairer, were the posterior exact."""
 FEWEST = 2
-"""Measured points: what fewer of them say of all others rests on the priors, and so does what is expected of them."""
+"""Number of measured points that a fit needs at least: what fewer of them say of all others rests on the priors, and so
+does what is expected of them."""
 
 
 def expected_accuracy(
@@ -64,7 +65,7 @@ def is_enough(fit: Update, shares: NDArray[np.float64]) -> bool:
 
     Args:
         fit: to some points.
-        shares: of :func:`expected_accuracy`.
+        shares: (DRAWS,) float64, of :func:`expected_accuracy`.
     """
     return len(fit.points) >= FEWEST and bool(shares.min() >= ENOUGH)
 

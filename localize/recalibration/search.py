@@ -26,30 +26,31 @@ Array = NDArray[np.float64]
 DISTINCT = 0.02
 """Share of the frames that two sensors must name differently to be two."""
 BEHIND = 30.0
-"""Nats: a sensor this far behind the best one of its stage is given up."""
+"""Distance, nats, to the best sensor of a stage beyond which one is given up."""
 FARTHEST = 8.0
-"""Standard deviations of a prior: beyond, nothing is looked for."""
+"""Distance from the prior, in its standard deviations, beyond which nothing is looked for."""
 COARSE, FINE = 1e-5, 1e-6
-"""Of the objective: an ascent ends where a step gains less. The coarse one may leave a point in ten unsettled."""
+"""Share of the objective below which the gain of a step ends an ascent. The coarse one may leave a point in ten
+unsettled."""
 _ITERATIONS = 30
 _SHIFT_ERROR = 0.1  # to which the logarithms of ratios between microphones are to meet those of the next point
 
 
 @dataclass(frozen=True, eq=False)
 class Candidate:
-    """A maximum."""
+    """Maximum of the likelihood times the priors."""
 
     start: str
-    """What it was found from."""
+    """Name of what it was found from."""
     parameters: Array
-    """(count,) in standard deviations of the priors."""
+    """Parameters at the maximum, in standard deviations of the priors; (count,) float64."""
     value: float
     """Log-likelihood of the frames - |u|^2 / 2, nats."""
     named: NDArray[np.int64]
-    """(n,) most probable point of each frame, from 0."""
+    """Most probable point of each frame, from 0; (n,) int64."""
 
     def isdistinct(self, other: Candidate) -> bool:
-        """Whether the two name different points."""
+        """Whether the two maxima name different points."""
         return bool((self.named != other.named).mean() > DISTINCT)
 
 
@@ -60,7 +61,7 @@ def search(model: UpdatedModel, stages: tuple[MarginalLikelihood, ...], line: ND
     Args:
         model: the family.
         stages: the same frames at falling noise, two or more.
-        line: (n_point,) line of each point; points of a line follow each other.
+        line: (n_point,) int64, line of each point; points of a line follow each other.
     """
     nominal = np.zeros(model.count)
     starts = [("present", nominal), *_moduli(model)]
@@ -76,7 +77,7 @@ def search(model: UpdatedModel, stages: tuple[MarginalLikelihood, ...], line: ND
 
 
 def distinct(candidates: list[Candidate]) -> list[Candidate]:
-    """Without repetitions and those far behind, the best one first."""
+    """Candidates without repetitions and those far behind, the best one first."""
     kept: list[Candidate] = []
     for one in sorted(candidates, key=lambda candidate: -candidate.value):
         if all(one.isdistinct(other) for other in kept) and (not kept or one.value > kept[0].value - BEHIND):
@@ -92,14 +93,14 @@ def ascend(
     scale: Array | None = None,
     precision: float = COARSE,
 ) -> Candidate:
-    """The maximum near u (count,), by L-BFGS in coordinates in which the likelihood is about as wide everywhere.
+    """Maximum near a sensor, by L-BFGS in coordinates in which the likelihood is about as wide everywhere.
 
     Args:
         model: the family.
         likelihood: of the frames.
-        u: where to begin.
+        u: (count,) float64, where to begin, in standard deviations of the priors.
         start: what to call it.
-        scale: (count, count) from those coordinates to parameters; by default that at u.
+        scale: (count, count) float64, from those coordinates to parameters; by default that at u.
         precision: gain of a step, over the objective, below which it ends.
     """
     scale = _scale(model, likelihood, u) if scale is None else scale
@@ -124,7 +125,16 @@ def ascend(
 
 
 def value_and_slope(model: UpdatedModel, likelihood: MarginalLikelihood, u: Array) -> tuple[float, Array]:
-    """Log-likelihood of the frames at parameters u (count,), and its derivative (count,)."""
+    """Log-likelihood of the frames on a sensor, and its derivative by the parameters.
+
+    Args:
+        model: the family.
+        likelihood: of the frames.
+        u: (count,) float64, parameters in standard deviations of the priors.
+
+    Returns:
+        Log-likelihood, nats, and (count,) float64, nats per standard deviation.
+    """
     parameters = torch.tensor(u[None], requires_grad=True)
     h = model.transfer_function(parameters)[0]
     value, slope = likelihood.slope(h.detach().numpy())

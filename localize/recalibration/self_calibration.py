@@ -36,44 +36,46 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
 FEWEST = 100
-"""Frames with a touch that are needed."""
+"""Number of frames with a touch that are needed."""
 STAGES = (0.25, 0.12, 0.03)
-"""Noise that is assumed, over the level of the touches: half of the frames are louder at their loudest microphone."""
+"""Noise that is assumed in each stage, over the level of the touches: half of the frames are louder at their loudest
+microphone."""
 QUIET = 4.0
-"""Times the microphones' noise: frames that are nowhere louder hold no touch."""
+"""Multiple of the microphones' noise that frames with a touch exceed somewhere."""
 ONE_SIGNAL = 1e-2
 """Share of a channel's energy that another one, at the best gain, must leave unexplained to be another microphone.
 Copies differ by rounding and by the noise of two inputs; microphones of arrays and of a glove leave 0.36 or more."""
 SEARCHED = 300
-"""Frames that a search is made with at most; the last ascent takes all."""
+"""Largest number of frames that a search is made with; the last ascent takes all."""
 HELD_OUT = 0.25
 """Share of the frames that the search does not see."""
 LOUDEST = 8.0
-"""Times the level of the touches: the loudest touch that the residual test passes."""
+"""Level of the loudest touch that the residual test passes, over the level of the touches."""
 LEVELS = (1e-3 / LOUDEST, 1e3 / LOUDEST)
-"""Pa rms at the loudest microphone that half of the touches may be above."""
+"""Lowest and highest level at the loudest microphone that half of the touches may be above, Pa rms."""
 
 
 class SelfCalibrationError(Refusal):
-    """Touches that nothing can be learned from."""
+    """Refusal of touches that nothing can be learned from."""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class SelfCalibration(Objections):
-    """The most probable sensor of unlabelled touches, and what speaks against it."""
+    """Most probable sensor of unlabelled touches, and what speaks against it."""
 
     present: Library
-    """What it began from, and what stays where it is refused."""
+    """Library that the search began from, and that stays where the sensor is refused."""
     frames: int
-    """With a touch."""
+    """Number of frames with a touch."""
     held_out: int
-    """Of them, not seen by the search."""
+    """Number of these frames that the search did not see."""
     seed: int
+    """Seed of the choice of the frames that are held out."""
     noise: float
-    """Pa rms that was assumed in the end."""
+    """Noise that was assumed in the end, Pa rms over 0 to 500 Hz."""
 
     def library(self) -> Library:
-        """The calibrated library, like any other; the present one where the calibration is refused."""
+        """Calibrated library, like any other; the present one where the calibration is refused."""
         if not self.accepted:
             return self.present
         present, h = self.present, self.posterior.transfer_function
@@ -95,7 +97,7 @@ class SelfCalibration(Objections):
         )
 
     def summary(self) -> dict[str, Any]:
-        """Plain values for a report."""
+        """Figures of the calibration as plain values, for a report."""
         return {
             "frames": self.frames,
             "held_out": self.held_out,
@@ -131,7 +133,7 @@ def self_calibrate(
 
     Args:
         library: the nominal one, or the last calibration, of the sensor's design, covering 1 to 100 Hz.
-        frames: (n, n_microphone, 250) Pa at 1 kHz; those without a touch are passed over.
+        frames: (n, n_microphone, 250), Pa, at 1 kHz; those without a touch are passed over.
         microphone_noise: of the microphones, Pa rms over 0 to 500 Hz, 1e-9 to 10.
         priors: how far the sensor may be from the library; by default those of a fresh one.
         seed: of the choice of the frames that are held out.
@@ -167,7 +169,15 @@ def self_calibrate(
 
 
 def touched(frames: Array, noise: float) -> NDArray[np.bool_]:
-    """(n,) which frames, (n, n_microphone, 250), hold a touch; one that is not finite is no quiet one."""
+    """Which frames hold a touch; one that is not finite is no quiet one.
+
+    Args:
+        frames: (n, n_microphone, 250) float64, Pa, at 1 kHz.
+        noise: of the microphones, Pa rms over 0 to 500 Hz.
+
+    Returns:
+        (n,) bool.
+    """
     return np.asarray(~(frames.std(2).max(1, initial=0) <= QUIET * noise))
 
 

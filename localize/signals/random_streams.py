@@ -71,7 +71,7 @@ def uniform(words: NDArray[np.uint64], device: torch.device | str = "cpu") -> Te
     """Two numbers in (0, 1) from each word.
 
     Args:
-        words: (...) uint64.
+        words: (n, n_word) uint64, or any other shape.
         device: where the result shall be.
 
     Returns:
