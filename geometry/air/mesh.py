@@ -283,7 +283,7 @@ def _set_sizes(
 
 
 def _clearance(solid: cadquery.Solid, port: cadquery.Face, mouth: list[int]) -> float:
-    """From the mouth of a tube along its axis to the wall beyond, mm; infinite for a tube without a mouth."""
+    """Distance from the mouth of a tube along its axis to the wall beyond, mm; infinite for a tube without a mouth."""
     import gmsh
     from OCP.gp import gp_Dir, gp_Lin, gp_Pnt
     from OCP.IntCurvesFace import IntCurvesFace_ShapeIntersector

@@ -127,7 +127,7 @@ def _pitch_around(design: ArrayDesign, line: int) -> float:
 
 
 def _microphone_reach(design: ArrayDesign, line: int) -> tuple[float, float]:
-    """From the last point of a line to its microphone: in the plan along x and in every other direction, mm."""
+    """Distances from the last point of a line to its microphone in plan: along x and in every other direction, mm."""
     surface, straight = surface_of(design), design.microphone_reach_of(design.lines[line])
     if not isinstance(surface, Cylinder):
         return straight, straight

@@ -15,18 +15,16 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Mold:
-    """The parts of a mold as they lie when it is closed, mm; shims lie at the origin.
-
-    Attributes:
-        parts: name to workplane with one solid: ``mold-base`` and, of a two-part mold, ``mold-lid`` and
-            ``mold-shim-1``, ... for one step, two steps, ...; of an open-face mold ``mold-scraper``.
-        counts: how many of each part one mold has; a set of shims has one per pin.
-        plan: its numbers.
-    """
+    """The parts of a mold as they lie when it is closed, mm; shims lie at the origin."""
 
     parts: Mapping[str, cq.Workplane]
+    """Workplane with one solid by name: ``mold-base`` and, of a two-part mold, ``mold-lid`` and ``mold-shim-1``, ...
+    for one step, two steps, ...; of an open-face mold ``mold-scraper``.
+    """
     counts: Mapping[str, int]
+    """How many of each part one mold has; a set of shims has one per pin."""
     plan: MoldPlan
+    """The numbers of the mold."""
 
     def cast(self, membrane: cq.Workplane) -> list[cq.Workplane]:
         """Copies of the membrane as they fill the cavities: turned over, and larger by the shrinkage."""

@@ -25,32 +25,30 @@ _GROOVE_DEPTH = 0.6
 
 @dataclass(frozen=True)
 class MoldPlan:
-    """A mold as it lies when closed, mm: the parting plane is z = 0, the cavities lie below it.
-
-    Attributes:
-        mold: the fields of the design.
-        profile: half section of a cavity, (radius, height) with the parting plane at 0: the membrane's,
-            turned over and compensated for shrinkage.
-        centres: axes of the cavities, rows along x.
-        land: inner and outer radius of a land at the parting plane.
-        groove: inner and outer radius of an overflow groove at its top, in the floor of the gap.
-        groove_bottom: height of its floor.
-        half: half length of the block along x and y.
-        bottom: height of the block's lower face.
-        pins: axes of the pins, on three corners: the lid fits in one way only.
-        pin_top: height of the pins' tips.
-    """
+    """A mold as it lies when closed, mm: the parting plane is z = 0, the cavities lie below it."""
 
     mold: Molding
+    """What the design states of the mold."""
     profile: tuple[Spot, ...]
+    """Half section of a cavity, corners (radius, height) in mm with the parting plane at 0: the membrane's, turned over
+    and compensated for shrinkage.
+    """
     centres: tuple[Spot, ...]
+    """Axes of the cavities, mm, rows along x."""
     land: tuple[float, float]
+    """Inner and outer radius of a land at the parting plane, mm."""
     groove: tuple[float, float]
+    """Inner and outer radius of an overflow groove at its top, in the floor of the gap, mm."""
     groove_bottom: float
+    """Height of the groove's floor, mm."""
     half: tuple[float, float]
+    """Half length of the block along x and y, mm."""
     bottom: float
+    """Height of the block's lower face, mm."""
     pins: tuple[Spot, ...]
+    """Axes of the pins, mm, on three corners: the lid fits in one way only."""
     pin_top: float
+    """Height of the pins' tips, mm."""
 
     @property
     def gap(self) -> float:
@@ -64,7 +62,7 @@ class MoldPlan:
 
     @property
     def slope(self) -> float:
-        """Tangent of the draft."""
+        """Tangent of the draft: how far a wall leans per height."""
         return math.tan(math.radians(self.mold.draft))
 
 

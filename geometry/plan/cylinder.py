@@ -31,14 +31,16 @@ class Frame:
     """A place in space: origin (mm) and the unit vectors of its own x, y and z."""
 
     origin: tuple[float, float, float]
+    """Place of its origin, mm."""
     axes: Axes = FLAT
+    """Unit vectors of its x, y and z."""
 
     def at(self, x: float, y: float, z: float) -> NDArray[np.float64]:
         """The point with these coordinates in the frame, (3,) float64, mm."""
         return np.asarray(self.origin) + np.array([x, y, z]) @ np.asarray(self.axes)
 
     def seen(self, points: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Coordinates in the frame of points (n, 3) in space, mm."""
+        """Coordinates in the frame, (n, 3) float64, mm, of points (n, 3) float64 in space, mm."""
         return np.asarray((points - np.asarray(self.origin)) @ np.asarray(self.axes).T)
 
 
@@ -61,15 +63,12 @@ class Plane:
 
 @dataclass(frozen=True)
 class Cylinder:
-    """A cylinder along y; the plan's (0, 0) lies on top of it.
-
-    Attributes:
-        floor_radius: of the cylinder that touches the floors of the cavities, mm.
-        port_radius: of the cylinder through the axes of the ports, at which the plan is unrolled, mm.
-    """
+    """A cylinder along y; the plan's (0, 0) lies on top of it."""
 
     floor_radius: float
+    """Radius of the cylinder that touches the floors of the cavities, mm."""
     port_radius: float
+    """Radius of the cylinder through the axes of the ports, at which the plan is unrolled, mm."""
 
     def frame(self, x: float, y: float) -> Frame:
         """The place of a part whose axis meets the surface at (x, y) of the plan, mm; z points away from it."""
@@ -118,7 +117,7 @@ class Cylinder:
 
 
 def surface_of(design: StatedArray) -> Plane | Cylinder:
-    """What the shells of a design stand on."""
+    """The surface that the shells of a design stand on."""
     if design.layout.kind != "cylinder" or design.layout.diameter is None:
         return Plane()
     floor = design.layout.diameter / 2 + design.resonator.floor_thickness

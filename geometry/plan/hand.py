@@ -25,12 +25,12 @@ PALM, SPREAD = 80.0, 9.0
 
 
 def fingers_of(design: StatedArray) -> list[int]:
-    """How many fingers each line takes."""
+    """Number of fingers that each line takes."""
     return [math.ceil(line.points / design.layout.columns) for line in design.lines]
 
 
 def finger_positions(design: StatedArray) -> list[NDArray[np.float64]]:
-    """Axes of the points of each line in plan, (points, 2) float64, mm; the wrist at (0, 0), fingers towards +y."""
+    """Axes of the points of each line in plan, (n_point, 2) float64, mm; the wrist at (0, 0), fingers towards +y."""
     fingers, columns = fingers_of(design), design.layout.columns
     palm, spread = design.layout.palm or PALM, design.layout.spread or SPREAD
     runs, first = [], 0
@@ -46,7 +46,7 @@ def finger_positions(design: StatedArray) -> list[NDArray[np.float64]]:
 
 
 def longest_step(design: StatedArray) -> tuple[float, int]:
-    """By how much the tube of a line is too short for its points, at worst, mm (negative: all reach), and the line."""
+    """Length by which a line's tubes are too short for its points at worst, mm (negative: all reach), and the line."""
     excess = []
     for index, (line, positions) in enumerate(zip(design.lines, finger_positions(design), strict=True)):
         reach = design.resonator.cavity_diameter + design.tube_of(line).length
@@ -71,7 +71,16 @@ def meeting_angle(design: StatedArray, microphone: str) -> float | None:
 def meeting_at(
     design: StatedArray, positions: list[NDArray[np.float64]], microphone: str
 ) -> NDArray[np.float64] | None:
-    """Where the two straight tubes that end at a microphone meet, (2,) float64, mm; None where no two do."""
+    """Place where the two straight tubes that end at a microphone meet.
+
+    Args:
+        design: the array.
+        positions: axes of the points of each line in plan, (n_point, 2) float64, mm.
+        microphone: its name.
+
+    Returns:
+        (2,) float64, mm, in plan; None where no two tubes meet.
+    """
     ends = [(line, points) for line, points in zip(design.lines, positions, strict=True) if microphone in line.between]
     if len(ends) != 2:
         return None

@@ -54,7 +54,7 @@ def corners(sides: Sequence[float | None]) -> NDArray[np.float64]:
 
 
 def corner_angles(points: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Angles between the two sides that meet at each corner of a convex polygon, (n,) float64, degrees."""
+    """Angles between the two sides at each corner (n, 2) of a convex polygon, (n,) float64, degrees."""
     after, before = np.roll(points, -1, axis=0) - points, np.roll(points, 1, axis=0) - points
     cross = after[:, 0] * before[:, 1] - after[:, 1] * before[:, 0]
     return np.degrees(np.arctan2(cross, np.sum(after * before, axis=1)))

@@ -23,7 +23,7 @@ def bow_angle(length: float, distance: float, cavity_radius: float, outer_radius
     Args:
         length: bore from cavity wall to cavity wall, mm.
         distance: between the two axes, mm.
-        cavity_radius: mm.
+        cavity_radius: of the cavities, mm.
         outer_radius: of the shells, mm.
 
     Returns:
@@ -71,7 +71,7 @@ def bowed_path(
         end: axis of the second shell in plan, (2,) float64, mm.
         angle: from :func:`bow_angle`, degrees.
         side: +1 when it bulges to the left of the way from start to end, -1 to the right.
-        cavity_radius: mm.
+        cavity_radius: of the cavities, mm.
         outer_radius: of the shells, mm.
 
     Returns:
@@ -133,7 +133,7 @@ def unit(angle: float) -> NDArray[np.float64]:
 
 
 def bearing(start: NDArray[np.float64], end: NDArray[np.float64]) -> float:
-    """Direction in plan from one point to another, degrees in [0, 360)."""
+    """Direction in plan from one point (2,) float64 to another, degrees in [0, 360)."""
     return tidy(math.degrees(math.atan2(end[1] - start[1], end[0] - start[0])))
 
 
@@ -168,7 +168,15 @@ def turning(path: NDArray[np.float64]) -> float:
 
 
 def trimmed(path: NDArray[np.float64], length: float) -> NDArray[np.float64]:
-    """A polyline (n, 3) without ``length`` mm of its first and of its last segment, which are longer than that."""
+    """A polyline without the ends of its first and of its last segment.
+
+    Args:
+        path: (n, 2) or (n, 3) float64, mm.
+        length: taken from each end, mm, less than the first and the last segment.
+
+    Returns:
+        Same shape as the path, float64, mm.
+    """
     ends = path.copy()
     for end, inwards in ((0, 1), (-1, -2)):
         step = path[inwards] - path[end]
@@ -177,7 +185,16 @@ def trimmed(path: NDArray[np.float64], length: float) -> NDArray[np.float64]:
 
 
 def resampled(path: NDArray[np.float64], step: float, trim: float = 0.0) -> NDArray[np.float64]:
-    """Points of a polyline no further apart than ``step``, without its first and last ``trim`` mm."""
+    """Points of a polyline no further apart than a step.
+
+    Args:
+        path: (n, 2) or (n, 3) float64, mm.
+        step: largest distance along the polyline, mm.
+        trim: length left out at each end, mm.
+
+    Returns:
+        (m, 2) or (m, 3) float64, mm.
+    """
     at = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(path, axis=0), axis=1))])
     count = max(2, math.ceil((at[-1] - 2 * trim) / step) + 1)
     where = np.linspace(trim, at[-1] - trim, count)

@@ -10,15 +10,22 @@ from geometry.refusal import Refusal
 
 @dataclass(frozen=True)
 class WiringCounts:
-    """How economical a wiring is (rules of the paper, section on scalability)."""
+    """Figures of how economical a wiring is (rules of the paper, section on scalability)."""
 
     microphones: int
+    """Number of microphones, M."""
     lines: int
+    """Number of lines."""
     points: int
+    """Number of points of all lines together."""
     most_lines: int
+    """Largest number of lines between that many microphones, M(M-1)/2."""
     points_per_microphone: float
+    """Number of points per microphone."""
     gain_over_one_transducer_per_point: float
+    """Points per transducer, by those of an array with one transducer at every point."""
     gain_over_row_column: float
+    """Points per transducer, by those of row-column addressing of M x N points."""
 
 
 def check_topology(microphones: Sequence[str], lines: Sequence[tuple[tuple[str, str], int]]) -> None:

@@ -29,19 +29,24 @@ _BLOCK = 2_000_000
 
 @dataclass(frozen=True)
 class Spot:
-    """A measure and where it is: of a length mm, of a volume mm^3."""
+    """A measure and where it is."""
 
     value: float
+    """The measure: a length in mm, a volume in mm^3."""
     place: Place | None
+    """Where it is, mm, in the part's own coordinates; None where there is no one place."""
 
 
 @dataclass(frozen=True)
 class Overhang:
-    """What hangs without support: widest circle in any one patch, where, and the area of all."""
+    """What hangs without support."""
 
     span: float
+    """Diameter of the widest circle in any one patch that hangs, mm."""
     place: Place | None
+    """Centre of that circle, mm, in the part's own coordinates; None where nothing hangs."""
     area: float
+    """Area of all that hangs, mm^2."""
 
 
 class Skin:
@@ -58,7 +63,15 @@ class Skin:
 
 
 def inside(corners: Floats, random: np.random.Generator) -> Floats:
-    """A place in each of (n, 3, 3) triangles, uniform in its area, from barycentric coordinates."""
+    """A random place in each triangle, uniform in its area, from barycentric coordinates.
+
+    Args:
+        corners: (n, 3, 3) float64, mm: triangle, corner, coordinate.
+        random: where the numbers come from.
+
+    Returns:
+        (n, 3) float64, mm.
+    """
     a, b = random.random((2, len(corners), 1))
     root = np.sqrt(a)
     return np.asarray((1 - root) * corners[:, 0] + root * (1 - b) * corners[:, 1] + root * b * corners[:, 2])

@@ -31,8 +31,9 @@ class Plate:
     """A plate of a machine and what lies on it."""
 
     path: Path
+    """Path of its 3MF file."""
     copies: dict[str, int]
-    """Parts and how many of each."""
+    """How many copies of each part lie on it, by name."""
 
 
 @dataclass(frozen=True)
@@ -40,8 +41,9 @@ class Plates:
     """All plates of a job."""
 
     plates: tuple[Plate, ...]
+    """Every plate, in order."""
     too_large: tuple[str, ...]
-    """Parts that lie on no plate, since they are wider than it."""
+    """Names of parts that lie on no plate, since they are wider than it."""
 
 
 def export_plates(

@@ -24,10 +24,11 @@ class Pose:
     """How a part is laid: turned over about its x where it is built upside down, then turned about the vertical."""
 
     upside_down: bool
+    """Whether the part is built from its top."""
     turn: float
-    """Degrees."""
+    """Angle by which it is turned about the vertical, degrees."""
     size: tuple[float, float, float]
-    """Of its box as it lies, mm."""
+    """Size of its box as it lies, mm."""
     fits: bool
     """Whether it lies within the build volume."""
 
@@ -38,7 +39,7 @@ class Pose:
 
     @property
     def words(self) -> str:
-        """The pose as the report tells it."""
+        """Words that tell the pose in the report."""
         turned = f", turned by {self.turn:g} degrees" if self.turn else ""
         return ("upside down" if self.upside_down else "as drawn") + turned
 

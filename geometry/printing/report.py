@@ -27,7 +27,9 @@ class PrintReport:
     """All findings on a set of parts."""
 
     process: PrintProcess
+    """The process that the parts are printed in."""
     findings: tuple[Finding, ...]
+    """Every rule applied to every part."""
     effects: tuple[AcousticEffect, ...] = ()
     """What 0.05 mm, and then the tolerance of the process where it is another, do to the acoustics of a design."""
 

@@ -23,7 +23,7 @@ _ORDER = {"fail": 0, "warn": 1, "ok": 2}
 
 
 def report_content(report: PrintReport, files: Iterable[ExportedFile] = ()) -> dict[str, Any]:
-    """All of a print report as JSON can hold it; numbers that are not finite become null.
+    """Content of a print report as JSON can hold it; numbers that are not finite become null.
 
     Args:
         report: of :func:`geometry.print_report`.

@@ -35,15 +35,21 @@ class Finding:
     """One rule applied to one part."""
 
     part: str
+    """Name of the part."""
     rule: str
+    """Name of the rule."""
     value: float
+    """What was measured, in ``unit``."""
     limit: float
+    """What the value is held against, in ``unit``."""
     unit: str
+    """Unit of value and limit."""
     verdict: Verdict
+    """How the value stands to the rule."""
     reason: str
     """Where the limit comes from, or what was measured."""
     place: tuple[float, float, float] | None = None
-    """Of the worst spot, in the part's own coordinates, mm; None where the rule has no one place."""
+    """Place of the worst spot, in the part's own coordinates, mm; None where the rule has no one place."""
     relation: Relation = "at least"
     """How the value must stand to the limit."""
 

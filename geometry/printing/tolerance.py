@@ -25,16 +25,17 @@ class AcousticEffect:
     feature: str
     """What is printed too small or too large."""
     nominal: tuple[float, ...]
-    """Its lengths, mm."""
+    """Designed lengths of the feature, mm."""
     tolerance: float
-    """mm, plus or minus."""
+    """Amount by which a printed length may be off, mm, plus or minus."""
     quantity: str
     """What changes."""
     law: str
+    """How the quantity depends on the lengths."""
     smaller: float | None
     """Relative change when every length is printed smaller by the tolerance; None where nothing is left open."""
     larger: float | None
-    """The same, larger."""
+    """Relative change when every length is printed larger by the tolerance."""
 
 
 def acoustic_effects(design: ArrayDesign, tolerance: float) -> tuple[AcousticEffect, ...]:

@@ -29,22 +29,23 @@ _ROOT = 0.1
 
 @dataclass(frozen=True)
 class Carrier:
-    """Shells in one piece."""
+    """Shells joined in one piece."""
 
     part: cq.Workplane
+    """All shells in one solid, mm."""
     places: tuple[tuple[float, float], ...]
-    """Axis of each shell, in the order given."""
+    """Axis of each shell, mm, in the order given."""
     necks: int
     """Number of necks to snap."""
 
 
 def carrier_places(count: int, kind: str, pitch: float) -> tuple[tuple[float, float], ...]:
-    """Where the shells of a carrier lie: side by side along x, or in rows of about as many as there are rows.
+    """Places of the shells of a carrier, mm: side by side along x, or in rows of about as many as there are rows.
 
     Args:
         count: number of shells.
         kind: ``"row"`` or ``"sheet"``.
-        pitch: from axis to axis.
+        pitch: from axis to axis, mm.
     """
     columns = count if kind == "row" else math.ceil(math.sqrt(count))
     return tuple((pitch * (k % columns), -pitch * (k // columns)) for k in range(count))

@@ -42,13 +42,13 @@ def strokes(letter: str) -> list[tuple[Point, Point]]:
 
 
 def text_size(lines: Sequence[str], height: float) -> Point:
-    """Width and height of a text."""
+    """Width and height of a text, mm, in letters of that height."""
     longest = max(map(len, lines))
     return height * (longest * (WIDTH + SPACE) - SPACE), height * (len(lines) * (1 + _LINE_SPACE) - _LINE_SPACE)
 
 
 def letters_within(width: float, depth: float, height: float) -> tuple[int, int]:
-    """How many letters fit on a line, and how many lines."""
+    """Numbers of letters of that height that fit on a line, and of lines, in a rectangle (mm)."""
     letters = (width / height + SPACE) / (WIDTH + SPACE)
     lines = (depth / height + _LINE_SPACE) / (1 + _LINE_SPACE)
     return math.floor(letters + 1e-9), math.floor(lines + 1e-9)

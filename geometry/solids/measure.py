@@ -32,11 +32,11 @@ class Tessellation:
     """Facets of a solid, outwards."""
 
     vertices: NDArray[np.float64]
-    """(n, 3) float64, mm; facets share them."""
+    """Corners of the facets, (n, 3) float64, mm; facets share them."""
     triangles: NDArray[np.int64]
-    """(m, 3) int64."""
+    """Corners of each facet, (m, 3) int64, anticlockwise from outside."""
     faces: NDArray[np.int64]
-    """(m,) int64: the face of the solid that each facet belongs to."""
+    """Number of the solid's face that each facet belongs to, (m,) int64."""
     deviation: float
     """Largest distance from the solid's surface of the middles of facets and of their edges, mm."""
 
@@ -115,12 +115,16 @@ def _deviation(
 
 @dataclass(frozen=True)
 class Round:
-    """A round hole or pin of a solid: mean diameter, length along its axis, middle of the axis, mm."""
+    """A round hole or pin of a solid."""
 
     diameter: float
+    """Mean diameter, mm."""
     length: float
+    """Length along the axis, mm."""
     place: tuple[float, float, float]
+    """Middle of the axis, mm."""
     direction: tuple[float, float, float]
+    """Unit vector along the axis."""
     hollow: bool
     """Whether the material is outside of it."""
 
@@ -185,7 +189,7 @@ def inner_voids(solid: cq.Shape) -> int:
 
 
 def genus(solid: cq.Shape) -> int:
-    """How many ways lead through a solid, such as bores: the genus of its skin, by Euler and Poincare.
+    """Number of ways that lead through a solid, such as bores: the genus of its skin, by Euler and Poincare.
 
     A closed mesh of it has the Euler number ``2 * (shells - genus)``.
     """

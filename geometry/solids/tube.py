@@ -27,12 +27,13 @@ class TubePiece:
     """
 
     tube: Tube
+    """The tube that it is cut from."""
     path: tuple[tuple[float, float, float], ...]
-    """Axis of the bore, without the lips of the ports on which the piece stops."""
+    """Points of the axis of the bore, mm, without the lips of the ports on which the piece stops."""
 
     @property
     def name(self) -> str:
-        """Bore x outside and cut length, mm; a bent piece says to which radius."""
+        """Name of the piece: bore x outside and cut length, mm; of a bent one to which radius."""
         points = np.array(self.path)
         radius = tightest_bend(points)
         bent = "" if np.isinf(radius) else f"-bent-{radius:.3g}"

@@ -109,6 +109,6 @@ class StatedArray(Section):
         return self.layout.pitch or self.resonator.cavity_diameter + self.tube_of(line).length
 
     def microphone_reach_of(self, line: Line) -> float:
-        """From the axis of a line's last point to the axis of its microphone's chamber if the tube is straight, mm."""
+        """Distance of the axes of a line's last point and its microphone's chamber if the tube is straight, mm."""
         length = self.microphone_tube_of(line).length
         return self.resonator.cavity_diameter / 2 + length + self.microphone.chamber_diameter / 2

@@ -29,11 +29,13 @@ class Box:
     """A box with rounded upright edges, below a round collar of the cavity's diameter."""
 
     length: float
-    """Along x."""
+    """Side along x, mm."""
     width: float
-    """Along y."""
+    """Side along y, mm."""
     corner_radius: float
+    """Radius of the upright edges, mm."""
     collar_height: float
+    """Height of the round collar above the box, mm."""
 
     @property
     def reach(self) -> float:
@@ -43,15 +45,15 @@ class Box:
 
     @property
     def area(self) -> float:
-        """Of its floor, mm^2."""
+        """Area of the floor, mm^2."""
         return self.length * self.width - (4 - math.pi) * self.corner_radius**2
 
     def volume(self, radius: float, height: float) -> float:
-        """Of the cavity of that radius and height, mm^3."""
+        """Volume of the cavity of that radius and height (mm), mm^3."""
         return self.area * (height - self.collar_height) + math.pi * radius**2 * self.collar_height
 
     def wall_distance(self, radius: float, height: float, angle: float) -> float:
-        """From the axis to the wall at a height and in a direction (degrees), mm."""
+        """Distance from the axis to the wall at a height (mm) and in a direction (degrees), mm."""
         del radius, height  # the same at every height below the collar
         x, y = (abs(part(math.radians(angle))) for part in (math.cos, math.sin))
         a, b, r = self.length / 2, self.width / 2, self.corner_radius
@@ -63,7 +65,7 @@ class Box:
         return along + math.sqrt(r**2 - across**2)
 
     def draw(self, radius: float, height: float, top: float) -> cadquery.Solid:
-        """The cavity, with its collar carried on to the height ``top``."""
+        """The cavity as a solid, with its collar carried on to the height ``top``, mm."""
         import cadquery as cq
 
         below = height - self.collar_height
@@ -78,18 +80,19 @@ class Dome:
     """A cylinder whose floor is a bowl, part of a sphere; a hemisphere where its depth is the cavity's radius."""
 
     depth: float
+    """Depth of the bowl, mm."""
 
     def sphere_radius(self, radius: float) -> float:
-        """Of the sphere of the bowl, mm."""
+        """Radius of the sphere of the bowl, mm, under an opening of that radius (mm)."""
         return (radius**2 + self.depth**2) / (2 * self.depth)
 
     def volume(self, radius: float, height: float) -> float:
-        """Of the cavity of that radius and height, mm^3."""
+        """Volume of the cavity of that radius and height (mm), mm^3."""
         bowl = math.pi / 6 * self.depth * (3 * radius**2 + self.depth**2)
         return bowl + math.pi * radius**2 * (height - self.depth)
 
     def wall_distance(self, radius: float, height: float, angle: float) -> float:
-        """From the axis to the wall at a height and in a direction (degrees), mm."""
+        """Distance from the axis to the wall at a height (mm) and in a direction (degrees), mm."""
         del angle
         if height >= self.depth:
             return radius
@@ -100,7 +103,7 @@ class Dome:
         return self.sphere_radius(radius) * (1 - math.sin(math.radians(FLATTEST_PORT_WALL)))
 
     def draw(self, radius: float, height: float, top: float) -> cadquery.Solid:
-        """The cavity, carried on to the height ``top``."""
+        """The cavity as a solid, carried on to the height ``top``, mm."""
         import cadquery as cq
 
         del height
@@ -130,12 +133,12 @@ def draw_cavity(shape: Box | Dome | None, radius: float, height: float, top: flo
 
 
 def wall_distance(shape: Box | Dome | None, radius: float, height: float, angle: float) -> float:
-    """From the axis to the wall of a cavity at a height (mm) and in a direction (degrees), mm."""
+    """Distance from the axis to the wall of a cavity at a height (mm) and in a direction (degrees), mm."""
     return radius if shape is None else shape.wall_distance(radius, height, angle)
 
 
 def separation(distance: float, turn: float, rise: float) -> float:
-    """Of two rays from the axis that differ by ``turn`` degrees and ``rise`` mm, from that distance on, mm."""
+    """Distance of two rays from the axis that differ by ``turn`` degrees and ``rise`` mm, from that distance on, mm."""
     return math.hypot(2 * distance * math.sin(math.radians(turn) / 2), rise)
 
 

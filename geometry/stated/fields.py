@@ -26,8 +26,7 @@ DERIVED_FROM = {
 class DesignError(Refusal):
     """A design that is not valid. The message is one line: file, field, value and what is allowed.
 
-    Attributes:
-        problems: every problem found, one line each; the message is the first of them.
+    ``problems`` has every problem found, one line each; the message is the first of them.
     """
 
     def __init__(self, *problems: str) -> None:
@@ -70,13 +69,17 @@ class DesignField:
     name: str
     """Dotted name; ``*`` stands for an index or a name of the user's own."""
     kind: str
-    """``a number``, ``a whole number``, ``a text``, ``a list`` or ``a table``."""
+    """Kind of value: ``a number``, ``a whole number``, ``a text``, ``a list`` or ``a table``."""
     unit: str
+    """Unit of the value; empty where it has none."""
     allowed: str
     """Range or choice in words, with the unit; empty where anything of its kind goes."""
     required: bool
+    """Whether every file must state it."""
     default: Any
+    """Value where a file states none."""
     description: str
+    """What the field means, in words."""
 
 
 def fields_of(model: type[BaseModel], prefix: str = "") -> Iterator[DesignField]:

@@ -13,23 +13,28 @@ from geometry.stated.parts import STUB_LENGTH_IN_RADII
 
 @dataclass(frozen=True, order=True)
 class Port:
-    """Where a tube enters a housing: direction in degrees, bore and outside of the tube in mm."""
+    """Place where a tube enters a housing, and what the tube is there."""
 
     angle: float
+    """Direction of the tube from the housing's axis, degrees."""
     bore_diameter: float
+    """Diameter of the tube's bore, mm."""
     tube_diameter: float
+    """Outside diameter of the tube, mm."""
     height: float | None = None
-    """Of its axis above the floor of the cavity, mm; None: that of the housing's ports."""
+    """Height of its axis above the floor of the cavity, mm; None: that of the housing's ports."""
 
 
 @dataclass(frozen=True, order=True)
 class CellPort:
-    """A tube port of a cell: direction seen from the cell's axis (degrees) and bore (mm)."""
+    """A tube port of a cell."""
 
     angle: float
+    """Direction of the tube from the cell's axis, degrees."""
     bore_diameter: float
+    """Diameter of the tube's bore, mm."""
     height: float | None = None
-    """Of its axis above the floor, mm; None: that of the cell's ports."""
+    """Height of its axis above the floor, mm; None: that of the cell's ports."""
 
     @property
     def stub_length(self) -> float:
@@ -80,6 +85,6 @@ def in_common_rotation(ports: Sequence[Port], step: float) -> tuple[tuple[Port, 
 
 
 def port_rank(port: Port | CellPort) -> tuple[float, ...]:
-    """What ports are sorted by; those without a height of their own come first."""
+    """Key that ports are sorted by; those without a height of their own come first."""
     sizes = [getattr(port, field.name) for field in fields(port)]
     return tuple(-1.0 if size is None else size for size in sizes)

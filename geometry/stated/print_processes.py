@@ -27,12 +27,16 @@ class Rule:
     """What a measure must keep: beyond ``limit`` it fails, between that and ``advised`` it is a risk."""
 
     limit: float
+    """Value beyond which a measure fails."""
     advised: float
+    """Value from which on there is no risk."""
     source: str
+    """Where the figures come from."""
     relation: Relation = "at least"
+    """How a measure must stand to the limit."""
 
     def verdict(self, value: float) -> Verdict:
-        """How a measured value stands to the rule."""
+        """Verdict on a measured value."""
         sign = 1 if self.relation == "at least" else -1
         if sign * (value - self.limit) < -_ROUNDING:
             return "fail"
@@ -50,34 +54,38 @@ CAST_THICKNESS = Rule(
 
 @dataclass(frozen=True)
 class PrintProcess:
-    """What a printing process can make; lengths in mm, angles in degrees."""
+    """What a printing process can make."""
 
     name: str
+    """Name by which designs and commands call it."""
     title: str
+    """What it is, for people."""
     wall: Rule
+    """Rule for the thickness of walls, mm."""
     hole: Rule
-    """Diameter of round holes."""
+    """Rule for the diameter of round holes, mm."""
     slot: Rule
-    """Width of gaps between walls: grooves, engraved marks."""
+    """Rule for the width of gaps between walls, mm: grooves, engraved marks."""
     clearance: Rule
-    """Radial gap between parts that are put into each other."""
+    """Rule for the radial gap between parts that are put into each other, mm."""
     pin_aspect: Rule
-    """Height over diameter of free-standing pins."""
+    """Rule for the height over diameter of free-standing pins."""
     pixel: float
-    """Width of a pixel, laser spot or nozzle: facets coarser than half of it show."""
+    """Width of a pixel, laser spot or nozzle, mm: facets coarser than half of it show."""
     tolerance: float
-    """A printed length is true to plus or minus this."""
+    """Amount by which a printed length may be off, mm, plus or minus."""
     build_volume: tuple[float, float, float]
+    """Width, depth and height of the machine, mm."""
     source: str
-    """Of pixel, tolerance and build volume."""
+    """Where pixel, tolerance and build volume come from."""
     overhang_angle: float = 0.0
-    """Faces that look down and are flatter than this hang; 0 where powder carries them."""
+    """Angle from the horizontal, degrees: faces that look down and are flatter hang; 0 where powder carries them."""
     overhang_span: Rule = Rule(math.inf, math.inf, "powder carries every overhang", "at most")
-    """Width of what hangs without support."""
+    """Rule for the width of what hangs without support, mm."""
     cup_volume: Rule = Rule(math.inf, math.inf, "no liquid and no film that could hold a cup", "at most")
-    """Largest volume, mm^3, that the part and the resin's film seal off while it is printed."""
+    """Rule for the volume that the part and the resin's film seal off while it is printed, mm^3."""
     cast_thickness: Rule = CAST_THICKNESS
-    """Thickness of what is cast in printed molds."""
+    """Rule for the thickness of what is cast in printed molds, mm."""
 
 
 #: Fields of a process that are rules, and those that are plain numbers.
