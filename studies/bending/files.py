@@ -19,7 +19,7 @@ FIGURE, NUMBERS, RESULT = "bending.png", "bending.csv", "bending.json"
 
 
 def save_bending(result: Bending, folder: Path) -> tuple[Path, ...]:
-    """Write ``bending.png``, ``bending.csv`` and ``bending.json``; earlier ones are replaced."""
+    """Write ``bending.png``, ``bending.csv`` and ``bending.json``; earlier ones are replaced. Their paths."""
     folder.mkdir(parents=True, exist_ok=True)
     figure = draw_bending(result, folder / FIGURE)
     write_text(folder / NUMBERS, bending_csv(result))
@@ -28,7 +28,7 @@ def save_bending(result: Bending, folder: Path) -> tuple[Path, ...]:
 
 
 def draw_bending(result: Bending, path: Path) -> Path:
-    """Level and phase of every angle in two panels, their differences to the straight tube in two more."""
+    """Picture of level and phase of every angle, and of their differences to the straight tube; its path."""
     rig, frequency = result.rig, result.frequency
     level = 20 * np.log10(np.abs(result.transfer_function))
     phase = np.degrees(np.unwrap(np.angle(result.transfer_function)))
@@ -64,7 +64,7 @@ def draw_bending(result: Bending, path: Path) -> Path:
 
 
 def bending_csv(result: Bending) -> str:
-    """One line per angle and frequency."""
+    """Table of a bending study as CSV, one line per angle and frequency."""
     text = io.StringIO()
     table = csv.writer(text, lineterminator="\n")
     table.writerow(
@@ -79,7 +79,7 @@ def bending_csv(result: Bending) -> str:
 
 
 def bending_dict(result: Bending) -> dict[str, Any]:
-    """Everything as plain values; complex numbers as real and imaginary part."""
+    """Results of a bending study as plain values; complex numbers as real and imaginary part."""
 
     def parts(values: np.ndarray[Any, Any]) -> dict[str, Any]:
         return {"real": values.real.tolist(), "imaginary": values.imag.tolist()}

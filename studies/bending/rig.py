@@ -46,25 +46,23 @@ PROTOTYPE = "array-2x6"
 
 @dataclass(frozen=True)
 class BendingRig:
-    """A tube wound on a cylinder; lengths in mm, defaults as published, the outside diameter assumed.
+    """Rig of a tube wound on a cylinder; lengths in mm, defaults as published, the outside diameter assumed.
 
     Up to 180 degrees the arc lies flat, beyond it is a helix whose turns touch.
-
-    Attributes:
-        bore: inner diameter of the tube.
-        length: of the tube along its centre line.
-        diameter: of the cylinder on which the centre line lies, the tightest reading of the publication.
-        outside: outer diameter of the tube, which sets the pitch of the helix.
-        angles: degrees wound, each a case.
-        end: what closes the far end: the microphone of the prototype array-2x6 in its chamber, or nothing.
     """
 
     bore: float = 0.5
+    """Inner diameter of the tube, mm."""
     length: float = 120.0
+    """Length of the tube along its centre line, mm."""
     diameter: float = 11.6
+    """Diameter of the cylinder on which the centre line lies, mm, the tightest reading of the publication."""
     outside: float = 0.9
+    """Outer diameter of the tube, mm, which sets the pitch of the helix."""
     angles: tuple[float, ...] = (0.0, 90.0, 180.0, 270.0, 360.0)
+    """Angles over which the tube is wound, degrees, each a case."""
     end: End = "microphone"
+    """Closure of the far end: the microphone of the prototype array-2x6 in its chamber, or nothing."""
 
     def __post_init__(self) -> None:
         in_range("bore", self.bore, 0.05, 5.0, "mm")
@@ -98,45 +96,42 @@ class BendingRig:
 
 @dataclass(frozen=True, eq=False)
 class Bending:
-    """What bending changes.
-
-    Attributes:
-        rig: the tube.
-        fidelity: model of the bent bore.
-        medium: the air.
-        frequency: (n_freq,) Hz.
-        transfer_function: (n_angle, n_freq) pressure at the far end over that at the near end.
-        straight: (n_freq,) the same of the straight tube, exact.
-        bend_change: (n_angle, n_freq) relative change of the transfer admittance Y12 of the wound part alone.
-        mesh_error: share of the differences to the straight tube that the mesh may be wrong by, estimated from a
-            mesh twice as coarse.
-        straight_error: of the mesh itself in the admittance of a straight bore, which is taken out.
-        unknowns: of the largest system solved; 0 where nothing is bent.
-        seconds: time taken.
-        made_by: versions and time.
-    """
+    """What bending changes."""
 
     rig: BendingRig
+    """Tube and cylinder."""
     fidelity: str
+    """Model of the bent bore."""
     medium: Medium
+    """Air in the tube."""
     frequency: NDArray[np.float64]
+    """Frequencies; (n_freq,) float64, Hz."""
     transfer_function: Array
+    """Pressure at the far end over that at the near end, per angle; (n_angle, n_freq) complex128, Pa/Pa."""
     straight: Array
+    """Pressure at the far end over that at the near end of the straight tube, exact; (n_freq,) complex128, Pa/Pa."""
     bend_change: Array
+    """Relative change of the transfer admittance Y12 of the wound part alone; (n_angle, n_freq) complex128."""
     mesh_error: float
+    """Share of the differences to the straight tube that the mesh may be wrong by, estimated from a mesh twice as
+    coarse."""
     straight_error: float
+    """Relative error of the mesh in the admittance of a straight bore, which is taken out."""
     unknowns: int
+    """Number of unknowns of the largest system solved; 0 where nothing is bent."""
     seconds: float
+    """Time taken, s."""
     made_by: dict[str, Any]
+    """Versions and time."""
 
     @property
     def level_difference(self) -> NDArray[np.float64]:
-        """Level less that of the straight tube, (n_angle, n_freq) dB."""
+        """Level less that of the straight tube; (n_angle, n_freq) float64, dB."""
         return np.asarray(20 * np.log10(np.abs(1 + self._relative_change)))
 
     @property
     def phase_difference(self) -> NDArray[np.float64]:
-        """Phase less that of the straight tube, (n_angle, n_freq) degrees."""
+        """Phase less that of the straight tube; (n_angle, n_freq) float64, degrees."""
         return np.asarray(np.degrees(np.angle(1 + self._relative_change)))
 
     @property
@@ -145,7 +140,7 @@ class Bending:
 
     @property
     def largest_differences(self) -> NDArray[np.float64]:
-        """Largest magnitudes over frequency, (n_angle, 2): dB and degrees."""
+        """Largest magnitudes of both differences over frequency; (n_angle, 2) float64: dB and degrees."""
         both = (self.level_difference, self.phase_difference)
         return np.stack([np.abs(values).max(axis=1) for values in both], axis=1)
 
@@ -153,14 +148,14 @@ class Bending:
 def solve_bending(
     rig: BendingRig, frequency: ArrayLike, fidelity: str = "navier-stokes", progress: Progress = lambda what, done: None
 ) -> Bending:
-    """Transfer functions of the tube at every angle.
+    """Results of a tube at every angle.
 
     The joints of straight and bent bore are left out: each counts as about 0.4 bore radii more of the bend, both as
     2 % of what a quarter turn of the published rig changes. Walls are rigid and stay round.
 
     Args:
         rig: the tube.
-        frequency: (n_freq,) Hz, ascending.
+        frequency: (n_freq,), Hz, ascending.
         fidelity: of the bent bore, ``"navier-stokes"`` or ``"helmholtz"``, see
             :func:`acoustic_fem.cell.bent_bore.solve_bent_bores`.
         progress: called with what is done and the fraction of all.
@@ -210,10 +205,19 @@ def solve_bending(
 
 
 def end_load(end: End, microphone: Microphone, frequency: NDArray[np.float64], medium: Medium) -> Array:
-    """Admittance that closes the far end, (n_freq,) m^3/(Pa s).
+    """Admittance that closes the far end.
 
-    The chamber's compliance and the microphone at one pressure; the entrance losses of the chamber and of the
-    sound hole are left out, being the same at every angle.
+    The chamber's compliance and the microphone at one pressure; the entrance losses of the chamber and of the sound
+    hole are left out, being the same at every angle.
+
+    Args:
+        end: what closes it.
+        microphone: with its chamber.
+        frequency: (n_freq,) float64, Hz.
+        medium: the air.
+
+    Returns:
+        (n_freq,) complex128, m^3/(Pa s).
     """
     if end == "closed":
         return np.zeros(len(frequency), dtype=np.complex128)
@@ -230,7 +234,19 @@ def transfer(
     frequency: NDArray[np.float64],
     medium: Medium,
 ) -> Array:
-    """Far over near pressure of the tube wound over an angle in its middle, (n_freq,)."""
+    """Far over near pressure of the tube wound over an angle in its middle.
+
+    Args:
+        rig: the tube.
+        angle: degrees.
+        bores: the bent bores by the pitch of their helix.
+        load: (n_freq,) complex128, admittance at the far end, m^3/(Pa s).
+        frequency: (n_freq,) float64, Hz.
+        medium: the air.
+
+    Returns:
+        (n_freq,) complex128, Pa/Pa.
+    """
     radius, arc = metres(rig.bore) / 2, rig.winding(angle).arc_length
     rest = (rig.length - arc) / 2
     ends = [plane_wave.port_admittance(radius, metres(rest), frequency, medium)] if rest > 0 else []
@@ -246,7 +262,18 @@ def transfer(
 def bend_change(
     rig: BendingRig, angle: float, bores: dict[float, BentBore], frequency: NDArray[np.float64], medium: Medium
 ) -> Array:
-    """Relative change of the transfer admittance of the wound part alone, (n_freq,)."""
+    """Relative change of the transfer admittance of the wound part alone.
+
+    Args:
+        rig: the tube.
+        angle: degrees.
+        bores: the bent bores by the pitch of their helix.
+        frequency: (n_freq,) float64, Hz.
+        medium: the air.
+
+    Returns:
+        (n_freq,) complex128.
+    """
     if angle == 0:
         return np.zeros(len(frequency), dtype=np.complex128)
     winding = rig.winding(angle)

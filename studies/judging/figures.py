@@ -24,7 +24,7 @@ _MARKS = ("o", "s", "^")
 
 
 def draw_reliability(judged: Sequence[Judged], path: str | os.PathLike[str]) -> Path:
-    """Share of touches named right against the probability that was stated; below, how often it was."""
+    """Picture of the share named right against the probability that was stated, below how often it was; its path."""
     with figure_in_style((WIDTH / 1.6, 5.0)) as figure:
         upper, lower = figure.subplots(2, 1, sharex=True, height_ratios=[3, 1])
         upper.plot([0, 1], [0, 1], color="#999999", linestyle="--", linewidth=1)
@@ -42,7 +42,9 @@ def draw_reliability(judged: Sequence[Judged], path: str | os.PathLike[str]) -> 
 
 
 def draw_conditions(judged: Sequence[Judged], path: str | os.PathLike[str]) -> Path:
-    """Top-1 in every condition with its 95 % interval, a panel per group; of several sensors the worst one dashed."""
+    """Picture of top-1 in every condition with its 95 % interval, a panel per group, of several sensors the worst one
+    dashed; its path.
+    """
     groups = list(dict.fromkeys(outcome.group for each in judged for outcome in each.outcomes))
     rows = -(-(len(groups) + 1) // 2)
     with figure_in_style((WIDTH, 0.4 + 2.9 * rows)) as figure:

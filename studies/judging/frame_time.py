@@ -19,20 +19,21 @@ WARM_UP = 50
 
 @dataclass(frozen=True)
 class FrameTime:
-    """Percentiles over single frames, ms."""
+    """Percentiles of the time that single frames take, ms."""
 
     median: float
-    """Of wall-clock time, as the next field: other work on the machine adds waiting to them."""
+    """Median of the wall-clock time, ms; here and in the next field other work on the machine adds waiting."""
     worst: float
-    """99th percentile."""
+    """99th percentile of the wall-clock time, ms."""
     processor_median: float
-    """Of the processor time of the process, as the next field: other work adds only colder caches."""
+    """Median of the processor time of the process, ms; here and in the next field other work adds only colder
+    caches."""
     processor_worst: float
-    """99th percentile."""
+    """99th percentile of the processor time, ms."""
 
 
 def frame_time(locator: StreamLocator, response: ArrayResponse, frames: int = 2000) -> FrameTime:
-    """Push frames of touches through :class:`localize.TouchStream`, 16 samples at a time, and time each one.
+    """Time that each frame of touches takes that is pushed through :class:`localize.TouchStream`, 16 samples at a time.
 
     Args:
         locator: anything that can listen to a stream.

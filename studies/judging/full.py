@@ -36,30 +36,37 @@ LEAST = 600
 
 @dataclass(frozen=True)
 class Judged:
-    """One localizer's results."""
+    """Results of one localizer."""
 
     name: str
+    """Name of the localizer."""
     overall: Evaluation
+    """Results on the library as it is."""
     outcomes: tuple[Outcome, ...]
+    """Results under each condition."""
 
     def to_dict(self) -> dict[str, Any]:
-        """All of it as JSON can hold it."""
+        """Results as JSON can hold them."""
         return {**self.overall.to_dict(), "conditions": [asdict(outcome) for outcome in self.outcomes]}
 
 
 @dataclass(frozen=True)
 class FullEvaluation:
-    """What the report shows."""
+    """Results of all localizers: what the report shows."""
 
     design: str
+    """Name of the design."""
     points: tuple[int, ...]
     """Numbers of the points."""
     judged: tuple[Judged, ...]
+    """Results of each localizer, in the order in which they were given."""
     created: datetime
+    """Time at which the evaluation was made."""
     provenance: dict[str, Any]
+    """Design, fidelity, library, seed and versions."""
 
     def to_dict(self) -> dict[str, Any]:
-        """All of it as JSON can hold it."""
+        """Results as JSON can hold them."""
         return {
             "design": self.design,
             "created": self.created.isoformat(timespec="seconds"),
@@ -77,7 +84,7 @@ def evaluate_fully(
     seed: int,
     progress: Progress,
 ) -> FullEvaluation:
-    """Evaluate localizers on a library, then under each condition that it allows, then on mis-made sensors.
+    """Results of localizers on a library, then under each condition that it allows, then on mis-made sensors.
 
     Args:
         locators: by name.
@@ -128,10 +135,19 @@ def _stage(
 def mis_made(
     library: Library, response: ArrayResponse, seed: int, count: int = SENSORS
 ) -> list[tuple[str, float, NDArray[np.complex128]]]:
-    """Sensors with shares of the workshop's tolerances: name, share and transfer functions of each set.
+    """Sets of sensors with shares of the workshop's tolerances.
 
     What scatter changes is computed with the lumped network and applied to the library's transfer functions as a
     factor, so that a library of any fidelity is scattered around itself.
+
+    Args:
+        library: of a design.
+        response: of that library.
+        seed: of the sensors.
+        count: sensors of each set.
+
+    Returns:
+        Name and share of each set, and (count, n_point, n_microphone, n_freq) complex128 transfer functions, Pa/Pa.
     """
     scattered, air = ScatteredDesign(library.design), design_air(library.design)
     draws = scattered.draws(0, count, seed)

@@ -37,21 +37,23 @@ BEGIN, END = "<!-- table: made by python -m studies.judging.paper_table -->", "<
 
 @dataclass(frozen=True)
 class Row:
-    """One array in one noise."""
+    """Row of the table: one array in one noise."""
 
     design: str
+    """Name of the prototype."""
     points_per_line: int
+    """Number of points of each line."""
     noise: float
-    """Pa rms, in training and in judging."""
+    """Noise of every microphone, in training and in judging, Pa rms."""
 
     @property
     def name(self) -> str:
-        """Of its files."""
+        """Name of the row's files."""
         return f"{self.design}-{self.points_per_line}-noise-{self.noise:g}"
 
 
 def plan_of(full: bool, row: Row) -> TrainingPlan:
-    """How the network of a row is trained: with the noise it is judged in."""
+    """Plan by which the network of a row is trained: with the noise it is judged in."""
     from localize import TrainingPlan
 
     if full:
@@ -61,7 +63,7 @@ def plan_of(full: bool, row: Row) -> TrainingPlan:
 
 
 def solved(row: Row) -> ArrayResponse:
-    """The array's transfer functions, lumped."""
+    """Transfer functions of a row's array, lumped."""
     import acoustic_fem
     import geometry
     from localize.signals.array_response import response_of
@@ -75,7 +77,7 @@ def solved(row: Row) -> ArrayResponse:
 
 
 def measure(row: Row, full: bool, folder: Path) -> dict[str, Any]:
-    """Train, evaluate and time one array."""
+    """Figures of one row: its array trained on, evaluated and timed."""
     from localize import BayesDecoder, evaluate, export_onnx, train
     from localize.learned.onnx import OnnxLocalizer
     from localize.signals.finger_stimuli import STIMULI
@@ -103,7 +105,7 @@ def measure(row: Row, full: bool, folder: Path) -> dict[str, Any]:
 
 
 def table(rows: list[dict[str, Any]]) -> str:
-    """The rows as Markdown."""
+    """Table of the rows as Markdown."""
     lines = [
         "| microphones | points | noise (mPa) | network: top-1 / top-2 (%) | trained on touches per point | taps (%) "
         "| model-based: top-1 / top-2 (%) | taps (%) | a frame, network / model-based (ms) |",
@@ -123,7 +125,7 @@ def table(rows: list[dict[str, Any]]) -> str:
 
 
 def write_table(folder: Path, rows: list[dict[str, Any]]) -> None:
-    """Into the folder's README.md where that has a place for it, else into table.md."""
+    """Write the table into the folder's README.md where that has a place for it, else into table.md."""
     from geometry.files.writing import replace_section, write_text
 
     page = folder / "README.md"

@@ -20,7 +20,7 @@ JSON_FILE, PAGE_FILE = "evaluation.json", "evaluation.html"
 
 
 def write_evaluation(found: FullEvaluation, folder: Path) -> None:
-    """Write both files; the page last.
+    """Write ``evaluation.json`` and ``evaluation.html``; the page last.
 
     Args:
         found: of :func:`studies.judging.full.evaluate_fully`.
@@ -32,7 +32,7 @@ def write_evaluation(found: FullEvaluation, folder: Path) -> None:
 
 
 def render(found: FullEvaluation) -> str:
-    """The page as text: pictures inlined, no script, nothing fetched."""
+    """Page of an evaluation as text: pictures inlined, no script, nothing fetched."""
     from jinja2 import Environment, PackageLoader, StrictUndefined
 
     environment = Environment(

@@ -25,18 +25,18 @@ def model_deviation(
     count: int = 64,
     seed: int = 0,
 ) -> Array:
-    """How far the transfer functions of made sensors lie from those of the design.
+    """Deviation of the transfer functions of made sensors from those of the design.
 
     Args:
         design: the nominal array.
-        frequency: (n_freq,) Hz.
+        frequency: (n_freq,) float64, Hz.
         tolerances: of manufacturing.
         count: sensors drawn.
         seed: of the draws.
 
     Returns:
-        (n_point, n_microphone, n_freq) root mean square of the real part, and of the imaginary part, of the
-        difference, Pa/Pa.
+        (n_point, n_microphone, n_freq) float64, Pa/Pa: root mean square of the real part, and of the imaginary part, of
+        the difference.
     """
     scattered, air = ScatteredDesign(design, tolerances), design_air(design)
     made = batch_transfer_function(scattered.sample(0, count, seed), scattered.topology, frequency, air)

@@ -49,56 +49,58 @@ class HiddenScatter:
     """Standard deviations of the hidden parameters, as fractions unless said otherwise; normal, cut off at three."""
 
     bore: float = 0.05
-    """Of each tube."""
+    """Deviation of the bore of each tube."""
     volume: float = 0.05
-    """Of each cavity, by its height."""
+    """Deviation of the volume of each cavity, by its height."""
     membrane: float = 0.10
-    """Of the compliance of each membrane."""
+    """Deviation of the compliance of each membrane."""
     modulus: float = 1.0
-    """Of all membranes against the nominal one: a factor, not a deviation."""
+    """Modulus of all membranes against the nominal one: a factor, not a deviation."""
     gain: float = 0.05
-    """Of each microphone."""
+    """Deviation of the gain of each microphone."""
     corner: float = 0.10
-    """Of the high-pass of each microphone."""
+    """Deviation of the high-pass of each microphone."""
     chamber: float = 0.10
-    """Of the volume of each microphone's chamber."""
+    """Deviation of the volume of each microphone's chamber."""
     length: float = 0.01
-    """Of each tube; not known to a fit."""
+    """Deviation of the length of each tube; not known to a fit."""
     loss: float = 0.2
-    """Of the loss factor of each membrane; a fit knows the mean only."""
+    """Deviation of the loss factor of each membrane; a fit knows the mean only."""
     temperature: float = 3.0
-    """K; not known to a fit."""
+    """Deviation of the temperature of the room, K; not known to a fit."""
 
 
 @dataclass(frozen=True)
 class Recorder:
-    """How the recordings are made."""
+    """Settings by which recordings are made."""
 
     seconds: float = 60.0
+    """Length of each recording, s."""
     rate: int = 1000
-    """Hz."""
+    """Sample rate, Hz."""
     bits: int = 16
-    """Of the WAV files."""
+    """Bits of a sample of the WAV files."""
     full_scale: float = 2.0
-    """Pa, of the array's microphones; the calibration microphone has five times that. Louder signals are clipped."""
+    """Pressure at full scale of the array's microphones, Pa; the calibration microphone has five times that. Louder
+    signals are clipped."""
     level: float = 0.35
-    """Pa rms in the touched cavity."""
+    """Level in the touched cavity, Pa rms."""
     excitation: Literal["noise", "sweep"] = "noise"
-    """Noise of flat spectrum, or exponential sweeps of 20 s, over :data:`BAND`."""
+    """Kind of the excitation: noise of flat spectrum, or exponential sweeps of 20 s, over :data:`BAND`."""
     reference_noise: float = 5e-4
-    """Pa rms of the calibration microphone over half the sample rate, white."""
+    """Noise of the calibration microphone over half the sample rate, white, Pa rms."""
     late: float = 0.0123
-    """s by which the calibration microphone's recorder starts after the array's; the manifest states it."""
+    """Time by which the calibration microphone's recorder starts after the array's, s; the manifest states it."""
     hum: float = 2e-3
-    """Pa, of the mains in every channel, with its third harmonic at a third of it."""
+    """Amplitude of the mains in every channel, with its third harmonic at a third of it, Pa."""
     drift: float = 5e-3
-    """Pa rms of a wander of the zero over the recording."""
+    """Level of a wander of the zero over the recording, Pa rms."""
     separate: bool = False
-    """A file for each channel instead of one for all."""
+    """Whether there is a file for each channel instead of one for all."""
 
 
 class Rig:
-    """A made sensor whose parameters are hidden.
+    """Virtual rig: a made sensor whose parameters are hidden.
 
     Args:
         design: the nominal array.
@@ -153,10 +155,10 @@ class Rig:
         self.medium = Medium.at(air.temperature + warmer, air.humidity, air.pressure)
 
     def transfer_function(self, frequency: Array) -> Complex:
-        """What recordings without noise say: microphones with their gains and high-passes per pressure in the cavity.
+        """Transfer functions that recordings without noise give: microphones with their gains and high-passes.
 
         Args:
-            frequency: (n_freq,) Hz, 0.4 to 160.
+            frequency: (n_freq,) float64, Hz, 0.4 to 160.
 
         Returns:
             (n_point, n_microphone, n_freq) complex128, Pa/Pa, by the nominal microphone's response.
@@ -188,7 +190,7 @@ class Rig:
             recorder: how.
 
         Returns:
-            The manifest.
+            Path of the manifest.
 
         Raises:
             Refusal: a point that the design does not have.
@@ -220,7 +222,9 @@ class Rig:
         return path
 
     def signals(self, point: int, recorder: Recorder) -> Array:
-        """(1 + n_microphone, n_sample) Pa, the reference first, before they are clipped and rounded."""
+        """Signals of a recording, the reference first, before they are clipped and rounded; (1 + n_microphone,
+        n_sample) float64, Pa.
+        """
         random = np.random.default_rng(np.random.SeedSequence(self.seed, spawn_key=(1, point)))
         before = round(_BEFORE * recorder.rate)
         count = round(recorder.seconds * recorder.rate)
@@ -242,19 +246,20 @@ class Rig:
         recorder: Recorder,
         random: np.random.Generator,
     ) -> Array:
-        """What is recorded of a pressure in a cavity, with all that a recorder adds.
+        """Signals that are recorded of a pressure in a cavity, with all that a recorder adds.
 
         Args:
             point: number, from 1.
-            drive: (total // 2 + 1,) spectrum of the pressure as of np.fft.rfft, Pa; only :data:`BAND` is heard.
-            total: samples of the pressure, at the rate of the recorder.
-            before: of them, that come before the recording.
-            count: of the recording.
+            drive: (total // 2 + 1,) complex128, spectrum of the pressure as of np.fft.rfft, Pa; only :data:`BAND` is
+                heard.
+            total: number of samples of the pressure, at the rate of the recorder.
+            before: number of them that come before the recording.
+            count: number of samples of the recording.
             recorder: how.
             random: draws what the recorder adds.
 
         Returns:
-            (1 + n_microphone, count) Pa, the reference first, before they are clipped and rounded.
+            (1 + n_microphone, count) float64, Pa, the reference first, before they are clipped and rounded.
         """
         grid = np.fft.rfftfreq(total, 1 / recorder.rate).astype(np.float64)
         inside = (grid >= BAND[0]) & (grid <= BAND[1])

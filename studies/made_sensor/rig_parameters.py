@@ -16,7 +16,7 @@ _SOURCE = "of the virtual rig"
 
 
 def rig_tolerances(scatter: HiddenScatter, modulus: float = 0.15) -> tuple[Tolerance, ...]:
-    """The tolerances that a workshop with the rig's scatter would state.
+    """Tolerances that a workshop with the rig's scatter would state.
 
     Args:
         scatter: of the rig.
@@ -33,7 +33,7 @@ def rig_tolerances(scatter: HiddenScatter, modulus: float = 0.15) -> tuple[Toler
 
 
 def hidden_parameters(rig: Rig, model: UpdatedModel) -> dict[str, tuple[float, Array]]:
-    """The true values of what a fit states, as far as the rig's sensor has them.
+    """True values of what a fit states, as far as the rig's sensor has them.
 
     A longer tube counts as a narrower one, by the resistance, length / bore^4; a cavity counts as its membrane, by the
     compliance of both; membranes are stiffer one by one and all together, and only the product is true.
@@ -43,8 +43,8 @@ def hidden_parameters(rig: Rig, model: UpdatedModel) -> dict[str, tuple[float, A
         model: the family.
 
     Returns:
-        Name of a parameter as in ``model.names`` -> its factor against nominal, and the row (count,) that takes the
-        parameters of a fit to the logarithm of that factor.
+        Name of a parameter as in ``model.names`` -> its factor against nominal, and the row (count,) float64 that takes
+        the parameters of a fit to the logarithm of that factor.
     """
     nominal = model.nominal_parameters
     hidden, medium = rig.hidden, model.library.medium
@@ -72,7 +72,7 @@ def hidden_parameters(rig: Rig, model: UpdatedModel) -> dict[str, tuple[float, A
 
 
 def within_95(rig: Rig, fit: Posterior) -> list[tuple[str, bool]]:
-    """Of each true value: what it is of, such as ``bore``, and whether it lies in the 95 % band that the fit states."""
+    """Kind of each true value, such as ``bore``, and whether it lies in the 95 % band that the fit states."""
     found = []
     for name, (value, row) in hidden_parameters(rig, fit.model).items():
         away = np.log(value) - row @ fit.parameters

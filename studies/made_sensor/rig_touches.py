@@ -21,22 +21,23 @@ Array = NDArray[np.float64]
 
 MANIFEST = "touches.toml"
 LEAK = 2.0
-"""Hz, below which taps are not held."""
+"""Frequency below which taps are not held, Hz."""
 LOUDEST = 0.7
-"""Of full scale: the peak in the cavity; no microphone hears more."""
+"""Peak in the cavity, as a share of full scale; no microphone hears more."""
 _PURPOSE = 2
 """Of the random numbers, beside those of the rig's own recordings."""
 
 
 @dataclass(frozen=True)
 class TouchSession:
-    """How touches are recorded at a point; random parts and friction are on for two seconds, off for one."""
+    """Settings by which touches are recorded at a point; random parts and friction are on for two seconds, off for one."""
 
     takes: int = 5
-    """Recordings of each part."""
+    """Number of recordings of each part."""
     seconds: float = 12.0
-    """Of each recording."""
+    """Length of each recording, s."""
     parts: tuple[Part, ...] = PARTS
+    """Parts that are recorded."""
 
 
 def record_touches(
@@ -52,7 +53,7 @@ def record_touches(
         recorder: how; the lengths and levels of the touches are those of the session.
 
     Returns:
-        The manifest.
+        Path of the manifest.
 
     Raises:
         Refusal: a point that the design does not have.

@@ -61,7 +61,7 @@ def mass(design: ArrayDesign) -> float:
 
 
 def cost(design: ArrayDesign) -> float:
-    """What :func:`geometry.bill_of_materials` says of one array, molds left out, at its assumed prices, USD."""
+    """Cost of one array, as :func:`geometry.bill_of_materials` has it, molds left out, at its assumed prices, USD."""
     volumes, prices, tubes, microphones = _volumes(design), Prices(), list(_tubes(design)), len(design.microphones)
     resin = sum(volumes[name][0] for name in ("shells", "housings"))
     # As if no spring were bent: the bends are not worth a layout.

@@ -33,17 +33,17 @@ if TYPE_CHECKING:
     from localize.signals.noise import NoiseSpectrum
 
 FRAME = 250
-"""Samples of a frame, as the localizer takes them."""
+"""Length of a frame, samples, as the localizer takes them."""
 SAMPLE_RATE = 1000.0
-"""Hz."""
+"""Sample rate of the signals, Hz."""
 BAND = (1.0, 100.0)
-"""Hz: of the touches and of the source that the decoder assumes."""
+"""Band of the touches and of the source that the decoder assumes, Hz."""
 SOURCE_RMS = 0.25
-"""Pa: the assumed touch at g = 1."""
+"""Level of the assumed touch at g = 1, Pa rms."""
 POWERS = 10.0 ** np.arange(-4.0, 2.1)
 """Values of g that are tried."""
 NOISE_LINES = 500
-"""Noise is given as its mean square in the hertz around 0, 1, ..., 499 Hz."""
+"""Number of values that give a noise: its mean square in the hertz around 0, 1, ..., 499 Hz."""
 _MEMORY = 40_000_000
 """Bytes of simulated frames at once."""
 
@@ -55,19 +55,19 @@ Complex = NDArray[np.complex128]
 
 @dataclass(frozen=True, eq=False)
 class PredictedConfusion:
-    """Shares of simulated touches, 0 to 1."""
+    """Predicted shares of touches, 0 to 1, by simulation."""
 
     confusion: Array
-    """(n_design, n_point, n_point) float64: of the touches of the row's point, those that name the column's."""
+    """Share of the touches of the row's point that name the column's; (n_design, n_point, n_point) float64."""
     pairwise: Array
-    """(n_design, n_point, n_point) float64: how often the wrong one of these two is the likelier, both touched
-    equally often; symmetric, zero on the diagonal."""
+    """Share of touches of two points, both touched equally often, for which the wrong one of these two is the likelier;
+    (n_design, n_point, n_point) float64, symmetric, zero on the diagonal."""
     touches: int
-    """Simulated per point."""
+    """Number of touches simulated per point."""
 
     @property
     def top1(self) -> Array:
-        """(n_design,) float64: share of touches whose point is named."""
+        """Share of touches whose point is named; (n_design,) float64."""
         return np.asarray(np.einsum("dpp->d", self.confusion) / self.confusion.shape[1])
 
 
@@ -89,8 +89,8 @@ def predict_confusion(
         noise: of every microphone: Pa rms over 0 to 500 Hz, white; a spectrum from :mod:`localize.signals.noise`; or
             mean squares per hertz (n_design, 500), Pa^2.
         listener: "network" or "model".
-        assumed: (n, n_point, n_microphone, n_freq) transfer functions that the listener goes by; by default those of
-            each sensor itself. Several are a scatter that the listener knows: likelihoods are averaged over them.
+        assumed: (n, n_point, n_microphone, n_freq) complex, Pa/Pa, that the listener goes by; by default those of each
+            sensor itself. Several are a scatter that the listener knows: likelihoods are averaged over them.
         touches: per point.
         seed: of touches and noise.
 
@@ -131,7 +131,15 @@ def predict_confusion(
 
 
 def noise_of_filters(noise: float | NoiseSpectrum | ArrayLike, designs: int, listener: Listener) -> Array:
-    """Mean square of the noise behind each filter of a listener, (1 or n_design, n_filter), Pa^2.
+    """Mean square of the noise behind each filter of a listener.
+
+    Args:
+        noise: of every microphone, as for :func:`predict_confusion`: a number, a spectrum, or (n_design, 500), Pa^2.
+        designs: how many.
+        listener: "network" or "model".
+
+    Returns:
+        (1, n_filter) or (n_design, n_filter) float64, Pa^2.
 
     Raises:
         Refusal: a wrong shape, a value that is not finite and above zero, or an unknown listener.
@@ -311,6 +319,9 @@ def _check(h: Complex, grid: Array, touches: int) -> None:
 
 def check_grid(grid: Array) -> None:
     """Refuse frequencies from which no confusion can be predicted.
+
+    Args:
+        grid: (n_freq,) float64, Hz.
 
     Raises:
         Refusal: fewer than 4 ascending values, or less than 1 to 100 Hz.

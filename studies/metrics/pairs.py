@@ -29,22 +29,22 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class Separability:
-    """Pairwise distances of points; each matrix is symmetric with zeros on its diagonal."""
+    """Distances of all pairs of points; each matrix is symmetric with zeros on its diagonal."""
 
     points: tuple[int, ...]
     """Numbers of the points, in the order of rows and columns."""
     level: Array
-    """(n_point, n_point) float64, dB: rms over band and microphone pairs of 20 log10 |r_i / r_j|."""
+    """Level distance: rms over band and microphone pairs of 20 log10 |r_i / r_j|; (n_point, n_point) float64, dB."""
     phase: Array
-    """(n_point, n_point) float64, degrees: rms over band and microphone pairs of arg(r_i / r_j), wrapped to
-    (-180, 180]."""
+    """Phase distance: rms over band and microphone pairs of arg(r_i / r_j), wrapped to (-180, 180]; (n_point, n_point)
+    float64, degrees."""
 
     @property
     def combined(self) -> Array:
-        """(n_point, n_point) float64: rms of |log(r_i / r_j)|, level in nepers and phase in radians.
+        """Combined distance: rms of |log(r_i / r_j)|, level in nepers and phase in radians; (n_point, n_point) float64.
 
-        The square root of (level / 8.686 dB)^2 + (phase / 57.3 degrees)^2: 0.1 is as much as 0.87 dB or 5.7
-        degrees over the whole band.
+        The square root of (level / 8.686 dB)^2 + (phase / 57.3 degrees)^2: 0.1 is as much as 0.87 dB or 5.7 degrees
+        over the whole band.
         """
         return np.hypot(self.level / DECIBEL, np.radians(self.phase))
 
@@ -60,7 +60,7 @@ class Separability:
 
     @property
     def equally_hard(self) -> tuple[tuple[int, int], ...]:
-        """The hardest pair and those within 1 % of its combined distance, such as its mirror image, by number."""
+        """Numbers of the hardest pair and of those within 1 % of its combined distance, such as its mirror image."""
         least = self.between(*self.hardest_pairs[0])[2]
         return tuple(sorted(pair for pair in self.hardest_pairs if self.between(*pair)[2] <= 1.01 * least))
 
@@ -78,7 +78,14 @@ class Separability:
 
 
 def microphone_ratios(transfer_function: xr.DataArray) -> NDArray[np.complex128]:
-    """Ratios H_ia / H_ib of every pair of microphones a < b, (n_point, n_pair, n_freq) complex128."""
+    """Ratios H_ia / H_ib of every pair of microphones a < b.
+
+    Args:
+        transfer_function: (n_point, n_microphone, n_freq) complex, Pa/Pa; dimensions point, microphone, frequency (Hz).
+
+    Returns:
+        (n_point, n_pair, n_freq) complex128.
+    """
     h = _values(transfer_function)
     return np.stack([h[:, a] / h[:, b] for a, b in combinations(range(h.shape[1]), 2)], axis=1)
 
@@ -87,7 +94,7 @@ def check_band(frequency: Array, band: tuple[float, float]) -> None:
     """Refuse a grid from which no mean over a band can be taken.
 
     Args:
-        frequency: (n_freq,) ascending, Hz.
+        frequency: (n_freq,) float64, Hz, ascending.
         band: lowest and highest frequency, Hz.
 
     Raises:
@@ -110,7 +117,7 @@ def separability(transfer_function: xr.DataArray, band: tuple[float, float] = BA
     the grid.
 
     Args:
-        transfer_function: dimensions point, microphone, frequency (Hz); Pa/Pa.
+        transfer_function: (n_point, n_microphone, n_freq) complex, Pa/Pa; dimensions point, microphone, frequency (Hz).
         band: lowest and highest frequency, Hz; the grid must have at least two frequencies in it.
 
     Raises:
@@ -139,10 +146,17 @@ def separability(transfer_function: xr.DataArray, band: tuple[float, float] = BA
 
 
 def attenuation(transfer_function: xr.DataArray, frequency: float) -> Array:
-    """Loss 20 log10 |H| from each cavity to each microphone at one frequency, (n_point, n_microphone), dB.
+    """Loss 20 log10 |H| from each cavity to each microphone at one frequency.
 
-    Zero is no loss, negative is weaker. Between the frequencies of the grid the complex values are joined by
-    straight lines.
+    Zero is no loss, negative is weaker. Between the frequencies of the grid the complex values are joined by straight
+    lines.
+
+    Args:
+        transfer_function: (n_point, n_microphone, n_freq) complex, Pa/Pa; dimensions point, microphone, frequency (Hz).
+        frequency: Hz.
+
+    Returns:
+        (n_point, n_microphone) float64, dB.
 
     Raises:
         Refusal: a frequency outside the grid.
@@ -151,7 +165,11 @@ def attenuation(transfer_function: xr.DataArray, frequency: float) -> Array:
 
 
 def worst_heard(transfer_function: xr.DataArray, frequency: float) -> tuple[float, int]:
-    """The point that is weakest at its second-loudest microphone (a ratio needs two): level, dB, and number.
+    """Point that is weakest at its second-loudest microphone (a ratio needs two): its level there, dB, and its number.
+
+    Args:
+        transfer_function: (n_point, n_microphone, n_freq) complex, Pa/Pa; dimensions point, microphone, frequency (Hz).
+        frequency: Hz.
 
     Raises:
         Refusal: a frequency outside the grid.
@@ -162,10 +180,16 @@ def worst_heard(transfer_function: xr.DataArray, frequency: float) -> tuple[floa
 
 
 def sensitivity(library: Library, frequency: float) -> Array:
-    """Pressure at the loudest microphone per volume that a touch sweeps, (n_point,) float64, Pa/mm^3.
+    """Pressure at the loudest microphone per volume that a touch sweeps.
 
-    A touch that would sweep the volume q of the membrane in vacuo injects j w q; see
-    :class:`acoustic_fem.Library`.
+    A touch that would sweep the volume q of the membrane in vacuo injects j w q; see :class:`acoustic_fem.Library`.
+
+    Args:
+        library: of the design.
+        frequency: Hz.
+
+    Returns:
+        (n_point,) float64, Pa/mm^3.
 
     Raises:
         Refusal: a frequency outside the grid.
@@ -176,22 +200,27 @@ def sensitivity(library: Library, frequency: float) -> Array:
 
 @dataclass(frozen=True)
 class Disagreement:
-    """Where two sets of transfer functions of one array differ most."""
+    """Largest differences of two sets of transfer functions of one array."""
 
     magnitude: float
-    """Largest | |H| / |H_reference| - 1 |."""
+    """Largest deviation in magnitude, | |H| / |H_reference| - 1 |."""
     magnitude_at: tuple[int, str, float]
-    """Point, microphone and frequency (Hz) of it."""
+    """Point, microphone and frequency (Hz) of the largest deviation in magnitude."""
     phase: float
-    """Largest |arg(H / H_reference)|, degrees."""
+    """Largest deviation in phase, |arg(H / H_reference)|, degrees."""
     phase_at: tuple[int, str, float]
-    """Point, microphone and frequency (Hz) of it."""
+    """Point, microphone and frequency (Hz) of the largest deviation in phase."""
 
 
 def disagreement(
     transfer_function: xr.DataArray, reference: xr.DataArray, band: tuple[float, float] = BAND
 ) -> Disagreement:
-    """Largest difference of two sets of transfer functions on one grid, within a band (Hz).
+    """Largest differences of two sets of transfer functions on one grid, within a band.
+
+    Args:
+        transfer_function: (n_point, n_microphone, n_freq) complex, Pa/Pa; dimensions point, microphone, frequency (Hz).
+        reference: same shape as ``transfer_function``, Pa/Pa.
+        band: lowest and highest frequency, Hz.
 
     Raises:
         Refusal: different points, microphones or frequencies, or no frequency in the band.
@@ -231,7 +260,14 @@ def _at(array: xr.DataArray, frequency: float) -> NDArray[np.complex128]:
 
 
 def trapezoidal_weights(frequency: Array) -> Array:
-    """Weights of a mean over a linear axis, summing to 1."""
+    """Weights of a mean over a linear axis by the trapezoidal rule, summing to 1.
+
+    Args:
+        frequency: (n_freq,) float64, Hz, ascending.
+
+    Returns:
+        (n_freq,) float64.
+    """
     steps = np.diff(frequency)
     weights = np.zeros_like(frequency)
     weights[:-1] += steps / 2

@@ -26,19 +26,22 @@ class Responses:
     """
 
     frequency: NDArray[np.float64]
-    """(n_freq,) float64, Hz, ascending."""
+    """Frequencies, ascending; (n_freq,) float64, Hz."""
     transfer_function: Complex
-    """(n_design, n_point, n_microphone, n_freq) complex128, Pa/Pa."""
+    """Pressure at a microphone over pressure in the touched cavity; (n_design, n_point, n_microphone, n_freq)
+    complex128, Pa/Pa."""
     designs: Sequence[ArrayDesign] | None = None
-    """One per design."""
+    """Designs, one for each of the first axis."""
     medium: Sequence[Medium] | None = None
-    """The air of each design."""
+    """Air of each design."""
     source_response: Complex | None = None
-    """(n_design, n_point, n_microphone, n_freq) complex128, Pa s/m^3."""
+    """Pressure at a microphone per volume velocity injected at a point; (n_design, n_point, n_microphone, n_freq)
+    complex128, Pa s/m^3."""
     point_impedance: Complex | None = None
-    """(n_design, n_point, n_freq) complex128, Pa s/m^3."""
+    """Pressure in a cavity per volume velocity injected there; (n_design, n_point, n_freq) complex128, Pa s/m^3."""
     microphone_impedance: Complex | None = None
-    """(n_design, n_microphone, n_microphone, n_freq) complex128, Pa s/m^3."""
+    """Pressure at a microphone per volume velocity injected at a microphone; (n_design, n_microphone, n_microphone,
+    n_freq) complex128, Pa s/m^3."""
 
     def __post_init__(self) -> None:
         h = self.transfer_function
@@ -68,7 +71,7 @@ class Responses:
 
     @classmethod
     def of_library(cls, library: Library) -> Responses:
-        """One design: all that its library holds."""
+        """Responses of one design: all that its library holds."""
         order = ("point", "microphone", "frequency")
         mutual = library.microphone_impedance
         return cls(

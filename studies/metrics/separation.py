@@ -20,13 +20,14 @@ class PairDistances:
     """Distances of all pairs of points i < j, in the order of ``itertools.combinations``."""
 
     level: Array
-    """(n_design, n_pair) float64, dB: rms over band and microphone pairs of 20 log10 |r_i / r_j|."""
+    """Level distance: rms over band and microphone pairs of 20 log10 |r_i / r_j|; (n_design, n_pair) float64, dB."""
     phase: Array
-    """(n_design, n_pair) float64, degrees: rms of arg(r_i / r_j), wrapped to +-180."""
+    """Phase distance: rms over band and microphone pairs of arg(r_i / r_j), wrapped to +-180; (n_design, n_pair)
+    float64, degrees."""
 
     @property
     def combined(self) -> Array:
-        """(n_design, n_pair) float64: rms of |log(r_i / r_j)|, nepers and radians."""
+        """Combined distance: rms of |log(r_i / r_j)|, nepers and radians; (n_design, n_pair) float64."""
         return np.hypot(self.level / DECIBEL, np.radians(self.phase))
 
 

@@ -23,7 +23,7 @@ NOISE_NEEDS = NEEDS | {"microphone_impedance", "medium"}
 
 @lru_cache(maxsize=1)
 def force_response(responses: Responses) -> Complex:
-    """Microphone pressure per force, as :meth:`acoustic_fem.Library.touch_response` for each design.
+    """Pressure at the microphones per force, as :meth:`acoustic_fem.Library.touch_response` for each design.
 
     Returns:
         (n_design, n_point, n_microphone, n_freq) complex128, Pa/N.
@@ -34,7 +34,9 @@ def force_response(responses: Responses) -> Complex:
 
 
 def displacement_response(responses: Responses) -> Complex:
-    """Microphone pressure per displacement of the touched patch, (n_design, n_point, n_microphone, n_freq), Pa/m."""
+    """Pressure at the microphones per displacement of the touched patch; (n_design, n_point, n_microphone, n_freq)
+    complex128, Pa/m.
+    """
     volume, compliance = _disc_responses(responses)
     omega = 2 * np.pi * responses.frequency
     moved = compliance[:, None] - (1j * omega * volume**2)[:, None] * _known(responses.point_impedance)
@@ -42,14 +44,23 @@ def displacement_response(responses: Responses) -> Complex:
 
 
 def smallest_sensitivity(responses: Responses, of: Callable[[Responses], Complex]) -> Array:
-    """(n_design,): rms over the band at the loudest microphone, of the point where that is least."""
+    """Rms over the band of a response at the loudest microphone, of the point where that is least.
+
+    Args:
+        responses: of the designs.
+        of: the response, from them: (n_design, n_point, n_microphone, n_freq) complex128, in any unit.
+
+    Returns:
+        (n_design,) float64, in the unit of the response.
+    """
     inside, weight = _band(responses)
     power = np.abs(of(responses)[..., inside]) ** 2 @ weight
     return np.asarray(np.sqrt(power.max(axis=2).min(axis=1)))
 
 
 def noise_equivalent_force(responses: Responses) -> Array:
-    """(n_design,): rms force of flat spectrum over the band with a ratio of signal to noise of 1, worst point, N.
+    """Rms force of flat spectrum over the band with a ratio of signal to noise of 1, at the worst point; (n_design,)
+    float64, N.
 
     As :func:`acoustic_fem.library.noise.detection_limits`: all microphones in their best linear combination, thermal
     noise and the microphones' own.
@@ -78,7 +89,7 @@ def noise_equivalent_force(responses: Responses) -> Array:
 
 
 def bandwidth(responses: Responses) -> Array:
-    """(n_design,): width of the range around its maximum where a point's response to force is within 3 dB of it, Hz.
+    """Width of the range in which a point's response to force is within 3 dB of its maximum; (n_design,) float64, Hz.
 
     At the point's loudest microphone; the narrowest of all points. Between the frequencies of the grid levels are
     joined by straight lines; where the response does not fall by 3 dB, the range ends with the grid.

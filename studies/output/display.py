@@ -16,7 +16,7 @@ Report = Callable[[str, float], None]
 
 
 def number(value: float, digits: int | None = None) -> str:
-    """A number as people read it: with a minus sign, no negative zero, and no exponent where it can be avoided.
+    """Text of a number as people read it: with a minus sign, no negative zero, and no exponent where it can be avoided.
 
     Args:
         value: the number.
@@ -32,7 +32,7 @@ def number(value: float, digits: int | None = None) -> str:
 
 
 class Display:
-    """Stages of a job, one after the other.
+    """Display of the stages of a job, one after the other.
 
     Args:
         stream: where to write; None writes nothing.
@@ -67,7 +67,7 @@ class Display:
             self._bars = None
 
     def note(self, text: str) -> None:
-        """A line that stays."""
+        """Write a line that stays."""
         if self._bars is not None:
             self._bars.console.print(text, markup=False, highlight=False)
         elif self._stream is not None:
@@ -75,7 +75,7 @@ class Display:
 
     @contextmanager
     def stage(self, name: str) -> Iterator[Report]:
-        """One stage: yields the function that takes its progress."""
+        """Show one stage: yields the function that takes its progress."""
         started = perf_counter()
         with self._shown(name) as report:
             yield report

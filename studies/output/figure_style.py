@@ -25,7 +25,7 @@ DPI = 130
 WIDTH = 9.6
 
 
-"""Inches; the report shows figures at most this wide."""
+"""Width of a figure, inches; the report shows figures at most this wide."""
 
 
 _STYLE: dict[Any, Any] = {
@@ -59,7 +59,7 @@ def crop_picture(path: Path, margin: int = 16) -> None:
 
 @contextmanager
 def frequency_panels(rows: int) -> Iterator[tuple[Figure, list[list[Axes]]]]:
-    """Rows of two panels over a logarithmic frequency axis."""
+    """Figure with rows of two panels over a logarithmic frequency axis."""
     with figure_in_style((WIDTH, 0.5 + 2.7 * rows)) as figure:
         grid = figure.subplots(rows, 2, squeeze=False, sharex=True)
         for axis in grid.flat:
@@ -74,7 +74,7 @@ def frequency_panels(rows: int) -> Iterator[tuple[Figure, list[list[Axes]]]]:
 
 @contextmanager
 def figure_in_style(size: tuple[float, float], **style: Any) -> Iterator[Figure]:
-    """An empty figure in the report's style; drawn without a display and forgotten afterwards."""
+    """Empty figure in the report's style; drawn without a display and forgotten afterwards."""
     import matplotlib as mpl
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
@@ -87,14 +87,16 @@ def figure_in_style(size: tuple[float, float], **style: Any) -> Iterator[Figure]
 
 
 def line_colours(count: int) -> NDArray[np.float64]:
-    """One colour per point in perceptual order; the palest yellow is left out, it is lost on white."""
+    """Colour of each point in perceptual order, RGBA; (count, 4) float64. The palest yellow is left out, it is lost on
+    white.
+    """
     import matplotlib as mpl
 
     return np.asarray(mpl.colormaps["viridis"](np.linspace(0, 0.93, count)))
 
 
 def save_figure(figure: Figure, path: str | os.PathLike[str]) -> Path:
-    """Write a figure as PNG and close it; missing folders are made."""
+    """Write a figure as PNG and close it; missing folders are made. The path."""
     path = Path(path)
     path.parent.mkdir(parents=True, exist_ok=True)
     with whole_file(path) as beside:

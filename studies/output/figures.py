@@ -21,13 +21,18 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 LARGEST_LEGEND = 24
-"""Up to this many points each curve has a legend entry; beyond, a colour bar names the numbers."""
+"""Number of points up to which each curve has a legend entry; beyond, a colour bar names the numbers."""
 LARGEST_NUMBERED_MATRIX = 16
-"""Up to this many points the cells of a matrix carry their numbers."""
+"""Number of points up to which the cells of a matrix carry their numbers."""
 
 
 def draw_transfer_functions(transfer_function: xr.DataArray, path: str | os.PathLike[str]) -> Path:
-    """Level (dB) and unwrapped phase (degrees) against frequency, a row per microphone, a curve per point."""
+    """Picture of level (dB) and unwrapped phase (degrees) against frequency, a row per microphone, a curve per point.
+
+    Args:
+        transfer_function: (n_point, n_microphone, n_freq) complex, Pa/Pa; dimensions point, microphone, frequency (Hz).
+        path: of the PNG, which is handed back.
+    """
     h, frequency = _in_band(transfer_function)
     names = [str(name) for name in transfer_function["microphone"].values]
     with frequency_panels(len(names)) as (figure, rows):
@@ -41,7 +46,12 @@ def draw_transfer_functions(transfer_function: xr.DataArray, path: str | os.Path
 
 
 def draw_differences(transfer_function: xr.DataArray, path: str | os.PathLike[str]) -> Path:
-    """ILD (dB) and unwrapped IPD (degrees) against frequency, a row per microphone pair, a curve per point."""
+    """Picture of ILD (dB) and unwrapped IPD (degrees) against frequency, a row per microphone pair, a curve per point.
+
+    Args:
+        transfer_function: (n_point, n_microphone, n_freq) complex, Pa/Pa; dimensions point, microphone, frequency (Hz).
+        path: of the PNG, which is handed back.
+    """
     _, frequency = _in_band(transfer_function)
     ratios = microphone_ratios(transfer_function)[..., _inside(transfer_function)]
     names = list(combinations([str(name) for name in transfer_function["microphone"].values], 2))
@@ -61,7 +71,14 @@ def draw_comparison(
     path: str | os.PathLike[str],
     limits: tuple[float, float],
 ) -> Path:
-    """Deviation in magnitude (%) and phase (degrees) from a reference on the same grid, limits dashed."""
+    """Picture of the deviation in magnitude (%) and phase (degrees) from a reference on the same grid, limits dashed.
+
+    Args:
+        transfer_function: (n_point, n_microphone, n_freq) complex, Pa/Pa; dimensions point, microphone, frequency (Hz).
+        reference: same shape as ``transfer_function``, Pa/Pa.
+        path: of the PNG, which is handed back.
+        limits: in magnitude, percent, and in phase, degrees.
+    """
     h, frequency = _in_band(transfer_function)
     ratio = h / _in_band(reference)[0]
     names = [str(name) for name in transfer_function["microphone"].values]
@@ -79,7 +96,7 @@ def draw_comparison(
 
 
 def draw_separability(separability: Separability, path: str | os.PathLike[str]) -> Path:
-    """Combined distance of every pair of points; the hardest pair and those equally hard are framed."""
+    """Picture of the combined distance of every pair of points; the hardest pair and those equally hard are framed."""
     from matplotlib.colors import LogNorm
 
     distance = separability.combined.copy()
@@ -108,8 +125,14 @@ def draw_separability(separability: Separability, path: str | os.PathLike[str]) 
 
 
 def draw_confusion(confusion: NDArray[np.int64], points: tuple[int, ...], path: str | os.PathLike[str]) -> Path:
-    """Percent of the touches of the row's point for which the column's point was named; white is never, and colours
-    are logarithmic, for what is to be seen are the few percent beside the diagonal.
+    """Picture of the percent of the touches of the row's point for which the column's point was named.
+
+    White is never, and colours are logarithmic, for what is to be seen are the few percent beside the diagonal.
+
+    Args:
+        confusion: (n_point, n_point) int64, touches of the row's point named the column's.
+        points: numbers of the points.
+        path: of the PNG, which is handed back.
     """
     from matplotlib.colors import LogNorm
 
@@ -131,7 +154,7 @@ def draw_confusion(confusion: NDArray[np.int64], points: tuple[int, ...], path: 
 
 
 def draw_training(loss: Sequence[float], accuracy: Mapping[str, Sequence[float]], path: str | os.PathLike[str]) -> Path:
-    """Mean loss, and the share of errors on each set of held-out touches, by epoch, both on logarithmic scales."""
+    """Picture of mean loss, and of the share of errors on each set of held-out touches, by epoch; its path."""
     epoch = np.arange(1, len(loss) + 1)
     with figure_in_style((WIDTH, 3.2)) as figure:
         left, right = figure.subplots(1, 2)

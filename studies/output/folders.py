@@ -25,7 +25,7 @@ REPORT = ("report.html", "results.json")
 
 
 def claim_folder(out: str | os.PathLike[str], design: str) -> Path:
-    """Make the folder of a run, or take over that of an earlier one.
+    """Folder of a run, made or taken over from an earlier one.
 
     The report of the earlier run is removed; where it was of another design, so is everything else that it made, the
     design file last, so that no folder ever holds results of two designs.
@@ -78,7 +78,7 @@ def check_new_file(path: Path | None, kept: str | None = None, option: str = "--
 
 
 def check_new_library(path: Path, formats: Sequence[str]) -> None:
-    """As :func:`check_new_file`, of a library: what can be computed again is replaced, what was measured is kept.
+    """Refuse the file of a library that cannot be written: what can be computed is replaced, what was measured is kept.
 
     Args:
         path: of the file.
@@ -117,7 +117,7 @@ def check_folder(path: Path) -> None:
 
 @contextmanager
 def replaced_folder(folder: Path) -> Iterator[Path]:
-    """An empty folder beside, which takes the place of ``folder`` when all went well, and is removed when not.
+    """Empty folder beside, which takes the place of ``folder`` when all went well, and is removed when not.
 
     The old folder is kept until the new one is in its place.
     """
@@ -142,7 +142,7 @@ def replaced_folder(folder: Path) -> Iterator[Path]:
 
 @contextmanager
 def replaced_files(folder: Path) -> Iterator[Path]:
-    """An empty folder whose files move into ``folder`` when all went well, and are removed when not.
+    """Empty folder whose files move into ``folder`` when all went well, and are removed when not.
 
     What an earlier call put there goes, so that no folder holds files of two designs; files of others stay. Both are
     told apart by the list ``files.txt``: whenever a call is stopped, it names all that calls have put there.
@@ -194,5 +194,5 @@ def _remove(path: Path) -> None:
 
 
 def write_json(path: Path, content: Mapping[str, Any]) -> None:
-    """Write plain values; numbers that are not finite are refused."""
+    """Write plain values as JSON; numbers that are not finite are refused."""
     write_text(path, json.dumps(content, indent=1, allow_nan=False) + "\n")

@@ -54,41 +54,47 @@ class SobolIndex:
     """Shares of a variance that are due to one quantity; estimates, which may leave 0 to 1 by their error."""
 
     quantity: str
+    """Name of the quantity."""
     first: float
-    """By itself."""
+    """Share of the quantity by itself."""
     total: float
-    """With all its interactions."""
+    """Share of the quantity with all its interactions."""
     error: float
     """Standard error of ``total``, by bootstrap."""
 
 
 @dataclass(frozen=True, eq=False)
 class ToleranceResult:
-    """Scatter of one design; samples along the first axis."""
+    """Result of a tolerance study: scatter of one design, samples along the first axis."""
 
     design: ArrayDesign
+    """Nominal design."""
     tolerances: tuple[Tolerance, ...]
+    """Quantities that scatter."""
     frequency: Array
-    """(n_freq,) Hz."""
+    """Frequencies of the transfer functions; (n_freq,) float64, Hz."""
     nominal: Complex
-    """(n_point, n_microphone, n_freq) transfer functions of the nominal design."""
+    """Transfer functions of the nominal design; (n_point, n_microphone, n_freq) complex128, Pa/Pa."""
     transfer_function: Complex
-    """(n_sample, n_point, n_microphone, n_freq)."""
+    """Transfer functions of the mis-made sensors; (n_sample, n_point, n_microphone, n_freq) complex128, Pa/Pa."""
     nominal_accuracy: float
-    """Predicted top-1 of the nominal design, its own localizer."""
+    """Predicted top-1 of the nominal design, with its own localizer."""
     accuracy: dict[str, Array]
-    """Per :data:`ACCURACIES` (n_sample,) predicted top-1, 0 to 1."""
+    """Predicted top-1 of each sensor per entry of :data:`ACCURACIES`; (n_sample,) float64 each, 0 to 1."""
     deviation: Array
-    """(n_sample,): rms over points, microphone pairs and frequencies of |log(r / r_nominal)|, r = H_a / H_b."""
+    """Deviation of each sensor: rms over points, microphone pairs and frequencies of |log(r / r_nominal)|, r = H_a /
+    H_b; (n_sample,) float64."""
     closest: Array
-    """(n_sample,): smallest distance of two points, as the metric distance_smallest."""
+    """Smallest distance of two points of each sensor, as the metric distance_smallest; (n_sample,) float64."""
     sobol: dict[str, tuple[SobolIndex, ...]]
-    """For ``deviation`` and for the accuracy ``nominal``: an index per quantity, the largest total first."""
+    """Sobol indices of ``deviation`` and of the accuracy ``nominal``: one per quantity, the largest total first."""
     noise: str
+    """Noise of the microphones, in words."""
     seed: int
+    """Seed of all draws."""
 
     def summary(self) -> dict[str, Any]:
-        """All but the transfer functions, as JSON can hold it."""
+        """Figures of the study, all but the transfer functions, as JSON can hold them."""
         return {
             "design": self.design.name,
             "samples": len(self.deviation),
@@ -121,11 +127,11 @@ def tolerance_study(
     seed: int = 0,
     progress: Callable[[str, float], None] | None = None,
 ) -> ToleranceResult:
-    """Monte Carlo over manufacturing scatter, every part with its own deviation; lumped fidelity.
+    """Result of a Monte Carlo over manufacturing scatter, every part with its own deviation; lumped fidelity.
 
     Args:
         design: the nominal array.
-        frequency: (n_freq,) Hz, over 1 to 100 Hz.
+        frequency: (n_freq,), Hz, over 1 to 100 Hz.
         samples: mis-made sensors.
         base: of the Sobol indices: (number of tolerances + 2) times as many sensors are computed for them; 0 for none.
         tolerances: what scatters.
@@ -198,7 +204,7 @@ def scattered_accuracy(
 
     Args:
         design: the nominal array.
-        frequency: (n_freq,) Hz, over 1 to 100 Hz.
+        frequency: (n_freq,), Hz, over 1 to 100 Hz.
         sensors: how many.
         tolerances: what scatters.
         noise: as for :func:`tolerance_study`.
@@ -217,11 +223,11 @@ def scattered_accuracy(
 
 
 def deviation(transfer_function: Complex, nominal: Complex) -> Array:
-    """Rms over points, microphone pairs and frequencies of |log(r / r_nominal)|, r = H_a / H_b.
+    """Deviation of sensors: rms over points, microphone pairs and frequencies of |log(r / r_nominal)|, r = H_a / H_b.
 
     Args:
-        transfer_function: (n_sample, n_point, n_microphone, n_freq).
-        nominal: (1, n_point, n_microphone, n_freq).
+        transfer_function: (n_sample, n_point, n_microphone, n_freq) complex128, Pa/Pa.
+        nominal: (1, n_point, n_microphone, n_freq) complex128, Pa/Pa.
 
     Returns:
         (n_sample,) float64, nepers and radians.
@@ -236,15 +242,15 @@ def deviation(transfer_function: Complex, nominal: Complex) -> Array:
 def sobol_indices(
     names: Sequence[str], at_a: Array, at_b: Array, mixed: Array, seed: int = 0, resamples: int = 100
 ) -> tuple[SobolIndex, ...]:
-    """Indices of groups of inputs, the largest total first.
+    """Sobol indices of groups of inputs, the largest total first.
 
     Args:
         names: of the groups.
-        at_a: (n,) outputs at the first half of the draws.
-        at_b: (n,) at the second.
-        mixed: (n_group, n) at the first half with one group from the second.
+        at_a: (n,) float64, outputs at the first half of the draws.
+        at_b: (n,) float64, outputs at the second half.
+        mixed: (n_group, n) float64, outputs at the first half with one group from the second.
         seed: of the bootstrap.
-        resamples: of the bootstrap.
+        resamples: of the bootstrap, how many.
     """
     at_a, at_b, mixed = (np.asarray(values, np.float64) for values in (at_a, at_b, mixed))
 

@@ -13,7 +13,7 @@ from studies.scatter.effects import ACCURACIES, ToleranceResult
 
 
 def save_tolerance(result: ToleranceResult, folder: Path) -> tuple[Path, ...]:
-    """Write tolerance.json and tolerance.png."""
+    """Write tolerance.json and tolerance.png into a folder; their paths."""
     folder.mkdir(parents=True, exist_ok=True)
     summary = folder / "tolerance.json"
     write_json(summary, result.summary())
@@ -21,7 +21,7 @@ def save_tolerance(result: ToleranceResult, folder: Path) -> tuple[Path, ...]:
 
 
 def draw_tolerance(result: ToleranceResult, path: Path) -> Path:
-    """Spread of a ratio of microphones, of the accuracies, and what matters most."""
+    """Picture of the spread of a ratio of microphones, of the accuracies, and of what matters most; its path."""
     with new_figure((WIDTH, 3.4)) as figure:
         spread, shares, causes = figure.subplots(1, 3)
         inside = (result.frequency >= BAND[0]) & (result.frequency <= BAND[1])

@@ -47,7 +47,7 @@ def write_perturbed_library(
     seed: int = 0,
     progress: Callable[[str, float], None] | None = None,
 ) -> PerturbedLibrary:
-    """Draw sensors of a design and store their transfer functions (lumped fidelity).
+    """Store of the transfer functions of sensors that are drawn from a design (lumped fidelity).
 
     Sensor k depends on the design, the tolerances, (seed, k) and the frequencies alone. The store is built beside and
     renamed at the end: it is whole or not there.
@@ -56,7 +56,7 @@ def write_perturbed_library(
         path: of the new store, such as ``mis-made.zarr``.
         design: the nominal array.
         count: sensors, 1 to a million.
-        frequency: (n_freq,) Hz, ascending.
+        frequency: (n_freq,), Hz, ascending.
         tolerances: what scatters.
         seed: of the draws.
         progress: called with what is being done and the fraction done.
@@ -116,7 +116,7 @@ def write_perturbed_library(
 
 
 class PerturbedLibrary:
-    """A store of mis-made sensors, read a block at a time: a
+    """Store of mis-made sensors, read a block at a time: a
     :class:`localize.signals.touch_generator.TransferFunctionSource`.
 
     Raises:
@@ -143,7 +143,7 @@ class PerturbedLibrary:
 
     @property
     def design(self) -> ArrayDesign:
-        """The nominal array."""
+        """Nominal design."""
         return read_design(str(self.attributes["design"]), f"{self.path}: design")
 
     @property
@@ -157,7 +157,14 @@ class PerturbedLibrary:
         return int(self._parts[0].shape[0])
 
     def sensors(self, first: int, count: int) -> NDArray[np.complex128]:
-        """(count, n_point, n_microphone, n_freq) complex128 of consecutive sensors; one block is held in memory.
+        """Transfer functions of consecutive sensors; one block is held in memory.
+
+        Args:
+            first: number of the first sensor, from 0.
+            count: how many.
+
+        Returns:
+            (count, n_point, n_microphone, n_freq) complex128, Pa/Pa.
 
         Raises:
             Refusal: sensors that the store does not hold.

@@ -49,12 +49,13 @@ class Tolerance:
     """Scatter of one quantity: normal, cut off at three standard deviations; glue only ever overruns inwards."""
 
     quantity: str
-    """One of :data:`QUANTITIES`."""
+    """Name of the quantity, one of :data:`QUANTITIES`."""
     deviation: float
-    """One standard deviation: mm where absolute, a fraction of the nominal value where relative."""
+    """Standard deviation: mm where absolute, a fraction of the nominal value where relative."""
     kind: Kind
+    """Kind of the deviation."""
     source: str
-    """Where the figure comes from."""
+    """Source of the figure."""
 
     def __post_init__(self) -> None:
         if self.quantity not in QUANTITIES:
@@ -85,7 +86,7 @@ TOLERANCES = (
 
 
 def read_tolerances(path: Path) -> tuple[Tolerance, ...]:
-    """The default tolerances with those of a file in their place.
+    """Tolerances of a file, the default ones where it has none.
 
     The file has a table per quantity: ``[bore]``, ``deviation = 0.02``, ``kind = "absolute"``, ``source = "..."``.
 
@@ -113,7 +114,7 @@ def read_tolerances(path: Path) -> tuple[Tolerance, ...]:
 
 
 class ScatteredDesign:
-    """A design whose parts scatter.
+    """Design whose parts scatter.
 
     Args:
         design: the nominal array; its membranes must not be pre-stretched with loss.
@@ -147,7 +148,16 @@ class ScatteredDesign:
         self._discs = _Discs(design, self.tolerances)
 
     def draws(self, first: int, count: int, seed: int) -> dict[str, Array]:
-        """Deviations of samples ``first`` to ``first + count - 1`` in standard deviations, (count, n_part) each."""
+        """Deviations of samples ``first`` to ``first + count - 1``.
+
+        Args:
+            first: number of the first sample, from 0.
+            count: how many.
+            seed: of all samples.
+
+        Returns:
+            By quantity (count, n_part) float64, in standard deviations.
+        """
         sizes = [self._columns[QUANTITIES[name]] for name in QUANTITIES]
         total = np.empty((count, sum(sizes)))
         for row in range(count):
@@ -160,7 +170,11 @@ class ScatteredDesign:
         return dict(zip(QUANTITIES, parts, strict=True))
 
     def parameters(self, draws: Mapping[str, Array]) -> ArrayParameters:
-        """The numbers of the arrays with these deviations, from :meth:`draws` or mixed from several."""
+        """Parameters of the arrays with these deviations.
+
+        Args:
+            draws: by quantity (count, n_part) float64, in standard deviations, of :meth:`draws` or mixed from several.
+        """
         by_name = {tolerance.quantity: tolerance for tolerance in self.tolerances}
 
         def scattered(quantity: str, nominal: Array) -> Array:
@@ -195,7 +209,7 @@ class ScatteredDesign:
         )
 
     def sample(self, first: int, count: int, seed: int) -> ArrayParameters:
-        """The numbers of samples ``first`` to ``first + count - 1``."""
+        """Parameters of samples ``first`` to ``first + count - 1``."""
         return self.parameters(self.draws(first, count, seed))
 
 
