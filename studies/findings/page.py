@@ -30,7 +30,7 @@ _DIGITS = 5
 
 
 def write_sweep_report(table: ResultTable, path: Path, command: str) -> None:
-    """Write the page.
+    """Write the page of a sweep or a search.
 
     Args:
         table: at least one design.
@@ -41,7 +41,7 @@ def write_sweep_report(table: ResultTable, path: Path, command: str) -> None:
 
 
 def render_sweep(table: ResultTable, command: str) -> str:
-    """The page as text; arguments as :func:`write_sweep_report`."""
+    """Page of a sweep or a search as text; arguments as :func:`write_sweep_report`."""
     from jinja2 import Environment, PackageLoader, StrictUndefined
     from plotly.offline import get_plotlyjs
 
@@ -82,7 +82,7 @@ def render_sweep(table: ResultTable, command: str) -> str:
 
 
 def design_of(table: ResultTable, row: int) -> ArrayDesign:
-    """The design of a row, named after the study and its number."""
+    """Design of a row, named after the study and its number."""
     design = table.base.with_values(table.values(row) if row >= 0 else {})
     name = f"{table.base.name}-{table.label(row)}"[:80]
     origin = f"Design {table.label(row)} of the study {table.title}; base {table.base.name}"

@@ -29,61 +29,55 @@ BINS = 10
 
 @dataclass(frozen=True, eq=False)
 class Column:
-    """A parameter or a metric of every design.
-
-    Attributes:
-        name: dotted name of a field, or name of a metric.
-        title: a few words.
-        unit: empty for ratios.
-        values: (n,) float64; of a text, the index of its label.
-        labels: texts; empty for numbers.
-        better: "larger" or "smaller"; empty for parameters.
-    """
+    """Column of a parameter or a metric, with its value for every design."""
 
     name: str
+    """Dotted name of a field, or name of a metric."""
     title: str
+    """Title, a few words."""
     unit: str
+    """Unit of the values; empty for ratios."""
     values: Values
+    """Value of each design, in the unit; of a text, the index of its label; (n,) float64."""
     labels: tuple[str, ...] = ()
+    """Texts that the values stand for; empty for numbers."""
     better: str = ""
+    """Word for the values that are wanted, "larger" or "smaller"; empty for parameters."""
 
     @property
     def goodness(self) -> Values:
-        """The values with a sign: larger is better."""
+        """Values with a sign, larger being better; (n,) float64."""
         return -self.values if self.better == "smaller" else self.values
 
 
 @dataclass(frozen=True, eq=False)
 class ResultTable:
-    """Designs that were computed, and what kept others from it.
-
-    Attributes:
-        title: of the study.
-        description: what it asks.
-        source: how the designs were chosen.
-        fidelity: what the cells were computed with.
-        frequency: (n_freq,) Hz.
-        base: the design that was varied.
-        number: (n,) int64, of the case or trial.
-        parameters: what was varied.
-        metrics: what was computed, all finite.
-        failures: kinds of reasons, each by its first, and how many designs failed for each.
-        waiting: designs not computed yet.
-        base_metrics: figures of the base design; empty where they are not known.
-    """
+    """Table of the designs that were computed, and of what kept others from it."""
 
     title: str
+    """Title of the study."""
     description: str
+    """Question that the study asks."""
     source: str
+    """Word for how the designs were chosen: "sweep" or "search"."""
     fidelity: str
+    """Fidelity that the cells were computed with."""
     frequency: Values
+    """Frequencies of the study; (n_freq,) float64, Hz."""
     base: ArrayDesign
+    """Design that was varied."""
     number: NDArray[np.int64]
+    """Number of the case or trial of each row; (n,) int64."""
     parameters: tuple[Column, ...]
+    """Columns of what was varied."""
     metrics: tuple[Column, ...]
+    """Columns of what was computed, all finite."""
     failures: tuple[tuple[str, int], ...]
+    """Kinds of reasons, each by its first, and how many designs failed for each."""
     waiting: int
+    """Number of designs not computed yet."""
     base_metrics: Mapping[str, float]
+    """Figures of the base design; empty where they are not known."""
 
     def values(self, row: int) -> dict[str, Any]:
         """Parameters of a design by dotted name."""
@@ -93,7 +87,7 @@ class ResultTable:
         }
 
     def metric(self, name: str) -> Column:
-        """A metric by name.
+        """Column of a metric by name.
 
         Raises:
             Refusal: it was not computed.
@@ -104,7 +98,7 @@ class ResultTable:
         raise Refusal(f"metric {name!r} must be one of: {', '.join(column.name for column in self.metrics)}")
 
     def label(self, row: int) -> str:
-        """How a design is called: by its number, or after the start it was refined from."""
+        """Name of the design of a row: its number, or one after the start it was refined from."""
         number = int(self.number[row])
         return str(number) if number >= 0 else f"refined-{-number - 1}"
 
@@ -118,7 +112,7 @@ class ResultTable:
         return [int(row) for row in order[:count]]
 
     def fronts(self) -> NDArray[np.int64]:
-        """Rows that lie on the front of any two metrics."""
+        """Rows that lie on the front of any two metrics, ascending; (n,) int64."""
         rows: set[int] = set()
         for first, second in combinations(self.metrics, 2):
             rows.update(np.flatnonzero(fast_front(np.column_stack([first.goodness, second.goodness]))).tolist())
@@ -127,25 +121,22 @@ class ResultTable:
 
 @dataclass(frozen=True, eq=False)
 class Effect:
-    """How a metric changes with one parameter, all others varying as they do.
-
-    Attributes:
-        centres: (n,) of the steps; of texts, their indices.
-        mean: (n,) of the metric in each step.
-        low: (n,) its 10th percentile.
-        high: (n,) its 90th percentile.
-        share: of the metric's variance that the means explain, 0 to 1, less what chance would (omega squared).
-    """
+    """Main effect of one parameter on a metric, all others varying as they do."""
 
     centres: Values
+    """Centres of the steps; of texts, their indices; (n,) float64, in the unit of the parameter."""
     mean: Values
+    """Mean of the metric in each step; (n,) float64, in its unit."""
     low: Values
+    """10th percentile of the metric in each step; (n,) float64, in its unit."""
     high: Values
+    """90th percentile of the metric in each step; (n,) float64, in its unit."""
     share: float
+    """Share of the metric's variance that the means explain, 0 to 1, less what chance would (omega squared)."""
 
 
 def effect(parameter: Column, metric: Column) -> Effect:
-    """The main effect of a parameter on a metric, from designs in about equally filled steps."""
+    """Main effect of a parameter on a metric, from designs in about equally filled steps."""
     groups = steps(parameter)
     members = [metric.values[groups == k] for k in range(groups.max() + 1)]
     centres = np.array([parameter.values[groups == k].mean() for k in range(len(members))])
@@ -160,7 +151,9 @@ def effect(parameter: Column, metric: Column) -> Effect:
 
 
 def steps(parameter: Column) -> NDArray[np.int64]:
-    """(n,) step of each design: its value where there are few, else ranges that hold about equally many."""
+    """Step of each design by a parameter, from 0; (n,) int64: its value where there are few, else ranges that hold
+    about equally many.
+    """
     distinct, index = np.unique(parameter.values, return_inverse=True)
     if len(distinct) <= BINS:
         return np.asarray(index, np.int64)
@@ -172,7 +165,7 @@ def pair_map(first: Column, second: Column, metric: Column) -> tuple[Values, Val
     """Mean of a metric over the steps of two parameters.
 
     Returns:
-        Centres (n_first,) and (n_second,), and means (n_second, n_first), NaN where there is no design.
+        Centres (n_first,) and (n_second,) float64, and means (n_second, n_first) float64, NaN where there is no design.
     """
     own, other = steps(first), steps(second)
     shape = (int(other.max()) + 1, int(own.max()) + 1)
@@ -189,7 +182,14 @@ def pair_map(first: Column, second: Column, metric: Column) -> tuple[Values, Val
 
 
 def fast_front(values: Values) -> NDArray[np.bool_]:
-    """The front of two columns, larger is better: as :func:`studies.optimization.search.pareto_front`, by sorting."""
+    """Which rows of two columns no other row beats: as :func:`studies.optimization.search.pareto_front`, by sorting.
+
+    Args:
+        values: (n, n_objective) float64, larger is better; other than two columns are left to that function.
+
+    Returns:
+        (n,) bool.
+    """
     if values.shape[1] != 2:
         return pareto_front(values)
     order = np.lexsort((-values[:, 1], -values[:, 0]))
@@ -207,7 +207,7 @@ def fast_front(values: Values) -> NDArray[np.bool_]:
 
 # -- made from --------------------------------------------------------------------------------------
 def table_of_sweep(sweep: Sweep) -> ResultTable:
-    """The finished cases of a sweep; those with a metric that is not finite count as failed.
+    """Table of the finished cases of a sweep; those with a metric that is not finite count as failed.
 
     Raises:
         Refusal: no case is done, or nothing was computed.
@@ -240,7 +240,7 @@ def table_of_sweep(sweep: Sweep) -> ResultTable:
 
 
 def table_of_search(problem: Optimization, result: OptimizationResult) -> ResultTable:
-    """The designs that a search computed and that keep its limits.
+    """Table of the designs that a search computed and that keep its limits.
 
     Raises:
         Refusal: none does.

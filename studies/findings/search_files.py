@@ -26,7 +26,7 @@ LARGEST_FRONT = 10
 def check_printed(
     problem: Optimization, result: OptimizationResult, progress: Callable[[str, float], None] | None = None
 ) -> OptimizationResult:
-    """Draw the parts of the best designs and hold them against the print rules; those that fail leave the front.
+    """Result whose best designs, their parts drawn, keep the print rules; those that fail leave the front.
 
     With ``printable = "base"`` or "advised" only the fields are held to more than the rules' least: what is measured
     on the drawn parts must not fail, and with "advised" must not be at risk.
@@ -63,12 +63,12 @@ def _failure(printing: PrintReport) -> str:
 
 
 def label(candidate: Candidate) -> str:
-    """How a design is called in files: the number of its trial, or that of the start it was refined from."""
+    """Name of a design in files: the number of its trial, or that of the start it was refined from."""
     return str(candidate.number) if candidate.number >= 0 else f"refined-{-candidate.number - 1}"
 
 
 def candidate_design(problem: Optimization, candidate: Candidate) -> ArrayDesign:
-    """The design, named after the study."""
+    """Design of a candidate, named after the study."""
     origin = f"Design {label(candidate)} of the search {problem.study.name}; base {problem.study.base.name}"
     return problem.study.base.with_values(
         {**candidate.values, "name": problem.study.name, "description": origin}
@@ -76,7 +76,7 @@ def candidate_design(problem: Optimization, candidate: Candidate) -> ArrayDesign
 
 
 def save_search(problem: Optimization, result: OptimizationResult, out: Path) -> list[Path]:
-    """Write best.toml, front/*.toml, front.csv and report.html; the files, most wanted first."""
+    """Write best.toml, front/*.toml, front.csv and report.html. Their paths, most wanted first."""
     from studies.findings.page import write_sweep_report
     from studies.findings.result_table import table_of_search
 
@@ -99,7 +99,7 @@ def save_search(problem: Optimization, result: OptimizationResult, out: Path) ->
 
 
 def read_search(out: Path) -> tuple[Optimization, OptimizationResult]:
-    """The problem and the result of a finished search, from its folder.
+    """Problem and result of a finished search, from its folder.
 
     Raises:
         StudyError: the folder is not that of a finished search.

@@ -13,7 +13,7 @@ from studies.output.figure_style import WIDTH, figure_in_style as new_figure, li
 
 
 def draw_calibration(calibration: Calibration, model: Library, path: str | os.PathLike[str]) -> Path:
-    """Picture of level with the 95 % band, coherence and standard deviation per microphone, the design dashed; its path."""
+    """Picture of level with its 95 % band, coherence and deviation per microphone, the design dashed; its path."""
     frequency, estimates = calibration.frequency, calibration.estimates
     microphones = calibration.manifest.design.microphones
     expected = model.transfer_function.transpose("point", "microphone", "frequency").values

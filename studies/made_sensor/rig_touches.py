@@ -30,7 +30,7 @@ _PURPOSE = 2
 
 @dataclass(frozen=True)
 class TouchSession:
-    """Settings by which touches are recorded at a point; random parts and friction are on for two seconds, off for one."""
+    """Settings of touches recorded at a point; random parts and friction are on for two seconds, off for one."""
 
     takes: int = 5
     """Number of recordings of each part."""

@@ -35,7 +35,7 @@ _PENALTY = 30.0
 def refine(
     problem: Optimization, starts: Sequence[Candidate], progress: Callable[[str, float], None] | None = None
 ) -> tuple[Candidate, ...]:
-    """Descend from designs that keep all limits, towards a better first objective.
+    """Designs by descent from those that keep all limits, towards a better first objective.
 
     The other objectives may not become worse than they are at the start, limits stay kept. Parameters that are no
     continuous range, or have no derivative, stay as they are; limits on metrics without derivative are kept by
@@ -190,6 +190,6 @@ def _values(
 
 
 def with_refined(problem: Optimization, result: OptimizationResult, refined: Sequence[Candidate]) -> OptimizationResult:
-    """The result of a search with the designs found by descent among its own."""
+    """Result of a search with the designs found by descent among its own."""
     candidates = (*result.candidates, *refined)
     return replace(result, candidates=candidates, front=ranked(problem, candidates))

@@ -37,15 +37,18 @@ _ROUNDING = 1e-6  # mm
 
 @dataclass(frozen=True)
 class Measure:
-    """One length of a design that a rule judges, mm."""
+    """Measure: one length of a design that a rule judges."""
 
     name: str
+    """Dotted name of the field, or name of what is measured."""
     value: float
+    """Length, mm."""
     rule: Rule
+    """Rule that judges it."""
 
 
 def measures(design: ArrayDesign) -> tuple[Measure, ...]:
-    """Walls, holes, gaps and the cast thickness of a design."""
+    """Measures of a design: walls, holes, gaps and the cast thickness."""
     return tuple(_measures(design, process_of(design.printing)))
 
 
@@ -83,7 +86,7 @@ def worst_accepted(demand: Demand) -> frozenset[str]:
 
 
 class PrintDemand:
-    """What the designs of a search must meet to be printed and laid out.
+    """Demand that the designs of a search must meet to be printed and laid out.
 
     Args:
         base: the design that is varied: it names the process, and is what designs are compared with where the demand
@@ -97,12 +100,12 @@ class PrintDemand:
         self._accepted = frozenset(lay_out(base).notes) if demand == "base" else frozenset()
 
     def least_value(self, name: str) -> float | None:
-        """The smallest value of a field that is allowed, mm; None where no rule judges that field alone."""
+        """Smallest value of a field that is allowed, mm; None where no rule judges that field alone."""
         found = self._in_base.get(name)
         return None if found is None else self._limit(found)
 
     def refusals(self, design: ArrayDesign) -> list[str]:
-        """Why a valid design cannot be printed or laid out; empty where it can."""
+        """Reasons why a valid design cannot be printed or laid out; empty where it can."""
         reasons = []
         for measure in measures(design):
             limit = self._limit(measure)

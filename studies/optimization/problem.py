@@ -25,27 +25,32 @@ Method = Literal["nsga2", "tpe", "random"]
 
 @dataclass(frozen=True)
 class Objective:
-    """One figure of merit to be made as large, or as small, as possible."""
+    """Objective: a figure of merit to be made as large, or as small, as possible."""
 
     metric: Metric
+    """Figure of merit."""
     better: Literal["larger", "smaller"]
+    """Word for the values that are wanted."""
 
     @property
     def direction(self) -> Literal["maximize", "minimize"]:
-        """As Optuna calls it."""
+        """Direction of the objective, as Optuna calls it."""
         return "maximize" if self.better == "larger" else "minimize"
 
 
 @dataclass(frozen=True)
 class Limit:
-    """A bound on a figure of merit that a design must keep."""
+    """Bound on a figure of merit that a design must keep."""
 
     metric: Metric
+    """Figure of merit."""
     least: float | None
+    """Smallest value allowed; None for none."""
     most: float | None
+    """Largest value allowed; None for none."""
 
     def excess(self, value: float) -> float:
-        """How far a value is beyond the bound, as a share of it; zero or below where it is kept."""
+        """Distance of a value beyond the bound, as a share of it; zero or below where it is kept."""
         scale = abs(self.least if self.least is not None else self.most or 0.0) or 1.0
         below = -float("inf") if self.least is None else (self.least - value) / scale
         above = -float("inf") if self.most is None else (value - self.most) / scale
@@ -59,33 +64,30 @@ class Limit:
 
 @dataclass(frozen=True, eq=False)
 class Optimization:
-    """What is varied, what is wanted, and how it is searched.
-
-    Attributes:
-        study: base design, parameters, constraints, fidelity, frequencies and metrics. Samples of it are not taken.
-        text: the whole file.
-        objectives: one or more.
-        limits: bounds that a design must keep.
-        trials: designs to try.
-        batch: designs that are proposed at once and computed in one call.
-        method: "nsga2" for a front, "tpe" for one objective, "random" for comparison.
-        rules: what a design must meet to be printed and laid out.
-        refine: steps of gradient descent from the best designs; 0 for none.
-    """
+    """Problem of an optimisation: what is varied, what is wanted, and how it is searched."""
 
     study: Study
+    """Base design, parameters, constraints, fidelity, frequencies and metrics. Samples of it are not taken."""
     text: str
+    """Text of the whole file."""
     objectives: tuple[Objective, ...]
+    """Figures of merit to be made best, one or more."""
     limits: tuple[Limit, ...]
+    """Bounds that a design must keep."""
     trials: int
+    """Number of designs to try."""
     batch: int
+    """Number of designs that are proposed at once and computed in one call."""
     method: Method
+    """Method of the search: "nsga2" for a front, "tpe" for one objective, "random" for comparison."""
     rules: PrintDemand
+    """Demand that a design must meet to be printed and laid out."""
     refine: int
+    """Number of steps of gradient descent from the best designs; 0 for none."""
 
     @property
     def metrics(self) -> tuple[Metric, ...]:
-        """All metrics to compute: objectives, limits, and what the study lists besides."""
+        """Metrics to compute: objectives, limits, and what the study lists besides."""
         wanted: tuple[Objective | Limit, ...] = (*self.objectives, *self.limits)
         names = [each.metric.name for each in wanted] + list(self.study.metrics)
         return metrics_named(dict.fromkeys(names))
@@ -117,7 +119,7 @@ class _Optimize(FileSection):
 
 
 def load_optimization(path: str | os.PathLike[str]) -> Optimization:
-    """Read the file of an optimisation.
+    """Problem read from the file of an optimisation.
 
     Raises:
         StudyError: no such file, not TOML, or not valid.
@@ -130,7 +132,7 @@ def load_optimization(path: str | os.PathLike[str]) -> Optimization:
 def read_optimization(
     text: str, source: str = "study.toml", folder: Path | None = None, base: ArrayDesign | None = None
 ) -> Optimization:
-    """Read the text of such a file; arguments and errors as :func:`studies.study.file.read_study`."""
+    """Problem read from the text of such a file; arguments and errors as :func:`studies.study.file.read_study`."""
     try:
         document = tomlkit.parse(text)
     except TOMLKitError as error:
@@ -184,7 +186,7 @@ def _checked(file: _Optimize, study: Study, text: str) -> Optimization:
 
 
 def searched_range(parameter: Parameter, rules: PrintDemand) -> tuple[float, float]:
-    """Where a range is searched, mm: not below what the process can print. Not for lists.
+    """Ends of the range in which a parameter is searched, mm: not below what the process can print. Not for lists.
 
     Raises:
         Refusal: nothing of the range can be printed.

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from studies.sweep.workers import Workers
 
 JOURNAL = "trials.journal"
-"""File of the trials in the folder of an optimisation."""
+"""Name of the file of the trials in the folder of an optimisation."""
 _PART = 16
 """Designs of a batch that one worker takes at a time."""
 _DIGITS = 4
@@ -39,36 +39,30 @@ _DIGITS = 4
 
 @dataclass(frozen=True)
 class Candidate:
-    """One design that was computed.
-
-    Attributes:
-        number: of its trial; -1 for the base design, -2 and below for those found by gradient descent.
-        values: parameters by dotted name.
-        metrics: by name.
-        feasible: whether it keeps all limits.
-    """
+    """Candidate: a design that was computed."""
 
     number: int
+    """Number of its trial; -1 for the base design, -2 and below for those found by gradient descent."""
     values: dict[str, Any]
+    """Values of the parameters by dotted name."""
     metrics: dict[str, float]
+    """Figures of merit by name."""
     feasible: bool
+    """Whether it keeps all limits."""
 
 
 @dataclass(frozen=True, eq=False)
 class OptimizationResult:
-    """What a search found.
-
-    Attributes:
-        base: the design it began from, with its figures.
-        candidates: all designs that were computed, in the order of the trials.
-        refused: kinds of reasons, each by its first, and how many designs they kept from being computed.
-        front: those that keep the limits and that no other beats in all objectives; the best first objective first.
-    """
+    """Result of a search."""
 
     base: Candidate
+    """Design that the search began from, with its figures."""
     candidates: tuple[Candidate, ...]
+    """Designs that were computed, in the order of the trials."""
     refused: tuple[tuple[str, int], ...]
+    """Kinds of reasons, each by its first, and how many designs they kept from being computed."""
     front: tuple[Candidate, ...]
+    """Designs that keep the limits and that no other beats in all objectives; the best first objective first."""
 
 
 def optimize(
@@ -79,7 +73,7 @@ def optimize(
     scheduler: str | None = None,
     progress: Callable[[str, float], None] | None = None,
 ) -> OptimizationResult:
-    """Search, or go on with a search that was stopped.
+    """Result of a search, which goes on where an earlier one was stopped.
 
     Args:
         problem: what is wanted.
@@ -109,7 +103,7 @@ def optimize(
 
 
 def refusal_of(problem: Optimization, values: dict[str, Any]) -> tuple[ArrayDesign | None, str]:
-    """The design of some values; or None and why it cannot be built, printed, laid out, or is not in the study."""
+    """Design of some values; or None and why it cannot be built, printed, laid out, or is not in the study."""
     study = problem.study
     try:
         design = study.base.with_values(values)
@@ -142,7 +136,7 @@ def pareto_front(values: NDArray[np.float64]) -> NDArray[np.bool_]:
 
 
 def ranked(problem: Optimization, candidates: Sequence[Candidate]) -> tuple[Candidate, ...]:
-    """The front among candidates that keep the limits; see :class:`OptimizationResult`."""
+    """Front among candidates that keep the limits; see :class:`OptimizationResult`."""
     feasible = [each for each in candidates if each.feasible]
     if not feasible:
         return ()
@@ -157,7 +151,7 @@ def ranked(problem: Optimization, candidates: Sequence[Candidate]) -> tuple[Cand
 
 # -- trials -----------------------------------------------------------------------------------------
 def found_so_far(problem: Optimization, out: Path) -> OptimizationResult:
-    """What the journal in a folder holds; nothing is computed but the base.
+    """Result as far as the journal in a folder holds it; nothing is computed but the base.
 
     Raises:
         StudyError: the folder holds the journal of another problem.
@@ -294,7 +288,7 @@ def _at(parameter: Parameter, place: NDArray[np.float64]) -> float | int:
 
 
 def rounded(value: float, low: float, high: float) -> float:
-    """A length to four significant digits, inside its range."""
+    """Length to four significant digits, inside its range."""
     return min(max(float(f"{value:.{_DIGITS}g}"), low), high)
 
 
@@ -319,7 +313,7 @@ def keeps(problem: Optimization, figures: dict[str, float]) -> bool:
 
 
 def evaluated(problem: Optimization, number: int, values: dict[str, Any]) -> Candidate:
-    """One design with its figures.
+    """Candidate of a design, its figures computed.
 
     Raises:
         StudyError: it is not valid, or cannot be computed.

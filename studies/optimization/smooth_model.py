@@ -90,7 +90,17 @@ class SmoothDiscs:
         self._density = material.density
 
     def __call__(self, radius: Tensor, thickness: Tensor, rim: Tensor) -> dict[str, Tensor]:
-        """``membrane_*`` of :class:`ArrayParameters` and volume per force, m^3/N, of discs (n,) in metres."""
+        """Parameters ``membrane_*`` of :class:`ArrayParameters` and volume per force of discs.
+
+        Args:
+            radius: (n,) of the opening, m.
+            thickness: (n,) m.
+            rim: (n,) width of the rim, m; not used for clamped membranes.
+
+        Returns:
+            By name: ``membrane_compliance`` (n, 1), m^3/Pa; ``membrane_share`` (n, 1, n_mode); ``membrane_frequency``
+            (n, 1, n_mode), Hz; ``volume_per_force`` (n,), m^3/N.
+        """
         import torch
 
         ratios = (torch.log(thickness / radius), rim / radius)
@@ -124,13 +134,13 @@ def _chebyshev(x: Tensor, count: int) -> list[Tensor]:
 
 
 class SmoothModel:
-    """The lumped array as a function of some fields of its design, with derivatives.
+    """Lumped array as a function of some fields of its design, with derivatives.
 
     Args:
         design: gives everything else.
         names: fields, in millimetres; others than these change nothing acoustic or are not continuous.
-        ranges: (n_name, 2) lowest and highest value of each, mm.
-        frequency: (n_freq,) Hz, at least two of them in the band.
+        ranges: (n_name, 2) float64, lowest and highest value of each, mm.
+        frequency: (n_freq,) float64, Hz, at least two of them in the band.
     """
 
     def __init__(
@@ -164,7 +174,14 @@ class SmoothModel:
         return name in _POINT or name in _CHAMBER or name in _DISC or in_tube
 
     def parameters(self, values: Tensor) -> tuple[ArrayParameters, Tensor]:
-        """The network's numbers and the volume per force, m^3/N, for values (n_design, n_name) in mm."""
+        """Parameters of the network and the volume per force.
+
+        Args:
+            values: (n_design, n_name), mm.
+
+        Returns:
+            The parameters, and (n_design,) float64, m^3/N.
+        """
         import torch
 
         count = len(values)
@@ -188,7 +205,14 @@ class SmoothModel:
         return ArrayParameters(**(named | membrane)), per_force
 
     def figures(self, values: Tensor) -> dict[str, Tensor]:
-        """All of :data:`DIFFERENTIABLE` for values (n_design, n_name) in mm, (n_design,) each."""
+        """Figures of merit, all of :data:`DIFFERENTIABLE`.
+
+        Args:
+            values: (n_design, n_name), mm.
+
+        Returns:
+            By name (n_design,) float64, in the unit of the metric.
+        """
         import torch
 
         from acoustic_fem.batch.network import batch_response

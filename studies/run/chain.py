@@ -49,7 +49,7 @@ def run_design(
     frequency: NDArray[np.float64] | None = None,
     training: TrainingPlan | None = None,
 ) -> RunResult:
-    """Everything for one design, written into a folder with ``report.html``.
+    """Result of the whole chain for one design, written into a folder with ``report.html``.
 
     Cells come from the disk cache where an earlier run solved them. Files are written beside, then renamed, so
     that a run that is killed leaves no half of one; ``report.html`` and ``results.json`` come last.
@@ -59,7 +59,7 @@ def run_design(
         out: a new or empty folder, or one that an earlier run made.
         display: shows what is being done.
         fidelity: of the library, see :func:`acoustic_fem.solve`.
-        frequency: (n_freq,) Hz, covering 1 to 100 Hz; by default 1, 2, ..., 500 Hz.
+        frequency: (n_freq,) float64, Hz, covering 1 to 100 Hz; by default 1, 2, ..., 500 Hz.
         training: how to train the localizer; by default :func:`training_plan`, with which the same design gives the
             same report whatever else the machine does. The localizer is judged with the noise it was trained with.
 
@@ -142,7 +142,7 @@ def run_design(
 
 
 def training_plan(points: int) -> TrainingPlan:
-    """How a run trains: by the number of points alone, without a limit of time, with the design's microphone noise."""
+    """Plan of a run's training: by the number of points alone, without a limit of time, with the design's own noise."""
     from localize import TrainingPlan
 
     touches = min(TOUCHES_PER_POINT, max(1, MOST_TOUCHES // (EPOCHS * points)))
@@ -167,7 +167,7 @@ def check_points(design: ArrayDesign, source: str | None = None) -> None:
 
 
 def cell_lines(library: Library) -> list[str]:
-    """One line for each distinct cell of a library: from the cache or solved, unknowns, seconds."""
+    """Lines of text, one for each distinct cell of a library: from the cache or solved, unknowns, seconds."""
     lines = []
     for cell in library.provenance["cells"]:
         if "unknowns" not in cell:

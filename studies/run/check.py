@@ -33,14 +33,20 @@ HELMHOLTZ_IS_OFF = (("array-2x6", 6.2, 1.2), ("fingertip-3x4", 9.8, 2.0))
 
 @dataclass(frozen=True)
 class Validity:
-    """One assumption of the models, in a number that can be compared with a limit."""
+    """Assumption of the models, in a number that can be compared with a limit."""
 
     assumption: str
+    """Name of the assumption, in words."""
     value: float
+    """Value for the design, in the unit."""
     relation: Literal["at least", "at most"]
+    """Relation that the value must have to the limit."""
     limit: float
+    """Limit, in the unit."""
     unit: str
+    """Unit of value and limit; empty for ratios."""
     meaning: str
+    """Explanation of the value, in words."""
 
     @property
     def holds(self) -> bool:
@@ -50,29 +56,34 @@ class Validity:
 
 @dataclass(frozen=True)
 class DesignCheck:
-    """Everything ``acoustic-fem check`` says of a design."""
+    """Findings on a design before it is solved: everything that ``acoustic-fem check`` says."""
 
     design: ArrayDesign
+    """Design that was checked."""
     wiring: WiringCounts
+    """Number of points, lines and transducers, against the usual wirings."""
     cells: tuple[tuple[Cell, int], ...]
     """Distinct cells and how many places of the array each fills."""
     notes: tuple[str, ...]
-    """What is drawn but could not be built as drawn."""
+    """Notes on what is drawn but could not be built as drawn."""
     part_counts: Mapping[str, int]
+    """Number of each part."""
     printing: PrintReport
+    """Report of the print rules on the parts."""
     validity: tuple[Validity, ...]
+    """Assumptions of the models, each against its limit."""
     attenuation: tuple[tuple[float, float, int], ...]
-    """Frequency (Hz), then of the point that is heard worst: level at its second-loudest microphone (dB; a ratio
-    needs two) and number; at fidelity lumped."""
+    """Frequency (Hz), then of the point that is heard worst: level at its second-loudest microphone (dB; a ratio needs
+    two) and number; at fidelity lumped."""
 
     @property
     def fidelities(self) -> tuple[str, ...]:
-        """What each fidelity costs and how far lumped is from the default, one line each."""
+        """Lines on what each fidelity costs and how far lumped is from the default."""
         return fidelity_lines(len(self.cells))
 
     @property
     def failures(self) -> tuple[str, ...]:
-        """What stands in the way of making the array, one line each."""
+        """Lines on what stands in the way of making the array."""
         return tuple(
             f"{f.part}: {f.rule} {f.value:.3g} {f.unit} must be {f.relation} {f.limit:.3g} {f.unit}".replace(
                 "  ", " "
@@ -82,7 +93,7 @@ class DesignCheck:
         )
 
     def to_dict(self) -> dict[str, Any]:
-        """All of it as JSON can hold it."""
+        """Findings as JSON can hold them."""
         return {
             "design": self.design.name,
             "wiring": asdict(self.wiring),
@@ -100,7 +111,7 @@ class DesignCheck:
 
 
 def check_design(design: ArrayDesign, progress: Callable[[str, float], None] | None = None) -> DesignCheck:
-    """Lay a design out, draw and judge its parts, and compare the models' assumptions with their limits.
+    """Findings on a design: laid out, its parts drawn and judged, the models' assumptions compared with their limits.
 
     Args:
         design: the design.
@@ -140,7 +151,7 @@ def check_design(design: ArrayDesign, progress: Callable[[str, float], None] | N
 
 
 def fidelity_lines(cells: int) -> tuple[str, ...]:
-    """What each fidelity costs for so many distinct cells, and how far lumped was found from the default."""
+    """Lines on what each fidelity costs for so many distinct cells, and how far lumped was found from the default."""
     lumped, helmholtz = (
         "; ".join(f"{percent:g} % and {degrees:g} degrees on {name}" for name, percent, degrees in measured)
         for measured in (LUMPED_IS_OFF, HELMHOLTZ_IS_OFF)
@@ -155,14 +166,14 @@ def fidelity_lines(cells: int) -> tuple[str, ...]:
 
 
 def cell_uses(design: ArrayDesign) -> tuple[tuple[Cell, int], ...]:
-    """The distinct cells of a design and how many places each fills."""
+    """Distinct cells of a design and how many places each fills."""
     catalogue = cell_catalogue(design, lay_out(design))
     uses = [use.cell for use in catalogue.points + catalogue.microphones]
     return tuple((cell, uses.count(cell)) for cell in catalogue.distinct)
 
 
 def model_validity(design: ArrayDesign, medium: Medium, weakest_level: float) -> tuple[Validity, ...]:
-    """The assumptions of the models, each against its limit, for the band up to 100 Hz.
+    """Assumptions of the models, each against its limit, for the band up to 100 Hz.
 
     Slip: the flow through a round tube of diameter d is 1 + 8 l/d times that without slip, with the mean free
     path l = mu sqrt(pi / (2 p rho)) (Kennard, Kinetic Theory of Gases, 1938, section 175, full accommodation).

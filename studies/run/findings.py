@@ -29,15 +29,18 @@ NAMED_PAIRS = 3
 
 @dataclass(frozen=True)
 class KeyFigure:
-    """One line of the table of key figures."""
+    """Line of the table of key figures."""
 
     name: str
+    """Name of the figure."""
     value: str
+    """Value with its unit, as text."""
     remark: str = ""
+    """Explanation of the value; may be empty."""
 
 
 def verdict(result: RunResult) -> str:
-    """The run in three sentences."""
+    """Verdict on a run in three sentences."""
     design, network = result.design, result.network
     lines = len(design.lines)
     found = (
@@ -59,7 +62,7 @@ def verdict(result: RunResult) -> str:
 
 
 def printing_sentence(result: RunResult) -> str:
-    """Whether the parts can be printed."""
+    """Sentence on whether the parts can be printed."""
     report = result.printing
     failing = sorted({finding.part for finding in report.findings if finding.verdict == "fail"})
     warned = sum(finding.verdict == "warn" for finding in report.findings)
@@ -71,7 +74,7 @@ def printing_sentence(result: RunResult) -> str:
 
 
 def confusion_sentence(result: RunResult) -> str:
-    """The hardest pair by distance against the pair the localizer confuses most."""
+    """Sentences on the hardest pair by distance against the pair the localizer confuses most."""
     pair = result.network.hardest_pair
     if pair is None:
         return f"The localizer missed none of {result.network.touches} held-out touches."
@@ -91,14 +94,14 @@ def confusion_sentence(result: RunResult) -> str:
 
 
 def noise_phrase(evaluation: Evaluation) -> str:
-    """Which noise the microphones had."""
+    """Words for the noise that the microphones had."""
     if evaluation.noise_source == "white":
         return f"white microphone noise of {evaluation.microphone_noise:.2g} Pa rms over 0 to 500 Hz"
     return f"the noise of the design's microphone, {evaluation.microphone_noise:.2g} Pa rms over 1 to 500 Hz"
 
 
 def noise_sentence(result: RunResult) -> str:
-    """Which noise the localizer was trained and judged with, and where its figures come from."""
+    """Sentences on which noise the localizer was trained and judged with, and where its figures come from."""
     network, microphone = result.network, result.design.microphone
     text = f"Training and held-out touches have {noise_phrase(network)}"
     if network.noise_source == "white":
@@ -111,7 +114,7 @@ def noise_sentence(result: RunResult) -> str:
 
 
 def training_sentence(result: RunResult) -> str:
-    """How long the localizer was trained, and whether the time ran out."""
+    """Sentences on how long the localizer was trained, and whether the time ran out."""
     training, planned = result.training, result.training["plan"]
     text = f"The localizer was trained on {training['touches']} touches in {training['seconds']:.0f} s"
     if not training["cut_short"]:
@@ -124,7 +127,7 @@ def training_sentence(result: RunResult) -> str:
 
 
 def agreement_sentence(result: RunResult) -> str:
-    """How far the closed forms are from the 3-D cells, and why."""
+    """Sentences on how far the closed forms are from the 3-D cells, and why."""
     found = result.disagreement
     if found is None:
         return "The library itself is lumped; there is nothing to compare it with."
@@ -151,7 +154,7 @@ def agreement_sentence(result: RunResult) -> str:
 
 
 def key_figures(result: RunResult) -> list[KeyFigure]:
-    """The table of key figures."""
+    """Lines of the table of key figures."""
     design, h = result.design, result.library.transfer_function
     width, depth, height = array_size(design)
     first, second = result.separability.equally_hard[0]
@@ -211,7 +214,7 @@ def key_figures(result: RunResult) -> list[KeyFigure]:
 
 
 def point_rows(result: RunResult) -> list[dict[str, Any]]:
-    """Per point: levels, sensitivity, the point it is nearest to, and how often it was found."""
+    """Rows of the table of points: levels, sensitivity, the point it is nearest to, and how often it was found."""
     h = result.library.transfer_function
     low, high = attenuation(h, 10.0), attenuation(h, 100.0)
     volume = sensitivity(result.library, SENSITIVITY_AT)
@@ -239,7 +242,7 @@ def point_rows(result: RunResult) -> list[dict[str, Any]]:
 
 
 def tubes_of(design: ArrayDesign) -> list[Any]:
-    """Every tube that the array uses, one per kind and line."""
+    """Tubes that the array uses, one per kind and line."""
     tubes = [design.tube_of(line) for line in design.lines if line.points > 1]
     return tubes + [design.microphone_tube_of(line) for line in design.lines]
 

@@ -20,21 +20,24 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class MadeParts:
-    """What lies in the folder."""
+    """Parts of an array as they lie in a folder, and what was found on them."""
 
     files: tuple[ExportedFile, ...]
+    """Files that were written."""
     printing: PrintReport
+    """Report of the print rules on the parts."""
     bill: Bill
+    """Bill of materials."""
     too_large: tuple[str, ...]
-    """Parts that fit on no plate."""
+    """Names of the parts that fit on no plate."""
     notes: tuple[str, ...]
-    """What is drawn but could not be built as drawn."""
+    """Notes on what is drawn but could not be built as drawn."""
 
 
 def make_parts(
     design: ArrayDesign, folder: Path, formats: Sequence[str], process: PrintProcess, report: Report
 ) -> MadeParts:
-    """Draw, export and judge the parts of a design, and put the array together, all of it or nothing.
+    """Parts of a design, drawn, exported and judged, and the array put together, all of it or nothing.
 
     Args:
         design: the array.

@@ -39,12 +39,12 @@ _ORDER = {"fail": 0, "warn": 1, "ok": 2}
 
 
 def write_report(result: RunResult, path: Path) -> None:
-    """Write the page: pictures inlined, no script, nothing fetched."""
+    """Write the page of a run: pictures inlined, no script, nothing fetched."""
     write_text(path, render(result))
 
 
 def render(result: RunResult) -> str:
-    """The page as text."""
+    """Page of a run as text."""
     from jinja2 import Environment, PackageLoader, StrictUndefined
 
     environment = Environment(

@@ -21,28 +21,44 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class RunResult:
-    """What a run found; the report is made from nothing else."""
+    """Result of a run; the report is made from nothing else."""
 
     design: ArrayDesign
+    """Design that was run."""
     folder: Path
+    """Folder that the run wrote."""
     created: datetime
+    """Time at which the run was made."""
     library: Library
+    """Transfer functions of the array."""
     lumped: Library | None
-    """At 1 to 100 Hz, for comparison; None where the library itself is lumped."""
+    """Lumped library at 1 to 100 Hz, for comparison; None where the library itself is lumped."""
     disagreement: Disagreement | None
-    """Of lumped from the library, at all points, microphones and frequencies from 1 to 100 Hz."""
+    """Disagreement of lumped with the library, at all points, microphones and frequencies from 1 to 100 Hz; None where
+    there is no other."""
     separability: Separability
+    """Distances of all pairs of points."""
     network: Evaluation
+    """Results of the trained localizer on held-out touches."""
     bayes: Evaluation
+    """Results of the model-based decoder on the same touches."""
     training: Mapping[str, Any]
+    """Record of the training: plan, losses and accuracies by epoch."""
     localizer_provenance: Mapping[str, Any]
+    """Provenance of the localizer."""
     printing: PrintReport
+    """Report of the print rules on the parts."""
     part_counts: Mapping[str, int]
+    """Number of each part."""
     files: tuple[ExportedFile, ...]
+    """Files of the parts."""
     layout_notes: tuple[str, ...]
+    """Notes on what is drawn but could not be built as drawn."""
     validity: tuple[Validity, ...]
+    """Assumptions of the models, each against its limit."""
     warnings: tuple[str, ...]
-    """What the models said about their limits while they ran."""
+    """Warnings that the models gave about their limits while they ran."""
     figures: Mapping[str, Path]
+    """Path of each figure, by name."""
     seconds: Mapping[str, float]
-    """Per stage."""
+    """Time taken by each stage, s."""

@@ -18,7 +18,7 @@ MOST_MICROPHONES, MOST_POINTS = 16, 1000
 
 
 def wirings(microphones: int, points_per_line: int) -> tuple[WiringCounts, ...]:
-    """Every number of lines that connects so many microphones, from M - 1 in a chain to all M (M - 1) / 2 pairs.
+    """Wirings for every number of lines that joins so many microphones: M - 1 in a chain to all M (M - 1) / 2 pairs.
 
     Args:
         microphones: M, 2 to 16.
@@ -38,7 +38,7 @@ def wirings(microphones: int, points_per_line: int) -> tuple[WiringCounts, ...]:
 
 
 def draw_wirings(path: str | os.PathLike[str], microphones: int, points_per_line: int) -> Path:
-    """Points, and points per transducer relative to the two usual wirings, over the number of microphones.
+    """Picture of points, and points per transducer relative to the two usual wirings, over the number of microphones.
 
     Args:
         path: of the PNG.

@@ -18,26 +18,23 @@ from studies.study.study import Study
 
 @dataclass(frozen=True, eq=False)
 class Cases:
-    """Designs as values of the parameters over a base design.
-
-    Attributes:
-        base: the design that is varied.
-        names: dotted names of the parameters.
-        columns: per parameter its values, (n_case,) float64, int64, or objects (texts).
-        left_out: number of combinations or samples that broke a constraint.
-    """
+    """Cases of a study: designs as values of the parameters over a base design."""
 
     base: ArrayDesign
+    """Design that is varied."""
     names: tuple[str, ...]
+    """Dotted names of the parameters."""
     columns: tuple[NDArray[Any], ...]
+    """Values of each parameter; (n_case,) float64, int64, or objects (texts)."""
     left_out: int = 0
+    """Number of combinations or samples that broke a constraint."""
 
     def __len__(self) -> int:
         return len(self.columns[0])
 
     @property
     def values(self) -> NDArray[Any]:
-        """(n_case, n_parameter) float64, or objects where a parameter is a text."""
+        """Values of all parameters; (n_case, n_parameter) float64, or objects where a parameter is a text."""
         texts = any(column.dtype == object for column in self.columns)
         return np.stack([column.astype(object if texts else np.float64) for column in self.columns], axis=1)
 
@@ -47,7 +44,7 @@ class Cases:
                 for name, column in zip(self.names, self.columns, strict=True)}  # fmt: skip
 
     def design(self, number: int) -> ArrayDesign:
-        """The design of one case.
+        """Design of one case.
 
         Raises:
             DesignError: its values do not go together.
@@ -55,12 +52,12 @@ class Cases:
         return self.base.with_values(self.case(number))
 
     def part(self, first: int, stop: int) -> Cases:
-        """The cases from ``first`` to before ``stop``."""
+        """Cases from ``first`` to before ``stop``."""
         return Cases(self.base, self.names, tuple(column[first:stop] for column in self.columns))
 
 
 def cases_of(study: Study) -> Cases:
-    """All cases of a study, in a fixed order: in a grid the last parameter changes fastest.
+    """Cases of a study, all of them, in a fixed order: in a grid the last parameter changes fastest.
 
     Raises:
         Refusal: the constraints leave no case, or one cannot be computed.
@@ -98,7 +95,7 @@ def _sampled(study: Study) -> NDArray[np.float64]:
 
 
 def sobol_note(study: Study) -> str:
-    """What to tell of a Sobol sample whose number of cases is no power of two; empty where there is nothing to tell."""
+    """Note on a Sobol sample whose number of cases is no power of two; empty where there is nothing to tell."""
     lower = 1 << (study.cases.bit_length() - 1) if study.cases else 0
     if study.sampling != "sobol" or study.cases == lower:
         return ""

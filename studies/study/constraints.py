@@ -37,14 +37,14 @@ _FUNCTIONS: dict[str, Callable[..., Any]] = {"min": min, "max": max, "abs": abs,
 
 @dataclass(frozen=True)
 class Constraint:
-    """One condition on a design."""
+    """Condition on a design."""
 
     text: str
-    """As the study states it, for example ``tube.length > 20 * tube.inner_diameter``."""
+    """Text of the condition as the study states it, for example ``tube.length > 20 * tube.inner_diameter``."""
     names: tuple[str, ...]
     """Dotted names that it reads: fields and derived values of a design."""
     tree: ast.expr
-    """The expression, with ``_0``, ``_1``, ... in place of the names."""
+    """Expression with ``_0``, ``_1``, ... in place of the names."""
 
     def holds(self, values: Mapping[str, Any]) -> bool:
         """Whether the condition holds for these values of its names.
@@ -59,7 +59,7 @@ class Constraint:
 
 
 def parse_constraint(text: str, base: ArrayDesign) -> Constraint:
-    """Read a condition: + - * /, comparisons, and, or, not, min, max, abs, sqrt, numbers, texts in quotes.
+    """Condition read from a text: + - * /, comparisons, and, or, not, min, max, abs, sqrt, numbers, texts in quotes.
 
     Args:
         text: the condition.

@@ -64,7 +64,7 @@ class _StudyFile(FileSection):
 
 
 def load_study(path: str | os.PathLike[str]) -> Study:
-    """Read a study file; ``base`` is looked for in its folder.
+    """Study read from a file; ``base`` is looked for in its folder.
 
     Raises:
         StudyError: no such file, not TOML, or not a valid study.
@@ -77,7 +77,7 @@ def load_study(path: str | os.PathLike[str]) -> Study:
 def read_study(
     text: str, source: str = "study.toml", folder: Path | None = None, base: ArrayDesign | None = None
 ) -> Study:
-    """Read a study from the text of a file.
+    """Study read from the text of a file.
 
     Args:
         text: TOML.

@@ -30,22 +30,22 @@ Values = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Metric:
-    """One figure of merit."""
+    """Figure of merit: its name, definition and computation."""
 
     name: str
-    """As a study names it."""
+    """Name by which a study asks for it."""
     unit: str
-    """"1" for ratios."""
+    """Unit of the values, "1" for ratios."""
     long_name: str
-    """A few words for axes and tables."""
+    """Title for axes and tables, a few words."""
     definition: str
-    """One or two sentences."""
+    """Definition in one or two sentences."""
     compute: Callable[[Responses], Values]
-    """(n_design,) float64 from the responses of a batch."""
+    """Function from the responses of a batch to values (n_design,) float64."""
     needs: frozenset[str] = frozenset()
     """Fields of :class:`studies.metrics.Responses` beside frequency and transfer function that must not be None."""
     better: str = "larger"
-    """"larger" or "smaller": which values a designer wants."""
+    """Word for the values that a designer wants, "larger" or "smaller"."""
     band: tuple[float, float] | None = None
     """Lowest and highest frequency of its definition, Hz, which the grid must cover."""
 
@@ -53,7 +53,7 @@ class Metric:
         """Refuse a grid that does not cover the band: the value would not be what its definition says.
 
         Args:
-            frequency: (n_freq,) ascending, Hz.
+            frequency: (n_freq,) float64, Hz, ascending.
 
         Raises:
             Refusal: it does not, or its steps are wider than half the band.
@@ -66,7 +66,7 @@ class Metric:
             raise Refusal(f"metric {self.name} needs {error}") from None
 
     def of_batch(self, responses: Responses) -> Values:
-        """(n_design,) float64, one value per design.
+        """Value of each design of a batch; (n_design,) float64, in the unit of the metric.
 
         Raises:
             Refusal: something the metric needs is missing, or the grid does not reach over its band.
@@ -78,7 +78,7 @@ class Metric:
         return np.asarray(self.compute(responses), np.float64)
 
     def of_library(self, library: Library) -> float:
-        """The value of one design.
+        """Value of one design.
 
         Raises:
             Refusal: as :meth:`of_batch`.
@@ -87,7 +87,7 @@ class Metric:
 
 
 def metrics_named(names: Iterable[str]) -> tuple[Metric, ...]:
-    """The metrics of these names, in their order.
+    """Metrics of these names, in their order.
 
     Raises:
         Refusal: a name that is none, with the nearest one that is.

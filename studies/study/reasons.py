@@ -15,7 +15,7 @@ def by_kind(reasons: Iterable[tuple[int, str]]) -> dict[str, list[int]]:
         reasons: number of each design that failed, and why.
 
     Returns:
-        By the reason of the first design of each kind, the numbers of all of them.
+        Numbers of all designs of a kind, by the reason of the first of them.
     """
     first: dict[str, str] = {}
     found: dict[str, list[int]] = {}

@@ -20,30 +20,27 @@ Sampling = Literal["grid", "latin-hypercube", "sobol", "random"]
 
 
 class StudyError(Refusal):
-    """A study that is not valid. The message is one line: file, field, value and what is allowed."""
+    """Refusal of a study that is not valid. The message is one line: file, field, value and what is allowed."""
 
 
 @dataclass(frozen=True)
 class Parameter:
-    """A field of the design that a study varies: a list of values, or a range.
-
-    Attributes:
-        name: dotted name.
-        values: the list; empty for a range.
-        low: where a range begins.
-        high: where it ends.
-        count: values of the range in a grid; 0 where none is given.
-        scale: of a range: equal steps, or equal ratios.
-        whole: whether the values are whole numbers, to which those of a range are rounded.
-    """
+    """Field of the design that a study varies: a list of values, or a range."""
 
     name: str
+    """Dotted name of the field."""
     values: tuple[float | int | str, ...] = ()
+    """Values of a list; empty for a range."""
     low: float = 0.0
+    """Beginning of a range, in the unit of the field."""
     high: float = 0.0
+    """End of a range, in the unit of the field."""
     count: int = 0
+    """Number of values of the range in a grid; 0 where none is given."""
     scale: Literal["linear", "log"] = "linear"
+    """Scale of a range: equal steps, or equal ratios."""
     whole: bool = False
+    """Whether the values are whole numbers, to which those of a range are rounded."""
 
     @property
     def size(self) -> int:
@@ -51,7 +48,14 @@ class Parameter:
         return len(self.values) or self.count
 
     def at(self, place: NDArray[np.float64]) -> NDArray[Any]:
-        """Values at places from 0 to 1: for a list each value takes an equal share of them."""
+        """Values at places from 0 to 1: for a list each value takes an equal share of them.
+
+        Args:
+            place: (n,) float64, 0 to 1.
+
+        Returns:
+            (n,) float64, int64 where the values are whole, or objects (texts); in the unit of the field.
+        """
         if self.values:
             kind = np.float64 if all(isinstance(value, (int, float)) for value in self.values) else object
             kind = np.int64 if self.whole else kind
@@ -67,7 +71,7 @@ class Parameter:
         return np.clip(values, min(self.low, self.high), max(self.low, self.high))
 
     def grid(self) -> NDArray[Any]:
-        """All values in a grid, in the order of the file."""
+        """Values in a grid, in the order of the file; (n,) float64, int64 where they are whole, or objects (texts)."""
         if self.values:
             return self.at((np.arange(len(self.values)) + 0.5) / len(self.values))
         steps = np.arange(self.count) / max(self.count - 1, 1)
@@ -78,45 +82,42 @@ class Parameter:
 
 @dataclass(frozen=True, eq=False)
 class Study:
-    """A set of designs and what to compute for each.
-
-    Attributes:
-        text: the study file.
-        name: of the study.
-        description: what it asks, for people.
-        base: the design that is varied.
-        axes: what varies on its own: one parameter, or several that go together.
-        sampling: how the cases lie: every combination, or samples of the ranges.
-        cases: number of samples; 0 for a grid.
-        seed: of the samples.
-        constraints: conditions that a case must meet to be part of the study.
-        fidelity: what the cells are computed with.
-        frequency: (n_freq,) Hz.
-        metrics: names of :data:`studies.study.metric_registry.METRICS`.
-        transfer_functions: whether they are kept.
-    """
+    """Study: a set of designs and what to compute for each."""
 
     text: str
+    """Text of the study file."""
     name: str
+    """Name of the study."""
     description: str
+    """Question that it asks, for people."""
     base: ArrayDesign
+    """Design that is varied."""
     axes: tuple[tuple[Parameter, ...], ...]
+    """Parameters that vary on their own: one parameter, or several that go together."""
     sampling: Sampling
+    """Sampling of the cases: every combination, or samples of the ranges."""
     cases: int
+    """Number of samples; 0 for a grid."""
     seed: int
+    """Seed of the samples."""
     constraints: tuple[Constraint, ...]
+    """Conditions that a case must meet to be part of the study."""
     fidelity: Fidelity
+    """Fidelity that the cells are computed with."""
     frequency: NDArray[np.float64]
+    """Frequencies of the transfer functions; (n_freq,) float64, Hz."""
     metrics: tuple[str, ...]
+    """Names of the metrics to compute, of :data:`studies.study.metric_registry.METRICS`."""
     transfer_functions: bool
+    """Whether transfer functions are kept."""
 
     @property
     def parameters(self) -> tuple[Parameter, ...]:
-        """All that varies, in the order of the file."""
+        """Parameters, all that varies, in the order of the file."""
         return tuple(parameter for axis in self.axes for parameter in axis)
 
     def content(self) -> dict[str, Any]:
-        """What decides the results, as plain values: neither comments nor the order of lines count."""
+        """Content that decides the results, as plain values: neither comments nor the order of lines count."""
         return {
             "base": hashlib.sha256(write_design(self.base).encode()).hexdigest(),
             "parameters": [[vars(parameter) | {"values": list(parameter.values)} for parameter in axis]
@@ -132,5 +133,5 @@ class Study:
         }  # fmt: skip
 
     def digest(self) -> str:
-        """Hash of :meth:`content`."""
+        """SHA-256 of :meth:`content`, hexadecimal."""
         return hashlib.sha256(json.dumps(self.content(), sort_keys=True).encode()).hexdigest()

@@ -49,42 +49,42 @@ _MISTAKES = (TypeError, AttributeError, NameError, LookupError, AssertionError, 
 
 @dataclass(frozen=True, eq=False)
 class Job:
-    """What all blocks of a sweep have in common.
-
-    Attributes:
-        fidelity: what the cells are computed with.
-        frequency: (n_freq,) Hz.
-        metrics: their names.
-        transfer_functions: whether they are handed back.
-        discs: membranes to interpolate between.
-    """
+    """Job that all blocks of a sweep have in common."""
 
     fidelity: str
+    """Fidelity that the cells are computed with."""
     frequency: NDArray[np.float64]
+    """Frequencies of the study; (n_freq,) float64, Hz."""
     metrics: tuple[str, ...]
+    """Names of the metrics."""
     transfer_functions: bool
+    """Whether transfer functions are handed back."""
     discs: tuple[DiscTable, ...] = ()
+    """Tables of membranes to interpolate between."""
 
 
 @dataclass(frozen=True, eq=False)
 class SolvedCell:
-    """A 3-D cell on the study's frequencies, or why there is none.
-
-    Attributes:
-        admittance: (n_freq, k + 1, k + 1) m^3/(Pa s); None where it could not be solved.
-        reason: why not.
-        seconds: processor time that its solution took, when it was made.
-        cached: whether it came from the cache.
-    """
+    """Admittance of a 3-D cell on the study's frequencies, or why there is none."""
 
     admittance: Complex | None
+    """Admittance of the cell; (n_freq, k + 1, k + 1) complex128, m^3/(Pa s); None where it could not be solved."""
     reason: str = ""
+    """Reason why it could not be solved; empty where it could."""
     seconds: float = 0.0
+    """Processor time that its solution took when it was made, s."""
     cached: bool = False
+    """Whether it came from the cache."""
 
 
 def solve_cell(key: CellKey, frequency: NDArray[np.float64], fidelity: str) -> SolvedCell:
-    """Solve one cell, or take it from the cache of this machine."""
+    """Admittance of one cell, solved or taken from the cache of this machine.
+
+    Args:
+        key: the cell and its air.
+        frequency: (n_freq,) float64, Hz.
+        fidelity: "helmholtz" or "navier-stokes".
+    """
     cell, medium = key
     try:
         solution = solve_cells([cell], frequency, medium, fidelity, apart=True)[cell]
@@ -94,13 +94,13 @@ def solve_cell(key: CellKey, frequency: NDArray[np.float64], fidelity: str) -> S
 
 
 def cells_of(design: ArrayDesign) -> tuple[CellKey, ...]:
-    """The distinct cells of a design, in its air."""
+    """Distinct cells of a design, in its air."""
     air = design_air(design)
     return tuple((cell, air) for cell in cell_catalogue(design, lay_out(design)).distinct)
 
 
 def discs_of(cases: Cases) -> list[DiscShape]:
-    """The membranes of all cases that can be interpolated, each once; none where no parameter changes them."""
+    """Membranes of all cases that can be interpolated, each once; none where no parameter changes them."""
     if not any(name.startswith(("membrane.", "materials.", "resonator.cavity_diameter")) for name in cases.names):
         return []
     shapes: dict[DiscShape, None] = {}

@@ -29,20 +29,20 @@ _TIMED, _REPEATED, _LONG = 4, 16, 0.5
 
 
 def team_size(seconds: float) -> int:
-    """Processes that compute what takes so many seconds of one: as many as there are cores where that pays, or one."""
+    """Number of processes for what takes so many seconds of one: as many as there are cores where that pays, or one."""
     count = cores()
     return count if seconds * (1 - 1 / count) > _WORTH * START_UP else 1
 
 
 def elapsed(seconds: float, workers: int) -> float:
-    """Time in which processes of this machine do what takes one of them so many seconds."""
+    """Time in which processes of this machine do what takes one of them so many seconds, s."""
     return seconds if workers == 1 else START_UP + seconds / workers
 
 
 def seconds_of(
     study: Study, cases: Cases, numbers: Sequence[int], cells: Iterable[CellKey], discs: Sequence[DiscShape]
 ) -> float:
-    """Processor time that some cases will take.
+    """Processor time that some cases will take, s.
 
     Args:
         study: the study.

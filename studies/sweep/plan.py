@@ -22,35 +22,32 @@ _ARRAYS = 12
 
 @dataclass(frozen=True)
 class Plan:
-    """What a study will cost.
-
-    Attributes:
-        cases: of the study.
-        left_out: combinations or samples that broke a constraint.
-        refused: per kind of reason, each by its first, the number of cases whose design is not valid.
-        cells: distinct 3-D cells; 0 at the lumped fidelity.
-        cells_cached: of those, in the cache of this machine.
-        seconds: expected, with this number of workers of this machine, their start included.
-        workers: as given, or as many as pay.
-        memory: expected of all workers together, bytes.
-        storage: of the store before compression, bytes.
-        note: what to know of the sample; empty where there is nothing.
-    """
+    """Cost of a study, before it is run."""
 
     cases: int
+    """Number of cases of the study."""
     left_out: int
+    """Number of combinations or samples that broke a constraint."""
     refused: dict[str, int]
+    """Number of cases whose design is not valid, per kind of reason, each by its first."""
     cells: int
+    """Number of distinct 3-D cells; 0 at the lumped fidelity."""
     cells_cached: int
+    """Number of those in the cache of this machine."""
     seconds: float
+    """Time to expect with this number of workers of this machine, their start included, s."""
     workers: int
+    """Number of workers: as given, or as many as pay."""
     memory: float
+    """Memory to expect of all workers together, bytes."""
     storage: float
+    """Size of the store before compression, bytes."""
     note: str
+    """Note on the sample; empty where there is nothing to know."""
 
 
 def plan_sweep(study: Study, workers: int | None = None) -> Plan:
-    """Count the cases and cells of a study, and measure a few of its cases in closed form.
+    """Cost of a study: its cases and cells counted, a few of its cases measured in closed form.
 
     Raises:
         StudyError: a metric does not suit the study.

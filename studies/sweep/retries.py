@@ -31,7 +31,7 @@ def solved_blocks(
     needed: Mapping[Block, tuple[CellKey, ...]],
     cells: Mapping[CellKey, SolvedCell],
 ) -> Iterator[Solved]:
-    """The results of blocks of cases, and the warnings that came up in each, as they come.
+    """Results of blocks of cases, and the warnings that came up in each, as they come.
 
     Args:
         team: who computes.

@@ -36,53 +36,47 @@ _LOOKED_AT = 1000
 
 
 class SweepError(Refusal):
-    """A sweep that did not compute all of its cases; what is done is kept."""
+    """Refusal of a sweep that did not compute all of its cases; what is done is kept."""
 
 
 @dataclass(frozen=True)
 class Progress:
-    """How far a sweep is.
-
-    Attributes:
-        what: what is being done.
-        done: cases (or cells) finished, failed ones included, those of earlier runs too.
-        total: of all.
-        failed: of those finished.
-        rate: cases (or cells) per second of this run; 0 before the first.
-        remaining: seconds left at that rate; NaN before the first.
-    """
+    """Progress of a sweep."""
 
     what: str
+    """Words for what is being done."""
     done: int
+    """Number of cases (or cells) finished, failed ones included, those of earlier runs too."""
     total: int
+    """Number of all cases (or cells)."""
     failed: int
+    """Number of those finished that failed."""
     rate: float
+    """Cases (or cells) per second of this run; 0 before the first."""
     remaining: float
+    """Time left at that rate, s; NaN before the first."""
 
 
 @dataclass(frozen=True)
 class Summary:
-    """What a sweep came to.
-
-    Attributes:
-        cases: of the study.
-        computed: cases computed by this run.
-        failures: numbers of the failed cases by kind of reason, each by its first, the most frequent first.
-        cells: distinct 3-D cells that were needed.
-        cells_solved: of those, not found in the cache.
-        cell_seconds: time that the solution of the latter took, summed.
-        seconds: this run.
-        notes: warnings that came up, each once.
-    """
+    """Summary of a sweep that has ended."""
 
     cases: int
+    """Number of cases of the study."""
     computed: int
+    """Number of cases computed by this run."""
     failures: Mapping[str, list[int]]
+    """Numbers of the failed cases by kind of reason, each by its first, the most frequent first."""
     cells: int
+    """Number of distinct 3-D cells that were needed."""
     cells_solved: int
+    """Number of those not found in the cache."""
     cell_seconds: float
+    """Time that the solution of the latter took, summed, s."""
     seconds: float
+    """Time that this run took, s."""
     notes: tuple[str, ...]
+    """Warnings that came up, each once."""
 
     @property
     def program_errors(self) -> list[int]:
@@ -98,7 +92,7 @@ def run_sweep(
     scheduler: str | None = None,
     progress: Callable[[Progress], None] | None = None,
 ) -> Summary:
-    """Compute a study, or what an earlier run left of it.
+    """Summary of a study that is computed, or what an earlier run left of it.
 
     Args:
         study: what to compute.
@@ -268,6 +262,6 @@ def _progress(what: str, done: int, total: int, failed: int, computed: int, seco
 
 # -- log --------------------------------------------------------------------------------------------
 def write_line(log: IO[str], content: Mapping[str, Any]) -> None:
-    """One line of JSON with the time."""
+    """Write one line of JSON with the time."""
     log.write(json.dumps({"time": datetime.now(UTC).isoformat(timespec="milliseconds"), **content}) + "\n")
     log.flush()

@@ -43,7 +43,7 @@ _LARGEST_BLOCK = 1024
 
 
 class Labelled(Protocol):
-    """What the store needs to know of a metric."""
+    """Metric, as far as the store needs to know it."""
 
     @property
     def name(self) -> str:
@@ -51,34 +51,31 @@ class Labelled(Protocol):
 
     @property
     def unit(self) -> str:
-        """Its unit."""
+        """Unit of its values, "1" for ratios."""
 
     @property
     def long_name(self) -> str:
-        """A few words."""
+        """Title, a few words."""
 
 
 @dataclass(frozen=True, eq=False)
 class BlockResult:
-    """The results of consecutive cases.
-
-    Attributes:
-        first: number of the first case.
-        values: per metric (n,) float64; NaN where it failed.
-        state: (n,) int8, :data:`DONE` or :data:`FAILED`.
-        reason: why a case failed, empty where it did not.
-        transfer_function: (n, n_point, n_microphone, n_freq) complex128, where the study keeps them.
-    """
+    """Results of consecutive cases."""
 
     first: int
+    """Number of the first case."""
     values: Mapping[str, NDArray[np.float64]]
+    """Values of each metric, NaN where it failed; (n,) float64."""
     state: NDArray[np.int8]
+    """State of each case, :data:`DONE` or :data:`FAILED`; (n,) int8."""
     reason: tuple[str, ...]
+    """Reason why a case failed, empty where it did not."""
     transfer_function: NDArray[np.complex128] | None = None
+    """Transfer functions, where the study keeps them; (n, n_point, n_microphone, n_freq) complex128, Pa/Pa."""
 
 
 class SweepStore:
-    """A store that is being filled. Only one process may write to it."""
+    """Store that is being filled. Only one process may write to it."""
 
     def __init__(self, path: Path) -> None:
         """Open a store that exists; see :meth:`claim`."""
@@ -91,7 +88,7 @@ class SweepStore:
 
     @classmethod
     def claim(cls, path: Path, study: Study, cases: Cases, metrics: Sequence[Labelled]) -> SweepStore:
-        """A new store with all parameters and nothing done, or the one of an earlier run of the same study.
+        """Store with all parameters and nothing done, or the one of an earlier run of the same study.
 
         The caller holds :func:`sole_writer`: whoever else writes to the store would lose what this removes.
 
@@ -111,16 +108,16 @@ class SweepStore:
 
     @property
     def block(self) -> int:
-        """Cases per block."""
+        """Number of cases per block."""
         return int(self.attributes["block"])
 
     @property
     def state(self) -> NDArray[np.int8]:
-        """(n_case,) :data:`WAITING`, :data:`DONE` or :data:`FAILED`."""
+        """State of each case, :data:`WAITING`, :data:`DONE` or :data:`FAILED`; (n_case,) int8."""
         return np.asarray(self._variables["state"][:], np.int8)
 
     def waiting(self) -> list[tuple[int, int]]:
-        """First case, and the one after the last, of every block that is not done."""
+        """Blocks that are not done: first case, and the one after the last, of each."""
         state = self.state
         blocks = [(first, min(first + self.block, len(state))) for first in range(0, len(state), self.block)]
         return [(first, stop) for first, stop in blocks if (state[first:stop] == WAITING).any()]
@@ -157,7 +154,7 @@ def check_store(path: Path) -> None:
 
 @contextmanager
 def sole_writer(path: Path) -> Iterator[IO[str]]:
-    """The log beside a store, for as long as nobody else may write to either.
+    """Log beside a store, for as long as nobody else may write to either.
 
     Raises:
         StudyError: another sweep is writing, or the file system has no locks.
@@ -190,7 +187,7 @@ def is_sweep(path: Path) -> bool:
 
 
 def block_size(study: Study, cases: Cases) -> int:
-    """Cases per block: enough to be fast, few enough for memory and for sharing. Depends on the study alone."""
+    """Number of cases per block, by the study alone: enough to be fast, few enough for memory and for sharing."""
     values = point_count(cases) * len(study.base.microphones) * len(study.frequency)
     return max(1, min(_BLOCK_VALUES // values, -(-len(cases) // 16), _LARGEST_BLOCK))
 
@@ -207,30 +204,27 @@ def point_count(cases: Cases) -> int:
 # -- reading ----------------------------------------------------------------------------------------
 @dataclass(frozen=True, eq=False)
 class Sweep:
-    """Results of a study, finished or not.
-
-    Attributes:
-        dataset: all variables along ``case``; what is waiting or failed is NaN.
-        base: the design that was varied.
-        study_text: the study file.
-        parameters: names of the variables that were varied.
-        metrics: names of those that were computed.
-    """
+    """Results of a study, finished or not."""
 
     dataset: xr.Dataset
+    """Variables along ``case``; what is waiting or failed is NaN."""
     base: ArrayDesign
+    """Design that was varied."""
     study_text: str
+    """Text of the study file."""
     parameters: tuple[str, ...]
+    """Names of the variables that were varied."""
     metrics: tuple[str, ...]
+    """Names of the variables that were computed."""
 
     @property
     def done(self) -> NDArray[np.bool_]:
-        """(n_case,) whether a case was computed without failure."""
+        """Whether a case was computed without failure; (n_case,) bool."""
         return np.asarray(self.dataset["state"].values == DONE)
 
     @property
     def failed(self) -> NDArray[np.bool_]:
-        """(n_case,) whether a case failed; why is in ``dataset["reason"]``."""
+        """Whether a case failed, why is in ``dataset["reason"]``; (n_case,) bool."""
         return np.asarray(self.dataset["state"].values == FAILED)
 
     def case(self, number: int) -> dict[str, Any]:
@@ -239,7 +233,7 @@ class Sweep:
         return {name: value.item() if hasattr(value, "item") else str(value) for name, value in values.items()}
 
     def design(self, number: int) -> ArrayDesign:
-        """The design of one case.
+        """Design of one case.
 
         Raises:
             DesignError: its values do not go together: the reason it failed for.
@@ -248,7 +242,7 @@ class Sweep:
 
 
 def open_sweep(path: str | os.PathLike[str]) -> Sweep:
-    """Open the results of a study, also while it runs; variables are read when they are used.
+    """Results of a study, opened, also while it runs; variables are read when they are used.
 
     Raises:
         StudyError: the folder is not the store of a sweep.

@@ -19,16 +19,16 @@ _WATCH = 5.0
 
 
 class WorkersLost(Refusal):
-    """Workers or their scheduler are gone."""
+    """Refusal to go on: workers or their scheduler are gone."""
 
 
 class Workers(Protocol):
-    """Something that runs tasks."""
+    """Workers: whatever runs tasks."""
 
     def run(
         self, function: Callable[..., Any], tasks: Iterable[tuple[Any, ...]], lost: Callable[..., Any] | None = None
     ) -> Iterator[tuple[int, Any]]:
-        """Call a function with the arguments of each task; number of the task and result, as they come.
+        """Results of a function with the arguments of each task: number of the task and result, as they come.
 
         Args:
             function: what is called.
@@ -42,7 +42,7 @@ class Workers(Protocol):
 
 
 def cores() -> int:
-    """Processors this process may use."""
+    """Number of processors that this process may use."""
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
