@@ -87,10 +87,10 @@ class DecoderTables:
     """Tables that the likelihood of a frame is computed from, for one level of the sound around."""
 
     reduce: NDArray[np.float64]
-    """Matrix from the samples to fewer ones whose noise is white of variance 1; (n_microphone 250, n_microphone
+    """Matrix from the samples to fewer ones whose noise is white of variance 1; (n_microphone * 250, n_microphone *
     SAMPLES) float64, 1/Pa."""
     vectors: NDArray[np.float64]
-    """Eigenvectors of each C_i where the noise is white; (n_point, n_microphone SAMPLES, rank) float64."""
+    """Eigenvectors of each C_i where the noise is white; (n_point, n_microphone * SAMPLES, rank) float64."""
     weight: NDArray[np.float64]
     """Weight of the energy along each eigenvector, per value of g; (n_point, rank, n_power) float64."""
     log_determinant: NDArray[np.float64]
