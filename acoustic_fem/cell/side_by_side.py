@@ -45,7 +45,7 @@ def solve_side_by_side(
             environment[name] = "1"
         with complaints(number).open("wb") as log:  # the child has its own copy of the handle
             child = subprocess.Popen(
-                [sys.executable, "-m", "acoustic_fem.cell.side_by_side"],
+                [sys.executable, "-m", __name__],
                 stdin=subprocess.PIPE,
                 stdout=subprocess.PIPE,
                 stderr=log,

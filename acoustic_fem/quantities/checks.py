@@ -85,15 +85,15 @@ def stated_grid(text: str) -> NDArray[np.float64]:
     Raises:
         Refusal: not two numbers and a count.
     """
+    rule = f"{text!r} must be FIRST:LAST:COUNT in Hz, such as 1:100:64, with COUNT from 1 to 100000"
     try:
         first, last, count = text.split(":")
-        if not 1 <= int(count) <= 100_000:
-            raise ValueError
-        return np.linspace(float(first), float(last), int(count))
+        start, stop, number = float(first), float(last), int(count)
     except ValueError:
-        raise Refusal(
-            f"{text!r} must be FIRST:LAST:COUNT in Hz, such as 1:100:64, with COUNT from 1 to 100000"
-        ) from None
+        raise Refusal(rule) from None
+    if not 1 <= number <= 100_000:
+        raise Refusal(rule)
+    return np.linspace(start, stop, number)
 
 
 def frequency_grid(frequency: ArrayLike, low: float = 1e-3, high: float = 2e3) -> NDArray[np.float64]:

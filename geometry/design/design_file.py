@@ -17,6 +17,7 @@ import tomlkit
 from pydantic import BaseModel
 from tomlkit.items import AbstractTable, Item
 
+import geometry
 from geometry.design.array_design import ArrayDesign, validated
 from geometry.design.changes import as_lists, keys_of
 from geometry.files.reading import read_text
@@ -103,7 +104,7 @@ def value_of(design: ArrayDesign, name: str) -> Any:
 
 def prototype_names() -> list[str]:
     """Names of the designs that come with the package."""
-    folder = resources.files("geometry") / "prototypes"
+    folder = resources.files(geometry) / "prototypes"
     return sorted(entry.name.removesuffix(".toml") for entry in folder.iterdir() if entry.name.endswith(".toml"))
 
 
@@ -116,7 +117,7 @@ def prototype_text(name: str) -> str:
     names = prototype_names()
     if name not in names:
         raise DesignError(f"no prototype is named {name!r}{nearest(name, names)}")
-    return (resources.files("geometry") / "prototypes" / f"{name}.toml").read_text(encoding="utf-8")
+    return (resources.files(geometry) / "prototypes" / f"{name}.toml").read_text(encoding="utf-8")
 
 
 def prototype(name: str) -> ArrayDesign:

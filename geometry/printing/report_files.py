@@ -10,6 +10,7 @@ from importlib import resources
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import geometry
 from geometry.files.writing import write_text
 from geometry.stated.print_processes import NUMBERS, RULES, Rule
 
@@ -93,7 +94,7 @@ def render(report: PrintReport, title: str, content: dict[str, Any]) -> str:
     )
     environment.filters |= {"number": _number, "percent": _percent, "place": _place, "share": _share}
     template = environment.from_string(
-        (resources.files("geometry") / "templates" / "print-report.html").read_text(encoding="utf-8")
+        (resources.files(geometry) / "templates" / "print-report.html").read_text(encoding="utf-8")
     )
     process = report.process
     rules: list[tuple[str, Rule]] = [(name.replace("_", " "), getattr(process, name)) for name in RULES]

@@ -136,6 +136,13 @@ class Evaluation:
         return wilson_interval(getattr(self, name), self.touches)
 
     @property
+    def noise_in_words(self) -> str:
+        """Which noise the microphones had, as a phrase."""
+        if self.noise_source == "white":
+            return f"white microphone noise of {self.microphone_noise:.2g} Pa rms over 0 to 500 Hz"
+        return f"the noise of the design's microphone, {self.microphone_noise:.2g} Pa rms over 1 to 500 Hz"
+
+    @property
     def hardest_pair(self) -> tuple[int, int, float] | None:
         """Two points most often taken for each other, numbered from 1, and how often, as a share of their touches.
 

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+import studies
 from geometry import ArrayDesign
 from geometry.design.design_file import value_of, write_design
 from geometry.files.writing import write_text
@@ -54,8 +55,8 @@ def render_sweep(table: ResultTable, command: str) -> str:
     )
     best = _best(table)
     return environment.get_template("sweep_report.html").render(
-        style=(resources.files("studies") / "templates" / "report.css").read_text(encoding="utf-8"),
-        script=(resources.files("studies") / "templates" / "sweep_report.js").read_text(encoding="utf-8"),
+        style=(resources.files(studies) / "templates" / "report.css").read_text(encoding="utf-8"),
+        script=(resources.files(studies) / "templates" / "sweep_report.js").read_text(encoding="utf-8"),
         plotly=get_plotlyjs(),
         table=table,
         shares=_shares(table),

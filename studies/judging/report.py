@@ -8,13 +8,13 @@ import tempfile
 from importlib import resources
 from pathlib import Path
 
+import studies
 from geometry.files.writing import write_text
 from studies.judging.figures import draw_conditions, draw_reliability
 from studies.judging.full import SENSORS, FullEvaluation
 from studies.output.display import number
 from studies.output.figures import draw_confusion
 from studies.output.folders import write_json
-from studies.run.findings import noise_phrase
 
 JSON_FILE, PAGE_FILE = "evaluation.json", "evaluation.html"
 
@@ -41,10 +41,10 @@ def render(found: FullEvaluation) -> str:
     )  # fmt: skip
     environment.filters["number"] = number
     return environment.get_template("evaluation_report.html").render(
-        style=(resources.files("studies") / "templates" / "report.css").read_text(encoding="utf-8"),
+        style=(resources.files(studies) / "templates" / "report.css").read_text(encoding="utf-8"),
         found=found,
         verdict=_verdict(found),
-        noise=noise_phrase(found.judged[0].overall),
+        noise=found.judged[0].overall.noise_in_words,
         rows=list(zip(*(each.outcomes for each in found.judged), strict=True)),
         sensors=SENSORS,
         pictures=_pictures(found),

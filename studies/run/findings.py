@@ -16,7 +16,6 @@ from studies.output.folders import write_json
 
 if TYPE_CHECKING:
     from geometry.design.array_design import ArrayDesign
-    from localize import Evaluation
     from studies.run.result import RunResult
 
 #: Lumped and Navier-Stokes transfer functions should agree within this: relative magnitude, degrees.
@@ -93,17 +92,10 @@ def confusion_sentence(result: RunResult) -> str:
     )
 
 
-def noise_phrase(evaluation: Evaluation) -> str:
-    """Words for the noise that the microphones had."""
-    if evaluation.noise_source == "white":
-        return f"white microphone noise of {evaluation.microphone_noise:.2g} Pa rms over 0 to 500 Hz"
-    return f"the noise of the design's microphone, {evaluation.microphone_noise:.2g} Pa rms over 1 to 500 Hz"
-
-
 def noise_sentence(result: RunResult) -> str:
     """Sentences on which noise the localizer was trained and judged with, and where its figures come from."""
     network, microphone = result.network, result.design.microphone
-    text = f"Training and held-out touches have {noise_phrase(network)}"
+    text = f"Training and held-out touches have {network.noise_in_words}"
     if network.noise_source == "white":
         return text + ", not that of the design's microphone."
     return text + (
@@ -160,7 +152,7 @@ def key_figures(result: RunResult) -> list[KeyFigure]:
     first, second = result.separability.equally_hard[0]
     level, phase, distance = result.separability.between(first, second)
     network, bayes = result.network, result.bayes
-    noise = f"touches of {network.samples / 1000:g} s, {noise_phrase(network)}"
+    noise = f"touches of {network.samples / 1000:g} s, {network.noise_in_words}"
     figures = [
         KeyFigure("points", f"{design.point_count}", f"{len(design.lines)} line{'s' * (len(design.lines) > 1)}"),
         KeyFigure("microphones", f"{len(design.microphones)}", design.microphone.model),

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+import studies
 from geometry.files.writing import write_text
 from geometry.layout.cutting import cutting_list
 from geometry.layout.place import lay_out
@@ -56,7 +57,7 @@ def render(result: RunResult) -> str:
     )
     environment.filters["number"] = number
     return environment.get_template("report.html").render(
-        style=(resources.files("studies") / "templates" / "report.css").read_text(encoding="utf-8"),
+        style=(resources.files(studies) / "templates" / "report.css").read_text(encoding="utf-8"),
         result=result,
         design=result.design,
         band=BAND,

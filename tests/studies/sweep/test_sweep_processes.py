@@ -19,6 +19,7 @@ import pytest
 from stores import assert_same_store
 
 from geometry import ArrayDesign
+from geometry.refusal import Refusal
 from studies.study.cases import Cases, cases_of
 from studies.study.file import load_study, read_study
 from studies.study.study import Study, StudyError
@@ -240,7 +241,7 @@ def test_a_scheduler_that_does_not_answer_is_named(
     uninterrupted: tuple[Path, Path], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("studies.sweep.workers._PATIENCE", 1)
-    with pytest.raises(RuntimeError, match=r"no scheduler answers at tcp://127\.0\.0\.1:9"):
+    with pytest.raises(Refusal, match=r"no scheduler answers at tcp://127\.0\.0\.1:9"):
         run_sweep(load_study(uninterrupted[0]), tmp_path / "r.zarr", scheduler="tcp://127.0.0.1:9")
     run_sweep(load_study(uninterrupted[0]), tmp_path / "r.zarr", workers=1)
     assert_same_store(tmp_path / "r.zarr", uninterrupted[1])

@@ -1,0 +1,103 @@
+"""The rules of the house, each as a function from a tree of files to what breaks it, one line each."""
+
+from __future__ import annotations
+
+import importlib.util
+import sys
+from collections import defaultdict
+from pathlib import Path
+from types import ModuleType
+
+from imports import PACKAGES, House, circles, room_of
+
+ROOT = Path(__file__).resolve().parents[2]
+MOST_MODULES = 12
+#: Names that say nothing of what lives there.
+EMPTY_NAMES = {"utils", "util", "helpers", "common", "misc", "tools"}
+
+
+def architecture() -> ModuleType:
+    """The script that reads the table of rooms and writes the page."""
+    spec = importlib.util.spec_from_file_location("make_architecture", ROOT / "docs" / "make_architecture.py")
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[spec.name] = module
+    spec.loader.exec_module(module)
+    return module
+
+
+def package_order(root: Path) -> list[str]:
+    """Imports of a package that comes later."""
+    return [
+        f"{one.module}:{one.line} imports {one.target} of a later package"
+        for one in House(root).imports()
+        if PACKAGES.index(one.target.split(".")[0]) > PACKAGES.index(one.module.split(".")[0])
+    ]
+
+
+def room_order(root: Path) -> list[str]:
+    """Imports of a room that the face does not name, and rooms named that nothing is imported from."""
+    rooms = {room.path: room for room in architecture().read_rooms(root)}
+    used = defaultdict(set)
+    broken = []
+    for one in House(root).imports():
+        here, there = room_of(one.module), room_of(one.target)
+        if here is None or there is None or here == there or here.split(".")[0] != there.split(".")[0]:
+            continue
+        name = there.split(".")[1]
+        used[here].add(name)
+        if here in rooms and name not in rooms[here].stands_on:
+            broken.append(f"{one.module}:{one.line} imports {one.target}: {here} does not stand on {name}")
+    idle = [
+        f"{path} says it stands on {name} and imports nothing of it"
+        for path, room in rooms.items()
+        for name in room.stands_on
+        if name not in used[path]
+    ]
+    return broken + idle
+
+
+def module_circles(root: Path) -> list[str]:
+    """Modules that import each other, at any place."""
+    edges = defaultdict(set)
+    for one in House(root).imports():
+        edges[one.module].add(one.target)
+    return [f"a circle: {' - '.join(group)}" for group in circles(edges)]
+
+
+def rooms_and_modules(root: Path) -> list[str]:
+    """Rooms with too many modules, modules in no room, and names that say nothing."""
+    modules = [name for name, path in House(root).files.items() if path.name != "__init__.py"]
+    count: dict[str, int] = defaultdict(int)
+    broken = []
+    for name in modules:
+        if name.rsplit(".", 1)[1] == "__main__":
+            continue
+        place = room_of(name)
+        if place is None and name != "geometry.refusal":
+            broken.append(f"{name} stands in no room")
+        elif place is not None:
+            count[place] += 1
+        if EMPTY_NAMES & {*name.split(".")}:
+            broken.append(f"{name}: a name that says nothing")
+        if name.count(".") > 2:
+            broken.append(f"{name}: a room within a room")
+    return broken + [f"{place} has {found} modules" for place, found in count.items() if found > MOST_MODULES]
+
+
+def names_at_the_doors(root: Path) -> list[str]:
+    """Names of faces that a room or module of the same place would hide."""
+    house = House(root)
+    broken = []
+    for face, names in house.handed_on.items():
+        beside = {name.rsplit(".", 1)[1] for name in house.files if name.rpartition(".")[0] == face}
+        broken += [
+            f"{face}.{name} is public and a {'room' if face in PACKAGES else 'module'}"
+            for name in names
+            if name in beside
+        ]
+    return broken
+
+
+RULES = (package_order, room_order, module_circles, rooms_and_modules, names_at_the_doors)
