@@ -18,19 +18,20 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Any
 
-from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from pydantic import BaseModel, ConfigDict, Field, PlainValidator
+from pydantic_core import PydanticCustomError
 
 from acoustic_fem.sound.estimate import Estimator
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import prototype_names, resolve_design
-from geometry.files.reading import read_text
+from geometry.files.reading import read_toml
 from geometry.refusal import Refusal
+from geometry.stated.fields import model_of
 
 #: The channel of the calibration microphone.
 REFERENCE = "reference"
@@ -42,11 +43,20 @@ class ManifestError(Refusal):
     """A manifest that cannot be used: one line that names the file, the field and the reason."""
 
 
+def _files(value: Any) -> Any:
+    """One file, or one per channel."""
+    if not isinstance(value, str) and not (
+        isinstance(value, dict) and all(isinstance(file, str) for file in value.values())
+    ):
+        raise PydanticCustomError("files", "it is neither a file nor a table of one file per channel")
+    return value
+
+
 class _File(BaseModel):
     model_config = ConfigDict(extra="forbid", strict=True)
 
     design: str
-    points: dict[str, str | dict[str, str]] = Field(min_length=1)
+    points: dict[str, Annotated[str | dict[str, str], PlainValidator(_files)]] = Field(min_length=1)
     channels: dict[str, Annotated[int, Field(ge=1, le=1024)]] | None = None
     pascals: dict[str, Annotated[_Number, Field(ge=1e-12, le=1e12)]] = {}
     started_late: dict[str, Annotated[_Number, Field(ge=-60, le=60)]] = {}
@@ -80,12 +90,7 @@ def read_manifest(path: Path) -> Manifest:
         DesignError: the design is no prototype and no valid design file.
     """
     path = Path(path)
-    try:
-        file = _File.model_validate(tomllib.loads(read_text(path, "a manifest", ManifestError)))
-    except tomllib.TOMLDecodeError as error:
-        raise ManifestError(f"{path}: is not TOML: {error}") from None
-    except ValidationError as error:
-        raise ManifestError(f"{path}: {_first(error)}") from None
+    file = model_of(_File, read_toml(path, "a manifest", ManifestError), str(path), "manifest", ManifestError)
     design = resolve_design(file.design if file.design in prototype_names() else path.parent / file.design)
     names = (REFERENCE, *design.microphones)
     if REFERENCE in design.microphones:
@@ -117,10 +122,3 @@ def read_manifest(path: Path) -> Manifest:
         file.estimator,
         file.least_coherence,
     )
-
-
-def _first(error: ValidationError) -> str:
-    found: Mapping[str, Any] = error.errors()[0]
-    where = ".".join(str(part) for part in found["loc"] if part not in ("str", "dict[str,str]"))
-    value = "" if found["type"] in ("missing", "extra_forbidden") else f" = {found['input']!r:.60}"
-    return f"{where}{value}: {found['msg'].lower()}"

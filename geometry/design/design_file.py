@@ -7,7 +7,6 @@ they need. Every refusal is a :class:`DesignError` of one line.
 from __future__ import annotations
 
 import os
-import tomllib
 from collections.abc import Iterator, Mapping
 from importlib import resources
 from pathlib import Path
@@ -20,7 +19,7 @@ from tomlkit.items import AbstractTable, Item
 import geometry
 from geometry.design.array_design import ArrayDesign, validated
 from geometry.design.changes import as_lists, keys_of
-from geometry.files.reading import read_text
+from geometry.files.reading import parse_toml, read_text
 from geometry.files.writing import write_text
 from geometry.stated.fields import DesignError, fields_of, nearest
 
@@ -44,11 +43,7 @@ def read_design(text: str, source: str = "design.toml") -> ArrayDesign:
     Raises:
         DesignError: not TOML, or not a valid design.
     """
-    try:
-        data = tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
-        raise DesignError(f"{source}: is not TOML: {error}") from None
-    return validated(data, source)
+    return validated(parse_toml(text, source, DesignError), source)
 
 
 def write_design(design: ArrayDesign) -> str:

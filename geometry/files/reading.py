@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import os
+import tomllib
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 _LARGEST_FILE = 1_000_000  # bytes; a design of a hundred lines has ten thousand
 
@@ -33,3 +35,31 @@ def read_text(path: str | os.PathLike[str], what: str, refusal: Callable[[str], 
         raise refusal(f"{path}: byte {error.start} is not UTF-8; {what} is a text in UTF-8") from None
     except OSError as error:
         raise refusal(f"{path}: cannot be read: {error.strerror}") from None
+
+
+def read_toml(path: str | os.PathLike[str], what: str, refusal: Callable[[str], Exception]) -> dict[str, Any]:
+    """The table that a TOML file holds; arguments as for :func:`read_text`.
+
+    Raises:
+        Exception: by ``refusal``: the file cannot be read, or is not TOML.
+    """
+    return parse_toml(read_text(path, what, refusal), str(Path(path)), refusal)
+
+
+def parse_toml(text: str, source: str, refusal: Callable[[str], Exception]) -> dict[str, Any]:
+    """The table that a TOML text holds.
+
+    Args:
+        text: the text.
+        source: name of the file it comes from, put before the message.
+        refusal: makes the error of a message.
+
+    Raises:
+        Exception: by ``refusal``: it is not TOML.
+    """
+    try:
+        return tomllib.loads(text)
+    except RecursionError:
+        raise refusal(f"{source}: is not TOML that can be read: lists or tables lie too deep in it") from None
+    except ValueError as error:  # TOMLDecodeError, and numbers with more digits than Python reads
+        raise refusal(f"{source}: is not TOML: {error}") from None

@@ -1,6 +1,6 @@
 """What a design file states: sections, fields, units, ranges; materials, processes and cavity shapes as data.
 
-Stands on: nothing.
+Stands on: files.
 """
 
 import lazy_loader

@@ -14,6 +14,7 @@ from .fields import (
     error_from_validation as error_from_validation,
     field_named as field_named,
     fields_of as fields_of,
+    model_of as model_of,
     nearest as nearest,
 )
 from .making import Molding as Molding, Printing as Printing

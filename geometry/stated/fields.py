@@ -5,16 +5,18 @@ from __future__ import annotations
 import difflib
 import math
 import types
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Annotated, Any, Literal, Union, get_args, get_origin
+from typing import Annotated, Any, Literal, TypeVar, Union, get_args, get_origin
 
 from pydantic import BaseModel, ConfigDict, Field, TypeAdapter, ValidationError
 from pydantic.fields import FieldInfo
 from pydantic_core import ErrorDetails, PydanticUndefined
 
 from geometry.refusal import Refusal
+
+_Stated = TypeVar("_Stated", bound=BaseModel)
 
 #: What a file may give in place of a field of a tube, and how the field follows from it.
 DERIVED_FROM = {
@@ -149,6 +151,31 @@ def error_from_validation(
             continue  # pydantic counts the good entries only; the bad one has its own line
         lines.append((f"{source}: " if source else "") + _one_line(_sentence(detail, model, given, what)))
     return DesignError(*lines)
+
+
+def model_of(
+    model: type[_Stated],
+    given: object,
+    source: str,
+    what: str = "design",
+    refusal: Callable[[str], Exception] = DesignError,
+) -> _Stated:
+    """What plain values state, as a model.
+
+    Args:
+        model: the model.
+        given: tables as dictionaries, as TOML gives them.
+        source: file the values come from, put before the message.
+        what: what the file describes.
+        refusal: makes the error of a message.
+
+    Raises:
+        Exception: by ``refusal``, in one line: a field is missing, unknown, or has a value that is not allowed.
+    """
+    try:
+        return model.model_validate(given)
+    except ValidationError as error:
+        raise refusal(str(error_from_validation(error, model, given, source, what))) from None
 
 
 def check_value(model: type[BaseModel], name: str, value: object, source: str) -> None:
@@ -287,11 +314,11 @@ def _allowed(plain: Any, metadata: Sequence[Any], unit: str, kind: str) -> str:
             high, high_open = upper, hasattr(limit, "lt")
         if getattr(limit, "pattern", None):
             pattern = ", starting with a letter or digit, then letters, digits and . _ - only"
-    if kind in ("a list", "a text"):
+    if kind in ("a list", "a text", "a table"):
         if not (math.isfinite(low) or math.isfinite(high)):
             return pattern.lstrip(", ")
         words = f"{low:g} to {high:g}" if math.isfinite(high) else f"at least {low:g}"
-        return f"of {words} {'entries' if kind == 'a list' else 'characters'}{pattern}"
+        return f"of {words} {'characters' if kind == 'a text' else 'entries'}{pattern}"
     return _range_in_words(low, low_open, high, high_open, unit)
 
 

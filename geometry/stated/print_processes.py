@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import math
 import os
-import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass, fields, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
+from geometry.files.reading import read_toml
 from geometry.refusal import Refusal
 
 if TYPE_CHECKING:
@@ -170,8 +170,7 @@ def find_process(process: str | os.PathLike[str] | PrintProcess) -> PrintProcess
     ``[printing.rules]`` in a design file, and ``name``, ``title`` and ``source``.
 
     Raises:
-        Refusal: no such process, or a file with a key or value that is not allowed.
-        OSError: the file cannot be read.
+        Refusal: no such process, a file that cannot be read, or one with a key or value that is not allowed.
     """
     if isinstance(process, PrintProcess):
         return process
@@ -180,10 +179,7 @@ def find_process(process: str | os.PathLike[str] | PrintProcess) -> PrintProcess
     path = Path(process)
     if path.suffix != ".toml":
         raise Refusal(f"process = {str(process)!r} must be one of: {', '.join(PROCESSES)}; or a .toml file")
-    try:
-        given = tomllib.loads(path.read_text(encoding="utf-8"))
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-        raise Refusal(f"{path.name}: is not a TOML file: {error}") from None
+    given = read_toml(path, "a file of a process", Refusal)
     base = given.pop("base", "sla-resin")
     if base not in PROCESSES:
         raise Refusal(f"{path.name}: base = {base!r} must be one of: {', '.join(PROCESSES)}")

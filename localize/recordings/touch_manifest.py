@@ -16,18 +16,18 @@ from __future__ import annotations
 
 import hashlib
 import os
-import tomllib
 from collections import defaultdict
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated, Any, Literal
+from typing import Annotated, Literal
 
 import numpy as np
-from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from pydantic import BaseModel, ConfigDict, Field
 
-from geometry.files.reading import read_text
+from geometry.files.reading import read_toml
 from geometry.refusal import Refusal
+from geometry.stated.fields import model_of
 
 Part = Literal["random-1-100", "random-1-10", "friction", "taps"]
 PARTS: tuple[Part, ...] = ("random-1-100", "random-1-10", "friction", "taps")
@@ -51,7 +51,7 @@ class _Recording(BaseModel):
 class _File(BaseModel):
     model_config = ConfigDict(extra="forbid", strict=True)
 
-    recordings: Annotated[list[_Recording], Field(min_length=1)]
+    recordings: Annotated[tuple[_Recording, ...], Field(min_length=1, strict=False)]
     full_scale: Annotated[float, Field(gt=0, allow_inf_nan=False)] = 1.0
 
 
@@ -95,15 +95,10 @@ def read_touch_manifest(path: str | os.PathLike[str], points: int) -> TouchManif
             there or a recording that is there twice, or no recording of one of the points.
     """
     path = Path(path)
-    try:
-        file = _File.model_validate(tomllib.loads(read_text(path, "a manifest", TouchManifestError)))
-    except tomllib.TOMLDecodeError as error:
-        raise TouchManifestError(f"{path}: is not TOML: {error}") from None
-    except ValidationError as error:
-        raise TouchManifestError(f"{path}: {_first(error)}") from None
+    file = model_of(_File, read_toml(path, "a manifest", TouchManifestError), str(path), "manifest", TouchManifestError)
     found: list[TouchRecording] = []
     seen: dict[str, str] = {}
-    for number, each in enumerate(file.recordings, 1):
+    for number, each in enumerate(file.recordings):
         if each.point > points:
             raise TouchManifestError(
                 f"{path}: recordings.{number}.point = {each.point} must be from 1 to {points}, the points of the array"
@@ -146,11 +141,3 @@ def split(recordings: Sequence[tuple[int, Part, str]], seed: int) -> tuple[bool,
         for place in random.permutation(len(own))[: max(1, round(HELD_OUT * len(own)))]:
             held[own[int(place)]] = True
     return tuple(held)
-
-
-def _first(error: ValidationError) -> str:
-    found: Any = error.errors()[0]
-    # counted from 1, as a reader of the file does
-    where = ".".join(str(part + 1) if isinstance(part, int) else part for part in found["loc"])
-    value = "" if found["type"] in ("missing", "extra_forbidden") else f" = {found['input']!r:.60}"
-    return f"{where}{value}: {found['msg'].lower()}"

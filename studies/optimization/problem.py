@@ -7,16 +7,14 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
-import tomlkit
-from pydantic import Field, ValidationError
-from tomlkit.exceptions import TOMLKitError
+from pydantic import Field
 
 from geometry import ArrayDesign
-from geometry.files.reading import read_text
+from geometry.files.reading import parse_toml, read_text
 from geometry.refusal import Refusal
-from geometry.stated.fields import error_from_validation
+from geometry.stated.fields import model_of
 from studies.optimization.printable import Demand, PrintDemand
-from studies.study.file import FileSection, read_study
+from studies.study.file import FileSection, study_of
 from studies.study.metric_registry import Metric, metrics_named
 from studies.study.study import Parameter, Study, StudyError
 
@@ -133,23 +131,16 @@ def read_optimization(
     text: str, source: str = "study.toml", folder: Path | None = None, base: ArrayDesign | None = None
 ) -> Optimization:
     """Problem read from the text of such a file; arguments and errors as :func:`studies.study.file.read_study`."""
-    try:
-        document = tomlkit.parse(text)
-    except TOMLKitError as error:
-        raise StudyError(f"{source}: is not TOML: {error}") from None
-    given: Any = document.pop("optimize", None)
-    if given is None:
+    given = parse_toml(text, source, StudyError)
+    wanted = given.pop("optimize", None)
+    if wanted is None:
         raise StudyError(
             f"{source}: [optimize] is missing: it says what is wanted, such as "
             '[[optimize.objectives]] with metric = "distance_smallest"'
         )
-    data = given.unwrap() if hasattr(given, "unwrap") else given
-    document["sampling"], document["cases"] = "random", 1  # the optimiser proposes the cases
-    study = read_study(tomlkit.dumps(document), source, folder, base)
-    try:
-        file = _Optimize.model_validate(data)
-    except ValidationError as error:
-        raise StudyError(str(error_from_validation(error, _Optimize, data, f"{source}: optimize", "study"))) from None
+    # the optimiser proposes the cases
+    study = study_of({**given, "sampling": "random", "cases": 1}, text, source, folder, base)
+    file = model_of(_Optimize, wanted, f"{source}: optimize", "study", StudyError)
     try:
         return _checked(file, study, text)
     except ValueError as error:

@@ -7,7 +7,6 @@ come from :mod:`acoustic_fem.batch.network` (lumped fidelity), thousands per sec
 from __future__ import annotations
 
 import math
-import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -21,7 +20,7 @@ from acoustic_fem.batch.topology import Topology
 from acoustic_fem.membrane.disc import DiscSolution, solve_disc
 from acoustic_fem.quantities.units import metres, pascals
 from geometry.design.array_design import ArrayDesign
-from geometry.files.reading import read_text
+from geometry.files.reading import read_toml
 from geometry.refusal import Refusal
 
 Array = NDArray[np.float64]
@@ -93,12 +92,8 @@ def read_tolerances(path: Path) -> tuple[Tolerance, ...]:
     Raises:
         Refusal: it cannot be read, or holds an unknown quantity or field, or a value out of range.
     """
-    try:
-        text = tomllib.loads(read_text(path, "a file of tolerances", Refusal))
-    except tomllib.TOMLDecodeError as error:
-        raise Refusal(f"{path}: is not TOML: {error}") from None
     known = {tolerance.quantity: tolerance for tolerance in TOLERANCES}
-    for quantity, given in text.items():
+    for quantity, given in read_toml(path, "a file of tolerances", Refusal).items():
         if quantity not in known:
             raise Refusal(f"{path}: [{quantity}] must be one of: {', '.join(known)}")
         if not isinstance(given, Mapping) or not set(given) <= {"deviation", "kind", "source"}:

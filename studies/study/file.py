@@ -3,20 +3,19 @@
 from __future__ import annotations
 
 import os
-import tomllib
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from pydantic import BaseModel, ConfigDict, Field
 
 from geometry import ArrayDesign, DesignError, load_design
 from geometry.design.design_file import prototype, prototype_names, value_of
-from geometry.files.reading import read_text
+from geometry.files.reading import parse_toml, read_text
 from geometry.refusal import Refusal
-from geometry.stated.fields import check_value, error_from_validation, field_named
+from geometry.stated.fields import check_value, field_named, model_of
 from studies.study.constraints import parse_constraint
 from studies.study.study import Fidelity, Parameter, Sampling, Study, StudyError
 
@@ -89,14 +88,26 @@ def read_study(
         StudyError: not TOML, or not a valid study.
         DesignError: the base design is not valid.
     """
-    try:
-        data = tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
-        raise StudyError(f"{source}: is not TOML: {error}") from None
-    try:
-        file = _StudyFile.model_validate(data)
-    except ValidationError as error:
-        raise _refusal(error, _StudyFile, data, source) from None
+    return study_of(parse_toml(text, source, StudyError), text, source, folder, base)
+
+
+def study_of(
+    given: Mapping[str, Any], text: str, source: str, folder: Path | None = None, base: ArrayDesign | None = None
+) -> Study:
+    """The study that a table states.
+
+    Args:
+        given: as TOML gives it.
+        text: the file it comes from, kept with the study.
+        source: name of the file, for messages.
+        folder: where design files are looked for; by default the current one.
+        base: the base design, in place of the one the table names.
+
+    Raises:
+        StudyError: not a valid study.
+        DesignError: the base design is not valid.
+    """
+    file = model_of(_StudyFile, given, source, "study", StudyError)
     try:
         design = base or _base(file.base, folder or Path())
         frequency = _frequencies(file.frequencies)
@@ -126,10 +137,6 @@ def read_study(
 def _named(source: str, error: ValueError) -> str:
     message = str(error)
     return message if message.startswith(f"{source}: ") else f"{source}: {message}"
-
-
-def _refusal(error: ValidationError, model: type[BaseModel], data: Mapping[str, Any], source: str) -> StudyError:
-    return StudyError(str(error_from_validation(error, model, data, source, "study")))
 
 
 def _base(name: str, folder: Path) -> ArrayDesign:
@@ -212,10 +219,7 @@ def _parameter(name: str, given: Any, in_grid: bool, base: ArrayDesign, source: 
         raise Refusal(
             f"parameters.{name} = {given!r} must be a list of values, or a range {{from = ..., to = ..., count = ...}}"
         )
-    try:
-        limits = _Range.model_validate(given)
-    except ValidationError as error:
-        raise _refusal(error, _Range, given, f"{source}: parameters.{name}") from None
+    limits = model_of(_Range, given, f"{source}: parameters.{name}", "study", StudyError)
     whole = kind == "a whole number"
     if kind == "a text":
         raise Refusal(f"parameters.{name} is a text: give a list of values, not a range")

@@ -1,0 +1,74 @@
+"""One reader of TOML: whatever is wrong with a file is one line that names it, in the caller's own class of errors."""
+
+from __future__ import annotations
+
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from acoustic_fem.calibration.manifest import ManifestError, read_manifest
+from geometry import DesignError, load_design
+from geometry.files.reading import parse_toml, read_toml
+from geometry.refusal import Refusal
+from geometry.stated.print_processes import find_process
+from localize.recordings.touch_manifest import TouchManifestError, read_touch_manifest
+from studies.optimization.problem import load_optimization
+from studies.scatter.tolerances import read_tolerances
+from studies.study.file import load_study
+from studies.study.study import StudyError
+
+ROOT = Path(__file__).parents[3]
+
+READERS = {
+    "design": (load_design, DesignError),
+    "process": (find_process, Refusal),
+    "calibration": (read_manifest, ManifestError),
+    "touches": (lambda path: read_touch_manifest(path, 12), TouchManifestError),
+    "study": (load_study, StudyError),
+    "optimization": (load_optimization, StudyError),
+    "tolerances": (read_tolerances, Refusal),
+}
+BROKEN = {
+    "no text": (b"\xff\xfe\x00", "byte 0 is not UTF-8"),
+    "no TOML": (b"a = \n", "is not TOML: Invalid value (at line 1, column 5)"),
+    "twice": (b"a = 1\na = 2\n", "is not TOML: Cannot overwrite a value"),
+    "deep": (b"a = " + b"[" * 100_000, "is not TOML that can be read: lists or tables lie too deep in it"),
+    "a number without end": (b"a = " + b"1" * 5000, "is not TOML: Exceeds the limit"),
+    "large": (b"#" * 1_000_001, "1000001 bytes must be at most 1000000"),
+}
+
+
+@pytest.mark.parametrize("fault", BROKEN)
+@pytest.mark.parametrize("kind", READERS)
+def test_every_file_of_a_user_is_refused_in_one_line_that_names_it(kind: str, fault: str, tmp_path: Path) -> None:
+    read, error = READERS[kind]
+    content, message = BROKEN[fault]
+    path = tmp_path / "given.toml"
+    path.write_bytes(content)
+    with pytest.raises(error) as refused:
+        read(path)
+    assert str(refused.value).startswith(f"{path}: ")
+    assert message in str(refused.value)
+    assert "\n" not in str(refused.value)
+
+
+@pytest.mark.parametrize("kind", READERS)
+def test_a_file_that_is_not_there_is_refused_too(kind: str, tmp_path: Path) -> None:
+    read, error = READERS[kind]
+    with pytest.raises(error, match=r"none\.toml: no such file"):
+        read(tmp_path / "none.toml")
+
+
+def test_a_byte_order_mark_is_no_part_of_the_text(tmp_path: Path) -> None:
+    path = tmp_path / "marked.toml"
+    path.write_bytes(b"\xef\xbb\xbfa = 1\n")
+    assert read_toml(path, "a file", Refusal) == {"a": 1} == parse_toml("a = 1", "text", Refusal)
+
+
+def test_nothing_else_reads_toml() -> None:
+    found = subprocess.run(
+        ["git", "grep", "-l", "-E", "tomllib|tomlkit.parse", "--", "geometry", "acoustic_fem", "localize", "studies"],
+        cwd=ROOT, capture_output=True, text=True, check=True,
+    )  # fmt: skip
+    assert found.stdout.split() == ["geometry/files/reading.py"]
