@@ -1,7 +1,9 @@
-# make demo   the report of the two-microphone 2 x 6 array, in demo/report.html
-# make test   the tests, without the slow ones
+# make demo        the report of the two-microphone 2 x 6 array, in demo/report.html
+# make test        the tests, without the slow ones
+# make unit        those of them to run while working: neither 3-D verification nor whole runs of commands
+# make slow-test   the slow ones
 #
-# Both create a virtual environment in .venv and install into it what is missing; the second time nothing is.
+# All create a virtual environment in .venv and install into it what is missing; the second time nothing is.
 
 PYTHON ?= python3
 VENV := .venv
@@ -22,16 +24,19 @@ endif
 
 PIP_INSTALL = $(BIN)/python -m pip install --constraint constraints.txt
 
-.PHONY: demo test slow-test clean help
+.PHONY: demo test unit slow-test clean help
 
 help:
-	@sed -n 's/^# //p' Makefile | head -2
+	@sed -n 's/^# //p' Makefile | head -4
 
 demo: $(VENV)/.installed
 	$(BIN)/acoustic-fem run $(DESIGN) --out $(OUT)
 	@echo "The report: $(abspath $(OUT))/report.html"
 
 test: $(VENV)/.installed-dev
+	$(BIN)/python -m pytest -n $(WORKERS) -m "not slow"
+
+unit: $(VENV)/.installed-dev
 	$(BIN)/python -m pytest -n $(WORKERS)
 
 slow-test: $(VENV)/.installed-dev

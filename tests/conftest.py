@@ -19,8 +19,17 @@ if "ACOUSTIC_FEM_CACHE" not in os.environ:
     _cache = tempfile.TemporaryDirectory(prefix="acoustic-fem-tests-")
     os.environ["ACOUSTIC_FEM_CACHE"] = _cache.name
 
+import pytest
 from hypothesis import settings
 
 # Times on a shared machine say nothing; the same examples every time make a failure repeatable.
 settings.register_profile("acoustic-fem", deadline=None, derandomize=True)
 settings.load_profile("acoustic-fem")
+
+
+@pytest.hookimpl(tryfirst=True)  # before -m chooses
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Marks as ``unit`` whatever has no other mark of ours."""
+    for item in items:
+        if not any(item.get_closest_marker(name) for name in ("physics", "end_to_end", "slow")):
+            item.add_marker(pytest.mark.unit)

@@ -73,7 +73,7 @@ def solve_bent_bores(
 
     Rigid, no-slip, isothermal walls. The relative error of the change falls with about the fourth power of
     ``rings``: at most 17 % for 2 and 0.9 % for 4 up to a sqrt(w/nu) = 7, against the flow in a torus
-    (tests/test_bending.py).
+    (tests/acoustic_fem/cell/test_bent_bore.py).
 
     Args:
         radius: a of the bore, m.

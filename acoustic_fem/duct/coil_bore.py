@@ -33,7 +33,7 @@ from acoustic_fem.quantities.checks import positive
 from acoustic_fem.quantities.medium import Medium
 from geometry.refusal import Refusal
 
-#: Columns of elements over a quarter of the wire; see tests/test_coil_bore.py for the error.
+#: Columns of elements over a quarter of the wire; see tests/acoustic_fem/duct/test_coil_bore.py for the error.
 REFINEMENT = 12
 
 #: The cusp between touching wires is cut where the wall is this far (rad) from pointing to the next wire.

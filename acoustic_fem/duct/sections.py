@@ -100,7 +100,7 @@ class RectangularSection(Section):
 
     The double series of Roe, J. Acoust. Soc. Am. 31 (1959) 62, and Stinson, J. Acoust. Soc. Am. 89 (1991)
     550, summed over the longer side; the terms fall as m^-5 and their tail is added by Hurwitz zeta
-    functions. Relative error below 1e-12 (tests/test_section.py).
+    functions. Relative error below 1e-12 (tests/acoustic_fem/duct/test_sections.py).
 
     Attributes:
         width: one side, m.

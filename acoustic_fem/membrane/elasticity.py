@@ -21,7 +21,7 @@ from scipy.sparse import bmat, csc_array
 from scipy.sparse.linalg import LinearOperator, eigsh, splu
 from skfem.helpers import dot
 
-#: Steps per thickness; 1e-4 in compliance against refinement 6 (tests/test_membrane.py).
+#: Steps per thickness; 1e-4 in compliance against refinement 6 (tests/acoustic_fem/membrane/test_disc.py).
 REFINEMENT = 4
 
 #: Axisymmetric modes that are computed.

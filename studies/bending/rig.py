@@ -34,7 +34,7 @@ End: TypeAlias = Literal["microphone", "closed"]
 
 #: Rings of elements in the section of the bore: of the result, and of the mesh twice as coarse beside it.
 FINE, COARSE = 4, 2
-#: Lowest order with which the change by the bend converges (3.4 to 4.3, tests/test_bending.py).
+#: Lowest order with which the change by the bend converges (3.4 to 4.3, tests/acoustic_fem/cell/test_bent_bore.py).
 ORDER = 3.4
 #: Up to this angle an arc can lie flat; beyond, the straight ends or the turns would meet.
 LARGEST_FLAT_ANGLE = 180.0

@@ -1,7 +1,7 @@
 """Tubes computed by OpenWind (INRIA; GPL-3, in the optional extra ``verify``): the numbers of reference/openwind.json.
 
 Run as a command in an environment with ``openwind`` to print the file anew:
-``python tests/openwind_ladder.py > tests/reference/openwind.json``.
+``python tests/support/openwind_ladder.py > tests/reference/openwind.json``.
 """
 
 from __future__ import annotations

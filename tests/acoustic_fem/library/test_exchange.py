@@ -3,21 +3,18 @@
 from __future__ import annotations
 
 import csv
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 import sofar
-from typer.testing import CliRunner
 
 import acoustic_fem
 import geometry
 from acoustic_fem.library.exchange import export, load_exchanged
 from acoustic_fem.library.file import LibraryError
-from acoustic_fem.library.result import DEVIATION, MEASURED, VARIABLES, Library, library_from_arrays
+from acoustic_fem.library.result import DEVIATION, VARIABLES, Library, library_from_arrays
 from geometry.layout.place import lay_out
-from studies.cli.app import app
 
 GRID = np.linspace(1.0, 100.0, 7)
 
@@ -101,36 +98,6 @@ def test_the_rows_of_a_table_are_readable_by_others(library: Library, tmp_path: 
     assert len(rows) == 3 * 2 * 7
     (row,) = [r for r in rows if (r["point"], r["microphone"], float(r["frequency"])) == ("3", "B", GRID[4])]
     assert float(row["transfer_function_real"]) == library.transfer_function.values[2, 1, 4].real
-
-
-def test_the_verb_converts_there_and_back(library: Library, tmp_path: Path) -> None:
-    acoustic_fem.save(library, tmp_path / "library.nc")
-    for source, target in (("library.nc", "library.sofa"), ("library.sofa", "again.nc")):
-        result = CliRunner().invoke(app, ["convert", str(tmp_path / source), "--out", str(tmp_path / target)])
-        assert result.exit_code == 0, result.output
-        assert "3 points, 2 microphones, 7 frequencies" in result.output
-    assert_same(acoustic_fem.load(tmp_path / "again.nc"), library)
-
-
-@pytest.mark.parametrize("suffix", [".nc", ".sofa", ".npz", ".csv"])
-def test_a_measured_library_is_not_replaced_but_a_computed_one_is(
-    library: Library, tmp_path: Path, suffix: str
-) -> None:
-    source, target = tmp_path / "source.npz", tmp_path / f"target{suffix}"
-    export(library, source)
-    verbs = [["convert", str(source)]]
-    if suffix == ".nc":
-        verbs.append(["solve", "array-2x6", "--fidelity", "lumped", "--frequencies", "1:100:4"])
-    for verb in verbs:
-        export(replace(library, fidelity=MEASURED), target)
-        before = target.read_bytes()
-        refused = CliRunner().invoke(app, [*verb, "--out", str(target)])
-        assert str(refused.exception).startswith(f"{target}: exists, and a measured library is never overwritten;")
-        assert target.read_bytes() == before
-        target.unlink()
-        export(library, target)
-        result = CliRunner().invoke(app, [*verb, "--out", str(target)])
-        assert result.exit_code == 0, result.output
 
 
 def test_files_that_are_no_library_are_refused_in_one_line(library: Library, tmp_path: Path) -> None:

@@ -1,4 +1,4 @@
-"""The newcomer's study from the how-to, the page about it, and the table behind the page."""
+"""The newcomer's study from the how-to, and the page about it."""
 
 from __future__ import annotations
 
@@ -7,7 +7,6 @@ import re
 import shlex
 import subprocess
 import sys
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -16,8 +15,7 @@ import pytest
 
 from geometry import load_design
 from studies.findings.page import LARGEST_CLOUD, render_sweep
-from studies.findings.result_table import Column, ResultTable, effect, fast_front, pair_map, table_of_sweep, unit_of
-from studies.optimization.search import pareto_front
+from studies.findings.result_table import Column, ResultTable, effect, table_of_sweep
 from studies.sweep.store import open_sweep
 
 ROOT = Path(__file__).parents[3]
@@ -123,40 +121,6 @@ def test_text_of_the_user_cannot_become_script(table: ResultTable) -> None:
     assert "</script><b>" not in page
 
 
-# -- the table --------------------------------------------------------------------------------------
-def made_up(metric: Callable[[np.ndarray, np.ndarray], np.ndarray], count: int = 4000) -> tuple[Column, Column, Column]:
-    a, b = np.random.default_rng(1).random((2, count))
-    return Column("a", "a", "mm", a), Column("b", "b", "mm", b), Column("m", "m", "", metric(a, b), (), "larger")
-
-
-def test_shares_are_those_of_an_additive_function() -> None:
-    """Of 3 a + b the variances are 9 : 1."""
-    a, b, metric = made_up(lambda a, b: 3 * a + b)
-    assert effect(a, metric).share == pytest.approx(0.9, abs=0.02)
-    assert effect(b, metric).share == pytest.approx(0.1, abs=0.02)
-    own = effect(a, metric)
-    np.testing.assert_allclose(own.mean, 3 * own.centres + 0.5, atol=0.06)
-
-
-def test_a_parameter_without_effect_has_a_share_near_zero() -> None:
-    a, b, metric = made_up(lambda a, b: np.sin(9 * a), count=60)
-    assert effect(b, metric).share < 0.15
-    assert effect(a, metric).share > 0.5
-
-
-def test_a_map_holds_the_means_of_its_fields() -> None:
-    a, b, metric = made_up(lambda a, b: a * b)
-    x, y, means = pair_map(a, b, metric)
-    np.testing.assert_allclose(means, np.outer(y, x), atol=0.03)
-
-
-def test_the_fast_front_is_the_plain_one() -> None:
-    random = np.random.default_rng(0)
-    for _ in range(20):
-        values = random.integers(0, 6, (40, 2)).astype(float)
-        assert (fast_front(values) == pareto_front(values)).all()
-
-
 def test_of_many_designs_the_best_and_the_fronts_are_drawn(table: ResultTable) -> None:
     count = LARGEST_CLOUD + 500
     rows = np.resize(np.arange(len(table.number)), count)
@@ -173,8 +137,3 @@ def test_of_many_designs_the_best_and_the_fronts_are_drawn(table: ResultTable) -
     assert len(drawn) == LARGEST_CLOUD
     assert set(large.fronts().tolist()) <= drawn
     assert {number for numbers in data["best"].values() for number in numbers} <= drawn
-
-
-def test_units_come_from_the_design() -> None:
-    assert unit_of("lines.0.tube.length") == "mm"
-    assert unit_of("membrane.material") == ""

@@ -1,0 +1,74 @@
+"""The verb calibrate: library and figure of a made sensor, and nothing overwritten."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+from typer.testing import CliRunner
+
+import acoustic_fem
+import geometry
+from acoustic_fem.library.result import MEASURED
+from geometry.design.design_file import write_design
+from studies.cli.app import app
+from studies.made_sensor.rig import Recorder, Rig
+
+GRID = np.linspace(1.0, 100.0, 34)
+
+
+DESIGN = geometry.prototype("array-2x6").with_values({"lines.0.points": 4, "layout.columns": 4})
+
+
+POINTS = (1, 2, 3, 4)
+
+
+SHORT = Recorder(seconds=40.0)
+
+
+def test_the_verb_writes_library_and_figure_and_names_what_it_left_out(tmp_path: Path) -> None:
+    Rig(DESIGN, 6).record(tmp_path, [1, 2], SHORT)
+    (tmp_path / "point-2.wav").write_bytes((tmp_path / "point-2.wav").read_bytes()[:5000])
+    out = tmp_path / "made.nc"
+    result = CliRunner().invoke(app, ["calibrate", str(tmp_path), "--out", str(out), "--frequencies", "1:100:16"])
+    assert result.exit_code == 0, result.output
+    assert "left out" in result.output
+    assert "cut short" in result.output
+    assert "1 of 4 points measured, 3 fitted" in result.output
+    assert re.search(r"to expect: \d+\.\d % of touches named right, \d+\.\d % in the worst of 20", result.output)
+    assert (tmp_path / "made.png").stat().st_size > 10_000
+    assert acoustic_fem.load(out).fidelity == MEASURED
+
+
+@pytest.mark.parametrize(
+    ("earlier", "out", "message"),
+    [
+        ("made.nc", "made.nc", "made.nc: exists, and a measured library is never overwritten; name another file"),
+        ("made.png", "made.nc", "made.png: exists, and the figure of one is never overwritten; name another file"),
+        ("other.nc", "made.txt", "made.txt: --out must be a library, .nc; its figure goes beside it as .png"),
+        ("other.nc", "made.png", "made.png: --out must be a library, .nc; its figure goes beside it as .png"),
+    ],
+)
+def test_the_verb_overwrites_nothing_and_says_so_before_any_work(
+    tmp_path: Path, earlier: str, out: str, message: str
+) -> None:
+    (tmp_path / earlier).write_bytes(b"of an earlier calibration")
+    refused = CliRunner().invoke(app, ["calibrate", str(tmp_path / "no-recordings"), "--out", str(tmp_path / out)])
+    assert isinstance(refused.exception, ValueError)
+    assert message in str(refused.exception)
+    assert [path.name for path in tmp_path.iterdir()] == [earlier]
+    assert (tmp_path / earlier).read_bytes() == b"of an earlier calibration"
+
+
+def test_a_sensor_that_no_fit_takes_is_calibrated_from_recordings_of_all_points(tmp_path: Path) -> None:
+    """The batch refuses stretched membranes with loss; measured at every point, nothing has to be computed for it."""
+    Rig(DESIGN, 8).record(tmp_path, POINTS, SHORT)
+    shaped = DESIGN.with_values({"membrane.stretch": 1.2})
+    (tmp_path / "design.toml").write_text(write_design(shaped), encoding="utf-8")
+    out = tmp_path / "made.nc"
+    result = CliRunner().invoke(app, ["calibrate", str(tmp_path), "--out", str(out), "--frequencies", "1:100:8"])
+    assert result.exit_code == 0, result.output
+    assert "4 of 4 points measured\n" in result.output
+    assert acoustic_fem.load(out).design == shaped

@@ -1,0 +1,49 @@
+"""The table behind the page: effects, maps and fronts that are known, units of the design."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+from studies.findings.result_table import Column, effect, fast_front, pair_map, unit_of
+from studies.optimization.search import pareto_front
+
+
+def made_up(metric: Callable[[np.ndarray, np.ndarray], np.ndarray], count: int = 4000) -> tuple[Column, Column, Column]:
+    a, b = np.random.default_rng(1).random((2, count))
+    return Column("a", "a", "mm", a), Column("b", "b", "mm", b), Column("m", "m", "", metric(a, b), (), "larger")
+
+
+def test_shares_are_those_of_an_additive_function() -> None:
+    """Of 3 a + b the variances are 9 : 1."""
+    a, b, metric = made_up(lambda a, b: 3 * a + b)
+    assert effect(a, metric).share == pytest.approx(0.9, abs=0.02)
+    assert effect(b, metric).share == pytest.approx(0.1, abs=0.02)
+    own = effect(a, metric)
+    np.testing.assert_allclose(own.mean, 3 * own.centres + 0.5, atol=0.06)
+
+
+def test_a_parameter_without_effect_has_a_share_near_zero() -> None:
+    a, b, metric = made_up(lambda a, b: np.sin(9 * a), count=60)
+    assert effect(b, metric).share < 0.15
+    assert effect(a, metric).share > 0.5
+
+
+def test_a_map_holds_the_means_of_its_fields() -> None:
+    a, b, metric = made_up(lambda a, b: a * b)
+    x, y, means = pair_map(a, b, metric)
+    np.testing.assert_allclose(means, np.outer(y, x), atol=0.03)
+
+
+def test_the_fast_front_is_the_plain_one() -> None:
+    random = np.random.default_rng(0)
+    for _ in range(20):
+        values = random.integers(0, 6, (40, 2)).astype(float)
+        assert (fast_front(values) == pareto_front(values)).all()
+
+
+def test_units_come_from_the_design() -> None:
+    assert unit_of("lines.0.tube.length") == "mm"
+    assert unit_of("membrane.material") == ""

@@ -1,0 +1,130 @@
+"""Folders of results: other people's stay as they are, old results go before new ones come, and none is half."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import pytest
+
+from studies.output import folders
+from studies.output.folders import MARK, check_folder, check_new_file, claim_folder, replaced_folder
+
+
+def earlier_run(folder: Path, design: str) -> None:
+    """What a finished run of a design leaves, and a file of the user's."""
+    claim_folder(folder, design)
+    for name in ("report.html", "results.json", "library.nc", "notes.txt"):
+        (folder / name).write_text("old")
+    for name in ("parts", "localizer", "figures"):
+        (folder / name).mkdir()
+        (folder / name / "file").write_text("old")
+
+
+def names(folder: Path) -> set[str]:
+    return {path.name for path in folder.iterdir()}
+
+
+def test_a_new_run_of_the_same_design_takes_the_old_report_away_first(tmp_path: Path) -> None:
+    earlier_run(tmp_path, "one")
+    claim_folder(tmp_path, "one")
+    assert names(tmp_path) == {MARK, "design.toml", "library.nc", "parts", "localizer", "figures", "notes.txt"}
+
+
+def test_a_new_run_of_another_design_takes_all_earlier_results_away_first(tmp_path: Path) -> None:
+    earlier_run(tmp_path, "one")
+    claim_folder(tmp_path, "two")
+    assert names(tmp_path) == {MARK, "design.toml", "notes.txt"}
+    assert (tmp_path / "design.toml").read_text() == "two"
+
+
+def test_no_state_of_a_folder_mixes_two_designs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    class Killed(BaseException):
+        pass
+
+    remove, killed_at = folders._remove, 0
+
+    def killed(path: Path) -> None:
+        nonlocal left
+        if left == 0:
+            raise Killed
+        left -= 1
+        remove(path)
+
+    monkeypatch.setattr(folders, "_remove", killed)
+    for killed_at in range(20):
+        folder, left = tmp_path / str(killed_at), 10**6
+        earlier_run(folder, "one")
+        left = killed_at
+        try:
+            claim_folder(folder, "two")
+        except Killed:
+            results_left = names(folder) - {MARK, "notes.txt", "design.toml"}
+            of_design = (folder / "design.toml").read_text() if (folder / "design.toml").exists() else None
+            assert of_design == "one" or not results_left
+        else:
+            break
+    assert killed_at == 7  # every step was tried
+
+
+def test_a_folder_is_replaced_only_when_all_went_well(tmp_path: Path) -> None:
+    target = tmp_path / "parts"
+    target.mkdir()
+    (target / "old.stl").write_text("old")
+
+    def fail() -> None:
+        with replaced_folder(target) as fresh:
+            (fresh / "half.stl").write_text("half")
+            raise ValueError("broken")
+
+    with pytest.raises(ValueError, match="broken"):
+        fail()
+    assert [path.name for path in target.iterdir()] == ["old.stl"]
+    assert names(tmp_path) == {"parts"}
+    with replaced_folder(target) as fresh:
+        (fresh / "new.stl").write_text("new")
+    assert [path.name for path in target.iterdir()] == ["new.stl"]
+    assert names(tmp_path) == {"parts"}
+
+
+def test_the_old_folder_stays_where_the_new_one_cannot_be_put_in_its_place(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    target = tmp_path / "parts"
+    target.mkdir()
+    (target / "old.stl").write_text("old")
+    replace = os.replace
+
+    def refused(source: Path, goal: Path) -> None:
+        if source.name == ".parts.new":
+            raise OSError(28, "No space left on device", str(goal))
+        replace(source, goal)
+
+    monkeypatch.setattr(os, "replace", refused)
+    with pytest.raises(OSError, match="No space left"), replaced_folder(target) as fresh:
+        (fresh / "new.stl").write_text("new")
+    assert names(tmp_path) == {"parts"}
+    assert names(target) == {"old.stl"}
+
+
+def test_places_that_cannot_be_written_are_refused(tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("")
+    with pytest.raises(ValueError, match="is a folder; --out must be a file"):
+        check_new_file(tmp_path)
+    with pytest.raises(ValueError, match="must lie in a folder that exists"):
+        check_new_file(tmp_path / "none" / "library.nc")
+    check_new_file(tmp_path / "file")  # replaced, where it is not kept
+    with pytest.raises(ValueError, match=r"file: exists, and a design is never overwritten; name another file, or rem"):
+        check_new_file(tmp_path / "file", kept="a design")
+    for place in (tmp_path / "file", tmp_path / "file" / "deeper"):
+        with pytest.raises(ValueError, match=r"must be a folder; .*file is a file"):
+            check_folder(place)
+    check_folder(tmp_path / "new" / "deeper")
+    assert names(tmp_path) == {"file"}
+
+
+@pytest.mark.skipif(not Path("/proc/self").exists(), reason="needs a file system in which nothing can be made")
+def test_a_file_system_in_which_nothing_can_be_made_is_refused() -> None:
+    for check, place in ((check_folder, Path("/proc/foo")), (check_new_file, Path("/proc/foo.nc"))):
+        with pytest.raises(ValueError, match=rf"{place}: --out cannot be written: .*: /proc$"):
+            check(place)
