@@ -17,6 +17,7 @@ from pathlib import Path
 os.environ.setdefault("OMP_NUM_THREADS", "1")
 
 import numpy as np
+from frame_time import frame_time
 from rich.console import Console
 from rich.table import Table
 
@@ -24,7 +25,6 @@ import acoustic_fem
 import geometry
 import localize
 from localize.signals.array_response import response_of
-from studies.judging.frame_time import frame_time
 
 DESIGNS = ("line-2", "line-3", "line-4")
 FREQUENCY = np.arange(1.0, 201.0)

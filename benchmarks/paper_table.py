@@ -1,6 +1,6 @@
 """The paper's table as a study: which share of touches is named right, by microphones, points, noise and decoder.
 
-``python -m studies.judging.paper_table --out DIR`` takes about two hours of one core; every row is stored when it is
+``python benchmarks/paper_table.py --out DIR`` takes about two hours of one core; every row is stored when it is
 done, a training that is stopped goes on where it was, and running the command again takes up the rest. ``--full``
 trains as long as the paper says, 14,000 touches of every point over 30 epochs, which takes days.
 """
@@ -32,7 +32,7 @@ NOISES = (0.0, 1e-3)
 LEAST_NOISE = 1e-6
 #: Touches judged in each cell of the table, about; at least ten of every point.
 JUDGED = 4000
-BEGIN, END = "<!-- table: made by python -m studies.judging.paper_table -->", "<!-- end -->"
+BEGIN, END = "<!-- table: made by benchmarks/paper_table.py -->", "<!-- end -->"
 
 
 @dataclass(frozen=True)
@@ -78,10 +78,11 @@ def solved(row: Row) -> ArrayResponse:
 
 def measure(row: Row, full: bool, folder: Path) -> dict[str, Any]:
     """Figures of one row: its array trained on, evaluated and timed."""
+    from frame_time import frame_time
+
     from localize import BayesDecoder, evaluate, export_onnx, train
     from localize.learned.onnx import OnnxLocalizer
     from localize.signals.finger_stimuli import STIMULI
-    from studies.judging.frame_time import frame_time
 
     response = solved(row)
     touches = max(10, JUDGED // response.point_count)

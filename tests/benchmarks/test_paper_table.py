@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 import typer
 
-from studies.judging import paper_table
-from studies.judging.paper_table import BEGIN, END, Row, solved, table
+from benchmarks import paper_table
+from benchmarks.paper_table import BEGIN, END, Row, solved, table
 
-PAGE = Path(__file__).parents[3] / "docs" / "studies" / "paper_table" / "README.md"
+PAGE = Path(__file__).parents[2] / "docs" / "studies" / "paper_table" / "README.md"
 ROWS = [json.loads(path.read_text(encoding="utf-8")) for path in sorted(PAGE.parent.glob("line-*.json"))]
 
 
