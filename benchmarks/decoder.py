@@ -9,11 +9,12 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
+from ratio_baseline import RatioBaseline
 
 import acoustic_fem
 import geometry
 from geometry.files.writing import replace_section
-from localize import ArrayResponse, BayesDecoder, FrequencyRatioDecoder, judge
+from localize import ArrayResponse, BayesDecoder, judge
 from localize.decoders.judgement import ResidualTest
 from localize.signals.array_response import response_of
 from localize.signals.finger_stimuli import friction, taps
@@ -60,7 +61,7 @@ def calibration_gap(probability: np.ndarray, right: np.ndarray) -> float:
 def column(name: str) -> list[str]:
     library = acoustic_fem.solve(geometry.prototype(name), FREQUENCY)
     response = response_of(library)
-    decoder, baseline = BayesDecoder(response, ASSUMED), FrequencyRatioDecoder(response, ASSUMED)
+    decoder, baseline = BayesDecoder(response, ASSUMED), RatioBaseline(response, ASSUMED)
     test = ResidualTest(response, ASSUMED)
     cells = [str(response.point_count)]
     for _, noise, stimuli in CASES:
@@ -68,7 +69,7 @@ def column(name: str) -> list[str]:
         who = decoder if noise <= ASSUMED else BayesDecoder(response, noise)
         probability = who.locate(frames)
         right = probability.argmax(1) == point
-        ratio = baseline.locate(frames).argmax(1) == point
+        ratio = baseline.locate(frames) == point
         cells.append(
             f"{100 * right.mean():.2f} / {100 * ratio.mean():.1f} / {calibration_gap(probability.max(1), right):.3f}"
         )

@@ -9,7 +9,6 @@ from . import (
 )
 from .decoders.bayes import BayesDecoder as BayesDecoder
 from .decoders.family import FamilyDecoder as FamilyDecoder
-from .decoders.frequency_ratio import FrequencyRatioDecoder as FrequencyRatioDecoder
 from .decoders.judgement import Judgement as Judgement, ResidualTest as ResidualTest, judge as judge
 from .decoders.reconstruct import (
     Reconstructor as Reconstructor,

@@ -25,7 +25,6 @@ from .noise import (
 )
 from .random_streams import Purpose as Purpose, choice as choice, random_words as random_words, uniform as uniform
 from .resampling import StreamResampler as StreamResampler, at_one_kilohertz as at_one_kilohertz
-from .shards import read_shards as read_shards, write_shards as write_shards
 from .stimulus import (
     BAND as BAND,
     COMPONENT_INTERVALS as COMPONENT_INTERVALS,

@@ -1,4 +1,4 @@
-"""Families of libraries and the simple baseline, beside the decoder of one library."""
+"""Families of libraries, beside the decoder of one library."""
 
 import pytest
 from rc_line import rc_line
@@ -46,17 +46,3 @@ def test_families_that_do_not_fit_are_refused(arrays):
         localize.FamilyDecoder([arrays[0], rc_line(7)])
     with pytest.raises(ValueError, match="prior must hold 3 finite values above 0"):
         localize.FamilyDecoder(arrays, prior=[1, 0, 1])
-
-
-def test_the_ratio_baseline_names_points_of_steady_signals_only_a_little_worse(arrays):
-    baseline, decoder = localize.FrequencyRatioDecoder(arrays[1]), localize.BayesDecoder(arrays[1])
-    shares = [accuracy(locator, arrays[1]) for locator in (baseline, decoder)]
-    assert 0.93 < shares[0] <= shares[1]
-
-
-def test_the_ratio_baseline_does_not_care_how_loud_the_touch_is(arrays):
-    baseline = localize.FrequencyRatioDecoder(arrays[1], 1e-9)
-    signals = localize.TouchGenerator(arrays[1], 0, "evaluation").samples(0, 20).signals[..., :250].double()
-    assert baseline.locate(100 * signals) == pytest.approx(baseline.locate(signals), abs=1e-6)
-    with pytest.raises(ValueError, match="microphone_noise = 0"):
-        localize.FrequencyRatioDecoder(arrays[1], 0.0)
