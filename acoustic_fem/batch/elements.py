@@ -26,21 +26,18 @@ _SERIES = 0.25
 
 @dataclass(frozen=True, eq=False)
 class Conditions:
-    """Frequencies and air, shaped to broadcast with (n_design, n_column, n_freq).
-
-    Attributes:
-        omega: (n_freq,) rad/s.
-        medium: numbers, or arrays of (n_design, 1, 1).
-        blocks: how many blocks of designs are worked on in this way, one after the other.
-    """
+    """Frequencies and air, shaped to broadcast with (n_design, n_column, n_freq)."""
 
     omega: Array
+    """Angular frequencies, (n_freq,) float64, rad/s."""
     medium: Any
+    """The gas in numbers, or in arrays (n_design, 1, 1), by the fields of :class:`acoustic_fem.quantities.Medium`."""
     blocks: int = 1
+    """How many blocks of designs are worked on in this way, one after the other."""
 
     @classmethod
     def of(cls, omega: Array, medium: Medium | MediumParameters, blocks: int = 1) -> Conditions:
-        """From angular frequencies and the air of all designs or of each."""
+        """Conditions at angular frequencies, (n_freq,) float64 in rad/s, in the air of all designs or of each."""
         if isinstance(medium, MediumParameters):
             values = {field.name: getattr(medium, field.name).reshape(-1, 1, 1) for field in fields(medium)}
             medium = MediumParameters(**values)
@@ -48,40 +45,48 @@ class Conditions:
 
     @property
     def per_viscosity(self) -> Array:
-        """1 / nu, s/m^2."""
+        """Inverse of the kinematic viscosity 1 / nu, s/m^2: a scalar, or (n_design, 1, 1) float64."""
         return self.medium.density / self.medium.viscosity
 
     @property
     def per_diffusivity(self) -> Array:
-        """1 / alpha, s/m^2."""
+        """Inverse of the thermal diffusivity 1 / alpha, s/m^2: a scalar, or (n_design, 1, 1) float64."""
         return self.medium.density * self.medium.heat_capacity / self.medium.conductivity
 
     def compliance(self, volume: Array, mean: Array) -> Array:
-        """V (gamma - (gamma - 1) <Psi>) / (gamma p), m^3/Pa."""
+        """Compliance of closed volumes, V (gamma - (gamma - 1) <Psi>) / (gamma p).
+
+        Args:
+            volume: V, (n_design, n_column, 1) float64, m^3.
+            mean: <Psi> of the thermal field, (n_design, n_column, n_freq) complex128.
+
+        Returns:
+            (n_design, n_column, n_freq) complex128, m^3/Pa.
+        """
         gamma = self.medium.gamma
         return volume / self.medium.pressure - (volume * ((gamma - 1) / (gamma * self.medium.pressure))) * mean
 
 
 class Tubes(NamedTuple):
-    """Tubes with the entrance loss of both openings: a series admittance between shunts, m^3/(Pa s)."""
+    """Tubes with the entrance loss of both openings: a series admittance between shunts."""
 
     series: Array
+    """Admittance between both ends, (n_design, n_column, n_freq) complex128, m^3/(Pa s)."""
     shunt: Array
+    """Admittance to ground at each end, (n_design, n_column, n_freq) complex128, m^3/(Pa s)."""
 
 
 class Chambers(NamedTuple):
-    """Microphone chambers.
-
-    Attributes:
-        shunt: admittance of chamber, sound hole and microphone, m^3/(Pa s).
-        ratio: pressure on the microphone per pressure in the chamber.
-        own: pressure on the microphone per volume velocity injected there while the chamber is at zero
-            pressure, Pa s/m^3.
-    """
+    """Microphone chambers."""
 
     shunt: Array
+    """Admittance of chamber, sound hole and microphone, (n_design, n_column, n_freq) complex128, m^3/(Pa s)."""
     ratio: Array
+    """Pressure on the microphone per pressure in the chamber, (n_design, n_column, n_freq) complex128, Pa/Pa."""
     own: Array
+    """Pressure on the microphone per volume velocity injected there while the chamber is at zero pressure, (n_design,
+    n_column, n_freq) complex128, Pa s/m^3.
+    """
 
 
 def tubes(parameters: ArrayParameters, air: Conditions) -> Tubes:
@@ -97,7 +102,7 @@ def tubes(parameters: ArrayParameters, air: Conditions) -> Tubes:
 
 
 def points(parameters: ArrayParameters, air: Conditions) -> Array:
-    """Admittance of cavities and their membranes, m^3/(Pa s)."""
+    """Admittance of cavities and their membranes, (n_design, n_point_column, n_freq) complex128, m^3/(Pa s)."""
     cavity = _cylinder(parameters.cavity_radius[..., None], parameters.cavity_height[..., None], air)
     modes = parameters.membrane_frequency
     kept = max(0, modes.shape[-1] - 3)  # the last two correct the statics

@@ -24,19 +24,16 @@ from acoustic_fem.batch.numpy_or_torch import Array, namespace
 
 @dataclass(frozen=True)
 class _Mean:
-    """A mean of t = scale w and further sizes.
-
-    Attributes:
-        exact: of t and the further sizes.
-        width: of a tile, per size, in logarithms.
-        terms: of the Chebyshev series, per size.
-        fewest: sizes in a tile from which on it is interpolated.
-    """
+    """A mean of t = scale w and further sizes."""
 
     exact: Callable[..., Array]
+    """The mean as a function of t and the further sizes."""
     width: tuple[float, ...]
+    """Width of a tile per size, in logarithms."""
     terms: tuple[int, ...]
+    """Terms of the Chebyshev series per size."""
     fewest: int
+    """Number of sizes in a tile from which on it is interpolated."""
 
 
 def _disc(t: Array) -> Array:
@@ -52,11 +49,11 @@ _CYLINDER = _Mean(cylinder_mean, (np.log(2), np.log(2)), (14, 20), 140)
 
 
 def disc_means(scale: Array, omega: Array, blocks: int = 1) -> Array:
-    """:func:`acoustic_fem.batch.means.ball_mean` of order 0 at t = scale omega.
+    """Interpolated :func:`acoustic_fem.batch.means.ball_mean` of order 0 at t = scale omega.
 
     Args:
-        scale: (n_design, n_column, 1) R^2 / diffusivity, s.
-        omega: (n_freq,) rad/s.
+        scale: (n_design, n_column, 1) float64, R^2 / diffusivity, s.
+        omega: (n_freq,) float64, rad/s.
         blocks: how many such calls are alike, one after the other: interpolation is then sooner worth it.
 
     Returns:
@@ -66,12 +63,12 @@ def disc_means(scale: Array, omega: Array, blocks: int = 1) -> Array:
 
 
 def cylinder_means(scale: Array, aspect: Array, omega: Array, blocks: int = 1) -> Array:
-    """:func:`acoustic_fem.batch.means.cylinder_mean` at t = scale omega.
+    """Interpolated :func:`acoustic_fem.batch.means.cylinder_mean` at t = scale omega.
 
     Args:
-        scale: (n_design, n_column, 1) R^2 / alpha, s.
-        aspect: H/(2 R), broadcasts with scale.
-        omega: (n_freq,) rad/s.
+        scale: (n_design, n_column, 1) float64, R^2 / alpha, s.
+        aspect: H/(2 R), float64, broadcasts with scale.
+        omega: (n_freq,) float64, rad/s.
         blocks: how many such calls are alike, one after the other: interpolation is then sooner worth it.
 
     Returns:
@@ -160,6 +157,6 @@ def _chosen(values: Array, rows: NDArray[np.int64]) -> Array:
 
 
 def _numbers(values: Array) -> NDArray[np.float64]:
-    """As a NumPy array, outside any graph of torch."""
+    """The values as a NumPy array, outside any graph of torch."""
     array: NDArray[np.float64] = values if isinstance(values, np.ndarray) else values.detach().cpu().numpy()
     return array

@@ -62,6 +62,12 @@ def hyperbolic(g: Array) -> tuple[Array, Array]:
 
     Power series of g / 4^k, then k doublings; rounding error about 2^k 1e-16 (k = 9 at the longest and
     thinnest tube a design allows, |g| = 3e4).
+
+    Args:
+        g: complex128, any shape.
+
+    Returns:
+        Both of the shape of g, complex128.
     """
     size = largest(g)
     doublings = max(0, int(np.ceil(np.log(max(size, 1e-300) / 0.5) / np.log(4))))

@@ -33,22 +33,20 @@ _LARGEST_GRAPH = 1_500_000
 
 @dataclass(frozen=True, eq=False)
 class BatchResponse:
-    """Pressures per unit volume velocity injected at one membrane or microphone, Pa s/m^3, complex128.
-
-    Attributes:
-        source_response: (n_design, n_point, n_microphone, n_freq), pressure on the microphones.
-        point_impedance: (n_design, n_point, n_freq), pressure in the cavity of the same point.
-        microphone_impedance: (n_design, n_microphone, n_microphone, n_freq), pressure on one microphone per
-            volume velocity injected at the front of another.
-    """
+    """Pressures per unit volume velocity injected at one membrane or microphone."""
 
     source_response: Array
+    """Pressure on the microphones, (n_design, n_point, n_microphone, n_freq) complex128, Pa s/m^3."""
     point_impedance: Array
+    """Pressure in the cavity of the same point, (n_design, n_point, n_freq) complex128, Pa s/m^3."""
     microphone_impedance: Array
+    """Pressure on one microphone per volume velocity injected at the front of another, (n_design, n_microphone,
+    n_microphone, n_freq) complex128, Pa s/m^3.
+    """
 
     @property
     def transfer_function(self) -> Array:
-        """(n_design, n_point, n_microphone, n_freq) microphone pressure per pressure in the touched cavity."""
+        """Microphone pressure per pressure in the touched cavity, (n_design, n_point, n_microphone, n_freq), Pa/Pa."""
         return self.source_response * inverse(self.point_impedance)[:, :, None]
 
 
@@ -77,7 +75,7 @@ def batch_response(
     Args:
         parameters: of the designs.
         topology: their wiring, with the columns the parameters have.
-        frequency: (n_freq,) ascending, 1e-3 to 2e3 Hz; 0 is refused: there all pressures are equal, H = 1.
+        frequency: (n_freq,) float64, ascending, 1e-3 to 2e3 Hz; 0 is refused: there all pressures are equal, H = 1.
         medium: the air of all, or of each design.
 
     Raises:
@@ -106,21 +104,18 @@ def batch_response(
 
 
 class _Chain(NamedTuple):
-    """Lines of equal length between grounded ends; arrays (n_design, n_line, ...).
-
-    Attributes:
-        series: admittance of the whole line between its ends, (n_design, n_line, n_freq).
-        shunts: of the whole line at its first and last end.
-        own: (n_design, n_line, n_point, n_freq) impedance at each point while both ends are at zero pressure.
-        first: pressure at each point per pressure at the first end, the last at zero; shaped as ``own``.
-        last: the same with the ends exchanged.
-    """
+    """Lines of equal length between grounded ends; arrays (n_design, n_line, ...)."""
 
     series: Array
+    """Admittance of the whole line between its ends, (n_design, n_line, n_freq)."""
     shunts: tuple[Array, Array]
+    """Admittances of the whole line to ground at its first and last end, (n_design, n_line, n_freq)."""
     own: Array
+    """Impedance at each point while both ends are at zero pressure, (n_design, n_line, n_point, n_freq)."""
     first: Array
+    """Pressure at each point per pressure at the first end, the last at zero; shaped as ``own``."""
     last: Array
+    """Pressure at each point per pressure at the last end, the first at zero; shaped as ``own``."""
 
 
 def _respond(

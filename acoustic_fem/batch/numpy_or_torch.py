@@ -21,17 +21,17 @@ def namespace(array: Array) -> ModuleType:
 
 
 def largest(values: Array) -> float:
-    """The largest magnitude, outside any graph of torch."""
+    """Largest magnitude of an array, outside any graph of torch."""
     return float(abs(values if isinstance(values, np.ndarray) else values.detach()).max())
 
 
 def inverse(values: Array) -> Array:
-    """1 / values; torch divides complex numbers three times faster than it inverts them."""
+    """Inverse of every value, same shape as the values: torch divides complex numbers faster than it inverts them."""
     return 1 / values if isinstance(values, np.ndarray) else values.new_ones(()) / values
 
 
 def joined(real: Array, imag: Array) -> Array:
-    """Real and imaginary part as one complex array."""
+    """One complex array of a real and an imaginary part, of their broadcast shape."""
     if isinstance(real, np.ndarray):
         result = np.empty(real.shape, dtype=np.complex128)
         result.real, result.imag = real, imag

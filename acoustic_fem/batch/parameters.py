@@ -26,42 +26,40 @@ from geometry.refusal import Refusal
 
 @dataclass(frozen=True, eq=False)
 class ArrayParameters:
-    """Numbers of a batch of arrays of one topology: NumPy arrays or torch tensors, float64, SI.
-
-    Attributes:
-        tube_radius: (n_design, n_tube_column) of the bore, m.
-        tube_length: (n_design, n_tube_column) of the bore from cavity wall to cavity wall, m.
-        cavity_radius: (n_design, n_point_column) m.
-        cavity_height: (n_design, n_point_column) m.
-        membrane_compliance: (n_design, n_point_column) static volume compliance, m^3/Pa.
-        membrane_loss: (n_design, n_point_column) loss factor.
-        membrane_share: (n_design, n_point_column, n_mode) share of each mode in that compliance; sum 1.
-        membrane_frequency: (n_design, n_point_column, n_mode) of the modes in vacuo, ascending, Hz. Modes
-            from a design end with two that correct the statics (:class:`acoustic_fem.membrane.DiscSolution`).
-        chamber_radius: (n_design, n_microphone_column) m.
-        chamber_height: (n_design, n_microphone_column) m.
-        hole_radius: (n_design, n_microphone_column) of the sound hole, m.
-        hole_length: (n_design, n_microphone_column) m.
-        diaphragm_compliance: (n_design, n_microphone_column) m^3/Pa.
-        back_volume: (n_design, n_microphone_column) m^3.
-        vent_admittance: (n_design, n_microphone_column) 1/R of the vent, m^3/(Pa s).
-    """
+    """Numbers of a batch of arrays of one topology: NumPy arrays or torch tensors, float64, SI."""
 
     tube_radius: Array
+    """Radius of the bore, (n_design, n_tube_column) float64, m."""
     tube_length: Array
+    """Length of the bore from cavity wall to cavity wall, (n_design, n_tube_column) float64, m."""
     cavity_radius: Array
+    """Radius of the cavity, (n_design, n_point_column) float64, m."""
     cavity_height: Array
+    """Height of the cavity, (n_design, n_point_column) float64, m."""
     membrane_compliance: Array
+    """Static volume compliance of the membrane, (n_design, n_point_column) float64, m^3/Pa."""
     membrane_loss: Array
+    """Loss factor of the membrane, (n_design, n_point_column) float64."""
     membrane_share: Array
+    """Share of each mode in the static compliance, (n_design, n_point_column, n_mode) float64; sum 1."""
     membrane_frequency: Array
+    """Frequency of each mode in vacuo, (n_design, n_point_column, n_mode) float64, ascending, Hz. Modes from a design
+    end with two that correct the statics (:class:`acoustic_fem.membrane.DiscSolution`).
+    """
     chamber_radius: Array
+    """Radius of the microphone's chamber, (n_design, n_microphone_column) float64, m."""
     chamber_height: Array
+    """Height of the microphone's chamber, (n_design, n_microphone_column) float64, m."""
     hole_radius: Array
+    """Radius of the sound hole, (n_design, n_microphone_column) float64, m."""
     hole_length: Array
+    """Length of the sound hole, (n_design, n_microphone_column) float64, m."""
     diaphragm_compliance: Array
+    """Compliance of the diaphragm, (n_design, n_microphone_column) float64, m^3/Pa."""
     back_volume: Array
+    """Volume behind the diaphragm, (n_design, n_microphone_column) float64, m^3."""
     vent_admittance: Array
+    """Admittance 1/R of the vent, (n_design, n_microphone_column) float64, m^3/(Pa s)."""
 
     @classmethod
     def from_design(cls, design: ArrayDesign, medium: Medium | None = None) -> ArrayParameters:
@@ -75,7 +73,7 @@ class ArrayParameters:
 
     @classmethod
     def from_designs(cls, designs: Sequence[ArrayDesign], medium: Medium | None = None) -> ArrayParameters:
-        """The same for several designs of one topology.
+        """The numbers of several designs of one topology.
 
         Raises:
             Refusal: no design, designs that are wired in different ways, a cavity that is no cylinder, or a
@@ -97,7 +95,7 @@ class ArrayParameters:
 
     @property
     def namespace(self) -> ModuleType:
-        """``numpy`` or ``torch``."""
+        """Library of the numbers: ``numpy`` or ``torch``."""
         return namespace(self.tube_radius)
 
     @property
@@ -110,13 +108,13 @@ class ArrayParameters:
         return ArrayParameters(**{field.name: function(getattr(self, field.name)) for field in fields(self)})
 
     def tensors(self, requires_grad: bool = False) -> ArrayParameters:
-        """The same as torch tensors of their own."""
+        """The same numbers as torch tensors of their own, float64."""
         import torch
 
         return self.map(lambda values: torch.tensor(values, dtype=torch.float64, requires_grad=requires_grad))
 
     def individual(self, topology: Topology) -> ArrayParameters:
-        """The columns repeated for every part, as :meth:`Topology.individual` has them."""
+        """The same numbers with the columns repeated for every part, as :meth:`Topology.individual` has them."""
         part_columns: Mapping[str, list[int]] = {
             "tube": [column for line in topology.lines for column in line.tubes],
             "point": [column for line in topology.lines for column in line.points],
@@ -136,23 +134,29 @@ PART = {
 
 @dataclass(frozen=True, eq=False)
 class MediumParameters:
-    """A gas for each design, as arrays or tensors (n_design,); fields as :class:`acoustic_fem.quantities.Medium`."""
+    """A gas for each design, as arrays or tensors; fields as :class:`acoustic_fem.quantities.Medium`."""
 
     density: Array
+    """Density, (n_design,) float64, kg/m^3."""
     viscosity: Array
+    """Dynamic viscosity, (n_design,) float64, Pa s."""
     conductivity: Array
+    """Thermal conductivity, (n_design,) float64, W/(m K)."""
     heat_capacity: Array
+    """Heat capacity at constant pressure, (n_design,) float64, J/(kg K)."""
     gamma: Array
+    """Ratio of heat capacities, (n_design,) float64."""
     pressure: Array
+    """Static pressure, (n_design,) float64, Pa."""
 
     @classmethod
     def from_media(cls, media: Sequence[Medium]) -> MediumParameters:
-        """From one medium per design, as NumPy arrays."""
+        """The gases of one medium per design, as NumPy arrays."""
         return cls(**{f.name: np.array([getattr(medium, f.name) for medium in media]) for f in fields(Medium)})
 
 
 def check_parameters(parameters: ArrayParameters, topology: Topology) -> None:
-    """Shapes, kinds and ranges of the numbers against the topology.
+    """Refuse numbers whose shapes, kinds or ranges are not those that the topology asks for.
 
     Raises:
         Refusal: with the field, what it is and what it must be.
@@ -188,7 +192,7 @@ def check_parameters(parameters: ArrayParameters, topology: Topology) -> None:
 
 
 def check_medium(medium: MediumParameters, count: int, xp: ModuleType) -> int:
-    """Shapes and kinds of a gas for each design; returns the number of designs.
+    """Number of designs of a gas for each, whose shapes and kinds are checked.
 
     Raises:
         Refusal: with the field, what it is and what it must be.
@@ -207,7 +211,7 @@ def check_medium(medium: MediumParameters, count: int, xp: ModuleType) -> int:
 
 
 def design_air(design: ArrayDesign) -> Medium:
-    """The air of a design."""
+    """The air that a design states."""
     return Medium.at(design.air.temperature, design.air.humidity, design.air.pressure)
 
 

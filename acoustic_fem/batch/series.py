@@ -29,7 +29,15 @@ _BLOCK = 16384
 
 
 def ball_mean_values(order: float, t: Array) -> Array:
-    """:func:`ball_mean` without derivatives."""
+    """Values of :func:`acoustic_fem.batch.means.ball_mean`, without derivatives.
+
+    Args:
+        order: 0 or 0.5.
+        t: w R^2 / diffusivity, above 0, any shape, float64.
+
+    Returns:
+        Shape of t, complex128.
+    """
     (mean,) = _in_blocks(lambda block, _: (_ball_mean_block(order, block),), t, t)
     return mean
 
@@ -47,12 +55,30 @@ def _ball_mean_block(order: float, t: Array) -> Array:
 
 
 def ball_mean_slope(order: float, t: Array, mean: Array) -> Array:
-    """Slope d <Psi> / dt, from the Riccati equation d Psi / ds = (1-Psi)^2 / (4 (n+1)) - (n+1) Psi / s at s = j t."""
+    """Slope d <Psi> / dt, from the Riccati equation d Psi / ds = (1-Psi)^2 / (4 (n+1)) - (n+1) Psi / s at s = j t.
+
+    Args:
+        order: 0 or 0.5.
+        t: above 0, any shape, float64.
+        mean: <Psi> at t, shape of t, complex128.
+
+    Returns:
+        Shape of t, complex128.
+    """
     return 1j * (1 - mean) ** 2 / (4 * (order + 1)) - (order + 1) * mean / t
 
 
 def cylinder_mean_values(t: Array, aspect: Array, slopes: bool) -> tuple[Array, ...]:
-    """:func:`cylinder_mean` and, where asked for, its derivatives by t and by the aspect ratio."""
+    """Values of :func:`acoustic_fem.batch.means.cylinder_mean` and, where asked for, its derivatives.
+
+    Args:
+        t: w R^2 / alpha, above 0, any shape, float64.
+        aspect: H/(2 R), float64, broadcasts with t.
+        slopes: whether the derivatives by t and by the aspect ratio are wanted.
+
+    Returns:
+        The values, and the two derivatives after them, of the broadcast shape, complex128.
+    """
     return _in_blocks(lambda rate, ratio: _cylinder_block(rate, ratio, slopes), t, aspect)
 
 

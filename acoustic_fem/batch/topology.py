@@ -12,34 +12,28 @@ from geometry.stated.parts import Tube
 
 @dataclass(frozen=True)
 class LineWiring:
-    """A chain of points between two microphones; tubes and points are columns of the parameters.
-
-    Attributes:
-        first: index of the microphone at its first end.
-        last: index of the microphone at its second end.
-        tubes: (n_point + 1) columns of its tubes, from the first microphone to the second.
-        points: (n_point) columns of its points.
-    """
+    """A chain of points between two microphones; tubes and points are columns of the parameters."""
 
     first: int
+    """Index of the microphone at its first end."""
     last: int
+    """Index of the microphone at its second end."""
     tubes: tuple[int, ...]
+    """Columns of its n_point + 1 tubes, from the first microphone to the second."""
     points: tuple[int, ...]
+    """Columns of its n_point points, from the first microphone to the second."""
 
 
 @dataclass(frozen=True)
 class Topology:
-    """The wiring of an array; points are numbered line by line.
-
-    Attributes:
-        microphones: per microphone its column of the parameters.
-        lines: the lines.
-        tube_names: what each column of tubes is.
-    """
+    """The wiring of an array; points are numbered line by line."""
 
     microphones: tuple[int, ...]
+    """Column of the parameters of each microphone."""
     lines: tuple[LineWiring, ...]
+    """Every line, in the order of the points."""
     tube_names: tuple[str, ...]
+    """What each column of tubes is."""
 
     def __post_init__(self) -> None:
         count = len(self.microphones)

@@ -20,7 +20,7 @@ class BallMean(Function):
 
     @staticmethod
     def forward(ctx: Any, order: float, t: Tensor) -> Tensor:
-        """The values."""
+        """Values of the mean, shape of t, complex128."""
         mean: Tensor = ball_mean_values(order, t)
         ctx.order = order
         ctx.save_for_backward(t, mean)
@@ -28,7 +28,7 @@ class BallMean(Function):
 
     @staticmethod
     def backward(ctx: Any, gradient: Tensor) -> tuple[None, Tensor]:
-        """By the Riccati equation."""
+        """Gradient by t, shape of t, float64: by the Riccati equation."""
         t, mean = ctx.saved_tensors
         return None, _real_product(ball_mean_slope(ctx.order, t, mean), gradient)
 
@@ -38,7 +38,7 @@ class CylinderMean(Function):
 
     @staticmethod
     def forward(ctx: Any, t: Tensor, aspect: Tensor) -> Tensor:
-        """The values; the derivatives are summed on the way where they will be needed."""
+        """Values of the mean, of the broadcast shape, complex128; derivatives are summed on the way where needed."""
         wanted = any(ctx.needs_input_grad)
         mean, *slopes = cylinder_mean_values(t, aspect, slopes=wanted)
         if wanted:
@@ -49,7 +49,7 @@ class CylinderMean(Function):
     @staticmethod
     @once_differentiable
     def backward(ctx: Any, gradient: Tensor) -> tuple[Tensor, Tensor]:
-        """From the sums kept."""
+        """Gradients by t and by the aspect ratio, from the sums kept: each the shape of what it is by, float64."""
         slopes = zip(ctx.saved_tensors, ctx.shapes, strict=True)
         by_t, by_aspect = (_real_product(slope, gradient).sum_to_size(shape) for slope, shape in slopes)
         return by_t, by_aspect

@@ -38,19 +38,19 @@ class Priors:
     """Standard deviations of the logarithms of the parameters before anything was measured."""
 
     bore: float = 0.05
-    """Of each tube."""
+    """Deviation of the bore of each tube."""
     compliance: float = 0.12
-    """Of each node: of its membrane, which stands for its cavity too."""
+    """Deviation of the compliance of each node: of its membrane, which stands for its cavity too."""
     modulus: float = 0.15
-    """Of all membranes together."""
+    """Deviation of the modulus of all membranes together."""
     loss: float = 0.3
-    """Of the loss factor of all membranes."""
+    """Deviation of the loss factor of all membranes together."""
     gain: float = 0.05
-    """Of each microphone against the reference."""
+    """Deviation of the gain of each microphone against the reference."""
     corner: float = 0.10
-    """Of the high-pass of each microphone."""
+    """Deviation of the high-pass corner of each microphone."""
     chamber: float = 0.10
-    """Of the volume of each microphone's chamber."""
+    """Deviation of the volume of each microphone's chamber."""
 
     def __post_init__(self) -> None:
         for field in fields(self):
@@ -144,7 +144,14 @@ class UpdatedModel:
         return h * (factor["gain"][:, :, None] * passed)[:, None]
 
     def jacobian(self, u: Array) -> Complex:
-        """(count, n_point, n_microphone, n_freq) derivatives at u, by central differences of one batch."""
+        """Derivatives of the transfer functions by the parameters, by central differences of one batch.
+
+        Args:
+            u: (count,) float64, in standard deviations of the priors.
+
+        Returns:
+            (count, n_point, n_microphone, n_freq) complex128, Pa/Pa.
+        """
         steps = _STEP * np.eye(self.count)
         h = self.transfer_function(np.concatenate([u + steps, u - steps]))
         return np.asarray((h[: self.count] - h[self.count :]) / (2 * _STEP))
@@ -155,18 +162,19 @@ class Posterior:
     """The most probable sensor of a family, and how far it is known."""
 
     model: UpdatedModel
+    """The family."""
     parameters: Array
-    """(count,) in standard deviations of the priors."""
+    """Most probable parameters, (count,) float64, in standard deviations of the priors."""
     covariance: Array
-    """(count, count) of them after the measurement."""
+    """Covariance of the parameters after the measurement, (count, count) float64, in the same units."""
     eigenvalues: Array
-    """(count,) ascending: what the data say of a combination, by what the prior says."""
+    """What the data say of a combination of parameters, by what the prior says, (count,) float64, ascending."""
     directions: Array
-    """(count, count) those combinations, in columns."""
+    """Those combinations, (count, count) float64, in columns."""
 
     @classmethod
     def of(cls, model: UpdatedModel, parameters: Array, information: Array, **rest: Any) -> Self:
-        """At the most probable parameters, from what the data say of them, (count, count), by what the priors say."""
+        """Posterior at the most probable parameters, (count,), from what the data say of them, (count, count)."""
         eigenvalues, directions = np.linalg.eigh(information)
         return cls(
             model=model,
@@ -179,7 +187,7 @@ class Posterior:
 
     @property
     def ratios(self) -> dict[str, tuple[float, float]]:
-        """Parameter -> factor by which it differs from nominal, and the standard deviation of its logarithm."""
+        """Factor by which each parameter differs from nominal, and the standard deviation of its logarithm."""
         scale = self.model.scale
         known = np.sqrt(np.diag(self.covariance))
         values = zip(self.model.names, np.exp(scale * self.parameters), scale * known, strict=True)
@@ -225,12 +233,13 @@ class Posterior:
 
     @cached_property
     def transfer_function(self) -> Complex:
-        """(n_point, n_microphone, n_freq) of the most probable sensor, Pa/Pa."""
+        """Transfer functions of the most probable sensor, (n_point, n_microphone, n_freq) complex128, Pa/Pa."""
         return np.asarray(self.model.transfer_function(self.parameters[None])[0])
 
     @cached_property
     def deviation(self) -> Array:
-        """(n_point, n_microphone, n_freq) standard deviation of its real part, and of its imaginary part.
+        """Standard deviation of the real part, and of the imaginary part, of those transfer functions,
+        (n_point, n_microphone, n_freq) float64, Pa/Pa.
 
         By the posterior covariance, to first order, and by what the model is trusted to.
         """

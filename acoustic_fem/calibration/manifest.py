@@ -69,17 +69,19 @@ class Manifest:
     """What was recorded; every mapping over channels has the reference first, then the design's microphones."""
 
     design: ArrayDesign
+    """The design of the sensor."""
     points: Mapping[int, Mapping[str, Path]]
-    """Point number -> channel -> file; the same file for all where one file holds them."""
+    """File of every channel by number of the point, from 1; the same file for all where one holds them."""
     channels: Mapping[str, int]
-    """Number of the channel in WAV files, from 1."""
+    """Number of every channel in WAV files and matrices, from 1."""
     pascals: Mapping[str, float]
-    """Pa of one unit in the files."""
+    """Pressure of one unit in the files of every channel, Pa."""
     started_late: Mapping[str, float]
-    """s."""
+    """Time by which the recorder of every channel started after the others, s."""
     estimator: Estimator = "H1"
+    """Estimator of the transfer functions."""
     least_coherence: float = 0.9
-    """Median over frequency that the best microphone of a point must reach."""
+    """Median over frequency that the coherence of the best microphone of a point must reach."""
 
 
 def read_manifest(path: Path) -> Manifest:

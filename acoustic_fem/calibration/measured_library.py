@@ -46,8 +46,9 @@ class RecordingNote:
     """What is to be known of the recording of a point."""
 
     point: int
-    """Number, from 1."""
+    """Number of the point, from 1."""
     text: str
+    """What is to be known."""
     excluded: bool
     """Whether the recording was left out for it."""
 
@@ -57,11 +58,13 @@ class Calibration:
     """What the recordings of a sensor say."""
 
     manifest: Manifest
+    """What was recorded."""
     frequency: Array
-    """(n_freq,) Hz."""
+    """Grid of frequencies, (n_freq,) float64, Hz."""
     estimates: Mapping[int, TransferEstimate]
-    """By number of the point, in ascending order; of good recordings only."""
+    """Estimate of every good recording by number of the point, ascending."""
     findings: tuple[RecordingNote, ...]
+    """What is to be known of the recordings."""
 
     @property
     def missing(self) -> tuple[int, ...]:
@@ -79,8 +82,9 @@ class Calibration:
 
         Args:
             model: of the same design, on the same frequencies.
-            model_deviation: (n_point, n_microphone, n_freq) standard deviation of the real part, and of the imaginary
-                part, of the model's transfer functions, Pa/Pa; needed where points are missing and there is no fit.
+            model_deviation: (n_point, n_microphone, n_freq) float64, standard deviation of the real part, and of the
+                imaginary part, of the model's transfer functions, Pa/Pa; needed where points are missing and there is
+                no fit.
             fit: of :func:`acoustic_fem.calibration.model_updating.update`, on the estimates of this calibration.
 
         Raises:
@@ -207,7 +211,11 @@ def _point(
 
 
 def read_point(manifest: Manifest, number: int) -> tuple[dict[str, Array], float, dict[str, float | None]]:
-    """Channels of a point as they are in its files, their rate in Hz, and the largest values of their formats.
+    """Channels of a point as they are in its files.
+
+    Returns:
+        The channels by name, (n_sample,) float64 each; their rate, Hz; and the largest values of their formats by name,
+        None where there is none.
 
     Raises:
         RecordingFault: a channel that is not there, a file of one channel given for two, or files of different rates

@@ -19,7 +19,7 @@ COMMON, OF_MICROPHONE, OWN = 0.012, 0.008, 0.007
 """Root mean square, relative to the transfer function, of the three parts: measured on sensors of the virtual rig."""
 TOTAL = float(np.hypot(np.hypot(COMMON, OF_MICROPHONE), OWN))
 SMOOTH = 1.0
-"""Of the logarithm of frequency, over which it changes."""
+"""Length over which it changes, in the logarithm of frequency."""
 LEAST_NOISE = 1e-4
 """Relative deviation of the real part, and of the imaginary part, below which no measurement is believed."""
 _NEGLIGIBLE = 1e-6  # share of the variance of a smooth process that is left out
@@ -32,10 +32,11 @@ class Discrepancy:
     alone, and a few columns that all share, which the factored residuals are corrected for.
 
     Args:
-        frequency: (n_freq,) Hz.
-        about: (n_point, n_microphone, n_freq) Pa/Pa, not 0: transfer functions that the discrepancy is relative to. Not
-            the measured ones in the end: what is common to all of them would then be found too small, for that lessens
-            the scatter of the others (Peelle's puzzle; D'Agostini 1994, Nucl. Instrum. Methods A 346, 306).
+        frequency: (n_freq,) float64, Hz.
+        about: (n_point, n_microphone, n_freq) complex128, Pa/Pa, not 0: transfer functions that the discrepancy is
+            relative to. Not the measured ones in the end: what is common to all of them would then be found too small,
+            for that lessens the scatter of the others (Peelle's puzzle; D'Agostini 1994, Nucl. Instrum. Methods A 346,
+            306).
         noise: of the same shape, standard deviation of the real part, and of the imaginary part, of the measurement.
     """
 
@@ -55,11 +56,14 @@ class Discrepancy:
         self._q, self._s, _ = np.linalg.svd((self._whiten @ shared).reshape(about.size, -1), full_matrices=False)
 
     def residuals(self, difference: Complex) -> Array:
-        """(..., 2 n) independent residuals, or derivatives of them.
+        """Independent residuals, or derivatives of them.
 
         Args:
-            difference: (..., n_point, n_microphone, n_freq) Pa/Pa, between a sensor and what was measured, or
-                derivatives of that by parameters.
+            difference: (..., n_point, n_microphone, n_freq) complex128, Pa/Pa, between a sensor and what was measured,
+                or derivatives of that by parameters.
+
+        Returns:
+            (..., 2 n) float64: real and imaginary parts of all n values, in standard deviations.
         """
         own = self._own(difference)
         # (1 + V V^T)^(-1/2) with V = Q s R^T
@@ -67,7 +71,14 @@ class Discrepancy:
         return np.concatenate([found.real, found.imag], axis=-1)
 
     def by_point(self, difference: Complex) -> Array:
-        """(n_point,) sum of squares per residual, without what all points share: about 1 where nothing is wrong."""
+        """Sum of squares per residual, without what all points share: about 1 where nothing is wrong.
+
+        Args:
+            difference: (n_point, n_microphone, n_freq) complex128, Pa/Pa.
+
+        Returns:
+            (n_point,) float64.
+        """
         own = self._own(difference)
         left = own - own @ self._q * (self._s**2 / (1 + self._s**2)) @ self._q.T
         return np.asarray((np.abs(left.reshape(len(difference), -1)) ** 2).mean(1) / 2)

@@ -40,14 +40,15 @@ class Update(Posterior):
     points: tuple[int, ...]
     """Numbers of the measured points."""
     chi_squared: float
-    """|r|^2 + |u|^2 at the solution."""
+    """Minimum |r|^2 + |u|^2 that was found."""
     residuals: int
     """Number of residuals, real and imaginary parts."""
     worst_point: int
     """Number of the measured point that is farthest from the fit."""
     delay: float
-    """s that the array's microphones came later than stated, against the reference."""
+    """Time by which the array's microphones came later than stated, against the reference, s."""
     iterations: int
+    """Number of steps of the fit."""
 
     @property
     def objection(self) -> str | None:

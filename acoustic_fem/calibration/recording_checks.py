@@ -51,7 +51,7 @@ def check_signals(
     """Refuse signals without looking at what they say.
 
     Args:
-        channels: (n_sample,) each, by name.
+        channels: (n_sample,) float64 each, by name, in the units of the files.
         rate: Hz.
         limits: largest value of each channel's format, None where there is none.
         highest: highest frequency that is wanted, Hz.
@@ -96,7 +96,7 @@ def check_steady(signals: Array, rate: float, frequency: Array, microphones: tup
     """Refuse what is not of one piece: each microphone against the reference, in all parts of the recording.
 
     Args:
-        signals: (1 + n_microphone, n_sample), the reference first.
+        signals: (1 + n_microphone, n_sample) float64, Pa, the reference first.
         rate: Hz.
         frequency: (n_freq,) Hz.
         microphones: their names.
@@ -144,7 +144,7 @@ def check_against_model(
 
     Args:
         estimate: of the point.
-        model: (n_point, n_microphone, n_freq) of the design.
+        model: (n_point, n_microphone, n_freq) complex128, Pa/Pa, of the design.
         point: index of the point, from 0.
         frequency: (n_freq,) Hz.
         microphones: their names.
@@ -196,6 +196,11 @@ def check_against_model(
 def common_delay(measured: Complex, model: Complex, frequency: Array) -> float:
     """Delay tau, s, within 0.25 s, that turns the model best into what was measured, whatever the polarity of each
     microphone: H = +- model exp(-2 pi j f tau).
+
+    Args:
+        measured: (n_microphone, n_freq) complex128, Pa/Pa.
+        model: (n_microphone, n_freq) complex128, Pa/Pa.
+        frequency: (n_freq,) float64, Hz.
     """
     ratio = measured * model.conj()
     unit = ratio / np.maximum(np.abs(ratio), 1e-300)

@@ -27,12 +27,13 @@ def largest_changes(signals: Array, rate: float, frequency: Array) -> tuple[Arra
     """Largest changes between two parts of a recording.
 
     Args:
-        signals: (1 + n_microphone, n_sample), the reference first, of at least 19 s.
+        signals: (1 + n_microphone, n_sample) float64, Pa, the reference first, of at least 19 s.
         rate: Hz.
         frequency: (n_freq,) Hz, at which they are compared.
 
     Returns:
-        (n_microphone,) of the level in dB, and of the delay in s, both >= 0; 0 of microphones whose parts cannot be
+        (n_microphone,) float64 of the level in dB, and of the delay in s, both >= 0; 0 of microphones whose parts
+        cannot be
         compared: too much noise, or a slow sweep, of which each part holds other frequencies.
     """
     found = amplitudes(signals, rate, frequency, _SEGMENT)

@@ -22,8 +22,8 @@ def closed_cylinder_compliance(
     """Compliance of a closed cylinder, m^3/Pa.
 
     Args:
-        radius: m.
-        height: m.
+        radius: of the cylinder, m.
+        height: of the cylinder, m.
         frequency: Hz, any shape.
         medium: the gas.
 
@@ -40,7 +40,19 @@ def closed_cylinder_compliance(
 
 
 def closed_sphere_compliance(radius: float, frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
-    """Compliance of a closed sphere, m^3/Pa; arguments as :func:`closed_cylinder_compliance`."""
+    """Compliance of a closed sphere, m^3/Pa.
+
+    Args:
+        radius: of the sphere, m.
+        frequency: Hz, any shape.
+        medium: the gas.
+
+    Returns:
+        Shape of frequency, complex128.
+
+    Raises:
+        Refusal: a radius or frequency that is not finite and positive.
+    """
     positive("radius", radius, "m")
     mean = _ball_mean(3, radius, _rate(frequency, medium))
     return _compliance(4 / 3 * np.pi * radius**3, mean, medium)
@@ -54,6 +66,12 @@ def closed_slab_compliance(area: float, gap: float, frequency: ArrayLike, medium
         gap: distance of the faces, m.
         frequency: Hz, any shape.
         medium: the gas.
+
+    Returns:
+        Shape of frequency, complex128.
+
+    Raises:
+        Refusal: an area, gap or frequency that is not finite and positive.
     """
     positive("area", area, "m^2")
     positive("gap", gap, "m")
@@ -106,7 +124,7 @@ def _cylinder_mean(radius: float, height: float, rate: NDArray[np.complex128]) -
 
 
 def bessel_zeros(count: int) -> NDArray[np.float64]:
-    """First zeros of J0; beyond the 30th by McMahon's expansion, accurate to rounding there."""
+    """First zeros of J0, (count,) float64; beyond the 30th by McMahon's expansion, accurate to rounding there."""
     exact = jn_zeros(0, min(count, 30))
     beta = np.pi * (np.arange(len(exact) + 1, count + 1) - 0.25)
     return np.concatenate([exact, beta + 1 / (8 * beta) - 31 / (384 * beta**3) + 3779 / (15360 * beta**5)])

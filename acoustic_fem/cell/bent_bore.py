@@ -40,23 +40,21 @@ LARGEST_SHEAR_NUMBER = 7.0
 
 @dataclass(frozen=True, eq=False)
 class BentBore:
-    """A bent bore as a uniform line, per length of its centre line.
-
-    Attributes:
-        series: Z', (n_freq,) Pa s/m^4.
-        shunt: Y', (n_freq,) m^2/(Pa s).
-        straight_error: largest relative error of the straight bore's admittance on the same mesh, against the
-            exact duct; it is taken out.
-        unknowns: of the largest system solved.
-    """
+    """A bent bore as a uniform line, per length of its centre line."""
 
     series: NDArray[np.complex128]
+    """Series impedance Z' per length, (n_freq,) complex128, Pa s/m^4."""
     shunt: NDArray[np.complex128]
+    """Shunt admittance Y' per length, (n_freq,) complex128, m^2/(Pa s)."""
     straight_error: float
+    """Largest relative error of the straight bore's admittance on the same mesh, against the exact duct; it is taken
+    out.
+    """
     unknowns: int
+    """Number of unknowns of the largest system solved."""
 
     def port_admittance(self, length: ArrayLike) -> NDArray[np.complex128]:
-        """The two-port of a piece of that length (m), as :func:`acoustic_fem.duct.plane_wave.two_port`."""
+        """Two-port of a piece of that length (m), (n_freq, 2, 2) complex128, m^3/(Pa s)."""
         return plane_wave.two_port(self.series, self.shunt, length)
 
 
@@ -116,7 +114,10 @@ def solve_bent_bores(
 def check_bent_bore(
     radius: float, windings: Sequence[Winding], frequency: ArrayLike, medium: Medium
 ) -> NDArray[np.float64]:
-    """What :func:`solve_bent_bores` refuses, without solving; returns the frequencies as an array.
+    """Frequencies of :func:`solve_bent_bores`, whose arguments are checked without solving.
+
+    Returns:
+        (n_freq,) float64, Hz.
 
     Raises:
         Refusal: as there.

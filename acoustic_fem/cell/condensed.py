@@ -31,29 +31,26 @@ _LENGTH = metres(1.0)  # meshes are in mm
 
 @dataclass(frozen=True, eq=False)
 class CondensedBody:
-    """Responses of a body of air over a band of frequencies.
-
-    Attributes:
-        physics: which model.
-        medium: the gas it was solved for.
-        n_port: number of tube ports; wall motions follow them.
-        copies: 2 where a mirror plane halves the body, else 1.
-        heat: reduced model of the thermal field.
-        viscous: reduced model of the viscous field (Helmholtz only).
-        flow: reduced model of the flow.
-        energies: (n_term, m, m) terms that the excitations add to the response themselves.
-        unknowns: of the largest system solved.
-    """
+    """Responses of a body of air over a band of frequencies."""
 
     physics: Physics
+    """The model it was solved with."""
     medium: Medium
+    """The gas it was solved for."""
     n_port: int
+    """Number of tube ports; wall motions follow them."""
     copies: int
+    """How often the body repeats: 2 where a mirror plane halves it, else 1."""
     heat: ReducedModel
+    """Reduced model of the thermal field."""
     viscous: ReducedModel | None
+    """Reduced model of the viscous field; None but for Helmholtz."""
     flow: ReducedModel
+    """Reduced model of the flow."""
     energies: NDArray[np.float64]
+    """Terms that the excitations add to the response themselves, (n_term, m, m) float64."""
     unknowns: int
+    """Number of unknowns of the largest system solved."""
 
     def nodal_admittance(self, frequency: NDArray[np.float64]) -> Array:
         """Symmetric admittance between the ports and the pressures on the moving walls.

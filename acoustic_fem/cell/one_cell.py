@@ -60,9 +60,11 @@ class CellSolution:
     """Responses of one cell and how they were obtained."""
 
     admittance: NDArray[np.complex128]
-    """(n_freq, k+1, k+1), m^3/(Pa s): the k tube ports in order, then the opening."""
+    """Nodal admittance, (n_freq, k + 1, k + 1) complex128, m^3/(Pa s): the k tube ports in order, then the opening."""
     physics: str
+    """The model it was solved with."""
     unknowns: int
+    """Number of unknowns of the largest system solved."""
     sampled: tuple[float, ...]
     """Frequencies solved in 3-D, Hz; the others come from the rational model."""
     sweep_error: float
@@ -70,11 +72,12 @@ class CellSolution:
     mesh_error: float
     """Estimated relative error from the mesh."""
     seconds: float
-    """Time the 3-D solves took, when they were made."""
+    """Time that the 3-D solves took, when they were made, s."""
     cached: bool
+    """Whether it came from the cache."""
 
     def summary(self) -> dict[str, Any]:
-        """Everything but the responses, as plain values."""
+        """All but the responses, as plain values."""
         return {
             "method": f"3-D {self.physics}",
             "unknowns": self.unknowns,
@@ -91,13 +94,17 @@ class CellTask:
     """All that the solution of a cell depends on."""
 
     cell: Cell
+    """The cell."""
     medium: Medium
+    """The gas."""
     band: tuple[float, float]
+    """Lowest and highest frequency, Hz."""
     fidelity: str
+    """The model, a 3-D one."""
 
     @property
     def key(self) -> str:
-        """Under which the cell is kept in the cache."""
+        """Name under which the cell is kept in the cache."""
         about = {"model": CELL_MODEL_VERSION, "accuracy": DESIGN_ACCURACY, "gmsh": version("gmsh")}
         return disk_cache.key_of({**_stated(asdict(self)), **about})
 
@@ -183,7 +190,7 @@ def solve_task(task: CellTask, report: Callable[[float], None]) -> CellRecord:
 
 
 def rebuilt(task: CellTask, record: CellRecord, grid: NDArray[np.float64], cached: bool) -> CellSolution:
-    """The solution of a cell on a grid of frequencies, (n_freq,) Hz, from its record."""
+    """Solution of a cell on a grid of frequencies, (n_freq,) float64 in Hz, from its record."""
     from acoustic_fem.cell.condensed import CondensedBody
     from acoustic_fem.numerics.rational_sweep import ReducedModel
 

@@ -42,21 +42,19 @@ _USUAL_SCALES = (1.0, 0.7)
 
 @dataclass(frozen=True, eq=False)
 class SolvedBody:
-    """A condensed body of air and how far it has converged.
-
-    Attributes:
-        body: answers at any frequency of its band.
-        mesh_error: estimated relative error from the meshes, the larger of two: of every admittance, and of
-            their sum, which is the compliance of the air. Each follows from how the answer changed over the
-            last three meshes, each 1.5 times finer than the one before.
-        convergence: all meshes, in the order solved.
-        seconds: time taken.
-    """
+    """A condensed body of air and how far it has converged."""
 
     body: CondensedBody
+    """The body, which answers at any frequency of its band."""
     mesh_error: float
+    """Estimated relative error from the meshes, the larger of two: of every admittance, and of their sum, which is the
+    compliance of the air. Each follows from how the answer changed over the last three meshes, each 1.5 times finer
+    than the one before.
+    """
     convergence: tuple[Refinement, ...]
+    """All meshes, in the order solved."""
     seconds: float
+    """Time taken, s."""
 
 
 def port_admittance(

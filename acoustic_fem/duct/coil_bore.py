@@ -42,20 +42,18 @@ CUSP = 0.15
 
 @dataclass(frozen=True)
 class CoilBore(Line):
-    """The bore of a close-wound spring as a line.
-
-    Attributes:
-        outer_diameter: of the spring, m.
-        wire_diameter: m, below a quarter of the outer diameter.
-        refinement: columns of elements over a quarter of the wire.
-        cusp: angle (rad) at which the cusp between the wires is cut, 0.02 to 0.5; the gas behind it, a
-            share below cusp^3/3 of the groove, is at rest and isothermal.
-    """
+    """The bore of a close-wound spring as a line."""
 
     outer_diameter: float
+    """Outside diameter of the spring, m."""
     wire_diameter: float
+    """Diameter of the wire, m, below a quarter of the outer diameter."""
     refinement: int = REFINEMENT
+    """Columns of elements over a quarter of the wire."""
     cusp: float = CUSP
+    """Angle at which the cusp between the wires is cut, rad, 0.02 to 0.5; the gas behind it, a share below cusp^3/3 of
+    the groove, is at rest and isothermal.
+    """
 
     def __post_init__(self) -> None:
         outer = float(positive("outer_diameter", self.outer_diameter, "m"))
@@ -86,13 +84,13 @@ class CoilBore(Line):
         return self.crest_radius * (8 * conductance / np.pi) ** 0.25
 
     def series_impedance(self, frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
-        """Z' in Pa s/m^4, shape of frequency (Hz)."""
+        """Series impedance Z' per length, Pa s/m^4: shape of frequency (Hz), complex128."""
         rate = np.abs(diffusion_rate(frequency, medium.kinematic_viscosity))
         response = self._flow_response(rate.ravel() * self.crest_radius**2).reshape(rate.shape)
         return np.asarray(medium.viscosity / self.crest_radius**4 * self._depth / response)
 
     def shunt_admittance(self, frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
-        """Y' in m^2/(Pa s), shape of frequency (Hz)."""
+        """Shunt admittance Y' per length, m^2/(Pa s): shape of frequency (Hz), complex128."""
         rate = np.abs(diffusion_rate(frequency, medium.thermal_diffusivity))
         scaled = rate.ravel() * self.crest_radius**2
         heat, load = self._heat
@@ -160,7 +158,7 @@ def half_pitch_mesh(half_pitch: float, wire_radius: float, refinement: int, cusp
 
 
 def flow_system(mesh: skfem.MeshQuad2) -> tuple[list[sp.csr_array], NDArray[np.float64]]:
-    """Matrices (constant, times s) and load of the flow; load K^-1 load is the flux times the half pitch."""
+    """Matrices (constant, times s), (n, n), and load, (n,) float64, of flow; load K^-1 load is flux x pitch / 2."""
     velocity = skfem.Basis(mesh, skfem.ElementVector(skfem.ElementQuad2()), intorder=6)
     pressure = velocity.with_element(skfem.ElementQuad1())
     held = np.concatenate(
@@ -178,7 +176,7 @@ def flow_system(mesh: skfem.MeshQuad2) -> tuple[list[sp.csr_array], NDArray[np.f
 
 
 def heat_system(mesh: skfem.MeshQuad2) -> tuple[list[sp.csr_array], NDArray[np.float64]]:
-    """Matrices (constant, times s) and load of the thermal field; s load K^-1 load is its integral."""
+    """Matrices (constant, times s), (n, n), and load, (n,) float64, of the heat; s load K^-1 load is its integral."""
     basis = skfem.Basis(mesh, skfem.ElementQuad2(), intorder=6)
     free = np.setdiff1d(np.arange(basis.N), basis.get_dofs("wall").flatten())
     conduction = 2 * np.pi * _conduction.assemble(basis).tocsr()

@@ -30,15 +30,14 @@ class MeshedSection(Section):
     Its whole boundary is wall. A circle of 96 triangles is within 0.014 % at low frequency; the error
     falls by 11 to 16 with each halving of the elements. Where the wall layer is thinner than an element edge on the
     wall, the error reaches 0.2 to 0.5 % and a warning says so.
-
-    Attributes:
-        points: (n, 2) float64, m.
-        triangles: (m, 6) int64: three corners, then the middles of edges 01, 12 and 20; turned
-            counter-clockwise where they are not.
     """
 
     points: NDArray[np.float64]
+    """Places of the nodes, (n, 2) float64, m."""
     triangles: NDArray[np.int64]
+    """Nodes of the triangles, (m, 6) int64: three corners, then the middles of edges 01, 12 and 20; turned
+    counter-clockwise where they are not.
+    """
 
     def __post_init__(self) -> None:
         points, triangles = np.asarray(self.points, dtype=np.float64), np.asarray(self.triangles)
@@ -64,7 +63,7 @@ class MeshedSection(Section):
 
     @classmethod
     def from_mesh(cls, mesh: skfem.MeshTri) -> MeshedSection:
-        """From a scikit-fem ``MeshTri2`` (curved) or ``MeshTri1`` (straight), in m."""
+        """The section of a scikit-fem ``MeshTri2`` (curved) or ``MeshTri1`` (straight), in m."""
         curved = skfem.MeshTri2.from_mesh(mesh) if not isinstance(mesh, skfem.MeshTri2) else mesh
         return cls(curved.doflocs.T, skfem.Dofs(curved, skfem.ElementTriP2()).element_dofs.T)
 
@@ -85,7 +84,7 @@ class MeshedSection(Section):
 
     @classmethod
     def triangle(cls, corners: ArrayLike, divisions: int = 8) -> MeshedSection:
-        """A triangle with the given corners, (3, 2) in m, of divisions^2 triangles."""
+        """A triangle with the given corners, (3, 2) float64 in m, of divisions^2 triangles."""
         places = np.asarray(corners, dtype=np.float64)
         if places.shape != (3, 2):
             raise Refusal(f"corners has shape {places.shape}; it must be (3, 2)")
@@ -98,7 +97,10 @@ class MeshedSection(Section):
         return self._discrete.area * self._extent**2
 
     def mean_field(self, rate: NDArray[np.complex128]) -> NDArray[np.complex128]:
-        """Galerkin's <Psi>, over all rates from a few solves (:mod:`acoustic_fem.numerics.rational_sweep`, to 1e-9)."""
+        """Galerkin's mean <Psi> of the field: shape of the rate (1/m^2), complex128.
+
+        All rates come from a few solves (:mod:`acoustic_fem.numerics.rational_sweep`, to 1e-9).
+        """
         discrete = self._discrete
         rates = np.abs(np.asarray(rate)).ravel() * self._extent**2
         layer = np.sqrt(2 / rates.max())

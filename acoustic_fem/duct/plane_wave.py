@@ -31,7 +31,9 @@ Spectrum = ArrayLike | Callable[[NDArray[np.float64]], ArrayLike]
 
 
 def series_impedance(radius: ArrayLike, frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
-    """Z' = j w rho / (S (1 - J(kv a))), kv = sqrt(-j w rho / mu), in Pa s/m^4.
+    """Series impedance per length of a round bore, Pa s/m^4.
+
+    Z' = j w rho / (S (1 - J(kv a))), kv = sqrt(-j w rho / mu).
 
     Exact for wavelengths far above the radius; at low frequency Z' -> 8 mu / (pi a^4). Relative error below
     1e-14, in real and imaginary part each below 1e-13 (0.01 Hz to 20 kHz, 0.05 to 5 mm).
@@ -53,9 +55,13 @@ def series_impedance(radius: ArrayLike, frequency: ArrayLike, medium: Medium) ->
 
 
 def shunt_admittance(radius: ArrayLike, frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
-    """Y' = j w S / (rho c^2) (1 + (gamma - 1) J(kt a)), kt = sqrt(-j w rho cp / kappa), in m^2/(Pa s).
+    """Shunt admittance per length of a round bore, m^2/(Pa s).
 
-    Sources, arguments and errors as :func:`series_impedance`. Low frequency: j w S / p (isothermal).
+    Y' = j w S / (rho c^2) (1 + (gamma - 1) J(kt a)), kt = sqrt(-j w rho cp / kappa). Low frequency: j w S / p
+    (isothermal). Sources, arguments and errors as :func:`series_impedance`.
+
+    Returns:
+        Broadcast shape of radius and frequency, complex128.
     """
     radius = positive("radius", radius, "m")
     mean = round_mean(2, radius, diffusion_rate(frequency, medium.thermal_diffusivity))
@@ -69,12 +75,12 @@ def port_admittance(
 
     Args:
         radius: of the bore, m.
-        length: m.
+        length: of the duct, m.
         frequency: Hz; radius, length and frequency broadcast.
         medium: the gas.
 
     Returns:
-        As :func:`two_port`: (n_freq, 2, 2) for one duct at n_freq frequencies.
+        As :func:`two_port`: (n_freq, 2, 2) complex128 for one duct at n_freq frequencies.
 
     Raises:
         Refusal: a radius, length or frequency that is not finite and positive.
@@ -94,7 +100,7 @@ def two_port(series: ArrayLike, shunt: ArrayLike, length: ArrayLike) -> NDArray[
     Args:
         series: Z', Pa s/m^4, not zero.
         shunt: Y', m^2/(Pa s).
-        length: m; all three broadcast.
+        length: of the line, m; all three broadcast.
 
     Returns:
         Broadcast shape + (2, 2), complex128.
@@ -116,40 +122,38 @@ class Line(ABC):
 
     @abstractmethod
     def series_impedance(self, frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
-        """Z' in Pa s/m^4."""
+        """Series impedance Z' per length, Pa s/m^4: shape of frequency (Hz), complex128."""
 
     @abstractmethod
     def shunt_admittance(self, frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
-        """Y' in m^2/(Pa s)."""
+        """Shunt admittance Y' per length, m^2/(Pa s): shape of frequency (Hz), complex128."""
 
     def propagation(self, frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
-        """Gamma = sqrt(Z' Y') in 1/m, real part not negative."""
+        """Propagation constant Gamma = sqrt(Z' Y'), 1/m: shape of frequency (Hz), complex128, real part >= 0."""
         return np.sqrt(self.series_impedance(frequency, medium) * self.shunt_admittance(frequency, medium))
 
     def characteristic_impedance(self, frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
-        """Zc = sqrt(Z' / Y') in Pa s/m^3, real part not negative."""
+        """Characteristic impedance sqrt(Z' / Y'), Pa s/m^3: shape of frequency (Hz), complex128, real part >= 0."""
         return np.sqrt(self.series_impedance(frequency, medium) / self.shunt_admittance(frequency, medium))
 
     def port_admittance(self, length: ArrayLike, frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
-        """The two-port of a piece of that length (m): :func:`two_port`, broadcast shape + (2, 2)."""
+        """Two-port of a piece of a length (m) by :func:`two_port`: broadcast shape + (2, 2), m^3/(Pa s)."""
         return two_port(self.series_impedance(frequency, medium), self.shunt_admittance(frequency, medium), length)
 
 
 @dataclass(frozen=True, eq=False)
 class UserLine(Line):
-    """A line known by its propagation constant and characteristic impedance, whatever the gas.
-
-    Attributes:
-        gamma: 1/m, real part not negative; values that broadcast with the frequencies asked for, or a
-            function of the frequency in Hz.
-        zc: Pa s/m^3, real part not negative; the same.
-    """
+    """A line known by its propagation constant and characteristic impedance, whatever the gas."""
 
     gamma: Spectrum
+    """Propagation constant, 1/m, real part not negative; values that broadcast with the frequencies asked for, or a
+    function of the frequency in Hz.
+    """
     zc: Spectrum
+    """Characteristic impedance, Pa s/m^3, real part not negative; values or a function as of ``gamma``."""
 
     def series_impedance(self, frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
-        """Z' = Gamma Zc in Pa s/m^4.
+        """Series impedance per length Z' = Gamma Zc, Pa s/m^4: shape of frequency (Hz), complex128.
 
         Raises:
             Refusal: gamma or zc is not finite, has a negative real part or does not fit the frequencies.
@@ -157,7 +161,10 @@ class UserLine(Line):
         return self._at("gamma", frequency) * self._at("zc", frequency)
 
     def shunt_admittance(self, frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
-        """Y' = Gamma / Zc in m^2/(Pa s); errors as :meth:`series_impedance`."""
+        """Shunt admittance per length Y' = Gamma / Zc, m^2/(Pa s): shape of frequency (Hz), complex128.
+
+        Errors as :meth:`series_impedance`.
+        """
         return self._at("gamma", frequency) / self._at("zc", frequency)
 
     def _at(self, name: str, frequency: ArrayLike) -> NDArray[np.complex128]:
@@ -179,14 +186,12 @@ class CompliantWall(Line):
     """A line whose wall gives way to the pressure: Y' + j w C'.
 
     The inertia of the wall is left out, so it holds far below the first ring resonance of the wall.
-
-    Attributes:
-        line: the same line with a rigid wall.
-        compliance: C' = dS/dp, m^2/Pa, imaginary part (losses) not positive; see :func:`tube_compliance`.
     """
 
     line: Line
+    """The same line with a rigid wall."""
     compliance: complex
+    """Compliance C' = dS/dp, m^2/Pa, imaginary part (losses) not positive; see :func:`tube_compliance`."""
 
     def __post_init__(self) -> None:
         value = complex(self.compliance)
@@ -194,11 +199,11 @@ class CompliantWall(Line):
             raise Refusal(f"compliance = {value:g} m^2/Pa must be finite, with real part >= 0 and imaginary <= 0")
 
     def series_impedance(self, frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
-        """Z' of the line, Pa s/m^4."""
+        """Series impedance Z' of the line per length, Pa s/m^4: shape of frequency (Hz), complex128."""
         return self.line.series_impedance(frequency, medium)
 
     def shunt_admittance(self, frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
-        """Y' + j w C', m^2/(Pa s)."""
+        """Shunt admittance per length Y' + j w C', m^2/(Pa s): shape of frequency (Hz), complex128."""
         omega = 2 * np.pi * positive("frequency", frequency, "Hz")
         return self.line.shunt_admittance(frequency, medium) + 1j * omega * self.compliance
 
@@ -246,32 +251,60 @@ def tube_compliance(
 
 
 def diffusion_rate(frequency: ArrayLike, diffusivity: float) -> NDArray[np.complex128]:
-    """Rate of diffusion s = j w / diffusivity in 1/m^2."""
+    """Rate of diffusion s = j w / diffusivity, 1/m^2: shape of frequency (Hz), complex128."""
     return np.asarray(2j * np.pi * positive("frequency", frequency, "Hz") / diffusivity, dtype=np.complex128)
 
 
 def series_from_mean(
     area: ArrayLike, mean: NDArray[np.complex128], frequency: ArrayLike, medium: Medium
 ) -> NDArray[np.complex128]:
-    """Z' = j w rho / (S <Psi_v>) in Pa s/m^4 for a section of that area (m^2)."""
+    """Series impedance per length of a section, Z' = j w rho / (S <Psi_v>).
+
+    Args:
+        area: S, m^2.
+        mean: <Psi_v>, shape of frequency, complex128.
+        frequency: Hz; area, mean and frequency broadcast.
+        medium: the gas.
+
+    Returns:
+        Broadcast shape, complex128, Pa s/m^4.
+    """
     return np.asarray(2j * np.pi * np.asarray(frequency) * medium.density / (np.asarray(area) * mean))
 
 
 def shunt_from_mean(
     area: ArrayLike, mean: NDArray[np.complex128], frequency: ArrayLike, medium: Medium
 ) -> NDArray[np.complex128]:
-    """Y' = j w S / (gamma p) (gamma - (gamma - 1) <Psi_h>) in m^2/(Pa s)."""
+    """Shunt admittance per length of a section, Y' = j w S / (gamma p) (gamma - (gamma - 1) <Psi_h>).
+
+    Args:
+        area: S, m^2.
+        mean: <Psi_h>, shape of frequency, complex128.
+        frequency: Hz; area, mean and frequency broadcast.
+        medium: the gas.
+
+    Returns:
+        Broadcast shape, complex128, m^2/(Pa s).
+    """
     gamma = medium.gamma
     adiabatic = 2j * np.pi * np.asarray(frequency) * np.asarray(area) / (gamma * medium.pressure)
     return np.asarray(adiabatic * (gamma - (gamma - 1) * mean))
 
 
 def round_mean(dimension: int, radius: ArrayLike, rate: NDArray[np.complex128]) -> NDArray[np.complex128]:
-    """<Psi> of a slab, circle or sphere (dimension 1, 2, 3) of that half thickness or radius (m).
+    """Mean <Psi> of a slab, circle or sphere (dimension 1, 2, 3) of that half thickness or radius (m).
 
     With x^2 = R^2 s the means 1 - tanh(x)/x, 1 - 2 I1/(x I0), 1 - 3 (x coth x - 1)/x^2 are all
     I_{d/2+1}(x) / I_{d/2-1}(x): scaled Bessel functions for |x| > 1, below it the power series in x^2,
     which keep real and imaginary part each to rounding.
+
+    Args:
+        dimension: 1, 2 or 3.
+        radius: R, m.
+        rate: s, 1/m^2, complex128; broadcasts with the radius.
+
+    Returns:
+        Broadcast shape, complex128.
     """
     scaled = np.asarray(np.asarray(radius) ** 2 * rate, dtype=np.complex128)
     small = np.abs(scaled) < 1
@@ -312,7 +345,7 @@ _CSCH = np.concatenate([[1.0], 2 * zeta(2.0 * _ORDERS) * (1 - 2.0 ** (1 - 2 * _O
 
 
 def _x_coth_x(square: NDArray[np.complex128]) -> NDArray[np.complex128]:
-    """Of x^2: 1 + x^2/3 - ..."""
+    """The function x coth(x) of x^2: 1 + x^2/3 - ..."""
     short = np.abs(square) < _SHORT
     x = np.sqrt(np.where(short, 1.0, square))
     shrink = -np.expm1(-2 * x)
@@ -322,7 +355,7 @@ def _x_coth_x(square: NDArray[np.complex128]) -> NDArray[np.complex128]:
 
 
 def _x_over_sinh_x(square: NDArray[np.complex128]) -> NDArray[np.complex128]:
-    """Of x^2: 1 - x^2/6 + ..."""
+    """The function x / sinh(x) of x^2: 1 - x^2/6 + ..."""
     short = np.abs(square) < _SHORT
     x = np.sqrt(np.where(short, 1.0, square))
     long = 2 * x * np.exp(-x) / -np.expm1(-2 * x)

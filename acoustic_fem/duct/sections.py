@@ -30,28 +30,28 @@ class Section(Line):
 
     @abstractmethod
     def mean_field(self, rate: NDArray[np.complex128]) -> NDArray[np.complex128]:
-        """<Psi> for the rate s = j w / diffusivity (1/m^2), same shape."""
+        """Mean <Psi> of the field at the rate s = j w / diffusivity (1/m^2): shape of the rate, complex128."""
 
     def series_impedance(self, frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
-        """Z' = j w rho / (S <Psi_v>) in Pa s/m^4, shape of frequency (Hz)."""
+        """Series impedance per length Z' = j w rho / (S <Psi_v>), Pa s/m^4: shape of frequency (Hz), complex128."""
         mean = self.mean_field(diffusion_rate(frequency, medium.kinematic_viscosity))
         return series_from_mean(self.area, mean, frequency, medium)
 
     def shunt_admittance(self, frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
-        """Y' = j w S / (gamma p) (gamma - (gamma - 1) <Psi_h>) in m^2/(Pa s), shape of frequency (Hz)."""
+        """Shunt admittance per length, m^2/(Pa s): shape of frequency (Hz), complex128.
+
+        Y' = j w S / (gamma p) (gamma - (gamma - 1) <Psi_h>).
+        """
         mean = self.mean_field(diffusion_rate(frequency, medium.thermal_diffusivity))
         return shunt_from_mean(self.area, mean, frequency, medium)
 
 
 @dataclass(frozen=True)
 class CircularSection(Section):
-    """A round bore, exact: :func:`acoustic_fem.duct.plane_wave.series_impedance`.
-
-    Attributes:
-        radius: m.
-    """
+    """A round bore, exact: :func:`acoustic_fem.duct.plane_wave.series_impedance`."""
 
     radius: float
+    """Radius of the bore, m."""
 
     def __post_init__(self) -> None:
         positive("radius", self.radius, "m")
@@ -62,7 +62,7 @@ class CircularSection(Section):
         return np.pi * self.radius**2
 
     def mean_field(self, rate: NDArray[np.complex128]) -> NDArray[np.complex128]:
-        """1 - 2 I1(x)/(x I0(x)), x^2 = a^2 s."""
+        """Mean <Psi> = 1 - 2 I1(x)/(x I0(x)), x^2 = a^2 s: shape of the rate s (1/m^2), complex128."""
         return round_mean(2, self.radius, rate)
 
 
@@ -71,14 +71,12 @@ class SlitSection(Section):
     """A slit much wider than its gap; the side walls are neglected (relative error 0.63 gap / width).
 
     Stinson and Champoux, J. Acoust. Soc. Am. 91 (1992) 685. Low frequency: Z' -> 12 mu / (w h^3).
-
-    Attributes:
-        gap: distance h of the walls, m.
-        width: w, m.
     """
 
     gap: float
+    """Distance h of the walls, m."""
     width: float
+    """Width w, m."""
 
     def __post_init__(self) -> None:
         positive("gap", self.gap, "m")
@@ -90,7 +88,7 @@ class SlitSection(Section):
         return self.gap * self.width
 
     def mean_field(self, rate: NDArray[np.complex128]) -> NDArray[np.complex128]:
-        """1 - tanh(x)/x, x = h sqrt(s) / 2."""
+        """Mean <Psi> = 1 - tanh(x)/x, x = h sqrt(s) / 2: shape of the rate s (1/m^2), complex128."""
         return round_mean(1, self.gap / 2, rate)
 
 
@@ -101,14 +99,12 @@ class RectangularSection(Section):
     The double series of Roe, J. Acoust. Soc. Am. 31 (1959) 62, and Stinson, J. Acoust. Soc. Am. 89 (1991)
     550, summed over the longer side; the terms fall as m^-5 and their tail is added by Hurwitz zeta
     functions. Relative error below 1e-12 (tests/acoustic_fem/duct/test_sections.py).
-
-    Attributes:
-        width: one side, m.
-        height: the other, m.
     """
 
     width: float
+    """Length of one side, m."""
     height: float
+    """Length of the other side, m."""
 
     def __post_init__(self) -> None:
         positive("width", self.width, "m")
@@ -120,7 +116,10 @@ class RectangularSection(Section):
         return self.width * self.height
 
     def mean_field(self, rate: NDArray[np.complex128]) -> NDArray[np.complex128]:
-        """Slit less sum over odd m of 8/(pi m)^2 s/q^2 tanh(q w/2)/(q w/2), q^2 = (m pi/h)^2 + s, w >= h."""
+        """Mean <Psi>: shape of the rate s (1/m^2), complex128.
+
+        That of the slit less the sum over odd m of 8/(pi m)^2 s/q^2 tanh(q w/2)/(q w/2), q^2 = (m pi/h)^2 + s, w >= h.
+        """
         long, short = max(self.width, self.height), min(self.width, self.height)
         sigma = np.asarray(rate * (short / np.pi) ** 2, dtype=np.complex128)
         count = int(np.ceil(max(32.0, 4 * np.sqrt(np.abs(sigma).max(initial=0.0)))))
@@ -144,12 +143,10 @@ class TriangularSection(Section):
 
     1 - 3 (x coth x - 1)/x^2 with x = sqrt(3) d sqrt(s) / 4 (Stinson and Champoux, J. Acoust. Soc. Am. 91
     (1992) 685). Low frequency: Z' -> 320 mu / (sqrt(3) d^4).
-
-    Attributes:
-        side: d, m.
     """
 
     side: float
+    """Length d of a side, m."""
 
     def __post_init__(self) -> None:
         positive("side", self.side, "m")
@@ -160,5 +157,5 @@ class TriangularSection(Section):
         return np.sqrt(3) / 4 * self.side**2
 
     def mean_field(self, rate: NDArray[np.complex128]) -> NDArray[np.complex128]:
-        """The mean of a sphere of radius sqrt(3) d / 4."""
+        """Mean <Psi>, that of a sphere of radius sqrt(3) d / 4: shape of the rate (1/m^2), complex128."""
         return round_mean(3, np.sqrt(3) / 4 * self.side, rate)

@@ -33,18 +33,16 @@ class TaperError(Refusal):
 
 @dataclass(frozen=True, eq=False)
 class TaperedTwoPort:
-    """Result of :func:`solve`.
-
-    Attributes:
-        admittance: (n_freq, 2, 2) complex128, volume velocity into each end per pressure, m^3/(Pa s).
-        elements: used for it.
-        error: change at the last halving of the elements: of Y12 and of the row sums (the compliance, at low
-            frequency), each relative to its own size.
-    """
+    """The two-port of a duct of varying section, and how far it has settled."""
 
     admittance: NDArray[np.complex128]
+    """Volume velocity into each end per pressure at each end, (n_freq, 2, 2) complex128, m^3/(Pa s)."""
     elements: int
+    """Number of elements used for it."""
     error: float
+    """Change at the last halving of the elements: of Y12 and of the row sums (the compliance, at low frequency), each
+    relative to its own size.
+    """
 
 
 def port_admittance(
@@ -55,7 +53,7 @@ def port_admittance(
     breaks: Sequence[float] = (),
     accuracy: float = 1e-9,
 ) -> NDArray[np.complex128]:
-    """The two-port of :func:`solve` alone, (n_freq, 2, 2)."""
+    """The two-port of :func:`solve` alone, (n_freq, 2, 2) complex128, m^3/(Pa s); arguments and errors as there."""
     return solve(section, length, frequency, medium, breaks, accuracy).admittance
 
 
@@ -73,8 +71,8 @@ def solve(
 
     Args:
         section: the line at a place x (m) from the first end, 0 < x < length.
-        length: m.
-        frequency: Hz, (n_freq,).
+        length: of the duct, m.
+        frequency: (n_freq,) float64, Hz.
         medium: the gas.
         breaks: places (m) where the section jumps or has a kink, ascending; element ends are put there.
         accuracy: of Y12 and of the row sums of the two-port; 1e-12 to 0.1.
@@ -123,7 +121,18 @@ def assemble(
     medium: Medium,
     degree: int = DEGREE,
 ) -> NDArray[np.complex128]:
-    """The duct on given elements (nodes in m, ascending): -Y12, Y11 + Y12 and Y22 + Y12, (3, n_freq)."""
+    """The duct on given elements as a Pi circuit.
+
+    Args:
+        section: the line at a place (m) from the first end.
+        nodes: (n_node,) float64, ends of the elements, ascending, m.
+        frequency: (n_freq,) float64, Hz.
+        medium: the gas.
+        degree: of the elements.
+
+    Returns:
+        (3, n_freq) complex128, m^3/(Pa s): -Y12, Y11 + Y12 and Y22 + Y12.
+    """
     points, weights = leggauss(degree + 2)
     values, slopes = _shapes(degree, points)
     steps = np.diff(nodes)

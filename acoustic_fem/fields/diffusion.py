@@ -26,20 +26,22 @@ from geometry.air.mesh import SolidMesh
 
 @dataclass(frozen=True, eq=False)
 class DiffusionField:
-    """Psi = sum_k c_k(f) v_k with real functions v_k; the coefficients come from :func:`field_coefficients`."""
+    """A field Psi = sum_k c_k(f) v_k of real functions v_k; the coefficients come from :func:`field_coefficients`."""
 
     basis: skfem.CellBasis
+    """Finite element space of the field, lengths in mm."""
     functions: NDArray[np.float64]
-    """(n_dof, r): v_k at the degrees of freedom of the basis."""
+    """Functions v_k at the degrees of freedom of the basis, (n_dof, r) float64."""
     model: ReducedModel
+    """Reduced model that gives the coefficients."""
 
     def mean(self, frequency: NDArray[np.float64], diffusivity: float) -> NDArray[np.complex128]:
-        """Mean of the field over the body, (n_freq,)."""
+        """Mean of the field over the body, (n_freq,) complex128, at frequencies (n_freq,) in Hz; diffusivity m^2/s."""
         integrals = np.einsum("rek,ek->r", self.at_quadrature(), self.basis.dx)
         return field_coefficients(self.model, frequency, diffusivity) @ integrals / self.basis.dx.sum()
 
     def means_over(self, flow: skfem.CellBasis) -> NDArray[np.float64]:
-        """Mean of every v_k over each element of another mesh of the same solid, (r, n_element).
+        """Mean of every v_k over each element of another mesh of the same solid, (r, n_element) float64.
 
         Each quadrature point of the field's mesh counts for the element of the flow mesh whose quadrature
         point is nearest: the integral over the whole solid is kept exactly.
@@ -60,7 +62,7 @@ class DiffusionField:
         )
 
     def at_quadrature(self) -> NDArray[np.float64]:
-        """Every v_k at the quadrature points, (r, n_element, n_quadrature)."""
+        """Functions v_k at the quadrature points, (r, n_element, n_quadrature) float64."""
         return np.stack([np.asarray(self.basis.interpolate(function)) for function in self.functions.T])
 
 
@@ -100,7 +102,7 @@ def diffusion_field(
 def field_coefficients(
     model: ReducedModel, frequency: NDArray[np.float64], diffusivity: float
 ) -> NDArray[np.complex128]:
-    """c_k(f), (n_freq, r), from the field's reduced model."""
+    """Coefficients c_k(f), (n_freq, r) complex128, from the field's reduced model, at (n_freq,) frequencies in Hz."""
     solution, _ = model.coordinates(*_system_coefficients(frequency, diffusivity))
     return np.asarray(solution[:, :, 0], dtype=np.complex128)
 

@@ -31,13 +31,13 @@ from geometry.air.mesh import SolidMesh
 
 @skfem.BilinearForm
 def weighted_laplace(p: Any, q: Any, form: Any) -> Any:
-    """Conduction: weight grad p . grad q."""
+    """Weak form of conduction: weight grad p . grad q."""
     return form.weight * dot(grad(p), grad(q))
 
 
 @skfem.LinearForm
 def weighted_load(q: Any, form: Any) -> Any:
-    """Source on a face: weight q."""
+    """Weak form of a source on a face: weight q."""
     return form.weight * q
 
 
@@ -45,26 +45,31 @@ def weighted_load(q: Any, form: Any) -> Any:
 class PressureSystem:
     """Quadratic pressure on curved tetrahedra, lengths mm; ports hold one pressure each.
 
-    Unknowns are the pressures off the ports; ``on_ports`` (n_dof, n_port) is 1 on the nodes of a port.
+    Unknowns are the pressures off the ports.
     """
 
     basis: skfem.CellBasis
+    """Finite element space of the pressure, lengths in mm."""
     free: NDArray[np.int64]
+    """Degrees of freedom off the ports, (n_free,) int64."""
     on_ports: NDArray[np.float64]
+    """Pressure of one at each port, (n_dof, n_port) float64: 1 on the nodes of the port."""
     sources: NDArray[np.float64]
-    """(n_dof, n_motion): integral of each wall motion against the pressure, unit integral of its magnitude."""
+    """Integral of each wall motion against the pressure, (n_dof, n_motion) float64, for a unit integral of its
+    magnitude.
+    """
 
     def conduction(self, weight: NDArray[np.float64]) -> sp.csr_array:
-        """Integral of weight grad p . grad q, weight at quadrature points, over all nodes; mm."""
+        """Integral of weight grad p . grad q, (n_dof, n_dof), mm; weight at quadrature points (n_element, q)."""
         return sp.csr_array(weighted_laplace.assemble(self.basis, weight=weight))
 
     def storage(self, weight: NDArray[np.float64]) -> sp.csr_array:
-        """Integral of weight p q over all nodes, weight at quadrature points; mm^3."""
+        """Integral of weight p q, (n_dof, n_dof), mm^3; weight at quadrature points (n_element, q)."""
         return sp.csr_array(weighted_mass.assemble(self.basis, weight=weight))
 
 
 def pressure_system(mesh: SolidMesh, ports: Sequence[str], motions: Sequence[WallMotion] = ()) -> PressureSystem:
-    """Spaces and sources of a cell; every face that is no port is a wall, a mirror plane included."""
+    """Finite element space and sources of a cell; every face that is no port is a wall, a mirror plane included."""
     tetrahedra, facets = tetrahedral_mesh(mesh)
     basis = skfem.Basis(tetrahedra, skfem.ElementTetP2(), intorder=4)
     on_ports = np.zeros((basis.N, len(ports)))

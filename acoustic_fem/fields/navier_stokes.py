@@ -36,25 +36,25 @@ from geometry.air.mesh import SolidMesh
 
 @skfem.BilinearForm
 def divergence(u: Any, q: Any, form: Any) -> Any:
-    """One term of the coupling of velocity and pressure: q du/dx_i."""
+    """Weak form of one term of the coupling of velocity and pressure: q du/dx_i."""
     return u.grad[form.axis] * q
 
 
 @skfem.BilinearForm
 def weighted_mass(p: Any, q: Any, form: Any) -> Any:
-    """Storage: weight p q."""
+    """Weak form of storage: weight p q."""
     return form.weight * p * q
 
 
 @skfem.BilinearForm
 def laplace(p: Any, q: Any, _: Any) -> Any:
-    """Diffusion: grad p . grad q."""
+    """Weak form of diffusion: grad p . grad q."""
     return dot(grad(p), grad(q))
 
 
 @skfem.LinearForm
 def normal_flux(w: Any, form: Any) -> Any:
-    """Flux out of the cell: w . n."""
+    """Weak form of the flux out of the cell: w . n."""
     return dot(w, form.n)
 
 
@@ -68,18 +68,25 @@ class CellSystem:
     """
 
     viscous: sp.csr_array
+    """Viscous term, (n, n)."""
     inertia: sp.csr_array
+    """Term of inertia, (n, n), taken s times."""
     coupling: sp.csr_array
+    """Coupling of velocity and pressure, (n, n), subtracted."""
     compliance: sp.csr_array
+    """Storage of the gas at one weight everywhere, (n, n), taken t times."""
     port_flux: NDArray[np.float64]
-    """(n, n_port): column i gives the volume velocity out through port i, mm^2 times the velocity."""
+    """Volume velocity out through each port, (n, n_port) float64, mm^2 times the velocity."""
     motion_terms: tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]
-    """viscous, inertia and coupling applied to the scaled wall motions, restricted to the unknowns, each
-    (n, n_motion)."""
+    """Viscous term, inertia and coupling applied to the scaled wall motions, restricted to the unknowns, (n, n_motion)
+    float64 each.
+    """
     motion_energy: NDArray[np.float64]
-    """(2, n_motion, n_motion): viscous and inertia energy of the wall motions themselves."""
+    """Viscous and inertia energy of the wall motions themselves, (2, n_motion, n_motion) float64."""
     n_velocity: int
+    """Number of free velocities, which come first among the unknowns."""
     pressure: skfem.CellBasis
+    """Finite element space of the pressure, lengths in mm."""
 
     @property
     def size(self) -> int:
@@ -88,13 +95,13 @@ class CellSystem:
 
 
 def compliance_mass(pressure: skfem.CellBasis, weight: NDArray[np.float64]) -> sp.csr_array:
-    """Integral of weight p q over the cell, mm^3; one weight per element (n_element,)."""
+    """Integral of weight p q over the cell, (n_pressure, n_pressure), mm^3; one weight per element, (n_element,)."""
     at_points = np.broadcast_to(weight[:, None], pressure.dx.shape)
     return sp.csr_array(weighted_mass.assemble(pressure, weight=at_points))
 
 
 def tetrahedral_mesh(mesh: SolidMesh) -> tuple[skfem.MeshTet2, dict[str, NDArray[np.int64]]]:
-    """The mesh in scikit-fem's form, and the facets of each named face."""
+    """The mesh in scikit-fem's form, and the facets of each face by name, (n_facet,) int64."""
     tetrahedra = skfem.MeshTet2(mesh.nodes.T, mesh.tetrahedra.T)
     vertex = _vertex_numbers(mesh)
     return tetrahedra, {name: _facets(tetrahedra, vertex[triangles]) for name, triangles in mesh.faces.items()}
@@ -103,25 +110,23 @@ def tetrahedral_mesh(mesh: SolidMesh) -> tuple[skfem.MeshTet2, dict[str, NDArray
 def dirichlet_nodes(
     scalar: skfem.CellBasis, facets: dict[str, NDArray[np.int64]], ports: Sequence[str]
 ) -> NDArray[np.int64]:
-    """Degrees of freedom of a scalar basis on every face that is no port."""
+    """Degrees of freedom of a scalar basis on every face that is no port, (n_dof,) int64."""
     walls = [index for name, index in facets.items() if name not in ports]
     return np.unique(np.concatenate([scalar.get_dofs(index).all() for index in walls]))
 
 
 @dataclass(frozen=True, eq=False)
 class WallMotion:
-    """A flat face that moves along its normal with a shape that depends on the distance from a centre.
-
-    Attributes:
-        face: name of the face.
-        profile: (n, 2) radius (mm) and normal velocity; scaled so that the integral of its magnitude over
-            the face is 1: unit volume velocity into the cell, where the shape has one sign.
-        centre: of the profile, mm.
-    """
+    """A flat face that moves along its normal with a shape that depends on the distance from a centre."""
 
     face: str
+    """Name of the face."""
     profile: NDArray[np.float64]
+    """Radius (mm) and normal velocity, (n, 2) float64; scaled so that the integral of its magnitude over the face is 1:
+    unit volume velocity into the cell, where the shape has one sign.
+    """
     centre: tuple[float, float, float]
+    """Centre of the profile, mm."""
 
 
 def cell_system(

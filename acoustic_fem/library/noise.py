@@ -46,11 +46,11 @@ def thermal_covariance(impedance: ArrayLike, temperature: float) -> NDArray[np.c
     2 k T (Z + Z*^T), one-sided, Pa^2/Hz (Twiss 1955, eq. 4).
 
     Args:
-        impedance: (..., n, n) complex, Pa s/m^3.
+        impedance: (..., n, n) complex128, Pa s/m^3.
         temperature: K.
 
     Returns:
-        (..., n, n) complex128, Hermitian; the diagonal is the power density of each port.
+        (..., n, n) complex128, Pa^2/Hz, Hermitian; the diagonal is the power density of each port.
 
     Raises:
         Refusal: matrices that are not square, or a temperature that is not finite and positive.
@@ -63,7 +63,7 @@ def thermal_covariance(impedance: ArrayLike, temperature: float) -> NDArray[np.c
 
 
 def noise_covariance(library: Library, noise_at: NoiseAt = "front") -> NDArray[np.complex128]:
-    """Thermal and own noise of the microphones, one-sided, (n_freq, n_microphone, n_microphone) Pa^2/Hz.
+    """Spectral density of thermal and own noise of the microphones, one-sided.
 
     The noise of the vents is in the thermal part; if the figures of the microphone were measured on a
     whole microphone they hold it too, and the sum is that much too high.
@@ -73,6 +73,9 @@ def noise_covariance(library: Library, noise_at: NoiseAt = "front") -> NDArray[n
         noise_at: "front": the noise figures of the design are pressures in front of the microphone;
             "output": its output over its sensitivity, which below the corner of the vent is worth more
             (:func:`acoustic_fem.network.microphone.noise_density_behind_vent`).
+
+    Returns:
+        (n_freq, n_microphone, n_microphone) complex128, Pa^2/Hz.
 
     Raises:
         Refusal: a library without microphone impedance, or an unknown ``noise_at``.
@@ -89,7 +92,7 @@ def noise_density(library: Library, noise_at: NoiseAt = "front") -> xr.Dataset:
     Arguments and errors as :func:`noise_covariance`.
 
     Returns:
-        Variables ``thermal``, ``own`` and ``total`` with dimensions (microphone, frequency).
+        Variables ``thermal``, ``own`` and ``total``, each (microphone, frequency) float64, Pa/sqrt(Hz).
     """
     thermal = thermal_covariance(_impedance(library), gas_temperature(library.medium))
     power = np.einsum("fmm->mf", thermal).real
@@ -132,7 +135,7 @@ def detectable_density(
         contact_radius: as for :meth:`acoustic_fem.Library.touch_response`.
 
     Returns:
-        (point, frequency) float64.
+        (point, frequency) float64, in the unit of the touch per sqrt(Hz).
 
     Raises:
         Refusal: an unknown touch or microphone, a value out of range, no microphone impedance.
@@ -168,7 +171,7 @@ def detection_limits(
         contact_radius: as for :meth:`acoustic_fem.Library.touch_response`.
 
     Returns:
-        Variables ``displacement`` (m), ``force`` (N) and ``pressure`` (Pa) with dimension (point,).
+        Variables ``displacement`` (m), ``force`` (N) and ``pressure`` (Pa), each (point,) float64.
 
     Raises:
         Refusal: a band outside the grid; the rest as :func:`detectable_density`.

@@ -67,43 +67,44 @@ class Library:
 
     The volume velocity is injected in parallel with the membrane's own compliance, which stays part of
     the array: a touch that would sweep the volume q of a membrane in vacuo injects j w q.
-
-    Attributes:
-        transfer_function: (point, microphone, frequency) complex128, microphone pressure / pressure in the
-            touched cavity, Pa/Pa. Microphone pressure: on the diaphragm, behind the sound hole.
-        source_response: (point, microphone, frequency) complex128, microphone pressure per injected
-            volume velocity, Pa s/m^3.
-        point_impedance: (point, frequency) complex128, cavity pressure per injected volume velocity, Pa s/m^3.
-        microphone_impedance: (microphone, microphone_2, frequency) complex128, pressure at a microphone per
-            volume velocity injected at the front of another, Pa s/m^3, the microphones' own load included:
-            what thermal noise needs. None in files of older versions and in measured libraries.
-        transfer_function_deviation: (point, microphone, frequency) float64, one standard deviation of the real part
-            and of the imaginary part of the transfer function, Pa/Pa. None where it was computed.
-        design: the array.
-        fidelity: how the cells were computed, one of :data:`FIDELITIES`, or :data:`MEASURED`.
-        medium: the air.
-        provenance: code and library versions, creation time, seed, hash of the frequency grid, and how each
-            distinct cell was solved.
     """
 
     transfer_function: xr.DataArray
+    """Microphone pressure per pressure in the touched cavity, (point, microphone, frequency) complex128, Pa/Pa.
+    Microphone pressure: on the diaphragm, behind the sound hole.
+    """
     source_response: xr.DataArray
+    """Microphone pressure per injected volume velocity, (point, microphone, frequency) complex128, Pa s/m^3."""
     point_impedance: xr.DataArray
+    """Cavity pressure per injected volume velocity, (point, frequency) complex128, Pa s/m^3."""
     design: ArrayDesign
+    """The array."""
     fidelity: str
+    """How the cells were computed, one of :data:`FIDELITIES`, or :data:`MEASURED`."""
     medium: Medium
+    """The air."""
     provenance: Mapping[str, Any]
+    """Code and library versions, creation time, seed, hash of the frequency grid, and how each distinct cell was
+    solved.
+    """
     microphone_impedance: xr.DataArray | None = None
+    """Pressure at a microphone per volume velocity injected at the front of another, (microphone, microphone_2,
+    frequency) complex128, Pa s/m^3, the microphones' own load included: what thermal noise needs. None in files of
+    older versions and in measured libraries.
+    """
     transfer_function_deviation: xr.DataArray | None = None
+    """One standard deviation of the real part and of the imaginary part of the transfer function, (point, microphone,
+    frequency) float64, Pa/Pa. None where it was computed.
+    """
 
     @property
     def frequency(self) -> NDArray[np.float64]:
-        """The grid of frequencies, Hz."""
+        """Grid of frequencies, (n_freq,) float64, ascending, Hz."""
         return np.asarray(self.transfer_function["frequency"].values)
 
     @property
     def force_response(self) -> xr.DataArray:
-        """(point, microphone, frequency) complex128, microphone pressure per force on the membrane, Pa/N.
+        """Microphone pressure per force on the membrane, (point, microphone, frequency) complex128, Pa/N.
 
         The force is spread over a patch of a quarter of the opening's radius in the middle of the membrane and
         pushes inwards; it injects j w V(w) per newton, V from the elastic solution of the design's membrane.
@@ -112,11 +113,14 @@ class Library:
         return self.touch_response("force").rename("force_response").assign_attrs(FORCE_RESPONSE)
 
     def touch_response(self, touch: str, *, contact_radius: float | None = None) -> xr.DataArray:
-        """Pressure at the microphones per touch of each membrane, (point, microphone, frequency) complex128.
+        """Pressure at the microphones per touch of each membrane.
 
         Args:
             touch: "displacement" (m), "force" (N) or "pressure" (Pa).
             contact_radius: of the patch that is touched, m; by default a quarter of the opening's radius.
+
+        Returns:
+            (point, microphone, frequency) complex128, Pa per unit of the touch.
 
         Raises:
             Refusal: an unknown touch, or a contact radius out of range.

@@ -32,78 +32,73 @@ disc_source: ContextVar[Callable[[DiscShape], ElasticDisc | None] | None] = Cont
 
 @dataclass(frozen=True, eq=False)
 class DiscModes:
-    """Axisymmetric modes in vacuo, undamped; amplitudes are the largest deflection of the lower face.
-
-    Attributes:
-        frequency: (n,) ascending, Hz.
-        mass: (n,) modal mass, kg.
-        swept_area: (n,) participation in volume velocity: volume that the lower face sweeps over the
-            opening per amplitude, m^2; not negative.
-        elastic_share: (n,) share of the modal stiffness that is elastic and carries the loss factor; the
-            rest is pre-stress.
-        shape: (n, n_radius) coupling shape: deflection of the lower face at the radii of
-            :attr:`DiscSolution.radius`; largest magnitude 1, outwards where it sweeps volume.
-    """
+    """Axisymmetric modes in vacuo, undamped; amplitudes are the largest deflection of the lower face."""
 
     frequency: NDArray[np.float64]
+    """Frequencies, (n,) float64, ascending, Hz."""
     mass: NDArray[np.float64]
+    """Modal masses, (n,) float64, kg."""
     swept_area: NDArray[np.float64]
+    """Participation in volume velocity, (n,) float64, m^2: volume that the lower face sweeps over the opening per
+    amplitude; not negative.
+    """
     elastic_share: NDArray[np.float64]
+    """Share of the modal stiffness that is elastic and carries the loss factor, (n,) float64; the rest is pre-stress.
+    """
     shape: NDArray[np.float64]
+    """Coupling shapes, (n, n_radius) float64: deflection of the lower face at the radii of :attr:`DiscSolution.radius`;
+    largest magnitude 1, outwards where it sweeps volume.
+    """
 
 
 @dataclass(frozen=True, eq=False)
 class DiscResponse:
-    """What a disc does in vacuo at some frequencies; every array has their shape.
-
-    Attributes:
-        compliance: volume swept by the lower face per pressure on it, m^3/Pa.
-        volume_per_force: volume swept into the cavity per force on the contact patch, m^3/N; by reciprocity
-            also the mean displacement of the patch per pressure in the cavity, m/Pa.
-        displacement_per_force: mean displacement of the patch per force on it, m/N.
-        volume_per_pressure: volume swept into the cavity per pressure on the upper face, m^3/Pa.
-    """
+    """Responses of a disc in vacuo at some frequencies."""
 
     compliance: NDArray[np.complex128]
+    """Volume swept by the lower face per pressure on it, m^3/Pa; shape of the frequencies, complex128."""
     volume_per_force: NDArray[np.complex128]
+    """Volume swept into the cavity per force on the contact patch, m^3/N; by reciprocity also the mean displacement of
+    the patch per pressure in the cavity, m/Pa; shape of the frequencies, complex128.
+    """
     displacement_per_force: NDArray[np.complex128]
+    """Mean displacement of the patch per force on it, m/N; shape of the frequencies, complex128."""
     volume_per_pressure: NDArray[np.complex128]
+    """Volume swept into the cavity per pressure on the upper face, m^3/Pa; shape of the frequencies, complex128."""
 
 
 @dataclass(frozen=True, eq=False)
 class DiscSolution:
-    """Linear elastic behaviour of a disc in vacuo.
-
-    Attributes:
-        static_compliance: volume swept by the lower face over the opening per pressure on it, m^3/Pa.
-        first_frequency: of the first axisymmetric mode, Hz.
-        modal_mass: acoustic mass of that mode, scaled to sweep unit volume, kg/m^4.
-        radius: (n,) radii over the opening, m.
-        deflection: (n,) static displacement of the lower face per pressure on it, outwards, m/Pa.
-        modes: the first axisymmetric modes.
-        contact_radius: of the patch in the middle of the upper face that takes a force, m.
-        volume_per_force: static volume swept into the cavity per force on the patch, m^3/N.
-        displacement_per_force: static mean displacement of the patch per force on it, the local indentation
-            under a uniform pressure included, m/N.
-        opening: radius of the opening, m.
-        modulus: Young's modulus of the mounted disc, Pa.
-        density: kg/m^3.
-        model: the dimensionless dynamic model.
-    """
+    """Linear elastic behaviour of a disc in vacuo."""
 
     static_compliance: float
+    """Volume swept by the lower face over the opening per static pressure on it, m^3/Pa."""
     first_frequency: float
+    """Frequency of the first axisymmetric mode, Hz."""
     modal_mass: float
+    """Acoustic mass of that mode, scaled to sweep unit volume, kg/m^4."""
     radius: NDArray[np.float64]
+    """Radii over the opening, (n_radius,) float64, m."""
     deflection: NDArray[np.float64]
+    """Static displacement of the lower face per pressure on it, (n_radius,) float64, outwards, m/Pa."""
     modes: DiscModes
+    """The first axisymmetric modes."""
     contact_radius: float
+    """Radius of the patch in the middle of the upper face that takes a force, m."""
     volume_per_force: float
+    """Static volume swept into the cavity per force on the patch, m^3/N."""
     displacement_per_force: float
+    """Static mean displacement of the patch per force on it, the local indentation under a uniform pressure included,
+    m/N.
+    """
     opening: float
+    """Radius of the opening, m."""
     modulus: float
+    """Young's modulus of the mounted disc, Pa."""
     density: float
+    """Density, kg/m^3."""
     model: ElasticDisc
+    """The dimensionless dynamic model."""
 
     def response(self, frequency: ArrayLike, loss_factor: float = 0.0) -> DiscResponse:
         """Responses to pressures and to a force on the patch as sums over modes with static correction.
@@ -145,7 +140,11 @@ class DiscSolution:
         )
 
     def compliance(self, frequency: ArrayLike, loss_factor: float = 0.0) -> NDArray[np.complex128]:
-        """Volume compliance C(w), m^3/Pa; arguments, validity and errors as :meth:`response`."""
+        """Volume compliance C(w); arguments, validity and errors as :meth:`response`.
+
+        Returns:
+            Shape of frequency, complex128, m^3/Pa.
+        """
         return self.response(frequency, loss_factor).compliance
 
 
@@ -180,8 +179,8 @@ def solve_disc(
 
     Args:
         radius: of the opening, m.
-        thickness: m, 0.01 to 2 radii; with ``stretch`` that of the relaxed sheet.
-        youngs_modulus: Pa; with ``stretch`` that of the relaxed sheet.
+        thickness: of the disc, m, 0.01 to 2 radii; with ``stretch`` that of the relaxed sheet.
+        youngs_modulus: static modulus E, Pa; with ``stretch`` that of the relaxed sheet.
         poisson_ratio: 0.01 to 0.49999.
         rim_width: 0: lateral face clamped; above 0: disc of radius + rim_width, glued on its lower face
             along the rim, other faces free; m, at least 0.05 thicknesses and at most 50 radii.
@@ -332,5 +331,13 @@ def design_disc(design: ArrayDesign, *, contact_radius: float | None = None) -> 
 
 
 def design_compliance(design: ArrayDesign, frequency: ArrayLike) -> NDArray[np.complex128]:
-    """Volume compliance of a design's membrane with the loss factor of its material, m^3/Pa."""
+    """Volume compliance of a design's membrane with the loss factor of its material.
+
+    Args:
+        design: the array.
+        frequency: Hz, any shape.
+
+    Returns:
+        Shape of frequency, complex128, m^3/Pa.
+    """
     return design_disc(design).compliance(frequency, design.material(design.membrane.material).loss_factor)

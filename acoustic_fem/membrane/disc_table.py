@@ -35,22 +35,20 @@ Solve = Callable[[Sequence[DiscShape]], list[ElasticDisc]]
 
 @dataclass(frozen=True, eq=False)
 class DiscTable:
-    """Discs that differ in thickness and rim alone, without pre-stress.
-
-    Attributes:
-        like: one of them; its Poisson's ratio and contact are those of all.
-        bounds: (2, 2) float64, logarithms of the lowest and highest thickness / a and rim / a.
-        discs: solved, in the order of the points: rim changes fastest.
-        coefficients: (n_thickness, n_rim, 6) float64 of the logarithms of the three static answers and of the first
-            mode's eigenvalue, swept volume and patch displacement.
-        error: largest relative error of those where it was checked.
-    """
+    """Discs that differ in thickness and rim alone, without pre-stress."""
 
     like: DiscShape
+    """One of the discs; its Poisson's ratio and contact are those of all."""
     bounds: NDArray[np.float64]
+    """Logarithms of the lowest and highest thickness / a (first row) and rim / a, (2, 2) float64."""
     discs: tuple[ElasticDisc, ...]
+    """Solved discs in the order of the points: rim changes fastest."""
     coefficients: NDArray[np.float64]
+    """Chebyshev coefficients of the logarithms of the three static answers and of the first mode's eigenvalue, swept
+    volume and patch displacement, (n_thickness, n_rim, 6) float64.
+    """
     error: float
+    """Largest relative error of those where it was checked."""
 
     def covers(self, shape: DiscShape) -> bool:
         """Whether a disc lies within the table."""
@@ -137,7 +135,7 @@ def disc_tables(shapes: Iterable[DiscShape], solve: Solve | None = None) -> tupl
 
 
 def disc_count(shapes: Iterable[DiscShape]) -> int:
-    """Discs that are solved for a sweep if its tables are accurate at once."""
+    """Number of discs that are solved for a sweep if its tables are accurate at once."""
     count = 0
     for group in _groups(shapes):
         size = math.prod(_sizes(_bounds(group)))

@@ -35,67 +35,63 @@ Vector = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class DiscShape:
-    """What the dimensionless solution depends on.
-
-    Attributes:
-        thickness: h / a.
-        poisson_ratio: above 0, below 1/2.
-        rim: 0: the lateral face r = 1 is clamped; above 0: the disc reaches to r = 1 + rim and its lower
-            face is held on 1 < r < 1 + glue, all other faces are free.
-        glue: width of the held annulus, at most rim; ignored if rim is 0.
-        prestress: equi-biaxial stress in the plane / E, uniform.
-        contact: radius of the patch in the middle of the upper face / a.
-        raised: a thicker part: inner radius, outer radius and height above the disc's upper face, all / a; a boss
-            from the axis, (0, b, height) with contact <= b <= 1, or a rim, (1, 1 + rim, height). Only where
-            the prestress is 0.
-    """
+    """What the dimensionless solution depends on."""
 
     thickness: float
+    """Thickness h / a."""
     poisson_ratio: float
+    """Poisson's ratio, above 0, below 1/2."""
     rim: float
+    """Width of the rim / a. 0: the lateral face r = 1 is clamped; above 0: the disc reaches to r = 1 + rim and its
+    lower face is held on 1 < r < 1 + glue, all other faces are free.
+    """
     glue: float
+    """Width of the held annulus / a, at most rim; ignored if rim is 0."""
     prestress: float
+    """Equi-biaxial stress in the plane / E, uniform."""
     contact: float
+    """Radius of the patch in the middle of the upper face / a."""
     raised: tuple[float, float, float] | None = None
+    """Inner radius, outer radius and height above the disc's upper face of a thicker part, all / a: a boss from the
+    axis, (0, b, height) with contact <= b <= 1, or a rim, (1, 1 + rim, height). Only where the prestress is 0.
+    """
 
 
 @dataclass(frozen=True, eq=False)
 class ElasticDisc:
-    """Result of :func:`solve_dimensionless`: static solutions and a small dynamic model.
+    """Static solutions and a small dynamic model of a disc, without dimensions.
 
     The columns of the model are the first modes in vacuo and, behind them, what the static answers to the
     pressure on the lower face and to the force on the patch have beyond those modes. All columns are
     orthogonal in mass and in stiffness and scaled to unit mass, rho a^3.
-
-    Attributes:
-        modes: number of true modes among the columns.
-        eigenvalues: (modes + 2,) stiffness of the columns, for modes w^2, in E / (rho a^2), ascending.
-        geometric: (modes + 2, modes + 2) part of the pre-stress in their stiffness, same unit.
-        swept: (modes + 2,) volume swept by the lower face r < 1, outwards.
-        swept_above: (modes + 2,) volume swept by the whole upper face, outwards.
-        patch: (modes + 2,) mean displacement of the patch, outwards.
-        radius: (n,) where shapes are given, 0 to 1.
-        shapes: (modes + 2, n) displacement of the lower face along its inner normal.
-        compliance: volume swept by the lower face r < a per pressure on it, in a^3 / E.
-        deflection: (n,) displacement of the lower face along its inner normal, in a per pressure / E.
-        volume_per_force: volume swept by the lower face per force on the patch, in a / E.
-        displacement_per_force: mean displacement of the patch per force on it, in 1 / (E a).
-        unknowns: size of the system.
     """
 
     modes: int
+    """Number of true modes among the columns."""
     eigenvalues: Vector
+    """Stiffness of the columns, for modes w^2, (modes + 2,) float64, in E / (rho a^2), ascending."""
     geometric: Vector
+    """Part of the pre-stress in their stiffness, (modes + 2, modes + 2) float64, in E / (rho a^2)."""
     swept: Vector
+    """Volume swept by the lower face r < 1, outwards, (modes + 2,) float64."""
     swept_above: Vector
+    """Volume swept by the whole upper face, outwards, (modes + 2,) float64."""
     patch: Vector
+    """Mean displacement of the patch, outwards, (modes + 2,) float64."""
     radius: Vector
+    """Radii at which shapes are given, (n,) float64, 0 to 1."""
     shapes: Vector
+    """Displacement of the lower face along its inner normal, (modes + 2, n) float64."""
     compliance: float
+    """Volume swept by the lower face r < a per pressure on it, in a^3 / E."""
     deflection: Vector
+    """Displacement of the lower face along its inner normal, (n,) float64, in a per pressure / E."""
     volume_per_force: float
+    """Volume swept by the lower face per force on the patch, in a / E."""
     displacement_per_force: float
+    """Mean displacement of the patch per force on it, in 1 / (E a)."""
     unknowns: int
+    """Number of unknowns of the system."""
 
 
 def solve_dimensionless(shape: DiscShape, refinement: int = REFINEMENT, modes: int = MODES) -> ElasticDisc:

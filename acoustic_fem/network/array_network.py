@@ -34,26 +34,27 @@ _SHORTEST_DUCT = 1e-6
 
 @dataclass(frozen=True, eq=False)
 class NetworkResponse:
-    """Pressures per unit volume velocity injected at one membrane, in Pa s/m^3.
-
-    Attributes:
-        source_response: (n_point, n_microphone, n_freq) complex128, pressure on the microphones.
-        point_impedance: (n_point, n_freq) complex128, pressure in the cavity of the same point.
-        microphone_impedance: (n_microphone, n_microphone, n_freq) complex128, pressure on one microphone per
-            volume velocity injected at the front of another; symmetric. Its real part is the thermal noise.
-    """
+    """Pressures per unit volume velocity injected at one membrane."""
 
     source_response: Array
+    """Pressure on the microphones, (n_point, n_microphone, n_freq) complex128, Pa s/m^3."""
     point_impedance: Array
+    """Pressure in the cavity of the same point, (n_point, n_freq) complex128, Pa s/m^3."""
     microphone_impedance: Array
+    """Pressure on one microphone per volume velocity injected at the front of another, (n_microphone, n_microphone,
+    n_freq) complex128, Pa s/m^3; symmetric. Its real part is the thermal noise.
+    """
 
 
 class TwoPort(NamedTuple):
-    """A reciprocal two-port admittance: Y11, Y12 = Y21, Y22, each (n_freq,), m^3/(Pa s)."""
+    """A reciprocal two-port: volume velocities into its ends per pressure there."""
 
     first: Array
+    """Y11, (n_freq,) complex128, m^3/(Pa s)."""
     transfer: Array
+    """Y12 = Y21, (n_freq,) complex128, m^3/(Pa s)."""
     last: Array
+    """Y22, (n_freq,) complex128, m^3/(Pa s)."""
 
 
 def join(left: TwoPort, right: TwoPort) -> TwoPort:
@@ -78,9 +79,9 @@ def solve_network(
     Args:
         design: the array.
         layout: its layout, from :func:`geometry.layout.place.lay_out`.
-        admittances: for every distinct cell its symmetric nodal admittance, (n_freq, k + 1, k + 1) m^3/(Pa s):
-            the outer ends of its k stubs in the order of ``cell.ports``, then the opening.
-        frequency: (n_freq,) Hz.
+        admittances: for every distinct cell its symmetric nodal admittance, (n_freq, k + 1, k + 1) complex128, m^3/(Pa
+            s): the outer ends of its k stubs in the order of ``cell.ports``, then the opening.
+        frequency: (n_freq,) float64, Hz.
         medium: the air.
 
     Raises:
@@ -120,11 +121,9 @@ def solve_network(
 class _Chain:
     """A line between its two microphone chambers, membranes included.
 
-    Attributes:
-        whole: the line as a two-port.
-        own: (n_point, n_freq) impedance at each membrane while both ends are held at zero pressure.
-        share: (n_point, n_freq, 2) cavity pressure per pressure at either end; by reciprocity also the
-            volume velocity out of either end, held at zero pressure, per volume velocity injected.
+    ``whole`` is the line as a two-port; ``own`` (n_point, n_freq) the impedance at each membrane while both ends are
+    held at zero pressure; ``share`` (n_point, n_freq, 2) the cavity pressure per pressure at either end, by reciprocity
+    also the volume velocity out of either end, held at zero pressure, per volume velocity injected.
     """
 
     def __init__(self, cells: Array, ducts: list[TwoPort]) -> None:

@@ -29,6 +29,9 @@ def load_admittance(microphone: Microphone, frequency: ArrayLike, medium: Medium
         frequency: Hz, any shape.
         medium: the gas.
 
+    Returns:
+        Shape of frequency, complex128, m^3/(Pa s).
+
     Raises:
         Refusal: a frequency that is not finite and positive.
     """
@@ -38,9 +41,12 @@ def load_admittance(microphone: Microphone, frequency: ArrayLike, medium: Medium
 
 
 def response(microphone: Microphone, frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
-    """(p - p_back) / p across the diaphragm: what the electrical output follows, Pa/Pa.
+    """Pressure across the diaphragm per pressure in front, (p - p_back) / p: what the electrical output follows.
 
-    Arguments and model as :func:`load_admittance`; the resonance of the diaphragm (above 10 kHz) is left out.
+    Arguments, errors and model as :func:`load_admittance`; the resonance of the diaphragm (above 10 kHz) is left out.
+
+    Returns:
+        Shape of frequency, complex128, Pa/Pa.
     """
     omega = 2 * np.pi * positive("frequency", frequency, "Hz")
     diaphragm, back, leak = circuit_elements(microphone, frequency, medium)
@@ -53,6 +59,9 @@ def vent_ratio(microphone: Microphone, frequency: ArrayLike, medium: Medium) -> 
     The response is Cb / (Cb + Cd) v / (1 + v); a vent that conducts s times as well makes v / s of it.
 
     Arguments and errors as :func:`response`.
+
+    Returns:
+        Shape of frequency, complex128.
     """
     omega = 2 * np.pi * positive("frequency", frequency, "Hz")
     diaphragm, back, leak = circuit_elements(microphone, frequency, medium)
@@ -70,6 +79,9 @@ def noise_density(microphone: Microphone, frequency: ArrayLike) -> NDArray[np.fl
     Args:
         microphone: from the design.
         frequency: Hz, any shape.
+
+    Returns:
+        Shape of frequency, float64, Pa/sqrt(Hz).
 
     Raises:
         Refusal: a frequency that is not finite and positive.
@@ -96,13 +108,16 @@ def noise_rms(microphone: Microphone, low: float, high: float) -> float:
 
 
 def noise_density_behind_vent(microphone: Microphone, frequency: ArrayLike, medium: Medium) -> NDArray[np.float64]:
-    """The same figures read as noise of the output over the sensitivity, referred to the pressure in front.
+    """Equivalent input noise of the figures read as noise of the output, referred to the pressure in front.
 
     n sqrt(1 + fc / f) / |response|, Pa/sqrt(Hz). A data sheet states noise at the output divided by the
     sensitivity above the vent's corner; since the vent takes signal away below its corner but not noise of
     the electronics, the pressure in front that such noise is worth rises there by 20 dB per decade more.
 
     Arguments and errors as :func:`response`.
+
+    Returns:
+        Shape of frequency, float64, Pa/sqrt(Hz).
     """
     return noise_density(microphone, frequency) / np.abs(response(microphone, frequency, medium))
 
@@ -110,7 +125,12 @@ def noise_density_behind_vent(microphone: Microphone, frequency: ArrayLike, medi
 def circuit_elements(
     microphone: Microphone, frequency: ArrayLike, medium: Medium
 ) -> tuple[float, NDArray[np.complex128], float]:
-    """Compliances of diaphragm and back volume, m^3/Pa, and 1/R of the vent, m^3/(Pa s)."""
+    """The microphone as a circuit; arguments and errors as :func:`response`.
+
+    Returns:
+        Compliance of the diaphragm, m^3/Pa; compliance of the back volume, shape of frequency, complex128, m^3/Pa;
+        and admittance 1/R of the vent, m^3/(Pa s).
+    """
     diaphragm = cubic_metres(microphone.diaphragm_equivalent_volume) / (medium.gamma * medium.pressure)
     radius = (3 * cubic_metres(microphone.back_volume) / (4 * np.pi)) ** (1 / 3)
     corner = microphone.vent_corner

@@ -28,7 +28,7 @@ class CacheWarning(UserWarning):
 
 
 def cache_folder() -> Path:
-    """Where solved cells are kept."""
+    """Folder in which solved cells are kept."""
     configured = os.environ.get("ACOUSTIC_FEM_CACHE")
     return Path(configured) if configured else Path(platformdirs.user_cache_dir("acoustic-fem")) / "cells"
 
@@ -73,7 +73,7 @@ def holds(key: str) -> bool:
 
 
 def fetch(key: str, folder: Path | None = None) -> tuple[dict[str, NDArray], dict[str, Any]] | None:
-    """Read what :func:`store` wrote, or None where there is nothing usable; from the cache by default."""
+    """Arrays, of the shape of what :func:`store` wrote, and plain values; None where there is nothing usable."""
     path = (folder or cache_folder()) / f"{key}.cell"
     try:
         raw = path.read_bytes()

@@ -46,20 +46,22 @@ class ReducedModel:
     """Projected matrices of one system; valid from ``lowest`` to ``highest`` (Hz)."""
 
     matrices: NDArray[np.float64]
-    """(n_term, r, r)."""
+    """Projected terms of the system, (n_term, r, r) float64."""
     excitations: NDArray[np.float64]
-    """(n_excitation_term, r, m)."""
+    """Projected terms of the excitation, (n_excitation_term, r, m) float64."""
     basis: NDArray[np.float64] | None
-    """(n, r), where the field itself is wanted."""
+    """Basis of the projection, (n, r) float64, where the field itself is wanted; else None."""
     sampled: tuple[float, ...]
     """Shifts s / (2 pi) of the full solves, Hz; of the one frequency, where there is but one."""
     error: float
     """Largest relative change of the response with the last derivative."""
     lowest: float
+    """Lowest frequency of the band, Hz."""
     highest: float
+    """Highest frequency of the band, Hz."""
 
     def coordinates(self, theta: NDArray, phi: NDArray) -> tuple[NDArray, NDArray]:
-        """Solution in the basis and excitation, (n_freq, r, m) each."""
+        """Solution in the basis and excitation, (n_freq, r, m) complex128 each; arguments as :meth:`response`."""
         excitation = np.einsum("fk,krm->frm", phi, self.excitations)
         return np.linalg.solve(np.einsum("fk,krs->frs", theta, self.matrices), excitation), excitation
 
@@ -73,7 +75,15 @@ class ReducedModel:
         )
 
     def response(self, theta: NDArray, phi: NDArray) -> NDArray[np.complex128]:
-        """R^T K^-1 R, (n_freq, m, m), symmetric."""
+        """Response R^T K^-1 R, symmetric.
+
+        Args:
+            theta: (n_freq, n_term) coefficients of the system.
+            phi: (n_freq, n_excitation_term) coefficients of the excitation.
+
+        Returns:
+            (n_freq, m, m) complex128.
+        """
         solution, excitation = self.coordinates(theta, phi)
         response = np.einsum("frm,frn->fmn", excitation, solution)
         return (response + response.transpose(0, 2, 1)) / 2
@@ -97,7 +107,7 @@ def reduce_system(
     Args:
         matrices: real symmetric (n, n) terms of the system.
         theta: their coefficients.
-        excitations: (n, m) terms of the excitation.
+        excitations: (n, m) float64 terms of the excitation.
         phi: their coefficients.
         band: lowest and highest frequency, Hz.
         tolerance: on the change of H_ij / sqrt(|H_ii H_jj|) with the last derivative; what remains is smaller.
@@ -209,10 +219,10 @@ def passivity_margin(admittance: NDArray[np.complex128]) -> NDArray[np.float64]:
     that no small port hides behind a large one.
 
     Args:
-        admittance: (n_freq, m, m), m^3/(Pa s); impedances serve as well.
+        admittance: (n_freq, m, m) complex128, m^3/(Pa s); impedances serve as well.
 
     Returns:
-        (n_freq,) the least eigenvalue, at most 1; -inf where a value is not finite.
+        (n_freq,) float64: the least eigenvalue, at most 1; -inf where a value is not finite.
     """
     values = np.asarray(admittance, dtype=np.complex128)
     if values.ndim != 3 or values.shape[1] != values.shape[2] or values.shape[1] == 0:
@@ -232,8 +242,8 @@ def require_passive(
     """Refuse an admittance that gives energy at any of the frequencies.
 
     Args:
-        admittance: (n_freq, m, m).
-        frequency: (n_freq,) Hz.
+        admittance: (n_freq, m, m) complex128, m^3/(Pa s).
+        frequency: (n_freq,) float64, Hz.
         tolerance: on the negative side of :func:`passivity_margin`.
 
     Returns:

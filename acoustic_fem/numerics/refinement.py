@@ -28,19 +28,16 @@ class ConvergenceError(Refusal):
 
 @dataclass(frozen=True)
 class Refinement:
-    """One mesh of a body and how much its answer differs from that of the next coarser one.
-
-    Attributes:
-        field: ``"heat"`` or ``"flow"``.
-        scale: of its element sizes, see :func:`acoustic_fem.cell.solid.mesh_sizes`.
-        elements: number of tetrahedra.
-        change: relative change from a mesh 1.5 times coarser; None for the first.
-    """
+    """One mesh of a body and how much its answer differs from that of the next coarser one."""
 
     field: str
+    """What was solved: ``"heat"`` or ``"flow"``."""
     scale: float
+    """Scale of the element sizes, see :func:`acoustic_fem.cell.solid.mesh_sizes`."""
     elements: int
+    """Number of tetrahedra."""
     change: float | None
+    """Relative change from a mesh 1.5 times coarser; None for the first."""
 
 
 def refined(

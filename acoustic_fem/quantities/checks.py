@@ -11,7 +11,7 @@ from geometry.refusal import Refusal
 
 
 def numbers(name: str, values: ArrayLike) -> NDArray[np.float64]:
-    """The values as a float64 array.
+    """The values as an array, same shape as given, float64.
 
     Raises:
         Refusal: naming the field and what it holds instead: complex numbers, texts, rows of unequal length.
@@ -28,7 +28,7 @@ def numbers(name: str, values: ArrayLike) -> NDArray[np.float64]:
 
 
 def port_points(ports: Mapping[str, ArrayLike]) -> dict[str, tuple[float, float, float]]:
-    """Names of ports and a point (x, y, z) in mm on each.
+    """Point (x, y, z) in mm on each port by its name.
 
     Raises:
         Refusal: no mapping, no port, a name that is no text, empty or ``wall`` (every face that is no port), or
@@ -64,7 +64,7 @@ def in_range(name: str, value: float, low: float, high: float, unit: str = "") -
 
 
 def positive(name: str, values: ArrayLike, unit: str) -> NDArray[np.float64]:
-    """The values as a float64 array if all are finite and above 0.
+    """The values as an array, same shape as given, float64, if all are finite and above 0.
 
     Raises:
         Refusal: naming the field, the first bad value and the range.
@@ -97,7 +97,7 @@ def stated_grid(text: str) -> NDArray[np.float64]:
 
 
 def frequency_grid(frequency: ArrayLike, low: float = 1e-3, high: float = 2e3) -> NDArray[np.float64]:
-    """A 1-D grid of ascending frequencies within [low, high] Hz.
+    """The grid as an array, (n_freq,) float64, if its frequencies ascend within [low, high] Hz.
 
     Frequency 0 is refused: a sealed network has no impedance there. All its pressures become equal as the
     frequency falls.

@@ -14,23 +14,20 @@ MOLAR_MASS_WATER = 0.018015
 
 @dataclass(frozen=True)
 class Medium:
-    """A gas at rest, treated as ideal.
-
-    Attributes:
-        density: kg/m^3.
-        viscosity: dynamic viscosity, Pa s.
-        conductivity: thermal conductivity, W/(m K).
-        heat_capacity: at constant pressure, J/(kg K).
-        gamma: ratio of heat capacities.
-        pressure: static pressure, Pa.
-    """
+    """A gas at rest, treated as ideal."""
 
     density: float
+    """Density, kg/m^3."""
     viscosity: float
+    """Dynamic viscosity, Pa s."""
     conductivity: float
+    """Thermal conductivity, W/(m K)."""
     heat_capacity: float
+    """Heat capacity at constant pressure, J/(kg K)."""
     gamma: float
+    """Ratio of heat capacities."""
     pressure: float
+    """Static pressure, Pa."""
 
     def __post_init__(self) -> None:
         for name, unit in (

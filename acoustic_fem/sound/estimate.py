@@ -45,25 +45,28 @@ RADIUS_95 = math.sqrt(-2 * math.log(0.05))
 
 @dataclass(frozen=True, eq=False)
 class TransferEstimate:
-    """Transfer functions from one reference to several outputs; arrays (n_output, n_freq)."""
+    """Transfer functions from one reference to several outputs."""
 
     transfer_function: Complex
-    """Output per reference."""
+    """Output per reference, (n_output, n_freq) complex128."""
     deviation: Array
-    """One standard deviation of the real part, and of the imaginary part; circular."""
+    """One standard deviation of the real part, and of the imaginary part, (n_output, n_freq) float64; circular."""
     coherence: Array
-    """|Sxy|^2 / (Sxx Syy), 0 to 1."""
+    """Coherence |Sxy|^2 / (Sxx Syy), (n_output, n_freq) float64, 0 to 1."""
     segments: int
-    """How many segments were averaged."""
+    """Number of segments that were averaged."""
 
     @property
     def radius_95(self) -> Array:
-        """Radius of the disc around the estimate that holds the true value with a probability of 95 %."""
+        """Radius of the disc around the estimate that holds the true value with a probability of 95 %.
+
+        (n_output, n_freq) float64, in the unit of the transfer function.
+        """
         return RADIUS_95 * self.deviation
 
 
 def shortest_record(segment: float = SEGMENT) -> float:
-    """Seconds that a record needs."""
+    """Shortest duration of a record, s, for segments of that duration (s)."""
     return segment * (1 + (LEAST_SEGMENTS - 1) / _PER_SEGMENT)
 
 
@@ -73,10 +76,10 @@ def transfer_estimate(
     """Estimate transfer functions from a record.
 
     Args:
-        reference: (n_sample,) the signal that drives.
-        outputs: (n_output, n_sample) the signals that follow, sampled together with it.
+        reference: (n_sample,) float64, the signal that drives.
+        outputs: (n_output, n_sample) float64, the signals that follow, sampled together with it.
         rate: samples per second, above 2.5 times the highest frequency.
-        frequency: (n_freq,) Hz, from 1 Hz on.
+        frequency: (n_freq,) float64, Hz, from 1 Hz on.
         estimator: ``H1``, ``H2`` or ``Hv``.
 
     Raises:
@@ -121,13 +124,16 @@ def transfer_estimate(
 
 
 def amplitudes(signals: Array, rate: float, frequency: Array, segment: float = SEGMENT) -> Complex:
-    """(n_signal, n_segment, n_freq) complex amplitudes, their phases counted from the beginning of the record.
+    """Complex amplitudes of signals in segments, their phases counted from the beginning of the record.
 
     Args:
-        signals: (n_signal, n_sample).
-        rate: Hz.
-        frequency: (n_freq,) Hz.
-        segment: s; neighbours overlap by three quarters.
+        signals: (n_signal, n_sample) float64.
+        rate: samples per second.
+        frequency: (n_freq,) float64, Hz.
+        segment: duration, s; neighbours overlap by three quarters.
+
+    Returns:
+        (n_signal, n_segment, n_freq) complex128, in the unit of the signals.
     """
     import scipy.signal
 

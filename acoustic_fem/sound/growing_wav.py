@@ -56,7 +56,7 @@ class GrowingWav:
         return 4 * self.channels * (self.samples + self.rate) > LARGEST
 
     def write(self, samples: NDArray[np.float64]) -> None:
-        """Append (n_channel, n).
+        """Append samples, (n_channel, n) float64.
 
         Raises:
             Refusal: another number of channels, or more than the file can hold.
@@ -74,7 +74,7 @@ class GrowingWav:
         self._write_head()
 
     def close(self) -> None:
-        """Close it, on the disk."""
+        """Close the file, with all of it on the disk."""
         if not self._file.closed:
             os.fsync(self._file.fileno())
             self._file.close()

@@ -36,9 +36,9 @@ class Sound:
     """Channels that were recorded together."""
 
     channels: Mapping[str, Array]
-    """(n_sample,) float64 each, by name."""
+    """Samples of every channel by name, (n_sample,) float64 each."""
     rate: float
-    """Hz."""
+    """Sample rate, Hz."""
     full_scale: float | None = None
     """Largest value that the format can hold; None where there is none, as in texts and floating-point numbers."""
     numbered: bool = False
@@ -85,7 +85,7 @@ def write_wav(path: str | os.PathLike[str], samples: Array, rate: int, bits: int
 
     Args:
         path: of the file, whole or not at all.
-        samples: (n_channel, n_sample).
+        samples: (n_channel, n_sample) float64.
         rate: Hz.
         bits: 16, 24 (in the upper bits of 32) or 32.
 
@@ -107,7 +107,7 @@ def write_wav(path: str | os.PathLike[str], samples: Array, rate: int, bits: int
 
 
 def read_wav(path: Path) -> Sound:
-    """As :func:`read_sound`, whatever the suffix."""
+    """Read a WAV file as :func:`read_sound` does, whatever its suffix."""
     import scipy.io.wavfile
 
     with path.open("rb") as file:

@@ -12,8 +12,6 @@ import pytest
 
 ROOT = Path(__file__).parents[2]
 PACKAGES = ("geometry", "acoustic_fem", "localize", "studies")
-# Packages whose docstrings are yet to be brought to the rules below; to become empty.
-PENDING = frozenset({"acoustic_fem"})
 
 ARRAYS = frozenset({"NDArray", "ndarray", "DataArray", "Tensor"})
 # A length: 3, 2 n, n_freq, k + 1, ..., *shape, a constant's name, or one of the named dimensions of labelled arrays and
@@ -109,18 +107,14 @@ def with_section(name: str, module: ast.Module) -> list[str]:
     ]
 
 
-def _enforced() -> list[str]:
-    return [package for package in PACKAGES if package not in PENDING]
-
-
-@pytest.mark.parametrize("package", _enforced())
+@pytest.mark.parametrize("package", PACKAGES)
 def test_every_array_returned_or_kept_has_its_shape_in_its_docstring(package: str) -> None:
     modules = _sources(package)
     arrays = ARRAYS | _aliases(modules)
     assert [line for name, module in modules for line in without_shape(name, module, arrays)] == []
 
 
-@pytest.mark.parametrize("package", _enforced())
+@pytest.mark.parametrize("package", PACKAGES)
 def test_fields_are_documented_under_their_names(package: str) -> None:
     assert [line for name, module in _sources(package) for line in with_section(name, module)] == []
 
