@@ -16,7 +16,7 @@ from acoustic_fem.batch.series import ball_mean_values, cylinder_mean_values
 
 
 def ball_mean(order: float, t: Array) -> Array:
-    """<Psi> of a disc (order 0) or a ball (order 1/2) of radius R: I_{order+2}(x) / I_{order}(x), x^2 = j t.
+    """Mean <Psi> of a disc (order 0) or a ball (order 1/2) of radius R: I_{order+2}(x) / I_{order}(x), x^2 = j t.
 
     Equal to -J2/J0 of the duct formulas; no cancellation at small t. Continued fraction of Gauss,
     I_{n+1}/(x I_n) = 1 / (2 (n+1) + x^2 I_{n+2}/(x I_{n+1})), to rounding error for t up to 4e4 (measured).
@@ -36,7 +36,7 @@ def ball_mean(order: float, t: Array) -> Array:
 
 
 def cylinder_mean(t: Array, aspect: Array) -> Array:
-    """<Psi> of a closed cylinder of radius R and height H with isothermal walls.
+    """Mean <Psi> of a closed cylinder of radius R and height H with isothermal walls.
 
     Sum over the zeros l of J0 of 4/l^2 s/q^2 (1 - tanh(q h)/(q h)), q^2 = l^2 + s, s = j t, h = H/(2 R)
     (:func:`acoustic_fem.cavity.closed_forms.closed_cylinder_compliance`). Once q h is so large that tanh is 1 and l is

@@ -24,7 +24,7 @@ LARGEST_SHEAR_NUMBER = 3.0
 
 
 def entrance_impedance(radius: ArrayLike, frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
-    """Z = 1.5 mu / a^3 + j w 0.42 rho / a of one opening, in Pa s/m^3.
+    """Impedance of one opening in series with its tube, Z = 1.5 mu / a^3 + j w 0.42 rho / a, Pa s/m^3.
 
     Within 4 % in resistance and 9 % in inertance of the Navier-Stokes table for shear numbers
     a sqrt(w / nu) up to 1.6 and a flat wall much wider than the bore (a cavity of 5 bore radii has 22 to
@@ -34,7 +34,7 @@ def entrance_impedance(radius: ArrayLike, frequency: ArrayLike, medium: Medium) 
 
     Args:
         radius: of the bore, m; broadcasts with frequency.
-        frequency: Hz.
+        frequency: Hz, any shape.
         medium: the gas.
 
     Returns:

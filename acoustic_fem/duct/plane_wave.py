@@ -40,7 +40,7 @@ def series_impedance(radius: ArrayLike, frequency: ArrayLike, medium: Medium) ->
 
     Args:
         radius: of the bore, m; broadcasts with frequency.
-        frequency: Hz.
+        frequency: Hz, any shape.
         medium: the gas.
 
     Returns:

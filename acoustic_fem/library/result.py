@@ -140,9 +140,18 @@ def library_from_arrays(
     provenance: Mapping[str, Any],
     deviation: NDArray[np.float64] | None = None,
 ) -> Library:
-    """A library from bare arrays, one per name of :data:`VARIABLES` and shaped as listed there.
+    """A library from bare arrays.
 
-    Those of :data:`OPTIONAL` may be missing; ``deviation`` is that of the transfer function, where it was measured.
+    Args:
+        design: the array.
+        layout: its layout.
+        frequency: (n_freq,) float64, ascending, Hz.
+        values: complex128 arrays by the names of :data:`VARIABLES`, shaped and in units as listed there; those of
+            :data:`OPTIONAL` may be missing.
+        fidelity: how the cells were computed, one of :data:`FIDELITIES`, or :data:`MEASURED`.
+        medium: the air.
+        provenance: what made the values.
+        deviation: (n_point, n_microphone, n_freq) float64, Pa/Pa, that of the transfer function, where it was measured.
     """
     coordinates = {
         "point": ("point", [point.number for point in layout.points], {"long_name": "sensing point, from 1"}),

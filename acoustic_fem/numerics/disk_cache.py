@@ -39,7 +39,7 @@ def key_of(description: dict[str, Any]) -> str:
 
 
 def store(key: str, arrays: dict[str, NDArray], about: dict[str, Any]) -> None:
-    """Write arrays and plain values; the file appears whole or not at all.
+    """Write arrays of any shape and plain values under a key; the file appears whole or not at all.
 
     A folder that cannot be written loses no work: it is said in a warning, and the cell is not kept.
     """

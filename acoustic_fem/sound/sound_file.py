@@ -227,7 +227,7 @@ def _of_arrays(path: Path, arrays: Mapping[str, NDArray[Any]], default_rate: flo
 
 
 def check_equal_lengths(path: Path | str, channels: Mapping[str, Sequence[float] | Array]) -> None:
-    """Refuse channels of different lengths.
+    """Refuse channels, (n_sample,) each by name, of different lengths.
 
     Raises:
         SoundFileError: with the lengths.
