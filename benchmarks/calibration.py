@@ -25,7 +25,7 @@ from acoustic_fem.calibration.measured_library import calibrate
 from acoustic_fem.calibration.model_updating import Update, update
 from geometry.design.array_design import ArrayDesign
 from geometry.files.writing import replace_section
-from localize.recalibration.prospect import ENOUGH, expected_accuracy, is_enough
+from localize.recalibration.accuracy_to_expect import ENOUGH, expected_accuracy, is_enough
 from localize.signals.array_response import response_of
 from studies.made_sensor.priors import fit_priors
 from studies.made_sensor.rig import HiddenScatter, Recorder, Rig

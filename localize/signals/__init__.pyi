@@ -23,6 +23,12 @@ from .noise import (
     input_density as input_density,
     microphone_noise as microphone_noise,
 )
+from .propagation import (
+    impulse_response as impulse_response,
+    late_energy as late_energy,
+    microphone_signals as microphone_signals,
+    short_window_signals as short_window_signals,
+)
 from .random_streams import Purpose as Purpose, choice as choice, random_words as random_words, uniform as uniform
 from .resampling import StreamResampler as StreamResampler, at_one_kilohertz as at_one_kilohertz
 from .stimulus import (

@@ -109,7 +109,7 @@ def calibrate(
 
 def _prospect(fit: Update) -> str:
     """What is to be expected of the fitted library, and what to measure next."""
-    from localize.recalibration.prospect import DRAWS, expected_accuracy, is_enough, least_known
+    from localize.recalibration.accuracy_to_expect import DRAWS, expected_accuracy, is_enough, least_known
     from localize.signals.stimulus import BAND
 
     if fit.model.frequency[0] > BAND[0] or fit.model.frequency[-1] < BAND[1]:

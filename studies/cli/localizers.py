@@ -161,7 +161,7 @@ def evaluate(
                 report(title, number / len(locators))
                 results[title] = evaluate_localizer(locator, loaded, touches, level, seed=seed)
         else:
-            from studies.judging.full import evaluate_fully
+            from studies.judging.full_evaluation import evaluate_fully
             from studies.judging.report import write_evaluation
 
             found = evaluate_fully(locators, solved, loaded, touches, level, seed, report)

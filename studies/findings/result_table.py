@@ -14,8 +14,8 @@ from geometry import ArrayDesign
 from geometry.refusal import Refusal
 from geometry.stated.fields import field_named
 from studies.optimization.search import pareto_front
+from studies.study.failure_reasons import by_kind
 from studies.study.metric_registry import METRICS
-from studies.study.reasons import by_kind
 
 if TYPE_CHECKING:
     from studies.optimization.problem import Optimization

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from localize.evaluation.conditions import Outcome
-    from studies.judging.full import Judged
+    from studies.judging.full_evaluation import Judged
 
 _COLOURS = ("#2a6f97", "#d1731f", "#5b8c3e")
 _MARKS = ("o", "s", "^")

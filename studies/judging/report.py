@@ -11,7 +11,7 @@ from pathlib import Path
 import studies
 from geometry.files.writing import write_text
 from studies.judging.figures import draw_conditions, draw_reliability
-from studies.judging.full import SENSORS, FullEvaluation
+from studies.judging.full_evaluation import SENSORS, FullEvaluation
 from studies.output.display import number
 from studies.output.figures import draw_confusion
 from studies.output.folders import write_json
@@ -23,7 +23,7 @@ def write_evaluation(found: FullEvaluation, folder: Path) -> None:
     """Write ``evaluation.json`` and ``evaluation.html``; the page last.
 
     Args:
-        found: of :func:`studies.judging.full.evaluate_fully`.
+        found: of :func:`studies.judging.full_evaluation.evaluate_fully`.
         folder: made where it does not exist.
     """
     folder.mkdir(parents=True, exist_ok=True)

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from geometry import ArrayDesign, DesignError
 from studies.optimization.problem import Optimization, searched_range
-from studies.study.reasons import by_kind
+from studies.study.failure_reasons import by_kind
 from studies.study.study import Parameter, StudyError
 from studies.sweep.one_design import design_metrics
 from studies.sweep.workers import open_workers

@@ -32,8 +32,8 @@ from geometry.air.cells import Cell, cell_catalogue
 from geometry.layout.place import lay_out
 from studies.metrics.responses import Responses
 from studies.study.cases import Cases
+from studies.study.failure_reasons import PROGRAM_ERROR
 from studies.study.metric_registry import Metric, metrics_named
-from studies.study.reasons import PROGRAM_ERROR
 from studies.sweep.store import DONE, FAILED, BlockResult
 
 #: A cell in its air.

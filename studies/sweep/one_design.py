@@ -40,7 +40,7 @@ def design_metrics(
     Raises:
         RuntimeError: one failed by a mistake of the program.
     """
-    from studies.study.reasons import PROGRAM_ERROR
+    from studies.study.failure_reasons import PROGRAM_ERROR
     from studies.sweep.block import Job, solve_block
 
     names = [metric.name for metric in metrics]

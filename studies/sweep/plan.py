@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from acoustic_fem.cell.design_cells import is_cached
 from geometry import DesignError
 from studies.study.cases import cases_of, sobol_note
-from studies.study.reasons import by_kind
+from studies.study.failure_reasons import by_kind
 from studies.study.study import Study, StudyError
 from studies.sweep.block import CellKey, Job, cells_of, check_metrics, discs_of
 from studies.sweep.cost import elapsed, seconds_of, team_size

@@ -22,8 +22,8 @@ from acoustic_fem.membrane.elasticity import DiscShape, ElasticDisc, solve_dimen
 from geometry import DesignError
 from geometry.refusal import Refusal
 from studies.study.cases import Cases, cases_of
+from studies.study.failure_reasons import PROGRAM_ERROR
 from studies.study.metric_registry import metrics_named
-from studies.study.reasons import PROGRAM_ERROR
 from studies.study.study import Study, StudyError
 from studies.sweep.block import CellKey, Job, SolvedCell, cells_of, check_metrics, discs_of, solve_cell
 from studies.sweep.cost import seconds_of, team_size

@@ -25,7 +25,7 @@ from geometry.design.design_file import read_design, write_design
 from geometry.stated.fields import field_named
 from studies.output.folders import check_folder
 from studies.study.cases import Cases
-from studies.study.reasons import by_kind
+from studies.study.failure_reasons import by_kind
 from studies.study.study import Study, StudyError
 
 if TYPE_CHECKING:
@@ -135,7 +135,7 @@ class SweepStore:
         self._variables["state"][part] = result.state  # last: from now on the block counts
 
     def failures(self) -> dict[str, list[int]]:
-        """Numbers of the failed cases by kind of reason, as :func:`studies.study.reasons.by_kind`."""
+        """Numbers of the failed cases by kind of reason, as :func:`studies.study.failure_reasons.by_kind`."""
         reasons = self._variables["reason"][:]
         return by_kind((int(number), str(reasons[number])) for number in np.flatnonzero(self.state == FAILED))
 

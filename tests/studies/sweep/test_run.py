@@ -25,9 +25,9 @@ from geometry.air.cells import Cell
 from studies.cli.app import app
 from studies.metrics.responses import Responses
 from studies.study.cases import cases_of
+from studies.study.failure_reasons import by_kind
 from studies.study.file import read_study
 from studies.study.metric_registry import METRICS
-from studies.study.reasons import by_kind
 from studies.study.study import Study, StudyError
 from studies.sweep import block, run, store
 from studies.sweep.one_design import design_metrics

@@ -13,7 +13,7 @@ import localize
 from acoustic_fem.calibration.fitted_model import Posterior, UpdatedModel
 from acoustic_fem.calibration.model_updating import Update, update
 from acoustic_fem.sound.estimate import TransferEstimate
-from localize.recalibration.prospect import expected_accuracy, is_enough, least_known
+from localize.recalibration.accuracy_to_expect import expected_accuracy, is_enough, least_known
 from localize.signals.array_response import response_of
 
 NOISE = 1e-3

@@ -13,7 +13,7 @@ from small_run import small_design
 import acoustic_fem
 import localize
 from localize.signals.array_response import response_of
-from studies.judging.full import evaluate_fully, mis_made
+from studies.judging.full_evaluation import evaluate_fully, mis_made
 from studies.judging.report import write_evaluation
 
 
