@@ -266,7 +266,8 @@ def test_a_mistake_of_the_program_is_no_property_of_a_design(
     assert 0 < wrong.sum() < whole.done.sum()
     np.testing.assert_array_equal(result.done, whole.done & ~wrong)
     for reason in result.dataset["reason"].values[wrong]:
-        assert re.fullmatch(r"program error: metric volume: KeyError in test_sweep\.py:\d+: 'six'", str(reason))
+        here = re.escape(Path(__file__).name)
+        assert re.fullmatch(rf"program error: metric volume: KeyError in {here}:\d+: 'six'", str(reason))
     assert told.exit_code == 1
     assert isinstance(told.exception, run.SweepError)
     assert f"{wrong.sum()} cases (the first is {np.flatnonzero(wrong)[0]}) failed by a mistake" in str(told.exception)
