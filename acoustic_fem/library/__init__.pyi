@@ -1,8 +1,11 @@
 from .exchange import FORMATS as FORMATS, export as export, load_exchanged as load_exchanged
 from .file import LibraryError as LibraryError
 from .noise import (
+    detectable_density as detectable_density,
     detection_limits as detection_limits,
     gas_temperature as gas_temperature,
+    matched_filter_snr as matched_filter_snr,
+    noise_density as noise_density,
     thermal_covariance as thermal_covariance,
 )
 from .provenance import versions as versions

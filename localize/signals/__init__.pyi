@@ -10,7 +10,14 @@ from .disturbances import (
     MicrophoneMismatch as MicrophoneMismatch,
     check_ambient as check_ambient,
 )
-from .finger_stimuli import STIMULI as STIMULI, Mixture as Mixture
+from .finger_stimuli import (
+    STIMULI as STIMULI,
+    Mixture as Mixture,
+    RecordedStimulus as RecordedStimulus,
+    friction as friction,
+    pulse_wave as pulse_wave,
+    taps as taps,
+)
 from .frames import (
     FRAME as FRAME,
     checked_signals as checked_signals,
@@ -39,6 +46,7 @@ from .stimulus import (
     SAMPLE_RATE as SAMPLE_RATE,
     Device as Device,
     StimulusSource as StimulusSource,
+    line_frequencies as line_frequencies,
     multi_sines as multi_sines,
     time_signal as time_signal,
 )

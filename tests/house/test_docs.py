@@ -1,12 +1,17 @@
-"""What the documentation says is so: its Python runs, its tables are those of the code, its links lead somewhere."""
+"""What the documentation says is so: its Python runs, its tables are the code's, its paths and links lead somewhere."""
 
 from __future__ import annotations
 
+import ast
+import importlib
 import re
+from functools import cache
 from pathlib import Path
 
+import house_rules
 import pytest
 import yaml
+from imports import PACKAGES, House
 
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import read_design
@@ -33,11 +38,125 @@ def test_the_python_of_a_page_runs(page: Path, tmp_path: Path, monkeypatch: pyte
         exec(compile("\n" * first_line + block.group(1), str(page), "exec"), namespace)
 
 
+DOTTED = re.compile(rf"(?<![\w./-])(?:{'|'.join(PACKAGES)})(?:\.[A-Za-z_]\w*)+")
+#: Names of files, not of Python.
+ENDINGS = {"toml", "json", "html", "png", "zarr", "nc", "md", "csv", "py", "onnx", "wav"}
+
+
+@cache
+def leads_somewhere(path: str) -> bool:
+    """Whether a dotted path is that of a module, or of a name, member or field in one."""
+    parts = path.split(".")
+    depth = max(k for k in range(1, len(parts) + 1) if is_module(ROOT.joinpath(*parts[:k])))
+    place = importlib.import_module(".".join(parts[:depth]))
+    for part in parts[depth:]:
+        if part in {**getattr(place, "__annotations__", {}), **getattr(place, "model_fields", {})}:
+            return True
+        if not hasattr(place, part):
+            return False
+        place = getattr(place, part)
+    return True
+
+
+def is_module(path: Path) -> bool:
+    return path.is_dir() or path.with_suffix(".py").is_file()
+
+
+def lost_paths(text: str) -> list[str]:
+    """Dotted paths of ours in a text that lead nowhere."""
+    found = {match.group() for match in DOTTED.finditer(text) if match.group().rsplit(".", 1)[1] not in ENDINGS}
+    return sorted(path for path in found if not leads_somewhere(path))
+
+
+@pytest.mark.parametrize("page", PAGES, ids=page_name)
+def test_the_dotted_paths_of_a_page_exist(page: Path) -> None:
+    assert lost_paths(page.read_text(encoding="utf-8")) == []
+
+
+@pytest.mark.parametrize("package", PACKAGES)
+def test_the_dotted_paths_of_docstrings_exist(package: str) -> None:
+    lost = {}
+    for path in sorted((ROOT / package).rglob("*.py")):
+        texts = [
+            node.value
+            for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+            if isinstance(node, ast.Constant) and isinstance(node.value, str)
+        ]
+        if found := lost_paths("\n".join(texts)):
+            lost[str(path)] = found
+    assert lost == {}
+
+
+def test_a_lost_path_is_found() -> None:
+    assert lost_paths("Call `geometry.prototype`, geometry.nowhere.cell, acoustic_fem.Library.frequency_grid.") == [
+        "acoustic_fem.Library.frequency_grid",
+        "geometry.nowhere.cell",
+    ]
+
+
+@pytest.mark.parametrize("page", PAGES, ids=page_name)
+def test_the_python_of_a_page_uses_public_doors_only(page: Path) -> None:
+    """A package's or a room's face; what lies behind may move without notice."""
+    assert private_doors(page.read_text(encoding="utf-8")) == []
+
+
+def private_doors(text: str) -> list[str]:
+    """Imports of a page, and what it reaches by attributes, that no face hands on."""
+    house = house_of_the_checkout()
+    found = []
+    for block in PYTHON.finditer(text):
+        for node in ast.walk(ast.parse(block.group(1))):
+            if isinstance(node, ast.ImportFrom) and (node.module or "").split(".")[0] in PACKAGES:
+                module = str(node.module)
+                found += [
+                    f"{module}.{alias.name}"
+                    for alias in node.names
+                    if alias.name not in house.handed_on.get(module, {})
+                    and f"{module}.{alias.name}" not in house.handed_on
+                ]
+            elif isinstance(node, ast.Import):
+                found += [
+                    alias.name
+                    for alias in node.names
+                    if alias.name.split(".")[0] in PACKAGES and alias.name not in house.handed_on
+                ]
+            elif isinstance(node, ast.Attribute) and ast.unparse(node.value) in house.handed_on:
+                face = ast.unparse(node.value)
+                if not is_public(house, face, node.attr):
+                    found.append(f"{face}.{node.attr}")
+    return found
+
+
+def is_public(house: House, face: str, name: str) -> bool:
+    """Whether a face hands a name on, or the name is that of a room with a face of its own."""
+    return name in house.handed_on.get(face, {}) or f"{face}.{name}" in house.handed_on
+
+
+@cache
+def house_of_the_checkout() -> House:
+    return House(house_rules.ROOT)
+
+
+def test_a_private_door_is_found() -> None:
+    code = "from geometry.stated.fields import fields_of\nimport acoustic_fem\nacoustic_fem.library.file.load\n"
+    page = f"```python\n{code}```\n"
+    assert private_doors(page) == ["geometry.stated.fields.fields_of", "acoustic_fem.library.file"]
+
+
 @pytest.mark.parametrize("page", PAGES, ids=page_name)
 def test_the_links_of_a_page_lead_to_files(page: Path) -> None:
     for target in LINK.findall(page.read_text(encoding="utf-8")):
         if not target.startswith(("http://", "https://", "mailto:")):
             assert (page.parent / target).exists(), target
+
+
+FILE = re.compile(rf"(?<![\w./-])(?:tests|benchmarks|docs|{'|'.join(PACKAGES)})/[\w/-]+\.(?:py|md|toml|json|html)\b")
+
+
+@pytest.mark.parametrize("page", PAGES, ids=page_name)
+def test_the_files_that_a_page_names_exist(page: Path) -> None:
+    named = FILE.findall(page.read_text(encoding="utf-8"))
+    assert [path for path in named if not (ROOT / path).exists() and not (page.parent / path).exists()] == []
 
 
 def test_the_design_page_lists_every_field_with_its_range() -> None:

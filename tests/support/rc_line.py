@@ -31,5 +31,5 @@ def rc_line(points: int, frequency: np.ndarray | None = None, spread: float = 1.
         place=np.arange(points),
         microphones=("left", "right"),
         name=f"rc-line-{points}",
-        provenance={"made by": "tests/rc_line.py"},
+        provenance={"made by": "tests/support/rc_line.py"},
     )

@@ -243,7 +243,7 @@ def test_a_saved_localizer_gives_the_same_probabilities_and_knows_its_origin(tra
     assert np.array_equal(loaded.locate(touches.signals), localizer.locate(touches.signals))
     assert loaded.design == "rc-line-4"
     assert loaded.plan["seed"] == 1
-    assert loaded.provenance["made by"] == "tests/rc_line.py"
+    assert loaded.provenance["made by"] == "tests/support/rc_line.py"
     assert loaded.provenance["localizer"]["libraries"]["torch"] == importlib.metadata.version("torch")
     assert np.array_equal(loaded.place, localizer.place)
 

@@ -89,7 +89,7 @@ def test_a_file_is_valid_and_says_what_it_is(array, pair):
     assert (said["sample_rate"], said["frame"], said["unit"]) == (1000.0, 250, "Pa")
     assert said["noise_rms"] == pytest.approx(1e-2)
     assert said["versions"]["libraries"]["onnx"] == onnx.__version__
-    assert said["provenance"]["made by"] == "tests/rc_line.py"
+    assert said["provenance"]["made by"] == "tests/support/rc_line.py"
     read = localize.OnnxLocalizer(path)
     assert (read.design, read.point_count, read.noise_rms) == ("rc-line-20", 20, localizer.noise_rms)
 
