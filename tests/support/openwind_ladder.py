@@ -121,7 +121,8 @@ def reference() -> dict[str, Any]:
     versions = {package: importlib.metadata.version(package) for package in ("openwind", "numpy", "scipy")}
     return {
         "provenance": "input impedance of tubes with a closed end by tests/support/openwind_ladder.py: "
-        "losses='bessel', radiation_category='closed', discontinuity_mass=False, nondim=True, air of OpenWind's Physics(20)",
+        "losses='bessel', radiation_category='closed', discontinuity_mass=False, "
+        "nondim=True, air of OpenWind's Physics(20)",
         "versions": versions | {"python": sys.version.split()[0]},
         "units": "m, Hz, Pa s/m^3",
         "air": air(),
