@@ -10,16 +10,15 @@ from numpy.typing import NDArray
 
 from acoustic_fem.calibration.manifest import REFERENCE
 from acoustic_fem.calibration.steadiness import largest_changes
+from acoustic_fem.sound.clipping import first_clipped
 from acoustic_fem.sound.estimate import TransferEstimate, shortest_record
 from geometry.refusal import Refusal
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
-#: Consecutive equal samples at the extreme of a channel that show clipping.
-FLAT = 8
-#: Seconds of equal samples that show a gap.
-GAP = 0.05
+#: Seconds of equal samples that show a gap, and how many they must be at least.
+GAP, GAP_SAMPLES = 0.05, 8
 #: Fewer different values than that are too coarse for a transfer function.
 LEAST_LEVELS = 32
 #: dB by which a recording misses the model before another explanation is looked for. Sensors made with the usual
@@ -79,11 +78,11 @@ def check_signals(
         levels = len(np.unique(values))
         if levels < LEAST_LEVELS:
             raise RecordingFault(f"channel {name} is too weak: it takes {levels} different values only")
-        clipped = _first_clipped(values, limits[name])
+        clipped = first_clipped(values, limits[name])
         if clipped is not None:
             raise RecordingFault(f"channel {name} is clipped, first at {clipped / rate:.3f} s")
         held = _longest_hold(values)
-        if held[1] >= max(GAP * rate, FLAT) and levels > len(values) / 100:
+        if held[1] >= max(GAP * rate, GAP_SAMPLES) and levels > len(values) / 100:
             raise RecordingFault(
                 f"channel {name} is interrupted for {held[1] / rate:.3f} s from {held[0] / rate:.3f} s on"
             )
@@ -237,19 +236,6 @@ def _explanations(
     for other in range(len(model)):
         if other != point:
             yield f"point {other + 1} touched instead", measured, model[other]
-
-
-def _first_clipped(values: Array, limit: float | None) -> int | None:
-    """Index of the first sample at the limit of the format; where it has none, of the first flat top."""
-    if limit is not None:
-        reached = np.flatnonzero(np.abs(values) >= limit)
-        if len(reached):
-            return int(reached[0])
-    for extreme in (values.max(), values.min()):
-        at = np.convolve(values == extreme, np.ones(FLAT, np.int64), "valid")
-        if at.max() == FLAT:
-            return int(at.argmax())
-    return None
 
 
 def _longest_hold(values: Array) -> tuple[int, int]:

@@ -1,3 +1,4 @@
+from .clipping import first_clipped as first_clipped
 from .estimate import (
     Estimator as Estimator,
     TransferEstimate as TransferEstimate,

@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from acoustic_fem.sound.clipping import first_clipped
 from acoustic_fem.sound.sound_file import MATRIX, Sound, SoundFileError, read_sound
 from geometry.refusal import Refusal
 from localize.signals.frames import FRAME
@@ -18,10 +19,6 @@ from localize.signals.stimulus import SAMPLE_RATE
 
 LOWEST_RATE, HIGHEST_RATE = 250.0, 1e6
 """Lowest and highest sample rate, Hz; below the lowest the band of 1 to 100 Hz is not in a recording."""
-FLAT = 8
-"""Number of consecutive equal samples at the extreme of a channel that show clipping."""
-FINE = 2000
-"""Number of the channel's smallest steps up to its extreme from which flat tops count: smaller ones are coarse."""
 
 
 class RecordingError(Refusal):
@@ -57,7 +54,7 @@ def read_recording(
         path: of the file; its suffix says what it is.
         microphones: names of the array's microphones.
         full_scale: Pa: of WAV files the pressure at full scale, 1 Pa by default; of others the pressure at which they
-            clip, which by default is recognised by flat tops.
+            clip. Flat tops below it are clipping too, see :mod:`acoustic_fem.sound.clipping`.
 
     Raises:
         RecordingError: the file cannot be read or is cut short; a wrong number of channels, or others; a channel that
@@ -120,22 +117,8 @@ def _check(
             raise RecordingError(f"{path}: channel {name} is not finite at {bad[0] / rate:.3f} s")
         if channel.max() == channel.min():
             raise RecordingError(f"{path}: channel {name} is silent: its value never changes")
-        clipped = _first_clipped(channel, limit)
+        clipped = first_clipped(channel, limit)
         if clipped is not None:
             raise RecordingError(
                 f"{path}: channel {name} is clipped at {abs(channel[clipped]):.4g} Pa, first at {clipped / rate:.3f} s"
             )
-
-
-def _first_clipped(channel: NDArray[np.float64], limit: float | None) -> int | None:
-    """Index of the first sample at the limit; where none is known, of the first flat top."""
-    if limit is not None:
-        reached = np.flatnonzero(np.abs(channel) >= limit)
-        return int(reached[0]) if len(reached) else None
-    if np.abs(channel).max() < FINE * np.diff(np.unique(channel)).min():
-        return None
-    for extreme in (channel.max(), channel.min()):
-        at = np.convolve(channel == extreme, np.ones(FLAT, np.int64), "valid")
-        if at.max() == FLAT:
-            return int(at.argmax())
-    return None
