@@ -24,7 +24,7 @@ from acoustic_fem.library.provenance import versions
 from acoustic_fem.library.result import MEASURED, Library, library_from_arrays
 from acoustic_fem.sound.estimate import TransferEstimate, transfer_estimate
 from acoustic_fem.sound.sound_file import Sound, SoundFileError, read_sound
-from geometry.layout.place import lay_out
+from geometry.layout.arrangement import lay_out
 from geometry.refusal import Refusal
 
 Array = NDArray[np.float64]

@@ -36,7 +36,7 @@ from acoustic_fem.quantities.units import metres
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import read_design
 from geometry.files.writing import whole_file
-from geometry.layout.place import lay_out
+from geometry.layout.arrangement import lay_out
 from geometry.refusal import Refusal
 
 FORMATS = (".nc", ".sofa", ".npz", ".csv")

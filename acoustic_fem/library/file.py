@@ -26,7 +26,7 @@ from acoustic_fem.quantities.checks import frequency_grid
 from acoustic_fem.quantities.medium import Medium
 from geometry.design.design_file import read_design, write_design
 from geometry.files.writing import whole_file
-from geometry.layout.place import lay_out
+from geometry.layout.arrangement import lay_out
 from geometry.refusal import Refusal
 
 #: Global attributes of every library file.

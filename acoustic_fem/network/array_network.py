@@ -78,7 +78,7 @@ def solve_network(
 
     Args:
         design: the array.
-        layout: its layout, from :func:`geometry.layout.place.lay_out`.
+        layout: its layout, from :func:`geometry.layout.arrangement.lay_out`.
         admittances: for every distinct cell its symmetric nodal admittance, (n_freq, k + 1, k + 1) complex128, m^3/(Pa
             s): the outer ends of its k stubs in the order of ``cell.ports``, then the opening.
         frequency: (n_freq,) float64, Hz.

@@ -86,7 +86,7 @@ class CellUse:
 class CellCatalogue:
     """Cells of an array: per point (tubes to the previous and to the next node) and per microphone.
 
-    The tubes of a microphone are ordered as :attr:`geometry.layout.place.MicrophonePlacement.ports`.
+    The tubes of a microphone are ordered as :attr:`geometry.layout.placement.MicrophonePlacement.ports`.
     """
 
     points: tuple[CellUse, ...]

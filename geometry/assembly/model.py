@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from geometry.assembly.parts import PlacedPart, build_parts, place_parts
 from geometry.design.array_design import ArrayDesign
-from geometry.layout.place import lay_out
+from geometry.layout.arrangement import lay_out
 from geometry.layout.placement import ArrayLayout, TubePlacement
 from geometry.solids.tube import TubePiece, build_tube, piece_of
 

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import write_design
-from geometry.layout.place import lay_out
+from geometry.layout.arrangement import lay_out
 from geometry.layout.placement import ArrayLayout, MicrophonePlacement, PointPlacement
 from geometry.molds.mold import mold_counts
 from geometry.plan.cylinder import FLAT, Axes

@@ -12,8 +12,8 @@ from pathlib import Path
 from geometry.assembly.parts import place_parts
 from geometry.design.array_design import ArrayDesign
 from geometry.files.writing import write_text
+from geometry.layout.arrangement import lay_out
 from geometry.layout.cutting import cut_lengths
-from geometry.layout.place import lay_out
 from geometry.layout.placement import TubePlacement
 from geometry.plan.routing import tightest_bend
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from geometry.design.array_design import ArrayDesign
-from geometry.layout.place import lay_out
+from geometry.layout.arrangement import lay_out
 from geometry.layout.placement import TubePlacement
 from geometry.plan.routing import turning
 from geometry.stated.parts import Tube

@@ -61,7 +61,7 @@ def draw_array(
 ) -> Path:
     """Render the whole array with translucent shells, numbered points and named microphones.
 
-    Tubes drawn schematically (see :func:`geometry.layout.place.lay_out`) have a colour of their own.
+    Tubes drawn schematically (see :func:`geometry.layout.arrangement.lay_out`) have a colour of their own.
 
     Args:
         design: the array.

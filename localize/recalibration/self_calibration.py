@@ -21,7 +21,7 @@ from numpy.typing import ArrayLike, NDArray
 from acoustic_fem.calibration.fitted_model import Posterior, Priors, UpdatedModel
 from acoustic_fem.library.provenance import versions
 from acoustic_fem.library.result import MEASURED, Library, library_from_arrays
-from geometry.layout.place import lay_out
+from geometry.layout.arrangement import lay_out
 from geometry.refusal import Refusal
 from localize.decoders.judgement import ResidualTest
 from localize.recalibration.marginal_likelihood import MarginalLikelihood

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 
 from geometry.assembly.bill import Prices
 from geometry.design.array_design import ArrayDesign
-from geometry.layout.place import lay_out
+from geometry.layout.arrangement import lay_out
 from geometry.stated.parts import BOARD_SEAL, SEAT_SLOT, Microphone, Tube
 
 #: kg/m^3

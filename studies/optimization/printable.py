@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from geometry import ArrayDesign
-from geometry.layout.place import lay_out
+from geometry.layout.arrangement import lay_out
 from geometry.stated.parts import Tube
 from geometry.stated.print_processes import PrintProcess, Rule, process_of
 

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from geometry.design.array_design import ArrayDesign
-from geometry.layout.place import lay_out
+from geometry.layout.arrangement import lay_out
 from geometry.refusal import Refusal
 from studies.metrics.pairs import BAND, Separability, disagreement, separability, worst_heard
 from studies.output.display import Display, Report

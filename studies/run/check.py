@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from geometry.air.cells import Cell, cell_catalogue
 from geometry.design.array_design import ArrayDesign
-from geometry.layout.place import lay_out
+from geometry.layout.arrangement import lay_out
 from geometry.plan.topology import WiringCounts, wiring_counts
 from geometry.printing.report_files import report_content
 from studies.metrics.pairs import BAND, worst_heard

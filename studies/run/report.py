@@ -12,8 +12,8 @@ import numpy as np
 
 import studies
 from geometry.files.writing import write_text
+from geometry.layout.arrangement import lay_out
 from geometry.layout.cutting import cutting_list
-from geometry.layout.place import lay_out
 from studies.metrics.pairs import BAND
 from studies.output.display import number
 from studies.run.check import cell_uses

@@ -24,7 +24,7 @@ from acoustic_fem.library.provenance import versions
 from acoustic_fem.quantities.checks import frequency_grid
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import read_design, write_design
-from geometry.layout.place import lay_out
+from geometry.layout.arrangement import lay_out
 from geometry.refusal import Refusal
 from studies.output.folders import check_folder
 from studies.scatter.tolerances import TOLERANCES, ScatteredDesign, Tolerance

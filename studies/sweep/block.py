@@ -29,7 +29,7 @@ from acoustic_fem.membrane.elasticity import DiscShape
 from acoustic_fem.network.array_network import solve_network
 from geometry import ArrayDesign, DesignError
 from geometry.air.cells import Cell, cell_catalogue
-from geometry.layout.place import lay_out
+from geometry.layout.arrangement import lay_out
 from studies.metrics.responses import Responses
 from studies.study.cases import Cases
 from studies.study.failure_reasons import PROGRAM_ERROR

@@ -14,7 +14,7 @@ import geometry
 from acoustic_fem.library.exchange import export, load_exchanged
 from acoustic_fem.library.file import LibraryError
 from acoustic_fem.library.result import DEVIATION, VARIABLES, Library, library_from_arrays
-from geometry.layout.place import lay_out
+from geometry.layout.arrangement import lay_out
 
 GRID = np.linspace(1.0, 100.0, 7)
 

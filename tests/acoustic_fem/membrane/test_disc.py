@@ -19,7 +19,7 @@ from geometry.air.cells import cell_catalogue
 from geometry.air.mesh import mesh_solid
 from geometry.air.volume import MIRROR, OPENING, air_volume
 from geometry.design.design_file import prototype
-from geometry.layout.place import lay_out
+from geometry.layout.arrangement import lay_out
 from geometry.solids.membrane import membrane_radius
 
 

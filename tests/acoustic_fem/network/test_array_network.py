@@ -15,7 +15,7 @@ from acoustic_fem.network.microphone import load_admittance
 from acoustic_fem.quantities.medium import Medium
 from geometry.air.cells import cell_catalogue
 from geometry.design.design_file import prototype
-from geometry.layout.place import lay_out
+from geometry.layout.arrangement import lay_out
 
 AIR = Medium.at(20, 0.5)
 BAND = np.geomspace(0.1, 100, 7)

@@ -9,7 +9,7 @@ from hypothesis import HealthCheck, given, settings, strategies as st
 import geometry
 from geometry.air.cells import ANGLE_STEP, Cell, canonical_ports, cell_catalogue, resonator_cell
 from geometry.air.volume import air_solid
-from geometry.layout.place import lay_out
+from geometry.layout.arrangement import lay_out
 from geometry.solids.bodies import cylinder
 from geometry.solids.housing import build_housing
 from geometry.solids.shell import build_shell, port_height

@@ -14,8 +14,8 @@ from geometry.air.volume import air_volume
 from geometry.assembly.parts import PartSet, build_parts, part_counts, place_parts
 from geometry.design.design_file import read_design
 from geometry.formats.part_files import tessellate_distinct
+from geometry.layout.arrangement import lay_out
 from geometry.layout.cutting import cutting_list, spring_length
-from geometry.layout.place import lay_out
 from geometry.printing.plates import export_plates
 from geometry.solids.bodies import one_solid
 from geometry.solids.shell import build_shell

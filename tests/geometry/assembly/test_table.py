@@ -11,7 +11,7 @@ import pytest
 import geometry
 from geometry.assembly.parts import build_parts, place_parts
 from geometry.assembly.table import assembly_steps, assembly_text, write_assembly_table
-from geometry.layout.place import lay_out
+from geometry.layout.arrangement import lay_out
 from geometry.plan.routing import path_length
 
 

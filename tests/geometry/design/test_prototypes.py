@@ -8,7 +8,7 @@ import pytest
 
 import geometry
 from geometry.design.design_file import prototype_text
-from geometry.layout.place import lay_out
+from geometry.layout.arrangement import lay_out
 from geometry.plan.topology import wiring_counts
 
 NAMES = ["array-2x6", "fingertip-3x4", "fingertip-4x6", "glove", "large-area-64", "line-2", "line-3", "line-4"]

@@ -13,7 +13,7 @@ import acoustic_fem
 import geometry
 from acoustic_fem.library.exchange import export
 from acoustic_fem.library.result import DEVIATION, MEASURED, VARIABLES, Library, library_from_arrays
-from geometry.layout.place import lay_out
+from geometry.layout.arrangement import lay_out
 from studies.cli.app import app
 
 GRID = np.linspace(1.0, 100.0, 7)

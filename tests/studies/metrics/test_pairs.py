@@ -15,7 +15,7 @@ import acoustic_fem
 import geometry
 from acoustic_fem.library.noise import detection_limits
 from geometry.assembly.bill import Prices, bill_of_materials
-from geometry.layout.place import lay_out
+from geometry.layout.arrangement import lay_out
 from studies.metrics import build
 from studies.metrics.build import _volumes
 from studies.metrics.confusion import predict_confusion

@@ -17,7 +17,7 @@ import acoustic_fem
 from acoustic_fem.batch.parameters import ArrayParameters
 from geometry import prototype
 from geometry.design.design_file import load_design
-from geometry.layout.place import lay_out
+from geometry.layout.arrangement import lay_out
 from studies.findings.search_files import read_search, save_search
 from studies.optimization.gradient import refine, with_refined
 from studies.optimization.printable import Demand, PrintDemand, measures

@@ -10,7 +10,7 @@ from hypothesis import assume, given, strategies as st
 
 import geometry
 from geometry.air.cells import cell_catalogue
-from geometry.layout.place import lay_out
+from geometry.layout.arrangement import lay_out
 from geometry.plan.cylinder import wound_length, wound_radius, wound_turn
 from geometry.plan.ring import corner_angles, corners
 from geometry.plan.routing import bow_angle, bow_radius, bowed_path, path_length, tightest_bend
@@ -346,7 +346,7 @@ def test_tubes_that_meet_in_the_palm_at_too_sharp_an_angle_are_refused():
 def test_neither_layout_nor_counts_load_the_cad_kernel():
     code = (
         "import sys, geometry, geometry.printing, geometry.formats.part_files\n"
-        "from geometry.layout.place import lay_out\nfrom geometry.assembly.parts import part_counts\n"
+        "from geometry.layout.arrangement import lay_out\nfrom geometry.assembly.parts import part_counts\n"
         "from geometry.layout.cutting import cutting_list\n"
         "d = geometry.prototype('array-2x6'); lay_out(d); part_counts(d); cutting_list(d)\n"
         "print([m for m in ('cadquery', 'OCP', 'gmsh', 'vtkmodules', 'torch', 'trimesh') if m in sys.modules])"

@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from geometry.design.array_design import ArrayDesign
+from geometry.layout.lines_in_plan import End, Run, hand_runs, ring_runs, serpentine_runs
 from geometry.layout.overlaps import overlaps
 from geometry.layout.placement import ArrayLayout, MicrophonePlacement, MicrophonePort, PointPlacement, TubePlacement
-from geometry.layout.runs import End, Run, hand_runs, ring_runs, serpentine_runs
 from geometry.plan.cylinder import Cylinder, Plane, surface_of
 from geometry.plan.routing import bearing, bow_angle, bowed_path, drawn_path, path_length, tidy, unit
 

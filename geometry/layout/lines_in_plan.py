@@ -143,7 +143,7 @@ def hand_runs(design: ArrayDesign) -> list[Run]:
     Where two ends of one microphone can both be reached with straight tubes, the microphone lies where they meet,
     on the side of the wrist.
     """
-    from geometry.layout.runs import run_of
+    from geometry.layout.lines_in_plan import run_of
 
     columns, positions = design.layout.columns, finger_positions(design)
     out = []
