@@ -54,29 +54,8 @@ def closed_sphere_compliance(radius: float, frequency: ArrayLike, medium: Medium
         Refusal: a radius or frequency that is not finite and positive.
     """
     positive("radius", radius, "m")
-    mean = _ball_mean(3, radius, _rate(frequency, medium))
+    mean = _sphere_mean(radius, _rate(frequency, medium))
     return _compliance(4 / 3 * np.pi * radius**3, mean, medium)
-
-
-def closed_slab_compliance(area: float, gap: float, frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
-    """Compliance of a gap much wider than high (side walls neglected), m^3/Pa.
-
-    Args:
-        area: of one face, m^2.
-        gap: distance of the faces, m.
-        frequency: Hz, any shape.
-        medium: the gas.
-
-    Returns:
-        Shape of frequency, complex128.
-
-    Raises:
-        Refusal: an area, gap or frequency that is not finite and positive.
-    """
-    positive("area", area, "m^2")
-    positive("gap", gap, "m")
-    mean = _ball_mean(1, gap / 2, _rate(frequency, medium))
-    return _compliance(area * gap, mean, medium)
 
 
 def _rate(frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
@@ -89,14 +68,13 @@ def _compliance(volume: float, mean: NDArray[np.complex128], medium: Medium) -> 
     return volume * (medium.gamma - (medium.gamma - 1) * mean) / (medium.gamma * medium.pressure)
 
 
-def _ball_mean(dimension: int, half_size: float, rate: NDArray[np.complex128]) -> NDArray[np.complex128]:
-    """<Psi> of a slab, circle or sphere (dimension 1, 2, 3) of that half thickness or radius R.
+def _sphere_mean(radius: float, rate: NDArray[np.complex128]) -> NDArray[np.complex128]:
+    """<Psi> = 1 + 3 (z cot z - 1)/z^2 with z = R sqrt(-j w / alpha).
 
-    With z = R sqrt(-j w / alpha) the means 1 - tan(z)/z, 1 - 2 J1/(z J0), 1 + 3 (z cot z - 1)/z^2 are all
-    -J_{d/2+1}(z) / J_{d/2-1}(z), which does not cancel at small z.
+    Taken as -J_{5/2}(z) / J_{1/2}(z), which does not cancel at small z.
     """
-    argument = half_size * np.sqrt(-rate)
-    return np.asarray(-jve(dimension / 2 + 1, argument) / jve(dimension / 2 - 1, argument), dtype=np.complex128)
+    argument = radius * np.sqrt(-rate)
+    return np.asarray(-jve(2.5, argument) / jve(0.5, argument), dtype=np.complex128)
 
 
 def _cylinder_mean(radius: float, height: float, rate: NDArray[np.complex128]) -> NDArray[np.complex128]:

@@ -13,7 +13,6 @@ from acoustic_fem.cavity.closed_forms import closed_sphere_compliance
 from acoustic_fem.quantities.checks import positive
 from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.units import cubic_metres
-from geometry.refusal import Refusal
 from geometry.stated.parts import Microphone
 
 
@@ -68,11 +67,6 @@ def vent_ratio(microphone: Microphone, frequency: ArrayLike, medium: Medium) -> 
     return 1j * omega * (back + diaphragm) / leak
 
 
-def sensitivity(microphone: Microphone) -> float:
-    """Output per pressure across the diaphragm, V/Pa."""
-    return float(10 ** (microphone.sensitivity / 20))
-
-
 def noise_density(microphone: Microphone, frequency: ArrayLike) -> NDArray[np.float64]:
     """Equivalent input noise n sqrt(1 + fc / f) in Pa/sqrt(Hz): white, and 1/f in power below fc.
 
@@ -88,23 +82,6 @@ def noise_density(microphone: Microphone, frequency: ArrayLike) -> NDArray[np.fl
     """
     ratio = microphone.noise_corner / positive("frequency", frequency, "Hz")
     return microphone.noise_density * np.sqrt(1 + ratio)
-
-
-def noise_rms(microphone: Microphone, low: float, high: float) -> float:
-    """Equivalent input noise in a band, n sqrt(f2 - f1 + fc ln(f2 / f1)), Pa rms: :func:`noise_density` integrated.
-
-    Args:
-        microphone: from the design.
-        low: lower edge f1 of the band, Hz.
-        high: upper edge f2, above f1, Hz.
-
-    Raises:
-        Refusal: an edge that is not finite and positive, or edges that do not ascend.
-    """
-    low, high = (float(positive(name, edge, "Hz")) for name, edge in (("low", low), ("high", high)))
-    if high <= low:
-        raise Refusal(f"high = {high:g} Hz must be above low = {low:g} Hz")
-    return float(microphone.noise_density * np.sqrt(high - low + microphone.noise_corner * np.log(high / low)))
 
 
 def noise_density_behind_vent(microphone: Microphone, frequency: ArrayLike, medium: Medium) -> NDArray[np.float64]:

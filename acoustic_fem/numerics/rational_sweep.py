@@ -236,15 +236,12 @@ def passivity_margin(admittance: NDArray[np.complex128]) -> NDArray[np.float64]:
     return margin
 
 
-def require_passive(
-    admittance: NDArray[np.complex128], frequency: NDArray[np.float64], tolerance: float = PASSIVITY_TOLERANCE
-) -> float:
+def require_passive(admittance: NDArray[np.complex128], frequency: NDArray[np.float64]) -> float:
     """Refuse an admittance that gives energy at any of the frequencies.
 
     Args:
         admittance: (n_freq, m, m) complex128, m^3/(Pa s).
         frequency: (n_freq,) float64, Hz.
-        tolerance: on the negative side of :func:`passivity_margin`.
 
     Returns:
         The smallest margin.
@@ -256,10 +253,10 @@ def require_passive(
     worst = int(np.argmin(margin))
     if not np.isfinite(margin[worst]):
         raise RationalFitError(f"the response at {frequency[worst]:g} Hz is not finite")
-    if margin[worst] < -tolerance:
+    if margin[worst] < -PASSIVITY_TOLERANCE:
         raise RationalFitError(
             f"the response at {frequency[worst]:g} Hz gives energy: the least eigenvalue of Re Y is "
-            f"{margin[worst]:.2g} of its diagonal, below -{tolerance:g}"
+            f"{margin[worst]:.2g} of its diagonal, below -{PASSIVITY_TOLERANCE:g}"
         )
     return float(margin[worst])
 

@@ -9,6 +9,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from geometry.refusal import Refusal
 
+_BAND = (1e-3, 2e3)
+"""Lowest and highest frequency of a grid, Hz."""
+
 
 def numbers(name: str, values: ArrayLike) -> NDArray[np.float64]:
     """The values as an array, same shape as given, float64.
@@ -96,8 +99,8 @@ def stated_grid(text: str) -> NDArray[np.float64]:
     return np.linspace(start, stop, number)
 
 
-def frequency_grid(frequency: ArrayLike, low: float = 1e-3, high: float = 2e3) -> NDArray[np.float64]:
-    """The grid as an array, (n_freq,) float64, if its frequencies ascend within [low, high] Hz.
+def frequency_grid(frequency: ArrayLike) -> NDArray[np.float64]:
+    """The grid as an array, (n_freq,) float64, if its frequencies ascend within 0.001 to 2000 Hz.
 
     Frequency 0 is refused: a sealed network has no impedance there. All its pressures become equal as the
     frequency falls.
@@ -108,6 +111,7 @@ def frequency_grid(frequency: ArrayLike, low: float = 1e-3, high: float = 2e3) -
     grid = numbers("frequency", frequency)
     if grid.ndim != 1 or grid.size == 0:
         raise Refusal(f"frequency has shape {grid.shape}; it must be a 1-D array of at least one value in Hz")
+    low, high = _BAND
     bad = ~((grid >= low) & (grid <= high))
     if bad.any():
         raise Refusal(f"frequency = {grid[bad][0]:g} Hz must be between {low:g} and {high:g} Hz")

@@ -55,11 +55,6 @@ class Medium:
         """Diffusivity of heat kappa / (rho cp), m^2/s."""
         return self.conductivity / (self.density * self.heat_capacity)
 
-    @property
-    def prandtl(self) -> float:
-        """Prandtl number mu cp / kappa."""
-        return self.viscosity * self.heat_capacity / self.conductivity
-
     @classmethod
     def at(cls, temperature_c: float = 20, humidity: float = 0.5, pressure: float = 101325.0) -> Medium:
         """Humid air.

@@ -65,9 +65,9 @@ class TransferEstimate:
         return RADIUS_95 * self.deviation
 
 
-def shortest_record(segment: float = SEGMENT) -> float:
-    """Shortest duration of a record, s, for segments of that duration (s)."""
-    return segment * (1 + (LEAST_SEGMENTS - 1) / _PER_SEGMENT)
+def shortest_record() -> float:
+    """Shortest duration of a record, s."""
+    return SEGMENT * (1 + (LEAST_SEGMENTS - 1) / _PER_SEGMENT)
 
 
 def transfer_estimate(

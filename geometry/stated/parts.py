@@ -228,11 +228,6 @@ class Tube(Section):
         return self.bend_radius or max(1.5 * self.spring_outer_diameter, self.outer_diameter)
 
     @property
-    def sheath_wall(self) -> float:
-        """Wall of the sheath around the coil spring, mm."""
-        return (self.outer_diameter - self.spring_outer_diameter) / 2
-
-    @property
     def stub_length(self) -> float:
         """Length of the stub that belongs to a cell, mm."""
         return STUB_LENGTH_IN_RADII * self.inner_diameter / 2

@@ -49,16 +49,15 @@ class Locator(Protocol):
         """
 
 
-def wilson_interval(share: float, touches: int, confidence: float = 0.95) -> tuple[float, float]:
-    """Interval of a share that was counted (Wilson 1927, "Probable inference, the law of succession, and statistical
-    inference"): as good near 0 and 1, where the usual one has no width.
+def wilson_interval(share: float, touches: int) -> tuple[float, float]:
+    """Interval of 95 % of a share that was counted (Wilson 1927, "Probable inference, the law of succession, and
+    statistical inference"): as good near 0 and 1, where the usual one has no width.
 
     Args:
         share: counted, from 0 to 1.
         touches: of which, at least 1.
-        confidence: share of such intervals that hold the true one.
     """
-    z = scipy.stats.norm.ppf(0.5 + confidence / 2)
+    z = scipy.stats.norm.ppf(0.5 + 0.95 / 2)
     middle = share + z**2 / (2 * touches)
     half = z * math.sqrt(share * (1 - share) / touches + (z / (2 * touches)) ** 2)
     low, high = ((middle + sign * half) / (1 + z**2 / touches) for sign in (-1, 1))

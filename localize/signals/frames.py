@@ -16,18 +16,17 @@ FRAME = 250
 """Length of a frame, samples."""
 
 
-def cut_frames(signals: Tensor, hop: int = FRAME) -> Tensor:
-    """Frames of 250 samples, the last one ending with the signal.
+def cut_frames(signals: Tensor) -> Tensor:
+    """Frames of 250 samples, one after the other, the last one ending with the signal.
 
     Args:
         signals: (n, n_microphone, n_sample), n_sample at least 250, in any unit.
-        hop: samples between the beginnings of two frames.
 
     Returns:
         (n, n_frame, n_microphone, 250), a view in the type and unit of the signals.
     """
-    rest = (signals.shape[-1] - FRAME) % hop
-    return signals[..., rest:].unfold(-1, FRAME, hop).transpose(1, 2)
+    rest = signals.shape[-1] % FRAME
+    return signals[..., rest:].unfold(-1, FRAME, FRAME).transpose(1, 2)
 
 
 def checked_signals(signals: ArrayLike | Tensor, microphones: Sequence[str]) -> tuple[Tensor, bool]:

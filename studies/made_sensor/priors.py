@@ -17,34 +17,29 @@ from studies.scatter.tolerances import TOLERANCES, ScatteredDesign, Tolerance
 
 Array = NDArray[np.float64]
 
+_DEVIATION_SENSORS, _PRIOR_SENSORS = 64, 256
+"""Sensors drawn from the tolerances."""
 
-def model_deviation(
-    design: ArrayDesign,
-    frequency: Array,
-    tolerances: Sequence[Tolerance] = TOLERANCES,
-    count: int = 64,
-    seed: int = 0,
-) -> Array:
+
+def model_deviation(design: ArrayDesign, frequency: Array, tolerances: Sequence[Tolerance] = TOLERANCES) -> Array:
     """Deviation of the transfer functions of made sensors from those of the design.
 
     Args:
         design: the nominal array.
         frequency: (n_freq,) float64, Hz.
         tolerances: of manufacturing.
-        count: sensors drawn.
-        seed: of the draws.
 
     Returns:
         (n_point, n_microphone, n_freq) float64, Pa/Pa: root mean square of the real part, and of the imaginary part, of
         the difference.
     """
     scattered, air = ScatteredDesign(design, tolerances), design_air(design)
-    made = batch_transfer_function(scattered.sample(0, count, seed), scattered.topology, frequency, air)
+    made = batch_transfer_function(scattered.sample(0, _DEVIATION_SENSORS, 0), scattered.topology, frequency, air)
     nominal = batch_transfer_function(scattered.nominal, scattered.topology, frequency, air)
     return np.asarray(np.sqrt((np.abs(made - nominal) ** 2).mean(0) / 2))
 
 
-def fit_priors(design: ArrayDesign, tolerances: Sequence[Tolerance] = TOLERANCES, count: int = 256) -> Priors:
+def fit_priors(design: ArrayDesign, tolerances: Sequence[Tolerance] = TOLERANCES) -> Priors:
     """Priors of a fit from manufacturing tolerances; what they say nothing of keeps its default.
 
     A tube's length counts as bore by what it does to the resistance, length / bore^4; all that scatters at a point
@@ -53,7 +48,7 @@ def fit_priors(design: ArrayDesign, tolerances: Sequence[Tolerance] = TOLERANCES
     kept = [tolerance for tolerance in tolerances if tolerance.quantity != "modulus_of_batch"]
     common = [tolerance.deviation for tolerance in tolerances if tolerance.quantity == "modulus_of_batch"]
     scattered = ScatteredDesign(design, kept)
-    made, nominal = scattered.sample(0, count, 0), scattered.nominal
+    made, nominal = scattered.sample(0, _PRIOR_SENSORS, 0), scattered.nominal
     resistance = np.log(made.tube_length / nominal.tube_length) / 4 - np.log(made.tube_radius / nominal.tube_radius)
     volume = made.cavity_radius**2 * made.cavity_height * (math.pi / (1.4 * 101325))
     shift = np.log((made.membrane_compliance + volume).ravel() / (made.membrane_compliance + volume).mean())

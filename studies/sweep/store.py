@@ -210,8 +210,6 @@ class Sweep:
     """Variables along ``case``; what is waiting or failed is NaN."""
     base: ArrayDesign
     """Design that was varied."""
-    study_text: str
-    """Text of the study file."""
     parameters: tuple[str, ...]
     """Names of the variables that were varied."""
     metrics: tuple[str, ...]
@@ -261,7 +259,6 @@ def open_sweep(path: str | os.PathLike[str]) -> Sweep:
     return Sweep(
         dataset,
         read_design(dataset.attrs["base_design"], f"{path}: base design"),
-        dataset.attrs["study"],
         of_kind("parameter"),
         of_kind("metric"),
     )

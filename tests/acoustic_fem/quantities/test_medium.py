@@ -13,7 +13,6 @@ def test_reference_air_has_the_derived_values_of_the_reference_data():
     assert AIR.sound_speed == pytest.approx(343.2488418652865, rel=1e-14, abs=0)
     assert AIR.kinematic_viscosity == pytest.approx(1.51578073089701e-05, rel=1e-14, abs=0)
     assert AIR.thermal_diffusivity == pytest.approx(2.135855960582023e-05, rel=1e-14, abs=0)
-    assert AIR.prandtl == pytest.approx(0.7096830305373019, rel=1e-14, abs=0)
 
 
 def test_dry_air_at_20_degrees_agrees_with_published_values():
