@@ -12,7 +12,7 @@ from . import (
     quantities as quantities,
     sound as sound,
 )
-from .library.file import LibraryError as LibraryError, load as load, save as save
+from .library.netcdf_file import LibraryError as LibraryError, load as load, save as save
 from .library.result import FIDELITIES as FIDELITIES, Library as Library
 from .library.solving import solve as solve
 from .quantities.medium import Medium as Medium

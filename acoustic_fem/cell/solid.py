@@ -123,7 +123,7 @@ def solve_solid(
     Raises:
         As :func:`port_admittance`.
     """
-    from geometry.air.mirror import mirror_half
+    from geometry.air.mirror_symmetry import mirror_half
     from geometry.air.volume import MIRROR
 
     accuracy = in_range("accuracy", accuracy, *_ACCURACY_RANGE)

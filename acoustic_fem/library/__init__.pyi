@@ -1,5 +1,5 @@
 from .exchange import FORMATS as FORMATS, export as export, load_exchanged as load_exchanged
-from .file import LibraryError as LibraryError
+from .netcdf_file import LibraryError as LibraryError
 from .noise import (
     detectable_density as detectable_density,
     detection_limits as detection_limits,

@@ -23,7 +23,7 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
-from acoustic_fem.library.file import (
+from acoustic_fem.library.netcdf_file import (
     ATTRIBUTES,
     LibraryError,
     dataset_of,

@@ -6,7 +6,7 @@ from .mesh import (
     SolidMesh as SolidMesh,
     mesh_solid as mesh_solid,
 )
-from .mirror import mirror_half as mirror_half
+from .mirror_symmetry import mirror_half as mirror_half
 from .volume import MIRROR as MIRROR, OPENING as OPENING, air_volume as air_volume
 from .wound_tube import (
     FIRST as FIRST,

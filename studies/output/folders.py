@@ -94,7 +94,7 @@ def check_new_library(path: Path, formats: Sequence[str]) -> None:
 
 def _is_measured(path: Path) -> bool:
     from acoustic_fem.library.exchange import load_exchanged
-    from acoustic_fem.library.file import LibraryError
+    from acoustic_fem.library.netcdf_file import LibraryError
     from acoustic_fem.library.result import MEASURED
 
     try:

@@ -138,9 +138,9 @@ def house_of_the_checkout() -> House:
 
 
 def test_a_private_door_is_found() -> None:
-    code = "from geometry.stated.fields import fields_of\nimport acoustic_fem\nacoustic_fem.library.file.load\n"
+    code = "from geometry.stated.fields import fields_of\nimport acoustic_fem\nacoustic_fem.library.netcdf_file.load\n"
     page = f"```python\n{code}```\n"
-    assert private_doors(page) == ["geometry.stated.fields.fields_of", "acoustic_fem.library.file"]
+    assert private_doors(page) == ["geometry.stated.fields.fields_of", "acoustic_fem.library.netcdf_file"]
 
 
 @pytest.mark.parametrize("page", PAGES, ids=page_name)

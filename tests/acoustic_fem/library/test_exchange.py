@@ -12,7 +12,7 @@ import sofar
 import acoustic_fem
 import geometry
 from acoustic_fem.library.exchange import export, load_exchanged
-from acoustic_fem.library.file import LibraryError
+from acoustic_fem.library.netcdf_file import LibraryError
 from acoustic_fem.library.result import DEVIATION, VARIABLES, Library, library_from_arrays
 from geometry.layout.arrangement import lay_out
 

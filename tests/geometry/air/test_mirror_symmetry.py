@@ -6,7 +6,7 @@ import pytest
 from reference_data import AIR
 
 from acoustic_fem.cell.solid import port_admittance, solve_solid
-from geometry.air.mirror import mirror_half
+from geometry.air.mirror_symmetry import mirror_half
 
 BORE, REACH = 0.25, 4.0
 
