@@ -20,11 +20,9 @@ from acoustic_fem.calibration.recording_checks import (
     check_signals,
     check_steady,
 )
-from acoustic_fem.library.provenance import versions
-from acoustic_fem.library.result import MEASURED, Library, library_from_arrays
+from acoustic_fem.library.result import Library, described, measured_library
 from acoustic_fem.sound.estimate import TransferEstimate, transfer_estimate
 from acoustic_fem.sound.sound_file import Sound, SoundFileError, read_sound
-from geometry.layout.arrangement import lay_out
 from geometry.refusal import Refusal
 
 Array = NDArray[np.float64]
@@ -108,26 +106,20 @@ class Calibration:
         if fit is None:
             for number, estimate in self.estimates.items():
                 h[number - 1], deviation[number - 1] = estimate.transfer_function, estimate.deviation
-        impedance = model.point_impedance.transpose("point", "frequency").values
-        design = self.manifest.design
-        return library_from_arrays(
-            design,
-            lay_out(design),
-            self.frequency,
-            {"transfer_function": h, "source_response": h * impedance[:, None], "point_impedance": impedance},
-            MEASURED,
-            model.medium,
+        return measured_library(
+            self.manifest.design,
+            model,
+            h,
+            deviation,
+            ("numpy", "scipy", "xarray"),
             {
-                **versions(None, ("numpy", "scipy", "xarray")),
-                "frequency_sha256": hashlib.sha256(self.frequency.tobytes()).hexdigest(),
                 "calibration": {
                     **self._provenance(),
                     "other_points": "model" if fit is None else "fitted model, as the measured ones",
                 },
                 "fit": None if fit is None else fit.summary(),
-                "model": {"fidelity": model.fidelity, **model.provenance},
+                "model": described(model),
             },
-            deviation,
         )
 
     def _provenance(self) -> dict[str, Any]:

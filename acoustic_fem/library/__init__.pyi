@@ -8,6 +8,12 @@ from .noise import (
     noise_density as noise_density,
     thermal_covariance as thermal_covariance,
 )
-from .provenance import versions as versions
-from .result import MEASURED as MEASURED, Library as Library, library_from_arrays as library_from_arrays
+from .provenance import library_provenance as library_provenance, versions as versions
+from .result import (
+    MEASURED as MEASURED,
+    Library as Library,
+    described as described,
+    library_from_arrays as library_from_arrays,
+    measured_library as measured_library,
+)
 from .solving import solve as solve

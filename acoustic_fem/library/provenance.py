@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import hashlib
 import platform
 from collections.abc import Sequence
 from datetime import UTC, datetime
 from importlib.metadata import PackageNotFoundError, version
 from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
 
 
 def versions(seed: int | None, libraries: Sequence[str]) -> dict[str, Any]:
@@ -23,6 +27,16 @@ def versions(seed: int | None, libraries: Sequence[str]) -> dict[str, Any]:
         "python": platform.python_version(),
         "libraries": {name: _installed(name) for name in libraries},
     }
+
+
+def library_provenance(frequency: NDArray[np.float64], libraries: Sequence[str]) -> dict[str, Any]:
+    """Plain values that every library states of itself: what made it, and the hash of its grid.
+
+    Args:
+        frequency: (n_freq,) Hz.
+        libraries: distributions whose versions matter.
+    """
+    return {**versions(None, libraries), "frequency_sha256": hashlib.sha256(frequency.tobytes()).hexdigest()}
 
 
 def _installed(name: str) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -10,9 +10,11 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
+from acoustic_fem.library.provenance import library_provenance
 from acoustic_fem.library.touch import touch_response
 from acoustic_fem.quantities.medium import Medium
 from geometry.design.array_design import ArrayDesign
+from geometry.layout.arrangement import lay_out
 from geometry.layout.placement import ArrayLayout
 
 #: What the air of a cell may be computed with; the last is the one to trust.
@@ -176,3 +178,46 @@ def library_from_arrays(
             attrs={"units": units, "long_name": description},
         )
     return Library(**arrays, design=design, fidelity=fidelity, medium=medium, provenance=dict(provenance))
+
+
+def measured_library(
+    design: ArrayDesign,
+    known: Library,
+    transfer_function: NDArray[np.complex128],
+    deviation: NDArray[np.float64],
+    libraries: Sequence[str],
+    provenance: Mapping[str, Any],
+) -> Library:
+    """Library of a made sensor: its transfer functions as measured, the rest from the library known before.
+
+    Impedances are not measured: the point impedance stays, and the source response is that times the transfer function.
+
+    Args:
+        design: of the sensor.
+        known: library of that design, or of one with the same points and microphones, on the same frequencies.
+        transfer_function: (n_point, n_microphone, n_freq) Pa/Pa.
+        deviation: (n_point, n_microphone, n_freq) one standard deviation of the real part, and of the imaginary part,
+            of the transfer function, Pa/Pa.
+        libraries: distributions whose versions matter.
+        provenance: what it was measured from, as JSON can hold it.
+    """
+    impedance = known.point_impedance.transpose("point", "frequency").values
+    return library_from_arrays(
+        design,
+        lay_out(design),
+        known.frequency,
+        {
+            "transfer_function": transfer_function,
+            "source_response": transfer_function * impedance[:, None],
+            "point_impedance": impedance,
+        },
+        MEASURED,
+        known.medium,
+        {**library_provenance(known.frequency, libraries), **provenance},
+        deviation,
+    )
+
+
+def described(library: Library) -> dict[str, Any]:
+    """Provenance of a library and how its cells were computed, for that of another which is made from it."""
+    return {"fidelity": library.fidelity, **library.provenance}

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import hashlib
 from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from acoustic_fem.library.provenance import versions
+from acoustic_fem.library.provenance import library_provenance
 from acoustic_fem.library.result import FIDELITIES, Library, library_from_arrays
 from acoustic_fem.quantities.checks import frequency_grid
 from acoustic_fem.quantities.medium import Medium
@@ -66,8 +65,7 @@ def solve(
         fidelity,
         medium,
         {
-            **versions(None, ("gmsh", "numpy", "scikit-fem", "scipy", "xarray")),
-            "frequency_sha256": hashlib.sha256(grid.tobytes()).hexdigest(),
+            **library_provenance(grid, ("gmsh", "numpy", "scikit-fem", "scipy", "xarray")),
             "cells": solved,
         },
     )

@@ -53,9 +53,7 @@ def build_mold(design: ArrayDesign) -> Mold:
     Raises:
         Refusal: a part is not one valid solid.
     """
-    from geometry.molds.base import base_block, mark, mark_text
-    from geometry.molds.open_mold import scraper, with_rails
-    from geometry.molds.two_part_mold import lid, shim, with_pins
+    from geometry.molds.parts import base_block, lid, mark, mark_text, scraper, shim, with_pins, with_rails
     from geometry.solids.bodies import one_solid
 
     plan = plan_mold(design)

@@ -8,7 +8,6 @@ otherwise the present library stays.
 
 from __future__ import annotations
 
-import hashlib
 import warnings
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -19,9 +18,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from acoustic_fem.calibration.fitted_model import Posterior, Priors, UpdatedModel
-from acoustic_fem.library.provenance import versions
-from acoustic_fem.library.result import MEASURED, Library, library_from_arrays
-from geometry.layout.arrangement import lay_out
+from acoustic_fem.library.result import Library, described, measured_library
 from geometry.refusal import Refusal
 from localize.decoders.judgement import ResidualTest
 from localize.recalibration.marginal_likelihood import MarginalLikelihood
@@ -78,22 +75,13 @@ class SelfCalibration(Objections):
         """Calibrated library, like any other; the present one where the calibration is refused."""
         if not self.accepted:
             return self.present
-        present, h = self.present, self.posterior.transfer_function
-        impedance = present.point_impedance.transpose("point", "frequency").values
-        return library_from_arrays(
-            present.design,
-            lay_out(present.design),
-            present.frequency,
-            {"transfer_function": h, "source_response": h * impedance[:, None], "point_impedance": impedance},
-            MEASURED,
-            present.medium,
-            {
-                **versions(None, ("numpy", "scipy", "torch", "xarray")),
-                "frequency_sha256": hashlib.sha256(present.frequency.tobytes()).hexdigest(),
-                "self_calibration": self.summary(),
-                "present": {"fidelity": present.fidelity, **present.provenance},
-            },
+        return measured_library(
+            self.present.design,
+            self.present,
+            self.posterior.transfer_function,
             self.posterior.deviation,
+            ("numpy", "scipy", "torch", "xarray"),
+            {"self_calibration": self.summary(), "present": described(self.present)},
         )
 
     def summary(self) -> dict[str, Any]:

@@ -17,7 +17,7 @@ import acoustic_fem
 import geometry
 from acoustic_fem.calibration.manifest import ManifestError, read_manifest
 from acoustic_fem.calibration.measured_library import Calibration, CalibrationError, calibrate
-from acoustic_fem.calibration.steadiness import largest_changes
+from acoustic_fem.calibration.recording_checks import largest_changes
 from acoustic_fem.library.result import Library
 from acoustic_fem.sound.sound_file import Sound, read_sound, write_wav
 from studies.made_sensor.rig import Recorder, Rig

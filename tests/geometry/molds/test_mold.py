@@ -9,8 +9,8 @@ from OCP.BRepAdaptor import BRepAdaptor_Surface
 from OCP.GeomAbs import GeomAbs_Cone, GeomAbs_Cylinder
 
 import geometry
-from geometry.molds.base import base_block, mark, mark_text
 from geometry.molds.mold import build_mold, mold_counts
+from geometry.molds.parts import base_block, mark, mark_text
 from geometry.molds.plan import plan_mold
 from geometry.solids.bodies import cylinder
 from geometry.solids.measure import hole_diameters
