@@ -29,7 +29,7 @@ def line_meshes(points: int, scale: float, highest: float) -> tuple[list[SolidMe
 
     Args:
         points: number of resonators.
-        scale: of the element sizes, see :func:`acoustic_fem.cell.solid.mesh_sizes`.
+        scale: of the element sizes, see :func:`acoustic_fem.fields.element_sizes.mesh_sizes`.
         highest: frequency, Hz.
     """
     places = (np.arange(points) - (points - 1) / 2) * PITCH
