@@ -2,6 +2,7 @@ from .disc import (
     DiscSolution as DiscSolution,
     design_compliance as design_compliance,
     design_disc as design_disc,
+    disc_compliance as disc_compliance,
     solve_disc as solve_disc,
 )
 from .disc_table import (

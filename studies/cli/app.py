@@ -7,7 +7,9 @@ from __future__ import annotations
 
 import signal
 import sys
+import sysconfig
 import warnings
+from pathlib import Path
 from typing import Annotated, NoReturn, TextIO
 
 import typer
@@ -32,11 +34,23 @@ from studies.cli.options import Fidelity
 
 __all__ = ["Fidelity", "app", "fail", "main"]
 
+
+def pages_folder() -> Path:
+    """Folder of the documentation: of the checkout, or where an installation put it."""
+    checkout = Path(__file__).parents[2] / "docs"
+    return (
+        checkout
+        if (checkout / "calibration.md").is_file()
+        else Path(sysconfig.get_path("data")) / "share" / "doc" / "acoustic-fem"
+    )
+
+
 app = typer.Typer(
     name="acoustic-fem",
     help="Design of acoustic tactile arrays: one design file in; transfer functions, a localizer and printable parts "
     "out. Begin with: [bold]acoustic-fem run array-2x6 --out demo[/bold]",
     no_args_is_help=True,
+    epilog=f"Pages such as docs/calibration.md: {pages_folder()}",
     add_completion=False,
     rich_markup_mode="rich",
     pretty_exceptions_enable=False,

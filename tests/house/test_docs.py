@@ -35,7 +35,8 @@ def test_the_python_of_a_page_runs(page: Path, tmp_path: Path, monkeypatch: pyte
     namespace: dict[str, object] = {"__name__": "__page__"}
     for block in PYTHON.finditer(text):
         first_line = text.count("\n", 0, block.start(1))
-        exec(compile("\n" * first_line + block.group(1), str(page), "exec"), namespace)
+        code = "\n" * first_line + block.group(1)
+        exec(compile(code, str(page), "exec", dont_inherit=True), namespace)
 
 
 DOTTED = re.compile(rf"(?<![\w./-])(?:{'|'.join(PACKAGES)})(?:\.[A-Za-z_]\w*)+")
