@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from geometry.plan.crossing import zero_crossing
 from geometry.refusal import Refusal
 
 if TYPE_CHECKING:
@@ -153,10 +154,4 @@ def wound_turn(length: float, inner: tuple[float, float], outer: tuple[float, fl
     shortest, longest = (wound_length(turn, inner, outer, radius) for turn in (low, high))
     if not shortest <= length <= longest:
         raise Refusal(f"a tube of {length:g} mm must be between {shortest:.4g} and {longest:.4g} mm long here")
-    for _ in range(100):
-        turn = (low + high) / 2
-        if wound_length(turn, inner, outer, radius) < length:
-            low = turn
-        else:
-            high = turn
-    return turn
+    return zero_crossing(lambda turn: wound_length(turn, inner, outer, radius) - length, low, high)

@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from geometry.plan.crossing import zero_crossing
+
 if TYPE_CHECKING:
     from geometry.stated.array import StatedArray
 
@@ -66,14 +68,15 @@ def _circle_diameter(others: NDArray[np.float64], longest: float) -> float:
     With the centre inside, all arcs make a full turn; outside, the arc of the longest side is that of the
     others together.
     """
-    half_turns = float(np.arcsin(others / longest).sum())
-    inside = half_turns >= math.pi / 2
-    low, high = 0.0, 1 / longest
-    for _ in range(200):
-        curvature = (low + high) / 2
-        arcs, own = float(np.arcsin(others * curvature).sum()), math.asin(longest * curvature)
-        if (arcs + own < math.pi) if inside else (arcs > own):
-            low = curvature
-        else:
-            high = curvature
-    return 1 / high
+    shares = others / longest
+    inside = float(np.arcsin(shares).sum()) >= math.pi / 2
+
+    def excess(share: float) -> float:
+        """Half arcs beyond those that close the polygon, where the longest side is that share of the diameter."""
+        half_turns, own = float(np.arcsin(shares * share).sum()), math.asin(share)
+        if inside:
+            return (half_turns - math.pi / 2) + (own - math.pi / 2)
+        # on a circle without end all sides lie straight, which closes nothing: divided by the share, no root is there
+        return (half_turns - own) / share if share else float(shares.sum()) - 1
+
+    return longest / zero_crossing(excess, 0.0, 1.0)

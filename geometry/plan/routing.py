@@ -7,6 +7,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from geometry.plan.crossing import zero_crossing
 from geometry.refusal import Refusal
 
 #: Chords per arc; the polyline of a half circle is then shorter than the arc by 1e-4.
@@ -38,14 +39,11 @@ def bow_angle(length: float, distance: float, cavity_radius: float, outer_radius
     if length <= straight + 1e-9:
         return 0.0
     walls = 2 * (outer_radius - cavity_radius)
-    low, high = 0.0, math.pi
-    for _ in range(60):
-        angle = (low + high) / 2
-        if walls + (distance - 2 * outer_radius * math.cos(angle)) * angle / math.sin(angle) < length:
-            low = angle
-        else:
-            high = angle
-    return math.degrees(angle)
+
+    def excess(angle: float) -> float:
+        return walls + (distance - 2 * outer_radius * math.cos(angle)) / float(np.sinc(angle / math.pi)) - length
+
+    return math.degrees(zero_crossing(excess, 0.0, math.pi))
 
 
 def bow_radius(angle: float, distance: float, outer_radius: float) -> float:
