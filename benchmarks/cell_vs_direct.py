@@ -19,7 +19,7 @@ import scipy.sparse as sp
 from numpy.typing import NDArray
 from threadpoolctl import threadpool_limits
 
-from acoustic_fem.cell.condensed import condense
+from acoustic_fem.cell.condensed import AirModel, BodyFaces, condense
 from acoustic_fem.fields.diffusion import diffusion_field, field_coefficients
 from acoustic_fem.fields.element_sizes import mesh_sizes
 from acoustic_fem.fields.navier_stokes import cell_system, compliance_mass
@@ -81,7 +81,7 @@ def cells(names: list[str]) -> None:
             mesh_solid(air.solid, faces, ports, sizes) for sizes in mesh_sizes(1.0, cell.height, AIR, BAND[1])
         )
         start = time.process_time()
-        body = condense(flow, heat, ports, (), mirror, AIR, BAND, tolerance=1e-2 * ACCURACY)
+        body = condense(flow, heat, BodyFaces(ports, mirror=mirror), AirModel(AIR, BAND), tolerance=1e-2 * ACCURACY)
         swept = body.nodal_admittance(FREQUENCY)
         middle = time.process_time()
         exact = direct(flow, heat, ports, mirror, FREQUENCY)

@@ -6,7 +6,7 @@ import cadquery as cq
 import numpy as np
 from numpy.typing import NDArray
 
-from acoustic_fem.cell.condensed import CondensedBody, condense
+from acoustic_fem.cell.condensed import AirModel, BodyFaces, CondensedBody, condense
 from acoustic_fem.cell.design_cells import solve_cells
 from acoustic_fem.cell.one_cell import CellSolution
 from acoustic_fem.duct import plane_wave
@@ -50,7 +50,8 @@ def line_meshes(points: int, scale: float, highest: float) -> tuple[list[SolidMe
 def in_one_mesh(points: int, frequency: NDArray[np.float64], scale: float = 1.2) -> CondensedBody:
     """The line in one mesh: ports A and B, then the membranes."""
     meshes, motions = line_meshes(points, scale, float(frequency[-1]))
-    return condense(*meshes, ("A", "B"), motions, MIRROR, AIR, (float(frequency[0]), float(frequency[-1])))
+    air = AirModel(AIR, (float(frequency[0]), float(frequency[-1])))
+    return condense(*meshes, BodyFaces(("A", "B"), motions, MIRROR), air)
 
 
 def in_pieces(points: int, frequency: NDArray[np.float64]) -> tuple[NDArray[np.complex128], CellSolution]:

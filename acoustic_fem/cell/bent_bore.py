@@ -20,7 +20,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from acoustic_fem.cell.condensed import Physics, condense
+from acoustic_fem.cell.condensed import AirModel, BodyFaces, Physics, condense
 from acoustic_fem.cell.solid import checked_physics
 from acoustic_fem.duct import plane_wave
 from acoustic_fem.duct.meshed_section import MeshedSection
@@ -151,7 +151,9 @@ def _piece(
     layers = round(LAYERS_PER_RING * rings)
     mesh = swept_mesh(section.points, section.triangles, winding, np.linspace(0, PIECE * bore, layers + 1))
     band = (float(frequency[0]), float(frequency[-1]))
-    body = condense(mesh, mesh, (FIRST, LAST), (), None, medium, band, physics, tolerance=1e-9, report=progress)
+    body = condense(
+        mesh, mesh, BodyFaces((FIRST, LAST)), AirModel(medium, band, physics), tolerance=1e-9, report=progress
+    )
     admittance = body.nodal_admittance(frequency)
     # A piece of uniform curvature is the same from both ends; its mesh is not.
     return (admittance + admittance[:, ::-1, ::-1]) / 2, body.unknowns

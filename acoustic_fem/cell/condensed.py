@@ -30,6 +30,35 @@ _LENGTH = metres(1.0)  # meshes are in mm
 
 
 @dataclass(frozen=True, eq=False)
+class BodyFaces:
+    """What the faces of a body of air are; every other one is a rigid wall."""
+
+    tubes: Sequence[str]
+    """Names of the tube ports, in order."""
+    motions: Sequence[WallMotion] = ()
+    """Moving walls, in order."""
+    mirror: str | None = None
+    """Name of the plane that halves the body, if any."""
+
+    @property
+    def open(self) -> list[str]:
+        """Names of the faces that are no wall: tube ports, then the mirror."""
+        return [*self.tubes] if self.mirror is None else [*self.tubes, self.mirror]
+
+
+@dataclass(frozen=True)
+class AirModel:
+    """What a body of air is solved for: the gas, the frequencies and the equations."""
+
+    medium: Medium
+    """The gas."""
+    band: tuple[float, float]
+    """Lowest and highest frequency, Hz."""
+    physics: Physics = "navier-stokes"
+    """The model of the flow."""
+
+
+@dataclass(frozen=True, eq=False)
 class CondensedBody:
     """Responses of a body of air over a band of frequencies."""
 
@@ -78,12 +107,8 @@ class CondensedBody:
 def condense(
     flow_mesh: SolidMesh,
     heat: SolidMesh | DiffusionField,
-    ports: Sequence[str],
-    motions: Sequence[WallMotion],
-    mirror: str | None,
-    medium: Medium,
-    band: tuple[float, float],
-    physics: Physics = "navier-stokes",
+    faces: BodyFaces,
+    air: AirModel,
     tolerance: float = 1e-6,
     report: Callable[[float], None] = lambda done: None,
 ) -> CondensedBody:
@@ -92,12 +117,8 @@ def condense(
     Args:
         flow_mesh: mesh for the flow, mm.
         heat: mesh of the same solid for the thermal field, or the field solved over the band.
-        ports: names of the port faces, in order.
-        motions: moving walls, in order.
-        mirror: name of the plane that halves the body, if any.
-        medium: the gas.
-        band: lowest and highest frequency, Hz.
-        physics: the model.
+        faces: which of its faces are ports, moving walls and the mirror.
+        air: gas, frequencies and equations.
         tolerance: of the frequency sweep, relative.
         report: called with the fraction done.
 
@@ -105,33 +126,28 @@ def condense(
         LinearSolverError: a solve misses its residual limit.
         SweepError: the sweep does not reach its tolerance, or its model gives energy.
     """
-    open_faces = [*ports] if mirror is None else [*ports, mirror]
+    medium = air.medium
     if isinstance(heat, SolidMesh):
-        heat = diffusion_field(heat, open_faces, medium.thermal_diffusivity, band)
-    copies = 1 if mirror is None else 2
+        heat = diffusion_field(heat, faces.open, medium.thermal_diffusivity, air.band)
     viscous: DiffusionField | None = None
-    if physics == "navier-stokes":
-        flow, energies, unknowns = _condense_navier_stokes(
-            flow_mesh, ports, motions, mirror, heat, medium, band, tolerance, report
-        )
+    if air.physics == "navier-stokes":
+        flow, energies, unknowns = _condense_navier_stokes(flow_mesh, heat, faces, air, tolerance, report)
     else:
-        moving = {motion.face for motion in motions}
-        viscous = diffusion_field(flow_mesh, [*open_faces, *moving], medium.kinematic_viscosity, band)
-        flow, energies, unknowns = _condense_helmholtz(
-            flow_mesh, ports, motions, heat, viscous, medium, band, tolerance, report
-        )
+        moving = {motion.face for motion in faces.motions}
+        viscous = diffusion_field(flow_mesh, [*faces.open, *moving], medium.kinematic_viscosity, air.band)
+        flow, energies, unknowns = _condense_helmholtz(flow_mesh, heat, viscous, faces, air, tolerance, report)
     body = CondensedBody(
-        physics,
+        air.physics,
         medium,
-        len(ports),
-        copies,
+        len(faces.tubes),
+        1 if faces.mirror is None else 2,
         heat.model,
         None if viscous is None else viscous.model,
         flow,
         energies,
         unknowns,
     )
-    grid = np.geomspace(*band, 200)
+    grid = np.geomspace(*air.band, 200)
     require_passive(body.nodal_admittance(grid), grid)
     return body
 
@@ -141,31 +157,28 @@ def condense(
 
 def _condense_navier_stokes(
     mesh: SolidMesh,
-    ports: Sequence[str],
-    motions: Sequence[WallMotion],
-    mirror: str | None,
     heat: DiffusionField,
-    medium: Medium,
-    band: tuple[float, float],
+    faces: BodyFaces,
+    air: AirModel,
     tolerance: float,
     report: Callable[[float], None],
 ) -> tuple[ReducedModel, NDArray[np.float64], int]:
-    system = cell_system(mesh, ports, motions, mirror)
+    system = cell_system(mesh, faces.tubes, faces.motions, faces.mirror)
     blank = sp.csr_array((system.n_velocity, system.n_velocity))
     parts = [system.compliance, *(compliance_mass(system.pressure, mean) for mean in heat.means_over(system.pressure))]
     matrices = [system.viscous, system.inertia, system.coupling]
     matrices += [sp.csr_array(sp.block_diag([blank, part], format="csr")) for part in parts]
-    n_port = len(ports)
-    excitations = [np.zeros((system.size, n_port + len(motions))) for _ in range(4)]
+    n_port = len(faces.tubes)
+    excitations = [np.zeros((system.size, n_port + len(faces.motions))) for _ in range(4)]
     excitations[0][:, :n_port] = system.port_flux
     for excitation, term in zip(excitations[1:], system.motion_terms, strict=True):
         excitation[:, n_port:] = term
     model = reduce_system(
         matrices,
-        lambda f: _navier_stokes_coefficients(f, heat.model, medium)[0],
+        lambda f: _navier_stokes_coefficients(f, heat.model, air.medium)[0],
         excitations,
-        lambda f: _navier_stokes_coefficients(f, heat.model, medium)[1],
-        band,
+        lambda f: _navier_stokes_coefficients(f, heat.model, air.medium)[1],
+        air.band,
         tolerance=tolerance,
         progress=report,
     )
@@ -197,31 +210,29 @@ def _navier_stokes_response(body: CondensedBody, frequency: NDArray[np.float64])
 
 def _condense_helmholtz(
     mesh: SolidMesh,
-    ports: Sequence[str],
-    motions: Sequence[WallMotion],
     heat: DiffusionField,
     viscous: DiffusionField,
-    medium: Medium,
-    band: tuple[float, float],
+    faces: BodyFaces,
+    air: AirModel,
     tolerance: float,
     report: Callable[[float], None],
 ) -> tuple[ReducedModel, NDArray[np.float64], int]:
-    system = pressure_system(mesh, ports, motions)
+    system = pressure_system(mesh, faces.tubes, faces.motions)
     whole = [system.conduction(weight) for weight in viscous.at_quadrature()]
     uniform = np.ones_like(system.basis.dx)
     per_element = [mean[:, None] * uniform for mean in heat.means_over(system.basis)]
     whole += [system.storage(weight) for weight in (uniform, *per_element)]
-    free, n_port = system.free, len(ports)
-    zeros = np.zeros((len(free), len(motions)))
+    free, n_port = system.free, len(faces.tubes)
+    zeros = np.zeros((len(free), len(faces.motions)))
     excitations = [np.hstack([(matrix @ system.on_ports)[free], zeros]) for matrix in whole]
     excitations.append(np.hstack([np.zeros((len(free), n_port)), system.sources[free]]))
     energies = np.stack([system.on_ports.T @ (matrix @ system.on_ports) for matrix in whole])
     model = reduce_system(
         [sp.csr_array(matrix[free][:, free]) for matrix in whole],
-        lambda f: _helmholtz_coefficients(f, heat.model, viscous.model, medium)[0],
+        lambda f: _helmholtz_coefficients(f, heat.model, viscous.model, air.medium)[0],
         excitations,
-        lambda f: _helmholtz_coefficients(f, heat.model, viscous.model, medium)[1],
-        band,
+        lambda f: _helmholtz_coefficients(f, heat.model, viscous.model, air.medium)[1],
+        air.band,
         tolerance=tolerance,
         progress=report,
     )

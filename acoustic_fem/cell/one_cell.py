@@ -11,7 +11,7 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from acoustic_fem.cell.solid import checked_physics, converge
+from acoustic_fem.cell.solid import MarkedSolid, MeshGoal, checked_physics, converge
 from acoustic_fem.numerics import disk_cache
 from acoustic_fem.quantities.medium import Medium
 from geometry.air.cells import Cell
@@ -142,6 +142,7 @@ def _stated(description: dict[str, Any]) -> dict[str, Any]:
 
 def solve_task(task: CellTask, report: Callable[[float], None]) -> CellRecord:
     """Solve one cell."""
+    from acoustic_fem.cell.condensed import AirModel, BodyFaces
     from acoustic_fem.fields.navier_stokes import WallMotion
     from geometry.air.volume import MIRROR, OPENING, air_volume
 
@@ -152,20 +153,13 @@ def solve_task(task: CellTask, report: Callable[[float], None]) -> CellRecord:
         bowl = 1 - (radius / radius[-1]) ** 2
         profile = np.column_stack([radius, bowl**2 if cell.opening_length == 0 else bowl])
         faces = {**air.ports, OPENING: air.opening, **({} if air.mirror is None else {MIRROR: air.mirror})}
+        motions = (WallMotion(OPENING, profile, air.centre),)
+        checked_band = (task.band[0], task.band[1] if task.band[1] > DESIGN_BAND[1] else CHECKED_UP_TO)
         solved = converge(
-            air.solid,
-            faces,
-            tuple(air.ports),
-            [WallMotion(OPENING, profile, air.centre)],
-            None if air.mirror is None else MIRROR,
-            task.medium,
-            task.band,
-            checked_physics(task.fidelity),
-            DESIGN_ACCURACY,
-            cell.smallest_extent,
+            MarkedSolid(air.solid, faces, BodyFaces(tuple(air.ports), motions, None if air.mirror is None else MIRROR)),
+            AirModel(task.medium, task.band, checked_physics(task.fidelity)),
+            MeshGoal(DESIGN_ACCURACY, cell.smallest_extent, checked_band, _FIRST_SCALE),
             report,
-            checked_band=(task.band[0], task.band[1] if task.band[1] > DESIGN_BAND[1] else CHECKED_UP_TO),
-            scale=_FIRST_SCALE,
         )
     except (ValueError, RuntimeError, ArithmeticError, MemoryError) as error:
         raise CellError(f"{cell.label}: {error or type(error).__name__}") from error

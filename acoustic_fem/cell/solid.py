@@ -6,7 +6,7 @@ The mesh is chosen by the accuracy asked for. The cells of a design are in :mod:
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from os import PathLike
 from pathlib import Path
@@ -24,10 +24,9 @@ from geometry.refusal import Refusal
 if TYPE_CHECKING:
     import cadquery
 
-    from acoustic_fem.cell.condensed import CondensedBody, Physics
+    from acoustic_fem.cell.condensed import AirModel, BodyFaces, CondensedBody, Physics
     from acoustic_fem.fields.diffusion import DiffusionField
-    from acoustic_fem.fields.navier_stokes import WallMotion
-    from geometry.air.mesh import Point
+    from geometry.air.mesh import MeshSizes, Point, SolidMesh
 
 #: Called with what is being done and the fraction of it that is done.
 Progress: TypeAlias = Callable[[str, float], None]
@@ -36,8 +35,49 @@ Progress: TypeAlias = Callable[[str, float], None]
 PHYSICS = ("navier-stokes", "helmholtz")
 
 _ACCURACY_RANGE = (2e-4, 3e-3)
-#: Scales (see :func:`mesh_sizes`) that give an accuracy of 1e-3 in most bodies: of the flow and of heat.
-_USUAL_SCALES = (1.0, 0.7)
+_USUAL_FLOW_SCALE, _USUAL_HEAT_SCALE = 1.0, 0.7
+"""Scales (see :func:`mesh_sizes`) that give an accuracy of 1e-3 in most bodies."""
+
+
+@dataclass(frozen=True, eq=False)
+class MarkedSolid:
+    """A body of air to be meshed, with what its faces are."""
+
+    shape: cadquery.Shape
+    """One solid, mm."""
+    points: Mapping[str, Point]
+    """Name -> a point on the face, mm: of ports, moving walls and the mirror."""
+    faces: BodyFaces
+    """Which of the names are tube ports, moving walls and the mirror."""
+
+    def mesh(self, sizes: MeshSizes) -> SolidMesh:
+        """The body meshed."""
+        from geometry.air.mesh import mesh_solid
+
+        return mesh_solid(self.shape, self.points, tuple(self.faces.tubes), sizes)
+
+
+@dataclass(frozen=True)
+class MeshGoal:
+    """How far the meshes of a body are refined, and from where."""
+
+    accuracy: float
+    """Relative error aimed at."""
+    width: float
+    """Smallest extent of the cavity, mm."""
+    checked_band: tuple[float, float] | None = None
+    """Lowest and highest frequency at which the accuracy must hold, Hz; None: the whole band."""
+    scale: float | None = None
+    """Scale of the first mesh of the flow, see :func:`mesh_sizes`; None: guessed from the accuracy."""
+
+    def frequencies(self, band: tuple[float, float]) -> NDArray[np.float64]:
+        """Where the accuracy is looked at in a body solved over a band: (5,) float64, Hz, or (1,) in a band of one."""
+        low, high = self.checked_band or band
+        return np.geomspace(low, high, 5) if high > low else np.array([low])
+
+    def first_scale(self, usual: float) -> float:
+        """The scale to begin with, from that which usually gives 1e-3."""
+        return usual * (self.accuracy / 1e-3) ** (1 / BEST_ORDER)
 
 
 @dataclass(frozen=True, eq=False)
@@ -123,6 +163,7 @@ def solve_solid(
     Raises:
         As :func:`port_admittance`.
     """
+    from acoustic_fem.cell.condensed import AirModel, BodyFaces
     from geometry.air.mirror_symmetry import mirror_half
     from geometry.air.volume import MIRROR
 
@@ -137,60 +178,48 @@ def solve_solid(
     half = mirror_half(solids[0], ports) if len(solids) == 1 and MIRROR not in ports else None
     faces = dict(ports) if half is None else {**half.ports, MIRROR: half.mirror}
     return converge(
-        shape if half is None else half.solid, faces, tuple(ports), (), None if half is None else MIRROR, medium,
-        band, physics, accuracy, min(box.xlen, box.ylen, box.zlen),
+        MarkedSolid(
+            shape if half is None else half.solid,
+            faces,
+            BodyFaces(tuple(ports), mirror=None if half is None else MIRROR),
+        ),
+        AirModel(medium, band, physics),
+        MeshGoal(accuracy, min(box.xlen, box.ylen, box.zlen)),
         lambda done: None if progress is None else progress("cell", done),
-    )  # fmt: skip
+    )
 
 
 def converge(
-    shape: cadquery.Shape,
-    faces: Mapping[str, Point],
-    tubes: tuple[str, ...],
-    motions: Sequence[WallMotion],
-    mirror: str | None,
-    medium: Medium,
-    band: tuple[float, float],
-    physics: Physics,
-    accuracy: float,
-    width: float,
-    report: Callable[[float], None],
-    checked_band: tuple[float, float] | None = None,
-    scale: float | None = None,
+    solid: MarkedSolid, air: AirModel, goal: MeshGoal, report: Callable[[float], None] = lambda done: None
 ) -> SolvedBody:
     """Refine the mesh of a body until its admittances have converged.
 
     Args:
-        shape: one solid, mm.
-        faces: name -> a point on it, for ports, moving walls and the mirror.
-        tubes: which of them are tube ports, in order.
-        motions: moving walls, in order.
-        mirror: name of the plane that halves the body, if any.
-        medium: the gas.
-        band: lowest and highest frequency, Hz.
-        physics: the model.
-        accuracy: relative error aimed at.
-        width: smallest extent of the cavity, mm.
+        solid: the body and what its faces are.
+        air: gas, frequencies and equations.
+        goal: how far to refine, and from where.
         report: called with the fraction done.
-        checked_band: where the accuracy must hold; by default the whole band.
-        scale: of the first mesh of the flow, see :func:`mesh_sizes`; by default guessed from the accuracy.
 
     Raises:
         ConvergenceError: three refinements do not reach the accuracy.
     """
-    from acoustic_fem.cell.condensed import condense
-    from acoustic_fem.fields.diffusion import diffusion_field
-    from geometry.air.mesh import mesh_solid
-
     started = time.perf_counter()
-    low, high = checked_band or band
-    checked = np.geomspace(low, high, 5) if high > low else np.array([low])
-    flow_scale, heat_scale = (usual * (accuracy / 1e-3) ** (1 / BEST_ORDER) for usual in _USUAL_SCALES)
-    open_faces = [*tubes] if mirror is None else [*tubes, mirror]
+    heat, heat_error, heat_meshes = _converged_heat(solid, air, goal, lambda done: report(0.2 * done))
+    flow, flow_error, flow_meshes = _converged_flow(solid, heat, air, goal, lambda done: report(0.2 + 0.8 * done))
+    return SolvedBody(flow, max(heat_error, flow_error), (*heat_meshes, *flow_meshes), time.perf_counter() - started)
+
+
+def _converged_heat(
+    solid: MarkedSolid, air: AirModel, goal: MeshGoal, report: Callable[[float], None]
+) -> tuple[DiffusionField, float, list[Refinement]]:
+    """The thermal field, its error in the compliance and its meshes."""
+    from acoustic_fem.fields.diffusion import diffusion_field
+
+    medium, checked = air.medium, goal.frequencies(air.band)
 
     def heat_on(scale: float, advance: Callable[[float], None]) -> tuple[DiffusionField, int]:
-        mesh = mesh_solid(shape, faces, tubes, mesh_sizes(scale, width, medium, high)[1])
-        return diffusion_field(mesh, open_faces, medium.thermal_diffusivity, band), len(mesh.tetrahedra)
+        mesh = solid.mesh(mesh_sizes(scale, goal.width, medium, float(checked[-1]))[1])
+        return diffusion_field(mesh, solid.faces.open, medium.thermal_diffusivity, air.band), len(mesh.tetrahedra)
 
     def compliance_change(fine: DiffusionField, coarse: DiffusionField) -> float:
         fine_factor, coarse_factor = (
@@ -199,26 +228,26 @@ def converge(
         )
         return float(np.max(np.abs(fine_factor / coarse_factor - 1)))
 
-    heat, heat_error, heat_meshes = refined(
-        "heat", heat_on, compliance_change, heat_scale, accuracy, lambda done: report(0.2 * done)
-    )
+    return refined("heat", heat_on, compliance_change, goal.first_scale(_USUAL_HEAT_SCALE), goal.accuracy, report)
+
+
+def _converged_flow(
+    solid: MarkedSolid, heat: DiffusionField, air: AirModel, goal: MeshGoal, report: Callable[[float], None]
+) -> tuple[CondensedBody, float, list[Refinement]]:
+    """The condensed body, its error in the admittances and its meshes."""
+    from acoustic_fem.cell.condensed import condense
+
+    checked = goal.frequencies(air.band)
 
     def flow_on(scale: float, advance: Callable[[float], None]) -> tuple[CondensedBody, int]:
-        mesh = mesh_solid(shape, faces, tubes, mesh_sizes(scale, width, medium, high)[0])
-        body = condense(
-            mesh, heat, tubes, motions, mirror, medium, band, physics, tolerance=1e-2 * accuracy, report=advance
-        )
+        mesh = solid.mesh(mesh_sizes(scale, goal.width, air.medium, float(checked[-1]))[0])
+        body = condense(mesh, heat, solid.faces, air, tolerance=1e-2 * goal.accuracy, report=advance)
         return body, len(mesh.tetrahedra)
 
-    flow, flow_error, flow_meshes = refined(
-        "flow",
-        flow_on,
-        lambda fine, coarse: _difference(fine, coarse, checked),
-        flow_scale if scale is None else scale,
-        accuracy,
-        lambda done: report(0.2 + 0.8 * done),
+    first = goal.first_scale(_USUAL_FLOW_SCALE) if goal.scale is None else goal.scale
+    return refined(
+        "flow", flow_on, lambda fine, coarse: _difference(fine, coarse, checked), first, goal.accuracy, report
     )
-    return SolvedBody(flow, max(heat_error, flow_error), (*heat_meshes, *flow_meshes), time.perf_counter() - started)
 
 
 def _difference(first: CondensedBody, second: CondensedBody, frequency: NDArray[np.float64]) -> float:

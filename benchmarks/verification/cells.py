@@ -6,7 +6,7 @@ import cadquery as cq
 import numpy as np
 from numpy.typing import NDArray
 
-from acoustic_fem.cell.condensed import condense
+from acoustic_fem.cell.condensed import AirModel, BodyFaces, condense
 from acoustic_fem.cell.solid import solve_solid
 from acoustic_fem.duct import plane_wave
 from acoustic_fem.duct.sections import CircularSection
@@ -60,7 +60,7 @@ def cell(_: bool) -> Subject:
             flow, warm = (mesh_solid(half, faces, ("a", "b"), size) for size in mesh_sizes(scale, 2.5, AIR, 100.0))
         except InvertedElementsError:
             continue  # too coarse for the shape, as solve_solid finds too
-        body = condense(flow, warm, ("a", "b"), (), "mirror", AIR, (1.0, 100.0), tolerance=1e-6)
+        body = condense(flow, warm, BodyFaces(("a", "b"), mirror="mirror"), AirModel(AIR, (1.0, 100.0)), tolerance=1e-6)
         found.append((scale, body.unknowns, _extended(body.nodal_admittance(_FREQUENCY), extension)))
     finest = found[-1][2]
     flows, totals = [], []
@@ -126,7 +126,7 @@ def _opening(
     faces = {"tube": (-stub, radius / 5, 0.0), "wide": (length, radius / 5, 0.0), "mirror": (length / 2, 0.0, 0.0)}
     mesh = mesh_solid(half, faces, ("tube",), sizes)
     band = (float(frequency[0]), float(frequency[-1]))
-    body = condense(mesh, mesh, ("tube", "wide"), (), "mirror", AIR, band, tolerance=1e-7)
+    body = condense(mesh, mesh, BodyFaces(("tube", "wide"), mirror="mirror"), AirModel(AIR, band), tolerance=1e-7)
     y = body.nodal_admittance(frequency)
     one = np.ones(len(frequency))
     determinant = y[:, 0, 0] * y[:, 1, 1] - y[:, 0, 1] ** 2

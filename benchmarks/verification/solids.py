@@ -8,7 +8,7 @@ import cadquery as cq
 import numpy as np
 
 from acoustic_fem.cavity.closed_forms import closed_cylinder_compliance, closed_sphere_compliance
-from acoustic_fem.cell.condensed import Physics, condense
+from acoustic_fem.cell.condensed import AirModel, BodyFaces, Physics, condense
 from acoustic_fem.cell.solid import port_admittance
 from acoustic_fem.duct import plane_wave
 from acoustic_fem.fields.diffusion import diffusion_field, field_coefficients
@@ -58,7 +58,7 @@ def tubes(quick: bool) -> Subject:
         for step in steps:
             sizes = MeshSizes(mouth_edge=step, tube=step, growth=1.0, largest=step * _RADIUS)
             mesh = mesh_solid(shape, {"a": (0, 0, 0), "b": (_LENGTH, 0, 0)}, ("a", "b"), sizes)
-            body = condense(mesh, mesh, ("a", "b"), (), None, AIR, (1.0, 2000.0), physics, tolerance=1e-7)
+            body = condense(mesh, mesh, BodyFaces(("a", "b")), AirModel(AIR, (1.0, 2000.0), physics), tolerance=1e-7)
             error = (np.abs(body.nodal_admittance(frequency) - exact) / np.abs(exact[:, :1, :1])).max(axis=(1, 2))
             for label, value in (("1 and 100 Hz", error[:2].max()), ("2 kHz", error[2])):
                 levels[label].append(Level(f"h = {step:g} a", _element_size(mesh), body.unknowns, float(value)))

@@ -9,7 +9,7 @@ from reference_data import AIR
 from toroidal_bore import compliance_change, conductance_change
 
 from acoustic_fem.cell.bent_bore import LAYERS_PER_RING, PIECE, solve_bent_bores
-from acoustic_fem.cell.condensed import condense
+from acoustic_fem.cell.condensed import AirModel, BodyFaces, condense
 from acoustic_fem.cell.solid import port_admittance
 from acoustic_fem.duct import plane_wave
 from acoustic_fem.duct.meshed_section import MeshedSection
@@ -29,7 +29,8 @@ def solved(winding, along, rings, frequency=FREQUENCY):
     section = MeshedSection.circle(BORE, rings)
     mesh = swept_mesh(section.points, section.triangles, winding, along)
     band = (frequency[0], frequency[-1])
-    return condense(mesh, mesh, (FIRST, LAST), (), None, AIR, band, tolerance=1e-9).nodal_admittance(frequency)
+    body = condense(mesh, mesh, BodyFaces((FIRST, LAST)), AirModel(AIR, band), tolerance=1e-9)
+    return body.nodal_admittance(frequency)
 
 
 def layers(length, rings):

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import Phase, given, settings, strategies as st
 from reference_data import AIR
 
-from acoustic_fem.cell.condensed import condense
+from acoustic_fem.cell.condensed import AirModel, BodyFaces, condense
 from acoustic_fem.cell.solid import PHYSICS
 from acoustic_fem.duct.plane_wave import port_admittance as duct_admittance
 from acoustic_fem.fields.element_sizes import mesh_sizes
@@ -75,7 +75,7 @@ def solved(body, physics, membrane=False, scale=COARSE):
         flow, heat = (mesh_solid(solid, faces, tuple(names), s) for s in mesh_sizes(scale, WIDTH, AIR, BAND[1]))
     except InvertedElementsError:
         return solved(body, physics, membrane, scale / 1.5)
-    condensed = condense(flow, heat, names, motions, None, AIR, BAND, physics, tolerance=1e-5)
+    condensed = condense(flow, heat, BodyFaces(names, motions), AirModel(AIR, BAND, physics), tolerance=1e-5)
     return Solved(condensed, flow.volume, flow.mesh_volume)
 
 

@@ -7,7 +7,7 @@ from reference_data import rows
 from scipy.special import i0, ive, j0, jn_zeros
 
 from acoustic_fem import solve
-from acoustic_fem.cell.condensed import condense
+from acoustic_fem.cell.condensed import AirModel, BodyFaces, condense
 from acoustic_fem.duct.plane_wave import port_admittance
 from acoustic_fem.fields.element_sizes import mesh_sizes
 from acoustic_fem.fields.navier_stokes import WallMotion
@@ -413,7 +413,9 @@ def test_one_motion_of_the_cell_wall_stands_for_every_mode_of_the_membrane_up_to
     motions = [WallMotion(OPENING, np.column_stack([model.radius * 3.0, each]), air.centre) for each in shapes]
     faces = {**air.ports, OPENING: air.opening, MIRROR: air.mirror}
     meshes = [mesh_solid(air.solid, faces, tuple(air.ports), size) for size in mesh_sizes(1.6, 2.5, medium, 2000.0)]
-    body = condense(*meshes, tuple(air.ports), motions, MIRROR, medium, (1.0, 2000.0), tolerance=1e-5)
+    body = condense(
+        *meshes, BodyFaces(tuple(air.ports), motions, MIRROR), AirModel(medium, (1.0, 2000.0)), tolerance=1e-5
+    )
     nodal = body.nodal_admittance(frequency)
     stub = cell.ports[0].stub_length * 1e-3
     tube = port_admittance(0.22e-3, 12.5e-3 - stub, frequency, medium)

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 from reference_data import AIR
 
-from acoustic_fem.cell.condensed import condense
+from acoustic_fem.cell.condensed import AirModel, BodyFaces, condense
 from acoustic_fem.numerics.rational_sweep import passivity_margin
 from geometry.air.mesh import InvertedElementsError, MeshSizes, SolidMesh, mesh_solid
 
@@ -59,7 +59,7 @@ def test_a_curved_edge_is_refused_before_it_costs_accuracy(mesh):
         except InvertedElementsError:
             refused.append(shift)
             continue
-        body = condense(bent, bent, ["a"], (), None, AIR, (0.1, 100.0))
+        body = condense(bent, bent, BodyFaces(["a"]), AirModel(AIR, (0.1, 100.0)))
         admittance = body.nodal_admittance(np.array([0.1, 100.0]))
         assert passivity_margin(admittance).min() > -1e-12
         stored = admittance[0, 0, 0] / (2j * np.pi * 0.1 * 1e-9 / AIR.pressure)
