@@ -1,3 +1,4 @@
+from .coil_bore import CoilBore as CoilBore
 from .meshed_section import MeshedSection as MeshedSection
 from .opening import (
     INERTANCE as INERTANCE,
@@ -5,4 +6,16 @@ from .opening import (
     RESISTANCE as RESISTANCE,
     entrance_impedance as entrance_impedance,
 )
-from .plane_wave import port_admittance as port_admittance
+from .plane_wave import (
+    CompliantWall as CompliantWall,
+    UserLine as UserLine,
+    port_admittance as port_admittance,
+    tube_compliance as tube_compliance,
+    two_port as two_port,
+)
+from .sections import (
+    CircularSection as CircularSection,
+    RectangularSection as RectangularSection,
+    SlitSection as SlitSection,
+    TriangularSection as TriangularSection,
+)

@@ -8,7 +8,7 @@ from .noise import (
     noise_density as noise_density,
     thermal_covariance as thermal_covariance,
 )
-from .provenance import library_provenance as library_provenance, versions as versions
+from .provenance import versions as versions
 from .result import (
     MEASURED as MEASURED,
     Library as Library,
