@@ -37,6 +37,7 @@ from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import read_design
 from geometry.files.writing import whole_file
 from geometry.layout.arrangement import lay_out
+from geometry.layout.placement import point_places
 from geometry.refusal import Refusal
 
 FORMATS = (".nc", ".sofa", ".npz", ".csv")
@@ -104,11 +105,11 @@ def _dataset(
     if missing:
         raise Refusal(f"was not written by this program: it has no {missing[0]}")
     design = read_design(attributes["design_toml"], "design_toml")
-    points = lay_out(design).points
+    lines, places = zip(*point_places(design), strict=True)
     coordinates: dict[str, tuple[str, Any]] = {
-        "point": ("point", [point.number for point in points]),
-        "line": ("point", [point.line for point in points]),
-        "place": ("point", [point.place for point in points]),
+        "point": ("point", list(range(1, len(lines) + 1))),
+        "line": ("point", list(lines)),
+        "place": ("point", list(places)),
         "microphone": ("microphone", list(design.microphones)),
         "microphone_2": ("microphone_2", list(design.microphones)),
         "frequency": ("frequency", frequency),

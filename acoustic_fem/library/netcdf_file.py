@@ -26,7 +26,7 @@ from acoustic_fem.quantities.checks import frequency_grid
 from acoustic_fem.quantities.medium import Medium
 from geometry.design.design_file import read_design, write_design
 from geometry.files.writing import whole_file
-from geometry.layout.arrangement import lay_out
+from geometry.layout.placement import point_places
 from geometry.refusal import Refusal
 
 #: Global attributes of every library file.
@@ -137,17 +137,16 @@ def library_of(dataset: xr.Dataset) -> Library:
     if fidelity not in known:
         raise Refusal(f"attribute fidelity = {fidelity!r} must be one of: {', '.join(known)}")
     design = read_design(dataset.attrs["design_toml"], "attribute design_toml")
-    layout = lay_out(design)
+    lines, places = zip(*point_places(design), strict=True)
     for name, expected in (
-        ("point", [point.number for point in layout.points]),
-        ("line", [point.line for point in layout.points]),
-        ("place", [point.place for point in layout.points]),
+        ("point", list(range(1, len(lines) + 1))),
+        ("line", list(lines)),
+        ("place", list(places)),
         ("microphone", list(design.microphones)),
     ):
         _check_coordinate(dataset[name], expected)
     return library_from_arrays(
         design,
-        layout,
         _frequency(dataset["frequency"]),
         {name: _complex(dataset, name) for name in present},
         fidelity,

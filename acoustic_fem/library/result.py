@@ -14,8 +14,7 @@ from acoustic_fem.library.provenance import library_provenance
 from acoustic_fem.library.touch import touch_response
 from acoustic_fem.quantities.medium import Medium
 from geometry.design.array_design import ArrayDesign
-from geometry.layout.arrangement import lay_out
-from geometry.layout.placement import ArrayLayout
+from geometry.layout.placement import point_places
 
 #: What the air of a cell may be computed with; the last is the one to trust.
 FIDELITIES = ("lumped", "helmholtz", "navier-stokes")
@@ -134,7 +133,6 @@ class Library:
 
 def library_from_arrays(
     design: ArrayDesign,
-    layout: ArrayLayout,
     frequency: NDArray[np.float64],
     values: Mapping[str, NDArray[np.complex128]],
     fidelity: str,
@@ -146,7 +144,6 @@ def library_from_arrays(
 
     Args:
         design: the array.
-        layout: its layout.
         frequency: (n_freq,) float64, ascending, Hz.
         values: complex128 arrays by the names of :data:`VARIABLES`, shaped and in units as listed there; those of
             :data:`OPTIONAL` may be missing.
@@ -155,10 +152,11 @@ def library_from_arrays(
         provenance: what made the values.
         deviation: (n_point, n_microphone, n_freq) float64, Pa/Pa, that of the transfer function, where it was measured.
     """
+    lines, places = zip(*point_places(design), strict=True)
     coordinates = {
-        "point": ("point", [point.number for point in layout.points], {"long_name": "sensing point, from 1"}),
-        "line": ("point", [point.line for point in layout.points], {"long_name": "index of its line, from 0"}),
-        "place": ("point", [point.place for point in layout.points], {"long_name": "index along its line, from 0"}),
+        "point": ("point", list(range(1, len(lines) + 1)), {"long_name": "sensing point, from 1"}),
+        "line": ("point", list(lines), {"long_name": "index of its line, from 0"}),
+        "place": ("point", list(places), {"long_name": "index along its line, from 0"}),
         "microphone": ("microphone", list(design.microphones), {"long_name": "microphone"}),
         "microphone_2": ("microphone_2", list(design.microphones), {"long_name": "second microphone"}),
         "frequency": ("frequency", frequency, {"units": "Hz", "long_name": "frequency"}),
@@ -204,7 +202,6 @@ def measured_library(
     impedance = known.point_impedance.transpose("point", "frequency").values
     return library_from_arrays(
         design,
-        lay_out(design),
         known.frequency,
         {
             "transfer_function": transfer_function,

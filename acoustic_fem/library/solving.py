@@ -45,16 +45,15 @@ def solve(
     if medium is None:
         medium = Medium.at(design.air.temperature, design.air.humidity, design.air.pressure)
     layout = lay_out(design)
-    cells = cell_catalogue(design, layout).distinct
-    admittances, solved = _cell_admittances(cells, grid, fidelity, medium, report)
+    catalogue = cell_catalogue(design, layout)
+    admittances, solved = _cell_admittances(catalogue.distinct, grid, fidelity, medium, report)
 
     from acoustic_fem.network.array_network import solve_network
 
     report("network", 0.95)
-    response = solve_network(design, layout, admittances, grid, medium)
+    response = solve_network(design, layout, catalogue, admittances, grid, medium)
     library = library_from_arrays(
         design,
-        layout,
         grid,
         {
             "transfer_function": response.source_response / response.point_impedance[:, None, :],

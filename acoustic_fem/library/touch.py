@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 import xarray as xr
 
-from acoustic_fem.membrane.disc import design_disc
 from geometry.design.array_design import ArrayDesign
 from geometry.refusal import Refusal
 
@@ -41,6 +40,9 @@ def touch_response(
     Raises:
         Refusal: an unknown touch, or a contact radius out of range.
     """
+    # Here, so that a library can be read and looked at without the finite elements.
+    from acoustic_fem.membrane.disc import design_disc
+
     if touch not in TOUCHES:
         raise Refusal(f"touch = {touch!r} must be one of: {', '.join(TOUCHES)}")
     grid = np.asarray(source_response["frequency"].values)

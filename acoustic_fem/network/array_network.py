@@ -19,7 +19,7 @@ from acoustic_fem.membrane.disc import design_compliance
 from acoustic_fem.network.microphone import load_admittance
 from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.units import metres
-from geometry.air.cells import Cell, CellUse, cell_catalogue
+from geometry.air.cells import Cell, CellCatalogue, CellUse
 from geometry.design.array_design import ArrayDesign
 from geometry.layout.placement import ArrayLayout
 from geometry.refusal import Refusal
@@ -70,6 +70,7 @@ def join(left: TwoPort, right: TwoPort) -> TwoPort:
 def solve_network(
     design: ArrayDesign,
     layout: ArrayLayout,
+    catalogue: CellCatalogue,
     admittances: Mapping[Cell, Array],
     frequency: NDArray[np.float64],
     medium: Medium,
@@ -79,6 +80,7 @@ def solve_network(
     Args:
         design: the array.
         layout: its layout, from :func:`geometry.layout.arrangement.lay_out`.
+        catalogue: its cells, from :func:`geometry.air.cells.cell_catalogue`.
         admittances: for every distinct cell its symmetric nodal admittance, (n_freq, k + 1, k + 1) complex128, m^3/(Pa
             s): the outer ends of its k stubs in the order of ``cell.ports``, then the opening.
         frequency: (n_freq,) float64, Hz.
@@ -87,7 +89,6 @@ def solve_network(
     Raises:
         Refusal: a cell is missing or its admittance has the wrong shape.
     """
-    catalogue = cell_catalogue(design, layout)
     membrane = 2j * np.pi * frequency * design_compliance(design, frequency)
     ducts: dict[Tube, TwoPort] = {}
     lines = []

@@ -1,4 +1,9 @@
-from .cells import Cell as Cell, CellUse as CellUse, cell_catalogue as cell_catalogue
+from .cells import (
+    Cell as Cell,
+    CellCatalogue as CellCatalogue,
+    CellUse as CellUse,
+    cell_catalogue as cell_catalogue,
+)
 from .mesh import (
     InvertedElementsError as InvertedElementsError,
     MeshSizes as MeshSizes,

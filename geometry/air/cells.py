@@ -12,13 +12,10 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 from geometry.design.array_design import ArrayDesign
-from geometry.layout.placement import ArrayLayout
+from geometry.layout.placement import ArrayLayout, microphone_ports, point_ports
 from geometry.stated.cavity_shapes import Box, Dome, wall_distance
 from geometry.stated.parts import Resonator
-from geometry.stated.ports import CellPort, Port, in_common_rotation, port_rank
-
-#: Angles closer than this are one cell, degrees.
-ANGLE_STEP = 0.1
+from geometry.stated.ports import ANGLE_STEP, CellPort, Port, in_common_rotation, port_rank
 
 
 @dataclass(frozen=True)
@@ -161,28 +158,17 @@ def resonator_cell(resonator: Resonator, ports: Sequence[Port]) -> CellUse:
 def cell_catalogue(design: ArrayDesign, layout: ArrayLayout) -> CellCatalogue:
     """Distinct cells of a design whose parts lie as the layout says."""
     resonator, microphone = design.resonator, design.microphone
+    known: dict[tuple[Port, ...], CellUse] = {}
     points = []
     for placement in layout.points:
-        line = design.lines[placement.line]
-        segment, outer = design.tube_of(line), design.microphone_tube_of(line)
-        before = outer if placement.place == 0 else segment
-        after = outer if placement.place == line.points - 1 else segment
-        points.append(
-            resonator_cell(
-                resonator,
-                [
-                    Port(angle, tube.inner_diameter, tube.outer_diameter)
-                    for angle, tube in zip(placement.port_angles, (before, after), strict=True)
-                ],
-            )
-        )
+        ports = point_ports(design, placement)
+        if ports not in known:
+            known[ports] = resonator_cell(resonator, ports)
+        points.append(known[ports])
     microphones = []
     for housing in layout.microphones:
-        ports, order = canonical_ports(
-            [
-                CellPort(port.angle, design.microphone_tube_of(design.lines[port.line]).inner_diameter)
-                for port in housing.ports
-            ]
+        canonical, order = canonical_ports(
+            [CellPort(port.angle, port.bore_diameter) for port in microphone_ports(design, housing)]
         )
         microphones.append(
             CellUse(
@@ -191,7 +177,7 @@ def cell_catalogue(design: ArrayDesign, layout: ArrayLayout) -> CellCatalogue:
                     diameter=microphone.chamber_diameter,
                     height=microphone.chamber_height,
                     port_height=microphone.chamber_height / 2,
-                    ports=ports,
+                    ports=canonical,
                     opening_diameter=microphone.sound_hole_diameter,
                     opening_length=microphone.sound_hole_length,
                 ),

@@ -14,17 +14,19 @@ from numpy.typing import NDArray
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import write_design
 from geometry.layout.arrangement import lay_out
-from geometry.layout.placement import ArrayLayout, MicrophonePlacement, PointPlacement
+from geometry.layout.placement import (
+    ArrayLayout,
+    MicrophonePlacement,
+    PointPlacement,
+    microphone_ports,
+    point_ports,
+)
 from geometry.molds.mold import mold_counts
 from geometry.plan.cylinder import FLAT, Axes
-from geometry.stated.parts import Tube
-from geometry.stated.ports import Port, in_common_rotation
+from geometry.stated.ports import ANGLE_STEP, Port, in_common_rotation
 
 if TYPE_CHECKING:
     import cadquery as cq
-
-#: Directions closer than this make the same part, degrees (0.01 mm on the outside of a shell of 10 mm).
-_ANGLE_STEP = 0.1
 
 
 class PartSet(dict[str, "cq.Workplane"]):
@@ -210,25 +212,11 @@ def _plan(design: ArrayDesign, layout: ArrayLayout | None = None) -> _Plan:
     layout = layout or lay_out(design)
     at_points = []
     for point in layout.points:
-        line = design.lines[point.line]
-        before = design.microphone_tube_of(line) if point.place == 0 else design.tube_of(line)
-        after = design.microphone_tube_of(line) if point.place == line.points - 1 else design.tube_of(line)
-        at_points.append(_turned(point.port_angles, (before, after)))
-    at_microphones = [
-        _turned(
-            [port.angle for port in microphone.ports],
-            [design.microphone_tube_of(design.lines[port.line]) for port in microphone.ports],
-        )
-        for microphone in layout.microphones
-    ]
+        at_points.append(in_common_rotation(point_ports(design, point), ANGLE_STEP))
+    at_microphones = [in_common_rotation(microphone_ports(design, each), ANGLE_STEP) for each in layout.microphones]
     shells, point_shells = _named(at_points, _shell_name)
     housings, microphone_housings = _named(at_microphones, _housing_name)
     return _Plan(shells, housings, point_shells, microphone_housings)
-
-
-def _turned(angles: Sequence[float], tubes: Sequence[Tube]) -> tuple[tuple[Port, ...], float]:
-    ports = [Port(angle, t.inner_diameter, t.outer_diameter) for angle, t in zip(angles, tubes, strict=True)]
-    return in_common_rotation(ports, _ANGLE_STEP)
 
 
 def _named(

@@ -12,4 +12,5 @@ from .shell_rules import (
     FOOT_EDGE as FOOT_EDGE,
     cavity_problems as cavity_problems,
     feature_problems as feature_problems,
+    ledge_height as ledge_height,
 )

@@ -9,12 +9,15 @@ from geometry.stated.cavity_shapes import WIDEST_BOX, Box, Dome
 
 if TYPE_CHECKING:
     from geometry.stated.array import StatedArray
-    from geometry.stated.parts import Resonator, Shell
+    from geometry.stated.making import Printing
+    from geometry.stated.parts import Membrane, Resonator, Shell
 
 #: Material on either side of a glue groove, mm.
 _GROOVE_EDGE = 0.15
 #: Material around the screw hole of a foot and between it and the wall, mm.
 FOOT_EDGE, FOOT_CLEARANCE = 1.0, 0.3
+#: Narrowest rim that is raised around the membrane to centre it, mm; narrower ones break off.
+_LEDGE_WIDTH = 0.4
 #: Fields that only one shape of cavity has.
 _OWN_FIELDS = {
     "box": ("box_length", "box_width", "corner_radius", "collar_height"),
@@ -143,3 +146,9 @@ def feature_problems(
                 f"resonator.port_height = {height:g} mm must be at least {hole:g} mm, so that the tubes pass over "
                 "the feet (shell.feet)"
             )
+
+
+def ledge_height(resonator: Resonator, membrane: Membrane, printing: Printing) -> float:
+    """Height of the ledge that centres the membrane on the seat of a shell, mm; 0 where the shell is too narrow."""
+    seat = resonator.cavity_diameter / 2 + membrane.rim_width + printing.glue_gap
+    return membrane.thickness / 2 if resonator.outer_diameter / 2 - seat >= _LEDGE_WIDTH - 1e-9 else 0.0

@@ -5,9 +5,14 @@ from .cutting import (
     cutting_list as cutting_list,
     spring_length as spring_length,
 )
+from .overlaps import buildability_notes as buildability_notes
 from .placement import (
     ArrayLayout as ArrayLayout,
     MicrophonePlacement as MicrophonePlacement,
     PointPlacement as PointPlacement,
     TubePlacement as TubePlacement,
+    microphone_ports as microphone_ports,
+    point_places as point_places,
+    point_ports as point_ports,
 )
+from .size import array_size as array_size

@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from geometry.design.array_design import ArrayDesign
 from geometry.layout.lines_in_plan import End, Run, hand_runs, ring_runs, serpentine_runs
-from geometry.layout.overlaps import overlaps
 from geometry.layout.placement import ArrayLayout, MicrophonePlacement, MicrophonePort, PointPlacement, TubePlacement
 from geometry.plan.cylinder import Cylinder, Plane, surface_of
-from geometry.plan.routing import bearing, bow_angle, bowed_path, drawn_path, path_length, tidy, unit
+from geometry.plan.routing import bearing, bow_angle, bowed_path, drawn_path, tidy, unit
 
 #: Directions are rounded to 1e-6 degrees: places closer than this are one, mm.
 _SAME_PLACE = 1e-4
@@ -26,7 +24,7 @@ def lay_out(design: ArrayDesign) -> ArrayLayout:
     other. Where the pitch is shorter than a straight tube, tubes bow out along one circular arc of exactly
     their length: in rows towards +y, at the turns outwards. The microphone of a single line end lies
     straight out at its tube's length. A microphone that joins several ends cannot lie at its tubes' length
-    from all of them: it is drawn beside the blocks and noted.
+    from all of them: it is drawn beside the blocks.
 
     ``cylinder``: a serpentine whose rows run around a cylinder; the plan is unrolled at the height of the ports.
     Tubes of a row are arcs between the shells, those from row to row straight, all of exactly their length.
@@ -36,15 +34,15 @@ def lay_out(design: ArrayDesign) -> ArrayLayout:
     ``ring``: the lines are the sides of a polygon at their true length, the microphones its corners (see
     :func:`geometry.plan.ring.corners`). Microphone tubes lie straight, other tubes bow outwards.
 
-    Overlaps of shells, housings and tubes are measured and noted by name.
+    What of it could not be built as drawn says :func:`geometry.layout.overlaps.buildability_notes`.
     """
     builders = {"serpentine": serpentine_runs, "cylinder": serpentine_runs, "ring": ring_runs, "hand": hand_runs}
-    runs = builders[design.layout.kind](design)
+    surface = surface_of(design)
+    runs = builders[design.layout.kind](design, surface)
     ends = [end for run in runs for end in run.ends]
     microphones = _microphones(design, ends, np.vstack([run.positions for run in runs]))
-    points, tubes = _points_and_tubes(design, runs, {m.name: m for m in microphones})
-    layout = ArrayLayout(tuple(points), tuple(microphones), tuple(tubes), (), surface_of(design))
-    return replace(layout, notes=(*_schematic_notes(design, layout), *overlaps(design, layout)))
+    points, tubes = _points_and_tubes(design, runs, {m.name: m for m in microphones}, surface)
+    return ArrayLayout(tuple(points), tuple(microphones), tuple(tubes), surface)
 
 
 # -- microphones --------------------------------------------------------------------------------------
@@ -107,10 +105,9 @@ def _equally_spaced(bearings: list[float]) -> list[float]:
 
 # -- points and tubes ---------------------------------------------------------------------------------
 def _points_and_tubes(
-    design: ArrayDesign, runs: list[Run], microphones: dict[str, MicrophonePlacement]
+    design: ArrayDesign, runs: list[Run], microphones: dict[str, MicrophonePlacement], surface: Plane | Cylinder
 ) -> tuple[list[PointPlacement], list[TubePlacement]]:
     cavity, outer = design.resonator.cavity_diameter / 2, design.resonator.outer_diameter / 2
-    surface = surface_of(design)
     points: list[PointPlacement] = []
     tubes: list[TubePlacement] = []
     for index, (line, run) in enumerate(zip(design.lines, runs, strict=True)):
@@ -131,13 +128,15 @@ def _points_and_tubes(
         for place_, position in enumerate(run.positions):
             angles = (tidy(backward[place_]), tidy(forward[place_]))
             points.append(PointPlacement(len(points) + 1, index, place_, _pair(position), angles))
-        tubes.append(_microphone_tube(design, first, microphones[first.microphone], runs))
+        tubes.append(_microphone_tube(design, first, microphones[first.microphone], runs, surface))
         tubes += placed
-        tubes.append(_microphone_tube(design, last, microphones[last.microphone], runs))
+        tubes.append(_microphone_tube(design, last, microphones[last.microphone], runs, surface))
     return points, tubes
 
 
-def _microphone_tube(design: ArrayDesign, end: End, microphone: MicrophonePlacement, runs: list[Run]) -> TubePlacement:
+def _microphone_tube(
+    design: ArrayDesign, end: End, microphone: MicrophonePlacement, runs: list[Run], surface: Plane | Cylinder
+) -> TubePlacement:
     """The tube of a line's end, always drawn from the line's first microphone towards its second."""
     line = design.lines[end.line]
     tube = design.microphone_tube_of(line)
@@ -147,7 +146,7 @@ def _microphone_tube(design: ArrayDesign, end: End, microphone: MicrophonePlacem
         out = unit(end.direction)
         path = _at_port_height(design, np.array([end.point + cavity * out, end.target - chamber * out]))
         outer = (design.resonator.outer_diameter / 2, chamber + design.microphone.wall_thickness)
-        course = _course(surface_of(design), path, (end.point, end.target), (cavity, chamber), outer)
+        course = _course(surface, path, (end.point, end.target), (cavity, chamber), outer)
         schematic = False
     else:
         port = next(port for port in microphone.ports if (port.line, port.end) == (end.line, end.end))
@@ -162,14 +161,17 @@ def _microphone_tube(design: ArrayDesign, end: End, microphone: MicrophonePlacem
         path, schematic = _at_port_height(design, plan), True
         others = np.vstack([run.positions for run in runs])
         others = others[np.linalg.norm(others - end.point, axis=1) > 1e-6]
+        clear = design.resonator.outer_diameter / 2 + tube.outer_diameter
+        # Only points within reach of the way's own box can be too close to it.
+        others = others[((others > plan.min(axis=0) - clear) & (others < plan.max(axis=0) + clear)).all(axis=1)]
         gaps = np.linalg.norm(plan[:, None] - others[None], axis=2)
-        if gaps.size and gaps.min() < design.resonator.outer_diameter / 2 + tube.outer_diameter:
+        if gaps.size and gaps.min() < clear:
             # Lead it over the membranes, so that the picture shows which ends are joined.
             resonator = design.resonator
             lift = resonator.cavity_height - resonator.port_axis_height + design.membrane.thickness
             s = np.linspace(0, 1, len(plan) - 2)
             path[1:-1, 2] += (lift + 2 * tube.outer_diameter) * np.minimum(1, 4 * np.sin(np.pi * s) ** 2)
-        course = surface_of(design).mapped(path)
+        course = surface.mapped(path)
     if end.end == 0:
         path, course = path[::-1].copy(), course[::-1].copy()
     return TubePlacement(end.line, 0 if end.end == 0 else line.points, tube, path, course, schematic)
@@ -187,24 +189,6 @@ def _course(
         return surface.mapped(path)
     (x0, y0), (x1, y1) = axes
     return surface.wound((x0, y0), (x1, y1), inner, outer)
-
-
-def _schematic_notes(design: ArrayDesign, layout: ArrayLayout) -> list[str]:
-    notes = []
-    for microphone in layout.microphones:
-        drawn = []
-        for port in microphone.ports:
-            segment = 0 if port.end == 0 else design.lines[port.line].points
-            tube = next(t for t in layout.tubes if (t.line, t.segment) == (port.line, segment))
-            if tube.schematic:
-                drawn.append(f"{tube.label} is {tube.tube.length:g} mm, drawn {path_length(tube.path):.1f} mm")
-        if drawn:
-            ends = f"{len(microphone.ports)} line end" + ("s" if len(microphone.ports) > 1 else "")
-            notes.append(f"microphone {microphone.name} joins {ends} and is drawn schematically: {'; '.join(drawn)}")
-    if notes:
-        count = sum(tube.schematic for tube in layout.tubes)
-        notes.insert(0, f"simulated study: not buildable as drawn; {count} microphone tubes are drawn schematically")
-    return notes
 
 
 def _at_port_height(design: ArrayDesign, plan: NDArray[np.float64]) -> NDArray[np.float64]:

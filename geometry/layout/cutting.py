@@ -7,7 +7,7 @@ from typing import Literal
 
 from geometry.design.array_design import ArrayDesign
 from geometry.layout.arrangement import lay_out
-from geometry.layout.placement import TubePlacement
+from geometry.layout.placement import ArrayLayout, TubePlacement
 from geometry.plan.routing import turning
 from geometry.stated.parts import Tube
 
@@ -75,14 +75,18 @@ def cut_lengths(design: ArrayDesign, placed: TubePlacement) -> tuple[float, floa
     return sheath, round(spring_length(tube, sheath, bend), 2) if bend > _STRAIGHT else sheath
 
 
-def cutting_list(design: ArrayDesign) -> tuple[Cut, ...]:
-    """Every kind of piece with its count, in order of first use, those to microphones before the others."""
+def cutting_list(design: ArrayDesign, layout: ArrayLayout | None = None) -> tuple[Cut, ...]:
+    """Every kind of piece with its count, in order of first use, those to microphones before the others.
+
+    Args:
+        design: the array.
+        layout: where its parts lie, where it is known already.
+    """
+    layout = lay_out(design) if layout is None else layout
     pieces: dict[tuple[Literal["segment", "microphone"], Tube, float, float], list[int]] = {}
     last = [line.points for line in design.lines]
     # Of every line its two ends first.
-    tubes = sorted(
-        lay_out(design).tubes, key=lambda placed: (placed.line, placed.segment not in (0, last[placed.line]))
-    )
+    tubes = sorted(layout.tubes, key=lambda placed: (placed.line, placed.segment not in (0, last[placed.line])))
     for placed in tubes:
         use: Literal["segment", "microphone"] = "microphone" if placed.segment in (0, last[placed.line]) else "segment"
         pieces.setdefault((use, placed.tube, *cut_lengths(design, placed)), []).append(placed.line + 1)

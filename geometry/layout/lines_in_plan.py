@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from geometry.design.array_design import ArrayDesign
 from geometry.plan import ring
-from geometry.plan.cylinder import Cylinder, surface_of, wound_turn
+from geometry.plan.cylinder import Cylinder, Plane, wound_turn
 from geometry.plan.hand import finger_positions, meeting_at
 from geometry.plan.routing import bearing, unit
 
@@ -51,7 +51,12 @@ class Run:
 
 
 def run_of(
-    design: ArrayDesign, line: int, positions: NDArray[np.float64], sides: tuple[int, ...], out: tuple[float, float]
+    design: ArrayDesign,
+    line: int,
+    positions: NDArray[np.float64],
+    sides: tuple[int, ...],
+    out: tuple[float, float],
+    surface: Plane | Cylinder,
 ) -> Run:
     """A line whose microphone tubes lie straight.
 
@@ -61,9 +66,10 @@ def run_of(
         positions: axes of its points in plan, (n_point, 2) float64, mm.
         sides: to which its tubes bow, +1 left, -1 right.
         out: directions in which its two ends point, degrees.
+        surface: what the shells stand on.
     """
     microphones = design.lines[line].between
-    around, along = _microphone_reach(design, line)
+    around, along = _microphone_reach(design, line, surface)
     ends = [
         End(line, end, microphones[end], positions[-end], out[end], around if out[end] in (0.0, 180.0) else along)
         for end in (0, 1)
@@ -71,7 +77,7 @@ def run_of(
     return Run(positions, sides, (ends[0], ends[1]))
 
 
-def serpentine_runs(design: ArrayDesign) -> list[Run]:
+def serpentine_runs(design: ArrayDesign, surface: Plane | Cylinder) -> list[Run]:
     """Rows of ``columns`` points, every second row backwards; lines are blocks above each other.
 
     On a cylinder x runs around it: the pitch along the rows is then that of tubes wound between the shells.
@@ -83,8 +89,8 @@ def serpentine_runs(design: ArrayDesign) -> list[Run]:
         row, column = place // columns, place % columns
         column = np.where(row % 2 == 0, column, columns - 1 - column)
         # A wound array lies on both sides of the top of its cylinder.
-        middle = (columns - 1) / 2 if isinstance(surface_of(design), Cylinder) else 0.0
-        positions = np.column_stack([(column - middle) * _pitch_around(design, index), row * pitch + bottom])
+        middle = (columns - 1) / 2 if isinstance(surface, Cylinder) else 0.0
+        positions = np.column_stack([(column - middle) * _pitch_around(design, index, surface), row * pitch + bottom])
         sides = []
         for k in range(1, line.points):
             backwards = row[k - 1] % 2 == 1
@@ -94,12 +100,12 @@ def serpentine_runs(design: ArrayDesign) -> list[Run]:
             out = (180.0, 0.0)
         else:
             out = (bearing(positions[1], positions[0]), bearing(positions[-2], positions[-1]))
-        runs.append(run_of(design, index, positions, tuple(sides), out))
+        runs.append(run_of(design, index, positions, tuple(sides), out, surface))
         bottom = float(positions[-1, 1]) + pitch + design.resonator.outer_diameter
     return runs
 
 
-def ring_runs(design: ArrayDesign) -> list[Run]:
+def ring_runs(design: ArrayDesign, surface: Plane | Cylinder) -> list[Run]:
     """The sides of the polygon whose corners are the microphones."""
     # Lines join neighbouring corners only (a rule of the design), so every line is a side.
     corners = dict(zip(design.microphones, ring.corners(ring.side_lengths(design)), strict=True))
@@ -112,13 +118,13 @@ def ring_runs(design: ArrayDesign) -> list[Run]:
         positions = middle + np.outer(steps, along)
         outward = float(middle @ unit(direction + 90)) > 0
         sides = (1 if outward else -1,) * (line.points - 1)
-        runs.append(run_of(design, index, positions, sides, ((direction + 180) % 360, direction)))
+        runs.append(run_of(design, index, positions, sides, ((direction + 180) % 360, direction), surface))
     return runs
 
 
-def _pitch_around(design: ArrayDesign, line: int) -> float:
+def _pitch_around(design: ArrayDesign, line: int, surface: Plane | Cylinder) -> float:
     """Distance of neighbours in a row of a serpentine, in the plan, mm."""
-    surface, resonator = surface_of(design), design.resonator
+    resonator = design.resonator
     if not isinstance(surface, Cylinder):
         return design.pitch_of(design.lines[line])
     inner, outer = resonator.cavity_diameter / 2, resonator.outer_diameter / 2
@@ -126,9 +132,9 @@ def _pitch_around(design: ArrayDesign, line: int) -> float:
     return radius * wound_turn(length, (inner, inner), (outer, outer), radius)
 
 
-def _microphone_reach(design: ArrayDesign, line: int) -> tuple[float, float]:
+def _microphone_reach(design: ArrayDesign, line: int, surface: Plane | Cylinder) -> tuple[float, float]:
     """Distances from the last point of a line to its microphone in plan: along x and in every other direction, mm."""
-    surface, straight = surface_of(design), design.microphone_reach_of(design.lines[line])
+    straight = design.microphone_reach_of(design.lines[line])
     if not isinstance(surface, Cylinder):
         return straight, straight
     inner = (design.resonator.cavity_diameter / 2, design.microphone.chamber_diameter / 2)
@@ -137,14 +143,12 @@ def _microphone_reach(design: ArrayDesign, line: int) -> tuple[float, float]:
     return radius * wound_turn(length, inner, outer, radius), straight
 
 
-def hand_runs(design: ArrayDesign) -> list[Run]:
+def hand_runs(design: ArrayDesign, surface: Plane | Cylinder) -> list[Run]:
     """The lines of a glove. The tube of a line's end points on along its finger, away from the point before.
 
     Where two ends of one microphone can both be reached with straight tubes, the microphone lies where they meet,
     on the side of the wrist.
     """
-    from geometry.layout.lines_in_plan import run_of
-
     columns, positions = design.layout.columns, finger_positions(design)
     out = []
     for points in positions:
@@ -161,5 +165,5 @@ def hand_runs(design: ArrayDesign) -> list[Run]:
     for index, points in enumerate(positions):
         # Outwards over the fingertips, towards the wrist between the roots of the fingers.
         sides = tuple(-1 if k % columns == 0 and (k // columns) % 2 == 0 else 1 for k in range(1, len(points)))
-        runs.append(run_of(design, index, points, sides, (out[index][0], out[index][1])))
+        runs.append(run_of(design, index, points, sides, (out[index][0], out[index][1]), surface))
     return runs

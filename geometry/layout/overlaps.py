@@ -3,17 +3,14 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from geometry.design.array_design import ArrayDesign
-from geometry.plan.routing import resampled, tightest_bend
-
-if TYPE_CHECKING:
-    from geometry.layout.placement import ArrayLayout, TubePlacement
+from geometry.layout.placement import ArrayLayout, TubePlacement
+from geometry.plan.routing import path_length, resampled, tightest_bend
 
 #: Overlaps below this are contact, mm.
 _CONTACT = 1e-3
@@ -21,6 +18,20 @@ _CONTACT = 1e-3
 _ROUNDING = 1e-6
 #: Points per rim of a body that is tilted against another.
 _RIM = 180
+
+
+def buildability_notes(design: ArrayDesign, layout: ArrayLayout) -> tuple[str, ...]:
+    """Sentences on what is drawn but could not be built as drawn; measuring it takes longer than laying it out.
+
+    Args:
+        design: the array.
+        layout: where its parts lie.
+
+    Returns:
+        Microphones drawn schematically, then every overlap of shells, housings and tubes and every bend that is too
+        tight, by name and size.
+    """
+    return (*_schematic_notes(design, layout), *overlaps(design, layout))
 
 
 def overlaps(design: ArrayDesign, layout: ArrayLayout) -> list[str]:
@@ -40,6 +51,24 @@ def overlaps(design: ArrayDesign, layout: ArrayLayout) -> list[str]:
         *_tubes_in_tubes(tubes, samples),
         *_tight_bends(tubes),
     ]
+
+
+def _schematic_notes(design: ArrayDesign, layout: ArrayLayout) -> list[str]:
+    notes = []
+    for microphone in layout.microphones:
+        drawn = []
+        for port in microphone.ports:
+            segment = 0 if port.end == 0 else design.lines[port.line].points
+            tube = next(t for t in layout.tubes if (t.line, t.segment) == (port.line, segment))
+            if tube.schematic:
+                drawn.append(f"{tube.label} is {tube.tube.length:g} mm, drawn {path_length(tube.path):.1f} mm")
+        if drawn:
+            ends = f"{len(microphone.ports)} line end" + ("s" if len(microphone.ports) > 1 else "")
+            notes.append(f"microphone {microphone.name} joins {ends} and is drawn schematically: {'; '.join(drawn)}")
+    if notes:
+        count = sum(tube.schematic for tube in layout.tubes)
+        notes.insert(0, f"simulated study: not buildable as drawn; {count} microphone tubes are drawn schematically")
+    return notes
 
 
 class _Bodies:

@@ -8,8 +8,18 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from geometry.design.array_design import ArrayDesign
 from geometry.plan.cylinder import Cylinder, Frame, Plane
 from geometry.stated.parts import Tube
+from geometry.stated.ports import Port
+
+
+def point_places(design: ArrayDesign) -> tuple[tuple[int, int], ...]:
+    """The line and the place along it, both from 0, of every point of a design in the order of the points' numbers.
+
+    Points are counted through all lines in order; a layout is not needed for that.
+    """
+    return tuple((line, place) for line, each in enumerate(design.lines) for place in range(each.points))
 
 
 @dataclass(frozen=True)
@@ -17,7 +27,7 @@ class PointPlacement:
     """One sensing point; angles are counted from +x, anticlockwise seen from above."""
 
     number: int
-    """Number of the point, from 1, counted through all lines in order."""
+    """Number of the point, from 1, as :func:`point_places` counts."""
     line: int
     """Index of its line in the design."""
     place: int
@@ -85,11 +95,30 @@ class ArrayLayout:
     """Every microphone, in the order of the design."""
     tubes: tuple[TubePlacement, ...]
     """Every tube."""
-    notes: tuple[str, ...]
-    """What is drawn but could not be built as drawn, a sentence each."""
     surface: Plane | Cylinder
     """What the shells stand on."""
 
     def frame(self, placement: PointPlacement | MicrophonePlacement) -> Frame:
         """Place of a point or a microphone in space; the floors of resonators' cavities lie at its z = 0."""
         return self.surface.frame(*placement.position)
+
+
+def point_ports(design: ArrayDesign, placed: PointPlacement) -> tuple[Port, ...]:
+    """The ports of a point's shell as it lies: of the tube to the previous node of its line and of that to the next."""
+    line = design.lines[placed.line]
+    segment, outer = design.tube_of(line), design.microphone_tube_of(line)
+    before = outer if placed.place == 0 else segment
+    after = outer if placed.place == line.points - 1 else segment
+    return tuple(
+        Port(angle, tube.inner_diameter, tube.outer_diameter)
+        for angle, tube in zip(placed.port_angles, (before, after), strict=True)
+    )
+
+
+def microphone_ports(design: ArrayDesign, placed: MicrophonePlacement) -> tuple[Port, ...]:
+    """The ports of a microphone's housing as it lies, in the order of its placement's."""
+    tubes = [design.microphone_tube_of(design.lines[port.line]) for port in placed.ports]
+    return tuple(
+        Port(port.angle, tube.inner_diameter, tube.outer_diameter)
+        for port, tube in zip(placed.ports, tubes, strict=True)
+    )

@@ -7,7 +7,7 @@ from itertools import combinations
 
 import cadquery as cq
 
-from geometry.design.shell_rules import cavity_problems, feature_problems
+from geometry.design.shell_rules import cavity_problems, feature_problems, ledge_height
 from geometry.plan.routing import unit
 from geometry.refusal import Refusal
 from geometry.solids.bodies import cylinder, one_solid
@@ -17,8 +17,6 @@ from geometry.stated.making import Printing
 from geometry.stated.parts import SOCKET_COVER, Membrane, Resonator, Shell
 from geometry.stated.ports import Port, port_web
 
-#: Narrowest rim that is raised around the membrane to centre it, mm; narrower ones break off.
-_LEDGE_WIDTH = 0.4
 #: Most ports of a shell.
 MOST_PORTS = 6
 
@@ -64,7 +62,7 @@ def build_shell(
     radius, outer = resonator.cavity_diameter / 2, resonator.outer_diameter / 2
     top = resonator.cavity_height
     seat = radius + membrane.rim_width + printing.glue_gap
-    ledge = membrane.thickness / 2 if outer - seat >= _LEDGE_WIDTH - 1e-9 else 0.0
+    ledge = ledge_height(resonator, membrane, printing)
     solid: cq.Shape = cylinder(outer, -resonator.floor_thickness, top + ledge)
     if features.feet:
         solid = add_feet(solid, outer, resonator.floor_thickness, [port.angle for port in ports], features)

@@ -11,6 +11,7 @@ from geometry.design.shell_rules import FOOT_EDGE
 from geometry.refusal import Refusal
 from geometry.solids.letters import SPACE, WIDTH, strokes
 from geometry.stated.parts import Shell
+from geometry.stated.ports import foot_directions, largest_gap
 
 #: Width of a digit's strokes in its heights: as wide as the gap between the two sides of a 0.
 _STROKE = WIDTH / 3
@@ -18,16 +19,6 @@ _STROKE = WIDTH / 3
 _USUAL_DIGITS, _SMALLEST_DIGITS = 3.0, 0.5
 #: Widest label in diameters of the shell: further round the wall digits would be seen from the side.
 _WIDEST_LABEL = 0.6
-
-
-def largest_gap(angles: Sequence[float]) -> tuple[float, float]:
-    """Middle and width of the widest gap between directions, degrees."""
-    ranked = sorted(angle % 360 for angle in angles)
-    gaps = [
-        ((after - before) % 360 or 360.0, before) for before, after in zip(ranked, ranked[1:] + ranked[:1], strict=True)
-    ]
-    width, start = max(gaps, key=lambda gap: (round(gap[0], 6), -gap[1]))
-    return (start + width / 2) % 360, width
 
 
 def add_feet(
@@ -42,12 +33,9 @@ def add_feet(
         ports: directions of the ports, degrees.
         features: number and sizes of the feet.
     """
-    taken = list(ports)
     half = features.foot_hole / 2 + FOOT_EDGE
     end = outer_radius + features.foot_length - half
-    for _ in range(features.feet):
-        angle, _ = largest_gap(taken)
-        taken.append(angle)
+    for angle in foot_directions(ports, features.feet):
         foot: cq.Shape = cq.Solid.makeBox(end, 2 * half, floor_thickness, cq.Vector(0, -half, -floor_thickness))
         tip, low = cq.Vector(end, 0, -floor_thickness), cq.Vector(end, 0, -2 * floor_thickness)
         foot = foot.fuse(cq.Solid.makeCylinder(half, floor_thickness, tip))

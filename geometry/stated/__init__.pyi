@@ -30,9 +30,12 @@ from .parts import (
     Tube as Tube,
 )
 from .ports import (
+    ANGLE_STEP as ANGLE_STEP,
     CellPort as CellPort,
     Port as Port,
+    foot_directions as foot_directions,
     in_common_rotation as in_common_rotation,
+    largest_gap as largest_gap,
     port_rank as port_rank,
     port_web as port_web,
 )

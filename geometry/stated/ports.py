@@ -10,6 +10,9 @@ from itertools import product
 from geometry.stated.cavity_shapes import web
 from geometry.stated.parts import STUB_LENGTH_IN_RADII
 
+#: Angles closer than this are one cell and one printed part, degrees.
+ANGLE_STEP = 0.1
+
 
 @dataclass(frozen=True, order=True)
 class Port:
@@ -88,3 +91,26 @@ def port_rank(port: Port | CellPort) -> tuple[float, ...]:
     """Key that ports are sorted by; those without a height of their own come first."""
     sizes = [getattr(port, field.name) for field in fields(port)]
     return tuple(-1.0 if size is None else size for size in sizes)
+
+
+def largest_gap(angles: Sequence[float]) -> tuple[float, float]:
+    """Middle and width of the widest gap between directions, degrees."""
+    ranked = sorted(angle % 360 for angle in angles)
+    gaps = [
+        ((after - before) % 360 or 360.0, before) for before, after in zip(ranked, ranked[1:] + ranked[:1], strict=True)
+    ]
+    width, start = max(gaps, key=lambda gap: (round(gap[0], 6), -gap[1]))
+    return (start + width / 2) % 360, width
+
+
+def foot_directions(ports: Sequence[float], count: int) -> list[float]:
+    """Directions of mounting feet, degrees, each in the middle of the widest gap that ports and feet before it leave.
+
+    Args:
+        ports: directions of the ports of a shell, degrees.
+        count: number of feet.
+    """
+    taken = list(ports)
+    for _ in range(count):
+        taken.append(largest_gap(taken)[0])
+    return taken[len(ports) :]

@@ -52,6 +52,8 @@ def show_check(found: DesignCheck) -> None:
     """All findings on a design."""
     wiring, name = found.wiring, found.design.name
     print(f"{name}: a valid design")
+    length, width, height = max(found.size[:2]), min(found.size[:2]), found.size[2]
+    print(f"{length:.1f} x {width:.1f} x {height:.1f} mm")
     table = table_of("wiring", "", numbers=(1,))
     for row in (
         ("microphones", str(wiring.microphones)),

@@ -1,4 +1,4 @@
-"""Size, volume, mass, cost and thinnest wall of a design from its fields alone, microseconds each. Lengths in mm.
+"""Volume, mass, cost and thinnest wall of a design from its fields alone, microseconds each. Lengths in mm.
 
 Parts are counted as closed forms: cylinders less their cavities, bores and sockets. Prices are those of the bill of
 materials; densities that a design file does not state are data here, each with its source.
@@ -11,7 +11,6 @@ from collections.abc import Iterator
 
 from geometry.assembly.bill import Prices
 from geometry.design.array_design import ArrayDesign
-from geometry.layout.arrangement import lay_out
 from geometry.stated.parts import BOARD_SEAL, SEAT_SLOT, Microphone, Tube
 
 #: kg/m^3
@@ -21,32 +20,6 @@ DENSITIES = {
     "boards": (1850.0, "glass-fibre epoxy laminate"),
 }
 MICROPHONE_MASS = (0.025, "g, a MEMS package of 3.5 x 2.65 x 1 mm: assumed")
-
-
-def size(design: ArrayDesign) -> tuple[float, float, float]:
-    """Length (the longer side), width and height of the box around shells and housings, mm."""
-    layout = lay_out(design)
-    reach = design.resonator.outer_diameter / 2
-    boxes = [(point.position, (reach, reach)) for point in layout.points]
-    along, across = (side / 2 + design.microphone.wall_thickness for side in _seat(design.microphone))
-    for microphone in layout.microphones:
-        # The housing is turned to its first port.
-        turn = math.radians(microphone.ports[0].angle)
-        cosine, sine = abs(math.cos(turn)), abs(math.sin(turn))
-        boxes.append((microphone.position, (along * cosine + across * sine, along * sine + across * cosine)))
-    sides = [
-        max(position[axis] + half[axis] for position, half in boxes)
-        - min(position[axis] - half[axis] for position, half in boxes)
-        for axis in (0, 1)
-    ]
-    height = max(
-        design.resonator.floor_thickness + design.resonator.cavity_height + design.membrane.mounted_thickness,
-        design.microphone.wall_thickness
-        + design.microphone.chamber_height
-        + design.microphone.sound_hole_length
-        + design.microphone.package_height,
-    )
-    return max(sides), min(sides), height
 
 
 def volume(design: ArrayDesign) -> float:

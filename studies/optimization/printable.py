@@ -12,6 +12,7 @@ from typing import Literal
 
 from geometry import ArrayDesign
 from geometry.layout.arrangement import lay_out
+from geometry.layout.overlaps import buildability_notes
 from geometry.stated.parts import Tube
 from geometry.stated.print_processes import PrintProcess, Rule, process_of
 
@@ -97,7 +98,7 @@ class PrintDemand:
     def __init__(self, base: ArrayDesign, demand: Demand) -> None:
         self.demand: Demand = demand
         self._in_base = {measure.name: measure for measure in measures(base)}
-        self._accepted = frozenset(lay_out(base).notes) if demand == "base" else frozenset()
+        self._accepted = frozenset(buildability_notes(base, lay_out(base))) if demand == "base" else frozenset()
 
     def least_value(self, name: str) -> float | None:
         """Smallest value of a field that is allowed, mm; None where no rule judges that field alone."""
@@ -111,7 +112,7 @@ class PrintDemand:
             limit = self._limit(measure)
             if measure.value < limit - _ROUNDING:
                 reasons.append(f"{measure.name} = {measure.value:.4g} mm must be at least {limit:.4g} mm to be printed")
-        return reasons or [note for note in lay_out(design).notes if note not in self._accepted]
+        return reasons or [note for note in buildability_notes(design, lay_out(design)) if note not in self._accepted]
 
     def _limit(self, measure: Measure) -> float:
         """With "base" the advised value, or that of the base where it is below; never less than the rule's least."""

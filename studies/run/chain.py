@@ -14,12 +14,14 @@ from numpy.typing import NDArray
 
 from geometry.design.array_design import ArrayDesign
 from geometry.layout.arrangement import lay_out
+from geometry.layout.overlaps import buildability_notes
+from geometry.layout.size import array_size
 from geometry.refusal import Refusal
 from studies.metrics.pairs import BAND, Separability, disagreement, separability, worst_heard
 from studies.output.display import Display, Report
 from studies.output.folders import claim_folder, replaced_folder
 from studies.run.check import model_validity
-from studies.run.findings import AGREEMENT, array_size, write_results
+from studies.run.findings import AGREEMENT, write_results
 from studies.run.result import RunResult
 
 if TYPE_CHECKING:
@@ -130,7 +132,7 @@ def run_design(
         printing=printing,
         part_counts=parts.counts,
         files=files,
-        layout_notes=lay_out(design).notes,
+        layout_notes=buildability_notes(design, lay_out(design)),
         validity=model_validity(design, library.medium, worst_heard(library.transfer_function, BAND[1])[0]),
         warnings=limits,
         figures=figures,

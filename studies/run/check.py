@@ -11,6 +11,9 @@ from typing import TYPE_CHECKING, Any, Literal
 from geometry.air.cells import Cell, cell_catalogue
 from geometry.design.array_design import ArrayDesign
 from geometry.layout.arrangement import lay_out
+from geometry.layout.overlaps import buildability_notes
+from geometry.layout.placement import ArrayLayout
+from geometry.layout.size import array_size
 from geometry.plan.topology import WiringCounts, wiring_counts
 from geometry.printing.report_files import report_content
 from studies.metrics.pairs import BAND, worst_heard
@@ -62,6 +65,8 @@ class DesignCheck:
     """Design that was checked."""
     wiring: WiringCounts
     """Number of points, lines and transducers, against the usual wirings."""
+    size: tuple[float, float, float]
+    """Extent along x, y and z, mm: that of :func:`geometry.layout.size.array_size`."""
     cells: tuple[tuple[Cell, int], ...]
     """Distinct cells and how many places of the array each fills."""
     notes: tuple[str, ...]
@@ -97,6 +102,7 @@ class DesignCheck:
         return {
             "design": self.design.name,
             "wiring": asdict(self.wiring),
+            "size_mm": list(self.size),
             "cells": [{"cell": cell.label, "places": count} for cell, count in self.cells],
             "layout_notes": list(self.notes),
             "fidelities": list(self.fidelities),
@@ -141,8 +147,9 @@ def check_design(design: ArrayDesign, progress: Callable[[str, float], None] | N
     return DesignCheck(
         design=design,
         wiring=wiring_counts(len(design.microphones), [line.points for line in design.lines]),
-        cells=cell_uses(design),
-        notes=layout.notes,
+        size=array_size(design, layout),
+        cells=cell_uses(design, layout),
+        notes=buildability_notes(design, layout),
         part_counts=parts.counts,
         printing=printing,
         validity=model_validity(design, library.medium, levels[-1][1]),
@@ -165,9 +172,9 @@ def fidelity_lines(cells: int) -> tuple[str, ...]:
     )
 
 
-def cell_uses(design: ArrayDesign) -> tuple[tuple[Cell, int], ...]:
-    """Distinct cells of a design and how many places each fills."""
-    catalogue = cell_catalogue(design, lay_out(design))
+def cell_uses(design: ArrayDesign, layout: ArrayLayout) -> tuple[tuple[Cell, int], ...]:
+    """Distinct cells of a design whose parts lie as the layout says, and how many places each fills."""
+    catalogue = cell_catalogue(design, layout)
     uses = [use.cell for use in catalogue.points + catalogue.microphones]
     return tuple((cell, uses.count(cell)) for cell in catalogue.distinct)
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from geometry.layout.arrangement import lay_out
+from geometry.layout.size import array_size
 from studies.metrics.pairs import BAND, attenuation, sensitivity, worst_heard
 from studies.output.display import number
 from studies.output.folders import write_json
@@ -148,7 +148,7 @@ def agreement_sentence(result: RunResult) -> str:
 def key_figures(result: RunResult) -> list[KeyFigure]:
     """Lines of the table of key figures."""
     design, h = result.design, result.library.transfer_function
-    width, depth, height = array_size(design)
+    *sides, height = array_size(design)
     first, second = result.separability.equally_hard[0]
     level, phase, distance = result.separability.between(first, second)
     network, bayes = result.network, result.bayes
@@ -156,7 +156,11 @@ def key_figures(result: RunResult) -> list[KeyFigure]:
     figures = [
         KeyFigure("points", f"{design.point_count}", f"{len(design.lines)} line{'s' * (len(design.lines) > 1)}"),
         KeyFigure("microphones", f"{len(design.microphones)}", design.microphone.model),
-        KeyFigure("size", f"{width:.0f} x {depth:.0f} x {height:.1f} mm", "shells, housings and tubes as drawn"),
+        KeyFigure(
+            "size",
+            f"{max(sides):.1f} x {min(sides):.1f} x {height:.1f} mm",
+            "of all that is built, membranes, boards and tubes included",
+        ),
         KeyFigure("localizer, top-1", _percent(network.top1), f"{network.touches} held-out {noise}"),
         KeyFigure("localizer, top-2", _percent(network.top2), f"within one place: {_percent(network.within_one)}"),
         KeyFigure("Bayes decoder, top-1", _percent(bayes.top1), "no training, the same touches"),
@@ -239,21 +243,6 @@ def tubes_of(design: ArrayDesign) -> list[Any]:
     return tubes + [design.microphone_tube_of(line) for line in design.lines]
 
 
-def array_size(design: ArrayDesign) -> tuple[float, float, float]:
-    """Extent of the array as drawn, mm: along x, along y, and height of a point with its membrane."""
-    layout = lay_out(design)
-    housing = design.microphone.chamber_diameter / 2 + design.microphone.wall_thickness
-    discs = [(p.position, max(design.resonator.outer_diameter / 2, _membrane_radius(design))) for p in layout.points]
-    discs += [(m.position, housing) for m in layout.microphones]
-    corners = [(x + side * radius, y + side * radius) for (x, y), radius in discs for side in (-1, 1)]
-    for tube in layout.tubes:
-        radius = tube.tube.outer_diameter / 2
-        corners += [(x + side * radius, y + side * radius) for x, y, _ in tube.path for side in (-1, 1)]
-    x, y = np.array(corners).T
-    height = design.resonator.floor_thickness + design.resonator.cavity_height + design.membrane.thickness
-    return float(np.ptp(x)), float(np.ptp(y)), float(height)
-
-
 def membrane_compliance(result: RunResult) -> tuple[float, float]:
     """Static volume compliance of the membrane, mm^3/kPa, and its ratio to the isothermal V / p of its cavity."""
     from acoustic_fem.membrane.disc import design_disc
@@ -325,10 +314,6 @@ def _numbers(result: RunResult, pair: tuple[int, int, float]) -> tuple[int, int]
     """Numbers of the points that an evaluation counts from 1, in order."""
     points = result.separability.points
     return points[pair[0] - 1], points[pair[1] - 1]
-
-
-def _membrane_radius(design: ArrayDesign) -> float:
-    return design.resonator.cavity_diameter / 2 + design.membrane.rim_width
 
 
 def _finite(finding: dict[str, Any]) -> dict[str, Any]:

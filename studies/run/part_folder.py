@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from geometry.design.array_design import ArrayDesign
+from geometry.layout.overlaps import buildability_notes
 from geometry.stated.print_processes import PrintProcess
 from studies.output.display import Report
 from studies.output.folders import replaced_files
@@ -99,4 +100,4 @@ def _make(
     report("mold-section.png", 0.96)
     mold_section(design, folder / "mold-section.png", parts)
     report("done", 1.0)
-    return MadeParts(files, printing, bill, plates.too_large, model.layout.notes)
+    return MadeParts(files, printing, bill, plates.too_large, buildability_notes(design, model.layout))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import base64
 import json
+from collections.abc import Sequence
 from importlib import resources
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -30,6 +31,7 @@ from studies.run.findings import (
 )
 
 if TYPE_CHECKING:
+    from geometry.air.cells import Cell
     from studies.run.result import RunResult
 
 #: Frequencies at which lumped cells are compared with 3-D cells, Hz.
@@ -56,6 +58,7 @@ def render(result: RunResult) -> str:
         lstrip_blocks=True,
     )
     environment.filters["number"] = number
+    layout = lay_out(result.design)
     return environment.get_template("report.html").render(
         style=(resources.files(studies) / "templates" / "report.css").read_text(encoding="utf-8"),
         result=result,
@@ -69,14 +72,14 @@ def render(result: RunResult) -> str:
         printing=printing_sentence(result),
         training=training_sentence(result),
         long_table=LONG_TABLE,
-        schematic=any(tube.schematic for tube in lay_out(result.design).tubes),
+        schematic=any(tube.schematic for tube in layout.tubes),
         sensitivity_at=SENSITIVITY_AT,
         points=point_rows(result),
         microphones=list(result.design.microphones),
         findings=sorted(result.printing.findings, key=lambda finding: _ORDER[finding.verdict]),
         parts=_part_rows(result),
-        cuts=cutting_list(result.design),
-        cells=_cell_rows(result),
+        cuts=cutting_list(result.design, layout),
+        cells=_cell_rows(result, cell_uses(result.design, layout)),
         cells_compared_at=CELLS_COMPARED_AT,
         assumptions=_assumptions(result),
         provenance=_provenance(result),
@@ -100,23 +103,22 @@ def _part_rows(result: RunResult) -> list[dict[str, Any]]:
     return list(rows.values())
 
 
-def _cell_rows(result: RunResult) -> list[dict[str, Any]]:
+def _cell_rows(result: RunResult, cells: Sequence[tuple[Cell, int]]) -> list[dict[str, Any]]:
     """How each distinct cell was obtained; where it was solved in 3-D, with the difference of its closed form."""
-    cells = cell_uses(result.design)
-    differences = _lumped_differences(result) if result.lumped is not None else {}
+    differences = _lumped_differences(result, [cell for cell, _ in cells]) if result.lumped is not None else {}
     return [
         {**dict(solved), "places": places, "differences": differences.get(cell.label)}
         for (cell, places), solved in zip(cells, result.library.provenance["cells"], strict=True)
     ]
 
 
-def _lumped_differences(result: RunResult) -> dict[str, list[float]]:
+def _lumped_differences(result: RunResult, cells: Sequence[Cell]) -> dict[str, list[float]]:
     """Per cell and frequency: largest difference of the lumped nodal admittance, in percent of its largest entry."""
     from acoustic_fem.cell.design_cells import solve_cells
     from acoustic_fem.cell.lumped import lumped_admittance
 
     medium, frequency = result.library.medium, np.array(CELLS_COMPARED_AT)
-    solved = solve_cells([cell for cell, _ in cell_uses(result.design)], frequency, medium)
+    solved = solve_cells(cells, frequency, medium)
     differences = {}
     for cell, solution in solved.items():
         error = np.abs(lumped_admittance(cell, frequency, medium) - solution.admittance).max(axis=(1, 2))

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from geometry.layout.size import array_size
 from geometry.refusal import Refusal
 from studies.metrics import build, touch
 from studies.metrics.pairs import BAND, check_band
@@ -259,11 +260,11 @@ def _touches() -> Iterable[Metric]:
 
 def _build() -> Iterable[Metric]:
     for name, unit, long_name, definition, of_design, better in (
-        ("length", "mm", "length", "Longer side of the box around shells and housings.",
-         lambda design: build.size(design)[0], "smaller"),
-        ("width", "mm", "width", "Shorter side of that box.", lambda design: build.size(design)[1], "smaller"),
-        ("height", "mm", "height", "From the floor to the top of membrane or board.",
-         lambda design: build.size(design)[2], "smaller"),
+        ("length", "mm", "length", "Longer side of the box around all that is built, tubes and boards included.",
+         lambda design: max(array_size(design)[:2]), "smaller"),
+        ("width", "mm", "width", "Shorter side of that box.", lambda design: min(array_size(design)[:2]), "smaller"),
+        ("height", "mm", "height", "Of that box, from the lowest floor to the highest membrane or microphone.",
+         lambda design: array_size(design)[2], "smaller"),
         ("volume", "mm^3", "volume of all parts", "Shells, housings, boards, membranes and tubes, without their air.",
          build.volume, "smaller"),
         ("mass", "g", "mass", "Of those parts and the microphones.", build.mass, "smaller"),

@@ -247,7 +247,8 @@ def _network(job: Job, design: ArrayDesign, cells: Mapping[CellKey, SolvedCell])
     """One design, its cells given or in closed form."""
     air, layout = design_air(design), lay_out(design)
     admittances: dict[Cell, Complex] = {}
-    for cell in cell_catalogue(design, layout).distinct:
+    catalogue = cell_catalogue(design, layout)
+    for cell in catalogue.distinct:
         if job.fidelity == "lumped":
             admittances[cell] = lumped_admittance(cell, job.frequency, air)
             continue
@@ -255,7 +256,7 @@ def _network(job: Job, design: ArrayDesign, cells: Mapping[CellKey, SolvedCell])
         if solved.admittance is None:
             raise CellError(solved.reason)
         admittances[cell] = solved.admittance
-    response = solve_network(design, layout, admittances, job.frequency, air)
+    response = solve_network(design, layout, catalogue, admittances, job.frequency, air)
     return Responses(
         frequency=job.frequency,
         transfer_function=(response.source_response / response.point_impedance[:, None])[None],

@@ -14,7 +14,6 @@ import geometry
 from acoustic_fem.library.exchange import export, load_exchanged
 from acoustic_fem.library.netcdf_file import LibraryError
 from acoustic_fem.library.result import DEVIATION, VARIABLES, Library, library_from_arrays
-from geometry.layout.arrangement import lay_out
 
 GRID = np.linspace(1.0, 100.0, 7)
 
@@ -32,7 +31,7 @@ def with_deviation(library: Library) -> Library:
     values = {name: getattr(library, name).values for name in VARIABLES}
     deviation = np.random.default_rng(0).uniform(0, 0.1, values["transfer_function"].shape)
     return library_from_arrays(
-        library.design, lay_out(library.design), library.frequency, values, "measured", library.medium,
+        library.design, library.frequency, values, "measured", library.medium,
         library.provenance, deviation,
     )  # fmt: skip
 

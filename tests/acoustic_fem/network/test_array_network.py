@@ -23,9 +23,13 @@ WIDE_BAND = np.array([0.01, *np.linspace(1, 100, 34)])
 
 
 def solve(design, frequency=BAND):
+    cells = {cell: lumped_admittance(cell, frequency, AIR) for cell in laid_out(design)[1].distinct}
+    return solve_network(design, *laid_out(design), cells, frequency, AIR)
+
+
+def laid_out(design):
     layout = lay_out(design)
-    cells = {cell: lumped_admittance(cell, frequency, AIR) for cell in cell_catalogue(design, layout).distinct}
-    return solve_network(design, layout, cells, frequency, AIR)
+    return layout, cell_catalogue(design, layout)
 
 
 def transfer_functions(response):
@@ -133,7 +137,7 @@ def test_source_and_receiver_exchanged_give_the_same_pressure():
 
 def test_source_and_receiver_exchanged_give_the_same_pressure_with_navier_stokes_cells(navier_stokes):
     design, solved = navier_stokes
-    response = solve_network(design, lay_out(design), solved, WIDE_BAND, AIR)
+    response = solve_network(design, *laid_out(design), solved, WIDE_BAND, AIR)
     direct = every_node_at_once(design, WIDE_BAND, admittances=solved)
     from_points = np.transpose(direct[:, 12:, :12], (2, 1, 0))
     from_microphones = np.transpose(direct[:, :12, 12:], (1, 2, 0))
@@ -143,7 +147,7 @@ def test_source_and_receiver_exchanged_give_the_same_pressure_with_navier_stokes
 
 def test_closed_forms_and_navier_stokes_give_the_same_transfer_functions(navier_stokes):
     design, solved = navier_stokes
-    response, lumped = solve_network(design, lay_out(design), solved, WIDE_BAND, AIR), solve(design, WIDE_BAND)
+    response, lumped = solve_network(design, *laid_out(design), solved, WIDE_BAND, AIR), solve(design, WIDE_BAND)
     finite_elements, closed_forms = transfer_functions(response), transfer_functions(lumped)
     assert finite_elements.shape == (12, 2, len(WIDE_BAND))
     ratio = closed_forms / finite_elements
@@ -154,7 +158,7 @@ def test_closed_forms_and_navier_stokes_give_the_same_transfer_functions(navier_
 
 def test_a_sealed_array_of_navier_stokes_cells_has_one_pressure_at_low_frequency(navier_stokes):
     design, solved = navier_stokes
-    transfer = transfer_functions(solve_network(design, lay_out(design), solved, WIDE_BAND, AIR))
+    transfer = transfer_functions(solve_network(design, *laid_out(design), solved, WIDE_BAND, AIR))
     assert WIDE_BAND[0] == 0.01
     assert np.abs(transfer[..., 0] - 1).max() < 0.01
     assert np.abs(transfer[..., -1] - 1).max() > 0.3  # not so at 100 Hz
@@ -306,13 +310,13 @@ def test_tubes_that_are_nothing_but_their_stubs_join_the_cells_directly():
 
 def test_a_missing_cell_or_a_wrong_shape_is_refused():
     design = prototype("array-2x6")
-    layout = lay_out(design)
-    cells = {cell: lumped_admittance(cell, BAND, AIR) for cell in cell_catalogue(design, layout).distinct}
+    layout, catalogue = laid_out(design)
+    cells = {cell: lumped_admittance(cell, BAND, AIR) for cell in catalogue.distinct}
     first = next(iter(cells))
     with pytest.raises(ValueError, match=r"admittances lack the cell (resonator|microphone)"):
-        solve_network(design, layout, {k: v for k, v in cells.items() if k != first}, BAND, AIR)
+        solve_network(design, layout, catalogue, {k: v for k, v in cells.items() if k != first}, BAND, AIR)
     with pytest.raises(ValueError, match=r"has shape \(6, 3, 3\), must be \(7, 3, 3\)"):
-        solve_network(design, layout, {**cells, first: cells[first][1:]}, BAND, AIR)
+        solve_network(design, layout, catalogue, {**cells, first: cells[first][1:]}, BAND, AIR)
 
 
 def test_every_frequency_is_solved_on_its_own():

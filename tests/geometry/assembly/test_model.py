@@ -14,6 +14,7 @@ from geometry.assembly.fit import CONTACT_VOLUME, clearances, interferences, por
 from geometry.assembly.model import array_model, assembly_of, build_assembly
 from geometry.formats.step_assembly import write_step
 from geometry.layout.cutting import cutting_list
+from geometry.layout.overlaps import buildability_notes
 from geometry.pictures.viewer import write_gltf, write_viewer
 from geometry.plan.routing import path_length
 from geometry.solids.tube import build_tube, piece_of
@@ -136,7 +137,7 @@ def test_the_closest_parts_are_named_with_their_distance(models):
 @pytest.mark.parametrize("design", [geometry.prototype("array-2x6").with_values(WOUND), hand()], ids=["wound", "hand"])
 def test_an_array_that_is_not_flat_or_not_square_fits_together_too(design):
     model = array_model(design)
-    assert model.layout.notes == ()
+    assert buildability_notes(model.design, model.layout) == ()
     assert interferences(model) == ()
     fits = port_fits(model)
     assert len(fits) == 2 * len(model.layout.tubes)
@@ -154,7 +155,8 @@ def test_shells_stand_on_the_cylinder_and_collide_where_it_is_too_narrow():
     narrow = array_model(design.with_values({"layout.diameter": 9.0, "lines.0.points": 4}))
     shells = tuple(part for part in narrow.placed if narrow.kind(part.part) == "shell")
     solids = {frozenset((f.first, f.second)) for f in interferences(dataclasses.replace(narrow, placed=shells))}
-    told = [re.match(r"(shell \d+) overlaps (shell \d+) by", note) for note in narrow.layout.notes]
+    notes = buildability_notes(narrow.design, narrow.layout)
+    told = [re.match(r"(shell \d+) overlaps (shell \d+) by", note) for note in notes]
     assert solids
     assert {frozenset(words.groups()) for words in told if words} == solids
 

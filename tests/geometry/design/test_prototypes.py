@@ -9,6 +9,7 @@ import pytest
 import geometry
 from geometry.design.design_file import prototype_text
 from geometry.layout.arrangement import lay_out
+from geometry.layout.overlaps import buildability_notes
 from geometry.plan.topology import wiring_counts
 
 NAMES = ["array-2x6", "fingertip-3x4", "fingertip-4x6", "glove", "large-area-64", "line-2", "line-3", "line-4"]
@@ -88,7 +89,7 @@ def test_simulated_studies_are_fully_connected(count: int) -> None:
 def test_arrays_of_several_lines_are_rings_that_can_be_printed_as_drawn(name: str) -> None:
     design = geometry.prototype(name)
     assert design.layout.kind == "ring"
-    assert lay_out(design).notes == ()
+    assert buildability_notes(design, lay_out(design)) == ()
     parts = geometry.build_parts(design)
     # Lines are straight, so that all shells are; a chamber has one port along each of its two sides.
     housing = "microphone-housing-90" if name == "large-area-64" else "microphone-housing-60"

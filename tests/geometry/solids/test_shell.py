@@ -14,12 +14,11 @@ from geometry.solids.bodies import cylinder
 from geometry.solids.carrier import array_carrier, build_carrier, carrier_places
 from geometry.solids.measure import hole_diameters, tessellate
 from geometry.solids.shell import build_shell
-from geometry.solids.shell_features import largest_gap
 from geometry.stated.cavity_shapes import web
 from geometry.stated.fields import DesignError
 from geometry.stated.making import Printing
 from geometry.stated.parts import Membrane, Resonator, Shell
-from geometry.stated.ports import Port
+from geometry.stated.ports import Port, largest_gap
 
 RESONATOR = Resonator(cavity_diameter=6, cavity_height=2.5, wall_thickness=2)
 MEMBRANE = Membrane(material="silicone-shore-a-30", thickness=0.5, rim_width=1.5)

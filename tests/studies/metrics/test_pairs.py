@@ -15,7 +15,7 @@ import acoustic_fem
 import geometry
 from acoustic_fem.library.noise import detection_limits
 from geometry.assembly.bill import Prices, bill_of_materials
-from geometry.layout.arrangement import lay_out
+from geometry.layout.size import array_size
 from studies.metrics import build
 from studies.metrics.build import _volumes
 from studies.metrics.confusion import predict_confusion
@@ -260,11 +260,14 @@ def test_parts_have_the_volume_of_their_solids() -> None:
     tubes = sum(_volumes(design)[name][0] for name in ("wire", "sheath"))
     # sockets are counted as straight cylinders in a flat wall
     assert build.volume(design) - tubes == pytest.approx(drawn, rel=0.025)
-    # Three points in a row along x, and a housing at either end.
-    housing = parts["microphone-housing"].val().BoundingBox()
-    ends = [microphone.position[0] for microphone in lay_out(design).microphones]
-    length = max(ends) - min(ends) + housing.xlen
-    assert build.size(design)[:2] == pytest.approx((length, design.resonator.outer_diameter), rel=1e-6)
+
+
+def test_length_width_and_height_are_the_size_of_the_array_whichever_way_it_lies() -> None:
+    design = geometry.prototype("glove")
+    x, y, z = array_size(design)
+    responses = Responses(np.array([1.0]), np.ones((1, 15, 3, 1), complex), designs=(design,))
+    values = [metric.of_batch(responses)[0] for metric in metrics_named(("length", "width", "height"))]
+    assert values == [max(x, y), min(x, y), z]
 
 
 def test_mass_and_cost_add_up_and_the_wall_is_the_thinnest() -> None:
