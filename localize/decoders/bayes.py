@@ -183,12 +183,23 @@ class BayesDecoder:
         return self._log_probability(batch)
 
     def _log_probability(self, batch: Tensor) -> NDArray[np.float64]:
+        total = self.joint_log_likelihood(batch)
+        total -= total.max(1, keepdims=True)
+        return np.asarray(total - np.log(np.exp(total).sum(1, keepdims=True)))
+
+    def joint_log_likelihood(self, batch: Tensor) -> NDArray[np.float64]:
+        """Log-likelihood of every point, all frames of each signal together.
+
+        Args:
+            batch: (n, n_microphone, n_sample) float64, Pa, as :func:`localize.signals.checked_signals` gives it.
+
+        Returns:
+            (n, n_point) float64, nats, up to a constant per signal.
+        """
         frames = cut_frames(batch)
         flat = frames.flatten(0, 1).numpy()
         score = np.concatenate([self.log_likelihood(flat[k : k + CHUNK]) for k in range(0, len(flat), CHUNK)])
-        total = score.reshape(*frames.shape[:2], -1).sum(1)
-        total -= total.max(1, keepdims=True)
-        return np.asarray(total - np.log(np.exp(total).sum(1, keepdims=True)))
+        return np.asarray(score.reshape(*frames.shape[:2], -1).sum(1))
 
     def log_likelihood(self, frames: NDArray[np.float64]) -> NDArray[np.float64]:
         """Log-likelihood of every point, maximised over the power of the touch and divided by the temperature.

@@ -17,9 +17,9 @@ from scipy.special import logsumexp, softmax
 from torch import Tensor
 
 from geometry.refusal import Refusal
-from localize.decoders.bayes import CHUNK, BayesDecoder
+from localize.decoders.bayes import BayesDecoder
 from localize.signals.array_response import ArrayResponse
-from localize.signals.frames import checked_signals, cut_frames
+from localize.signals.frames import checked_signals
 from localize.signals.noise import NoiseChoice
 from localize.signals.threads import one_thread
 
@@ -103,12 +103,5 @@ class FamilyDecoder:
     def _joint(self, signals: ArrayLike | Tensor) -> tuple[NDArray[np.float64], bool]:
         """Log of likelihood times prior, (n, n_point, n_hypothesis), all frames of each signal together."""
         batch, batched = checked_signals(signals, self.microphones)
-        frames = cut_frames(batch)
-        flat = frames.flatten(0, 1).numpy()
-        joint = [
-            np.concatenate([decoder.log_likelihood(flat[k : k + CHUNK]) for k in range(0, len(flat), CHUNK)])
-            .reshape(*frames.shape[:2], -1)
-            .sum(1)
-            for decoder in self.decoders
-        ]
+        joint = [decoder.joint_log_likelihood(batch) for decoder in self.decoders]
         return np.stack(joint, -1) + self._log_prior, batched

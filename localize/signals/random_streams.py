@@ -8,7 +8,7 @@ therefore independent, a block of consecutive ones is drawn in one call, and non
 from __future__ import annotations
 
 import math
-from typing import Literal
+from typing import Literal, get_args
 
 import numpy as np
 import torch
@@ -16,8 +16,9 @@ from numpy.typing import NDArray
 from torch import Tensor
 
 Purpose = Literal["training", "held-out", "evaluation"]
-PURPOSES: tuple[Purpose, ...] = ("training", "held-out", "evaluation")
+PURPOSES: tuple[Purpose, ...] = get_args(Purpose)
 """All purposes; streams of different ones never share a number."""
+# Their numbers are part of the keys: new ones come last.
 Kind = Literal[
     "stimulus",
     "microphone",
@@ -30,19 +31,7 @@ Kind = Literal[
     "mixture",
     "recorded frame",
 ]
-# Their numbers are part of the keys: new ones come last.
-_KINDS: tuple[Kind, ...] = (
-    "stimulus",
-    "microphone",
-    "ambient",
-    "mismatch",
-    "taps",
-    "friction",
-    "pulse wave",
-    "recording",
-    "mixture",
-    "recorded frame",
-)
+_KINDS: tuple[Kind, ...] = get_args(Kind)
 
 
 def random_words(seed: int, purpose: Purpose, kind: Kind, start: int, count: int, words: int) -> NDArray[np.uint64]:
