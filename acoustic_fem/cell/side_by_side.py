@@ -9,6 +9,7 @@ import sys
 import tempfile
 import threading
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 from acoustic_fem.cell.one_cell import CellError, CellFault, CellRecord, CellTask, solve_task
@@ -27,24 +28,69 @@ def solve_side_by_side(
     """Solve cells in processes of their own, which hand their results over through a cache of their own.
 
     Plain child programs rather than a process pool: a pool would import the caller's main program again.
+
+    Args:
+        tasks: the cells, in the order in which they are begun.
+        workers: processes at a time, not more than there are tasks.
+        report: called with a task and the fraction of it that is done.
+        keep: called with a task and its result.
+
+    Raises:
+        CellError: a cell cannot be solved.
+        CellFault: a process ended with a traceback.
     """
     waiting = list(tasks)
-    handover = tempfile.TemporaryDirectory(prefix="acoustic-fem-cells-")
-    messages: queue.Queue[tuple[int, str | None]] = queue.Queue()
-    running: dict[int, tuple[CellTask, subprocess.Popen[str]]] = {}
+    with _Children() as children:
+        for _ in range(workers):
+            children.start(waiting.pop(0))
+        while children.running:
+            child, line = children.messages.get()
+            if line is not None:
+                report(child.task, float(line))
+                continue
+            keep(child.task, children.result(child))
+            if waiting:
+                children.start(waiting.pop(0))
 
-    def complaints(number: int) -> Path:
-        return Path(handover.name) / f"{number}.log"
 
-    def start() -> None:
-        number = len(tasks) - len(waiting)
-        task = waiting.pop(0)
+@dataclass(frozen=True, eq=False)
+class _Child:
+    """A process that solves one cell."""
+
+    task: CellTask
+    process: subprocess.Popen[str]
+    complaints: Path
+    """What it writes to standard error."""
+
+
+class _Children:
+    """Processes that solve cells; none outlives the block."""
+
+    def __init__(self) -> None:
+        self.running: list[_Child] = []
+        self.messages: queue.Queue[tuple[_Child, str | None]] = queue.Queue()
+        self._handover = tempfile.TemporaryDirectory(prefix="acoustic-fem-cells-")
+        self._started = 0
+
+    def __enter__(self) -> _Children:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        for child in self.running:
+            child.process.kill()
+            child.process.wait()
+        self._handover.cleanup()
+
+    def start(self, task: CellTask) -> None:
+        """Begin with a cell: lines of its process become messages, the last of which is None."""
+        complaints = Path(self._handover.name) / f"{self._started}.log"
+        self._started += 1
         environment = {**os.environ, "PYTHONPATH": os.pathsep.join(p for p in sys.path if p)}
-        environment["ACOUSTIC_FEM_CACHE"] = handover.name
+        environment["ACOUSTIC_FEM_CACHE"] = self._handover.name
         for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"):
             environment[name] = "1"
-        with complaints(number).open("wb") as log:  # the child has its own copy of the handle
-            child = subprocess.Popen(
+        with complaints.open("wb") as log:  # the child has its own copy of the handle
+            process = subprocess.Popen(
                 [sys.executable, "-m", __name__],
                 stdin=subprocess.PIPE,
                 stdout=subprocess.PIPE,
@@ -52,52 +98,44 @@ def solve_side_by_side(
                 text=True,
                 env=environment,
             )
-        running[number] = (task, child)
-        threading.Thread(target=listen, args=(number, task, child), daemon=True).start()
+        child = _Child(task, process, complaints)
+        self.running.append(child)
+        threading.Thread(target=self._listen, args=(child,), daemon=True).start()
 
-    def listen(number: int, task: CellTask, child: subprocess.Popen[str]) -> None:
+    def _listen(self, child: _Child) -> None:
+        task, process = child.task, child.process
         try:
-            if child.stdin is not None and child.stdout is not None:
+            if process.stdin is not None and process.stdout is not None:
                 # Left open: its end tells the child that its parent is gone.
-                child.stdin.write(task.as_json() + "\n")
-                child.stdin.flush()
-                for line in child.stdout:
-                    messages.put((number, line))
+                process.stdin.write(task.as_json() + "\n")
+                process.stdin.flush()
+                for line in process.stdout:
+                    self.messages.put((child, line))
         except OSError:
             pass  # the child died early; its exit status says so
         finally:
-            messages.put((number, None))
+            self.messages.put((child, None))
 
-    try:
-        for _ in range(workers):
-            start()
-        while running:
-            number, line = messages.get()
-            task, child = running[number]
-            if line is not None:
-                report(task, float(line))
-                continue
-            status = child.wait()
-            said = complaints(number).read_text(encoding="utf-8").strip()
-            if status == _TRACEBACK and said:
-                print(said, file=sys.stderr)
-                raise CellFault(f"{task.cell.label}: {said.splitlines()[-1]}")
-            if status != 0:
-                raise CellError(said.splitlines()[-1] if said else f"{task.cell.label}: the solver ended with {status}")
-            if said:
-                print(said, file=sys.stderr)
-            del running[number]
-            record = disk_cache.fetch(task.key, Path(handover.name))
-            if record is None:
-                raise CellError(f"{task.cell.label}: the solver ended without a result")
-            keep(task, record)
-            if waiting:
-                start()
-    finally:
-        for _, child in running.values():
-            child.kill()
-            child.wait()
-        handover.cleanup()
+    def result(self, child: _Child) -> CellRecord:
+        """What a process that has said its last has found.
+
+        Raises:
+            CellError: the cell cannot be solved.
+            CellFault: the process ended with a traceback.
+        """
+        label, status = child.task.cell.label, child.process.wait()
+        said = child.complaints.read_text(encoding="utf-8").strip()
+        if said and status in (0, _TRACEBACK):
+            print(said, file=sys.stderr)
+        if status == _TRACEBACK and said:
+            raise CellFault(f"{label}: {said.splitlines()[-1]}")
+        if status != 0:
+            raise CellError(said.splitlines()[-1] if said else f"{label}: the solver ended with {status}")
+        self.running.remove(child)
+        record = disk_cache.fetch(child.task.key, Path(self._handover.name))
+        if record is None:
+            raise CellError(f"{label}: the solver ended without a result")
+        return record
 
 
 def solve_as_child() -> int:

@@ -145,26 +145,18 @@ def cell_system(
     linear = velocity.with_element(skfem.ElementTetP1())
     quadratic = velocity.with_element(skfem.ElementTetP2())
 
-    n_scalar, n_pressure = quadratic.N, linear.N
-    free_faces = [*ports] if mirror is None else [*ports, mirror]
     across = {name: mesh.normals[name][:, None] for name in ports}
     if mirror is not None:
         # Listed first: where a port meets the mirror, the port's direction, which lies in the plane, holds.
         across = {mirror: _tangents(mesh.normals[mirror]), **across}
     reduction = _velocity_reduction(
-        n_scalar,
-        dirichlet_nodes(quadratic, facets, free_faces),
+        quadratic.N,
+        dirichlet_nodes(quadratic, facets, [*across]),
         [(quadratic.get_dofs(facets[name]).all(), directions) for name, directions in across.items()],
         velocity,
     )
-
-    # The three components of the velocity share one scalar matrix each.
-    components = _components(velocity, n_scalar)
-    scatter = [_scatter(rows, velocity.N) for rows in components]
-    stiffness, mass = laplace.assemble(quadratic), weighted_mass.assemble(quadratic, weight=np.ones_like(quadratic.dx))
-    full_viscous, full_inertia = (sum(s @ block @ s.T for s in scatter) for block in (stiffness, mass))
-    full_divergence = sum(divergence.assemble(quadratic, linear, axis=axis) @ scatter[axis].T for axis in range(3))
-    n_velocity = reduction.shape[1]
+    full_viscous, full_inertia, full_divergence = _full_matrices(velocity, quadratic, linear)
+    n_velocity, n_pressure = reduction.shape[1], linear.N
     blank = sp.csr_array((n_pressure, n_pressure))
     viscous = sp.block_diag([reduction.T @ full_viscous @ reduction, blank], format="csr")
     inertia = sp.block_diag([reduction.T @ full_inertia @ reduction, blank], format="csr")
@@ -197,6 +189,21 @@ def cell_system(
         motion_energy=np.stack([lift.T @ terms[0], lift.T @ terms[1]]),
         n_velocity=n_velocity,
         pressure=linear,
+    )
+
+
+def _full_matrices(
+    velocity: skfem.Basis, quadratic: skfem.Basis, linear: skfem.Basis
+) -> tuple[sp.csr_array, sp.csr_array, sp.csr_array]:
+    """Viscous, inertia and divergence of all velocities, those on walls included."""
+    # The three components of the velocity share one scalar matrix each.
+    scatter = [_scatter(rows, velocity.N) for rows in _components(velocity, quadratic.N)]
+    stiffness, mass = laplace.assemble(quadratic), weighted_mass.assemble(quadratic, weight=np.ones_like(quadratic.dx))
+    viscous, inertia = (sum(s @ block @ s.T for s in scatter) for block in (stiffness, mass))
+    return (
+        viscous,
+        inertia,
+        sum(divergence.assemble(quadratic, linear, axis=axis) @ scatter[axis].T for axis in range(3)),
     )
 
 

@@ -87,63 +87,27 @@ def build_parts(design: ArrayDesign) -> PartSet:
     from geometry.molds.mold import build_mold
     from geometry.solids.carrier import array_carrier
     from geometry.solids.housing import build_board, build_housing
-    from geometry.solids.membrane import build_membrane, membrane_radius
+    from geometry.solids.membrane import build_membrane
     from geometry.solids.shell import build_shell
 
     plan = _plan(design)
-    resonator, membrane, microphone, printing = (
-        design.resonator,
-        design.membrane,
-        design.microphone,
-        design.printing,
-    )
+    resonator, membrane, microphone, printing = design.resonator, design.membrane, design.microphone, design.printing
     parts = PartSet()
-    joints: dict[str, float | int | str] = {"glue_gap": printing.glue_gap, "port_lip": printing.port_lip}
-    shell: dict[str, float | int | str] = {
-        "shape": resonator.shape,
-        "cavity_diameter": resonator.cavity_diameter,
-        "cavity_height": resonator.cavity_height,
-        "wall_thickness": resonator.wall_thickness,
-        "floor_thickness": resonator.floor_thickness,
-        "port_height": resonator.port_axis_height,
-    }
-    disc: dict[str, float | int | str] = {
-        "diameter": 2 * membrane_radius(resonator, membrane),
-        "thickness": membrane.thickness,
-        "material": membrane.material,
-    }
-    chamber = {
-        "chamber_diameter": microphone.chamber_diameter,
-        "chamber_height": microphone.chamber_height,
-        "board_length": microphone.board_size[0],
-        "board_width": microphone.board_size[1],
-        "wall_thickness": microphone.wall_thickness,
-    }
+    about = _common_parameters(design)
     for name, ports in plan.shells.items():
         parts[name] = build_shell(resonator, membrane, printing, ports, design.shell)
-        parts.parameters[name] = {**shell, **joints, "ports": _describe(ports)}
+        parts.parameters[name] = {**about["shell"], **about["joints"], "ports": _describe(ports)}
     parts["membrane"] = build_membrane(design)
     mold = build_mold(design)
     parts.update(mold.parts)
     for name, ports in plan.housings.items():
         parts[name] = build_housing(microphone, printing, ports)
-        parts.parameters[name] = {**chamber, **joints, "ports": _describe(ports)}
+        parts.parameters[name] = {**about["chamber"], **about["joints"], "ports": _describe(ports)}
     parts["microphone-board"] = build_board(microphone)
-    parts.parameters["microphone-board"] = {
-        "length": microphone.board_size[0],
-        "width": microphone.board_size[1],
-        "sound_hole_diameter": microphone.sound_hole_diameter,
-        "sound_hole_length": microphone.sound_hole_length,
-        "model": microphone.model,
-    }
-    parts.parameters["membrane"] = disc
+    parts.parameters["microphone-board"] = about["board"]
+    parts.parameters["membrane"] = about["disc"]
     for name in mold.parts:
-        parts.parameters[name] = {
-            **disc,
-            "kind": design.mold.kind,
-            "scale": design.mold.scale,
-            "draft": design.mold.draft,
-        }
+        parts.parameters[name] = {**about["disc"], **about["mold"]}
     for step in range(1, design.mold.shim_count + 1):
         if (name := f"mold-shim-{step}") in mold.parts:
             raised = step * design.mold.shim_step
@@ -151,13 +115,52 @@ def build_parts(design: ArrayDesign) -> PartSet:
     if printing.carrier != "none":
         carrier = array_carrier(design, [plan.shells[name] for name, _ in plan.point_shells])
         parts["carrier"] = carrier.part
-        parts.parameters["carrier"] = {**shell, **joints, "shells": len(carrier.places), "necks": carrier.necks}
+        own = {"shells": len(carrier.places), "necks": carrier.necks}
+        parts.parameters["carrier"] = {**about["shell"], **about["joints"], **own}
     parts.counts = _counts(design, plan)
     text = write_design(design.completed())
     for name in parts:
-        about: dict[str, float | int | str] = {"design": design.name, "count": parts.counts[name]}
-        parts.parameters[name] = {**about, **parts.parameters[name], "design_toml": text}
+        head: dict[str, float | int | str] = {"design": design.name, "count": parts.counts[name]}
+        parts.parameters[name] = {**head, **parts.parameters[name], "design_toml": text}
     return parts
+
+
+def _common_parameters(design: ArrayDesign) -> dict[str, dict[str, float | int | str]]:
+    """What parts were drawn from, by what they have in common."""
+    from geometry.solids.membrane import membrane_radius
+
+    resonator, membrane, microphone, printing = design.resonator, design.membrane, design.microphone, design.printing
+    return {
+        "joints": {"glue_gap": printing.glue_gap, "port_lip": printing.port_lip},
+        "shell": {
+            "shape": resonator.shape,
+            "cavity_diameter": resonator.cavity_diameter,
+            "cavity_height": resonator.cavity_height,
+            "wall_thickness": resonator.wall_thickness,
+            "floor_thickness": resonator.floor_thickness,
+            "port_height": resonator.port_axis_height,
+        },
+        "disc": {
+            "diameter": 2 * membrane_radius(resonator, membrane),
+            "thickness": membrane.thickness,
+            "material": membrane.material,
+        },
+        "mold": {"kind": design.mold.kind, "scale": design.mold.scale, "draft": design.mold.draft},
+        "chamber": {
+            "chamber_diameter": microphone.chamber_diameter,
+            "chamber_height": microphone.chamber_height,
+            "board_length": microphone.board_size[0],
+            "board_width": microphone.board_size[1],
+            "wall_thickness": microphone.wall_thickness,
+        },
+        "board": {
+            "length": microphone.board_size[0],
+            "width": microphone.board_size[1],
+            "sound_hole_diameter": microphone.sound_hole_diameter,
+            "sound_hole_length": microphone.sound_hole_length,
+            "model": microphone.model,
+        },
+    }
 
 
 def part_counts(design: ArrayDesign) -> dict[str, int]:

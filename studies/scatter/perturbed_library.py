@@ -13,7 +13,7 @@ import shutil
 from collections.abc import Callable, Sequence
 from dataclasses import asdict
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -28,6 +28,9 @@ from geometry.layout.arrangement import lay_out
 from geometry.refusal import Refusal
 from studies.output.folders import check_folder
 from studies.scatter.tolerances import TOLERANCES, ScatteredDesign, Tolerance
+
+if TYPE_CHECKING:
+    import zarr
 
 #: Layout of the store, and the attribute that marks one.
 FORMAT = 1
@@ -65,8 +68,6 @@ def write_perturbed_library(
         Refusal: a path that exists or cannot be written, a count or grid out of range, or a design that the
             lumped batch does not take.
     """
-    import zarr
-
     target = Path(path)
     if isinstance(count, bool) or not isinstance(count, int) or not 1 <= count <= 1_000_000:
         raise Refusal(f"count = {count!r} must be a whole number from 1 to 1000000")
@@ -76,34 +77,11 @@ def write_perturbed_library(
     grid = frequency_grid(frequency)
     report = progress or (lambda message, fraction: None)
     report("membranes", 0.0)
-    scattered, air, points = ScatteredDesign(design, tolerances), design_air(design), lay_out(design).points
+    scattered, air = ScatteredDesign(design, tolerances), design_air(design)
     target.parent.mkdir(parents=True, exist_ok=True)
     beside = target.with_name(f".{target.name}.{os.getpid()}.new")
     try:
-        group = zarr.open_group(beside, mode="w", zarr_format=3)
-        made = versions(seed, ("numpy", "scipy", "zarr"))
-        group.attrs.update(
-            {
-                MARK: FORMAT,
-                "title": f"{design.name} with manufacturing scatter",
-                "design": write_design(design.completed()),
-                "fidelity": "lumped",
-                "microphones": list(design.microphones),
-                "tolerances": json.dumps([asdict(tolerance) for tolerance in scattered.tolerances]),
-                **made,
-            }
-        )
-        _coordinate(group, "design", np.arange(count), "number of the sensor, from 0")
-        _coordinate(group, "point", np.array([point.number for point in points]), "sensing point, from 1")
-        _coordinate(group, "frequency", grid, "frequency", units="Hz")
-        shape = (count, len(points), len(design.microphones), len(grid))
-        parts = [
-            group.create_array(
-                f"transfer_function_{part}", shape=shape, dtype="float64", chunks=(min(BLOCK, count), *shape[1:]),
-                dimension_names=_DIMENSIONS, attributes={"units": "Pa/Pa", "long_name": f"transfer function, {part}"},
-            )
-            for part in ("real", "imag")
-        ]  # fmt: skip
+        parts = _new_store(beside, scattered, count, grid, seed)
         for first in range(0, count, BLOCK):
             report("sensors", first / count)
             size = min(BLOCK, count - first)
@@ -113,6 +91,39 @@ def write_perturbed_library(
     finally:
         shutil.rmtree(beside, ignore_errors=True)
     return PerturbedLibrary(target)
+
+
+def _new_store(
+    path: Path, scattered: ScatteredDesign, count: int, grid: NDArray[np.float64], seed: int
+) -> tuple[zarr.Array, zarr.Array]:
+    """A store that says what is in it; its real and imaginary parts are still empty."""
+    import zarr
+
+    design, points = scattered.design, lay_out(scattered.design).points
+    group = zarr.open_group(path, mode="w", zarr_format=3)
+    group.attrs.update(
+        {
+            MARK: FORMAT,
+            "title": f"{design.name} with manufacturing scatter",
+            "design": write_design(design.completed()),
+            "fidelity": "lumped",
+            "microphones": list(design.microphones),
+            "tolerances": json.dumps([asdict(tolerance) for tolerance in scattered.tolerances]),
+            **versions(seed, ("numpy", "scipy", "zarr")),
+        }
+    )
+    _coordinate(group, "design", np.arange(count), "number of the sensor, from 0")
+    _coordinate(group, "point", np.array([point.number for point in points]), "sensing point, from 1")
+    _coordinate(group, "frequency", grid, "frequency", units="Hz")
+    shape = (count, len(points), len(design.microphones), len(grid))
+    real, imag = (
+        group.create_array(
+            f"transfer_function_{part}", shape=shape, dtype="float64", chunks=(min(BLOCK, count), *shape[1:]),
+            dimension_names=_DIMENSIONS, attributes={"units": "Pa/Pa", "long_name": f"transfer function, {part}"},
+        )
+        for part in ("real", "imag")
+    )  # fmt: skip
+    return real, imag
 
 
 class PerturbedLibrary:
