@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Sequence
 from functools import partial
 
@@ -13,6 +12,7 @@ from acoustic_fem.cell.one_cell import DESIGN_BAND, CellRecord, CellSolution, Ce
 from acoustic_fem.cell.side_by_side import solve_side_by_side
 from acoustic_fem.cell.solid import Progress, checked_physics
 from acoustic_fem.numerics import disk_cache
+from acoustic_fem.numerics.processors import cores
 from acoustic_fem.quantities.checks import frequency_grid
 from acoustic_fem.quantities.medium import Medium
 from geometry.air.cells import Cell
@@ -73,7 +73,7 @@ def solve_cells(
     for task in tasks:
         if task not in missing:
             report(task, 1.0)
-    workers = min(len(missing), os.cpu_count() or 1)
+    workers = min(len(missing), cores())
     if workers > 1 or (apart and missing):
         solve_side_by_side(missing, workers, report, keep)
     else:

@@ -1,4 +1,5 @@
 from .disk_cache import CacheWarning as CacheWarning
+from .processors import cores as cores
 from .rational_sweep import (
     ReducedModel as ReducedModel,
     reduce_system as reduce_system,

@@ -7,7 +7,7 @@ from typing import Any
 
 from pydantic import BaseModel
 
-from geometry.stated.fields import DERIVED_FROM, DesignError, nearest
+from geometry.stated.fields import DERIVED_FROM, UnknownField, nearest
 
 
 def changed(data: Mapping[str, Any], values: Mapping[str, Any], name: str) -> dict[str, Any]:
@@ -20,7 +20,7 @@ def changed(data: Mapping[str, Any], values: Mapping[str, Any], name: str) -> di
         name: of the design, for messages.
 
     Raises:
-        DesignError: no such field.
+        UnknownField: no such field.
     """
     copy: dict[str, Any] = as_lists(data)
     for field, value in values.items():
@@ -34,11 +34,13 @@ def _set(data: Any, name: str, value: Any, source: str) -> None:
     place = data
     for depth, step in enumerate([*way, last]):
         if place is None:
-            raise DesignError(f"{source}: {'.'.join(way[:depth])} is not given; give the whole table, not {name} alone")
+            raise UnknownField(
+                f"{source}: {'.'.join(way[:depth])} is not given; give the whole table, not {name} alone"
+            )
         free = way[:depth] == ["materials"]  # the one table whose keys are the user's own
         known = keys_of(place)
         if step not in known and not (free and step == last):
-            raise DesignError(f"{source}: {name} = {value!r} is not a field of this design{nearest(step, known)}")
+            raise UnknownField(f"{source}: {name} = {value!r} is not a field of this design{nearest(step, known)}")
         if depth < len(way):
             place = place[int(step)] if isinstance(place, list) else place[step]
     if isinstance(place, list):

@@ -21,7 +21,7 @@ from geometry.design.array_design import ArrayDesign, validated
 from geometry.design.changes import as_lists, keys_of
 from geometry.files.reading import parse_toml, read_text
 from geometry.files.writing import write_text
-from geometry.stated.fields import DesignError, fields_of, nearest
+from geometry.stated.fields import DesignError, UnknownField, fields_of, nearest
 
 
 def load_design(path: str | os.PathLike[str]) -> ArrayDesign:
@@ -88,8 +88,8 @@ def value_of(design: ArrayDesign, name: str) -> Any:
             known = keys_of(as_lists(place))
         if step not in known:
             if place is None:
-                raise DesignError(f"{design.name}: {'.'.join(steps[:depth])} is not given, so there is no {name}")
-            raise DesignError(f"{design.name}: {name} is not a field of this design{nearest(step, known)}")
+                raise UnknownField(f"{design.name}: {'.'.join(steps[:depth])} is not given, so there is no {name}")
+            raise UnknownField(f"{design.name}: {name} is not a field of this design{nearest(step, known)}")
         if isinstance(place, BaseModel):
             place = getattr(place, step)
         else:

@@ -10,6 +10,7 @@ from .cavity_shapes import (
 from .fields import (
     DERIVED_FROM as DERIVED_FROM,
     DesignError as DesignError,
+    UnknownField as UnknownField,
     check_value as check_value,
     error_from_validation as error_from_validation,
     field_named as field_named,

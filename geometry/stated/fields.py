@@ -38,6 +38,10 @@ class DesignError(Refusal):
         super().__init__(problems[0] + (f" (and {more} more problem{'s' * (more > 1)})" if more else ""))
 
 
+class UnknownField(DesignError):
+    """A name that is no field of the design at hand, or one of a table that it does not give."""
+
+
 #: Numbers as a file states them: no text that looks like one, no true or false.
 Number = Annotated[float, Field(strict=True)]
 Count = Annotated[int, Field(strict=True)]

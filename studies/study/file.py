@@ -15,7 +15,7 @@ from geometry import ArrayDesign, DesignError, load_design
 from geometry.design.design_file import prototype, prototype_names, value_of
 from geometry.files.reading import parse_toml, read_text
 from geometry.refusal import Refusal
-from geometry.stated.fields import check_value, field_named, model_of
+from geometry.stated.fields import UnknownField, check_value, field_named, model_of
 from studies.study.constraints import parse_constraint
 from studies.study.study import Fidelity, Parameter, Sampling, Study, StudyError
 
@@ -245,11 +245,14 @@ def _check_design(base: ArrayDesign, name: str, value: Any, source: str) -> None
     """Refuse a value that its field never allows, and a name that cannot be changed."""
     try:
         check_value(ArrayDesign, name, value, source)
-        base.with_values({name: value})
     except DesignError as error:
-        if "is not a field" in str(error) or "is not given" in str(error) or str(error).startswith(f"{source}: "):
-            raise StudyError(_named(source, error)) from None
-        # a rule between fields: other parameters may mend it, else the case fails by name
+        raise StudyError(_named(source, error)) from None
+    try:
+        base.with_values({name: value})
+    except UnknownField as error:
+        raise StudyError(_named(source, error)) from None
+    except DesignError:
+        pass  # a rule between fields: other parameters may mend it, else the case fails by name
 
 
 def _cases(file: _StudyFile, axes: tuple[tuple[Parameter, ...], ...]) -> int:

@@ -11,10 +11,10 @@ from acoustic_fem.cell.design_cells import is_cached
 from acoustic_fem.membrane.disc import design_disc
 from acoustic_fem.membrane.disc_table import disc_count
 from acoustic_fem.membrane.elasticity import DiscShape
+from acoustic_fem.numerics.processors import cores
 from studies.study.cases import Cases
 from studies.study.study import Study
 from studies.sweep.block import FAILURES, CellKey, Job, solve_block
-from studies.sweep.workers import cores
 
 #: Processor time of one cell that is not in the cache, s: array-2x6, the start of its process included.
 SECONDS_PER_CELL = {"helmholtz": 6.0, "navier-stokes": 15.0}

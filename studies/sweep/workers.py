@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import os
 import queue
 import sys
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from typing import Any, Protocol
 
+from acoustic_fem.numerics.processors import cores
 from geometry.refusal import Refusal
 
 #: Tasks handed out per worker thread: one is computed while the next waits beside it.
@@ -39,11 +39,6 @@ class Workers(Protocol):
         Raises:
             WorkersLost: no workers are left, or a task ended several.
         """
-
-
-def cores() -> int:
-    """Number of processors that this process may use."""
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 #: Of a worker of this machine. With dask's own setting of malloc every array is fetched from the system anew, which

@@ -183,7 +183,7 @@ def test_cells_solved_side_by_side_are_those_solved_alone(tmp_path, monkeypatch)
     monkeypatch.setenv("ACOUSTIC_FEM_CACHE", str(tmp_path / "alone"))
     alone = [solve_cells([cell], [10.0], AIR)[cell].admittance for cell in (CHAMBER, other)]
     monkeypatch.setenv("ACOUSTIC_FEM_CACHE", str(tmp_path / "together"))
-    monkeypatch.setattr("os.cpu_count", lambda: 2)
+    monkeypatch.setattr("acoustic_fem.cell.design_cells.cores", lambda: 2)
     fractions = []
     together = solve_cells([CHAMBER, other], [10.0], AIR, progress=lambda label, done: fractions.append(done))
     for cell, expected in zip((CHAMBER, other), alone, strict=True):
@@ -195,7 +195,7 @@ def test_cells_solved_side_by_side_are_those_solved_alone(tmp_path, monkeypatch)
 @pytest.mark.parametrize("count", [1, 2], ids=["in this process", "in processes"])
 def test_a_cell_that_cannot_be_drawn_is_named(count, monkeypatch, tmp_path):
     monkeypatch.setenv("ACOUSTIC_FEM_CACHE", str(tmp_path))
-    monkeypatch.setattr("os.cpu_count", lambda: 2)
+    monkeypatch.setattr("acoustic_fem.cell.design_cells.cores", lambda: 2)
     cells = [
         Cell("resonator", 3.0 + k, 2.0, 1.0, (CellPort(0.0, 0.6), CellPort(5.0, 0.6)), 3.0, 0.0) for k in range(count)
     ]

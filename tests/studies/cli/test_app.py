@@ -22,6 +22,7 @@ from small_run import small_design, small_run
 import acoustic_fem
 import geometry
 import localize
+from acoustic_fem.numerics.processors import cores
 from geometry.design.design_file import prototype_text
 from localize.signals.array_response import response_of
 from localize.signals.finger_stimuli import STIMULI
@@ -580,7 +581,7 @@ def test_what_is_done_is_told_in_plain_lines_where_there_is_no_terminal(command:
 
 
 @pytest.mark.slow
-@pytest.mark.skipif((os.cpu_count() or 1) < 2, reason="cells are solved in child programs on several cores only")
+@pytest.mark.skipif(cores() < 2, reason="cells are solved in child programs on several cores only")
 def test_a_solve_that_is_told_to_stop_ends_its_child_programs_and_leaves_no_temporary_folder(tmp_path: Path) -> None:
     environment = {**os.environ, "ACOUSTIC_FEM_CACHE": str(tmp_path / "cache"), "TMPDIR": str(tmp_path)}
     program = subprocess.Popen(
