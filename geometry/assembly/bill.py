@@ -13,12 +13,13 @@ import os
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, fields, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Literal, get_args
 
-from geometry.assembly.parts import PartSet, build_parts, origin
+from geometry.assembly.parts import PartSet, build_parts
 from geometry.design.array_design import ArrayDesign
 from geometry.files.writing import write_text
 from geometry.layout.cutting import Cut, cutting_list
+from geometry.molds.mold import MoldKind
 from geometry.refusal import Refusal
 from geometry.stated.parts import BOARD_SEAL
 
@@ -176,8 +177,8 @@ def bill_of_materials(design: ArrayDesign, parts: PartSet | None = None, prices:
     parts = build_parts(design) if parts is None else parts
     prices = prices or Prices()
     volumes = _millilitres(parts)
-    made = [name for name in parts if origin(name) != "bought" and parts.counts[name]]
-    items = [_made(name, volumes[name], parts.counts[name], design, prices) for name in made]
+    made = [name for name in parts if parts.origin(name) != "bought" and parts.counts[name]]
+    items = [_made(name, _use(parts, name), volumes[name], parts.counts[name], design, prices) for name in made]
     cuts = cutting_list(design)
     items += _springs(cuts, prices) + _sheaths(cuts, prices)
     microphone, count = design.microphone, len(design.microphones)
@@ -223,12 +224,16 @@ def _millilitres(parts: Mapping[str, cq.Workplane]) -> dict[str, float]:
     return {name: part.val().Volume() / 1000 for name, part in parts.items()}
 
 
-def _made(name: str, volume: float, count: int, design: ArrayDesign, prices: Prices) -> BillItem:
+def _use(parts: PartSet, name: str) -> Use:
+    """What a part is made for; molds are tools."""
+    return "tooling" if parts.kinds.get(name) in get_args(MoldKind) else parts.origin(name)
+
+
+def _made(name: str, use: Use, volume: float, count: int, design: ArrayDesign, prices: Prices) -> BillItem:
     """A printed or cast part."""
-    if origin(name) == "cast":
+    if use == "cast":
         quantity = volume * count * prices.silicone_factor
         return BillItem(name, "cast", count, quantity, "ml", prices.silicone, design.membrane.material)
-    use: Use = "tooling" if name.startswith("mold") else "printed"
     quantity = volume * count * prices.resin_factor
     return BillItem(name, use, count, quantity, "ml", prices.resin, design.printing.material)
 

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from geometry.assembly.model import ArrayModel, Kind, plane_of
-from geometry.assembly.parts import PlacedPart
+from geometry.assembly.model import ArrayModel, plane_of
+from geometry.assembly.parts import Kind, PlacedPart
 from geometry.refusal import Refusal
 
 if TYPE_CHECKING:
@@ -101,7 +101,7 @@ def clearances(model: ArrayModel, within: float = 1.0) -> tuple[Clearance, ...]:
     known: dict[object, float] = {}
     for i, j in _near(model, within):
         first, second = model.placed[i], model.placed[j]
-        if not {model.kind(first.part), model.kind(second.part)} <= set(_BODIES):
+        if not {first.kind, second.kind} <= set(_BODIES):
             continue
         if frozenset((first.group, second.group)) in joined:
             continue
@@ -121,11 +121,11 @@ def port_fits(model: ArrayModel) -> tuple[PortFit, ...]:
     """
     joined = _joined(model)
     holes = {name: _cylinders(shape) for name, shape in model.shapes.items()}
-    bodies = {p.group: p for p in model.placed if model.kind(p.part) in ("shell", "housing")}
-    springs = {p.group: p for p in model.placed if model.kind(p.part) == "spring"}
+    bodies = {p.group: p for p in model.placed if p.kind in ("shell", "housing")}
+    springs = {p.group: p for p in model.placed if p.kind == "spring"}
     fits = []
     for sheath in model.placed:
-        if model.kind(sheath.part) != "sheath":
+        if sheath.kind != "sheath":
             continue
         sleeve, spring = _in_space(holes[sheath.part], sheath), _in_space(holes[springs[sheath.group].part], sheath)
         for group in sorted(other for pair in joined if sheath.group in pair for other in pair - {sheath.group}):

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from geometry.assembly.parts import PlacedPart, build_parts, place_parts
+from geometry.assembly.parts import Kind, PlacedPart, build_parts, place_parts
 from geometry.design.array_design import ArrayDesign
 from geometry.layout.arrangement import lay_out
 from geometry.layout.placement import ArrayLayout, TubePlacement
@@ -18,7 +18,6 @@ from geometry.solids.tube import TubePiece, build_tube, piece_of
 if TYPE_CHECKING:
     import cadquery as cq
 
-Kind = Literal["shell", "membrane", "spring", "sheath", "housing", "board", "package"]
 #: Colour and opacity of each kind of part in pictures and models; solids in CAD files are opaque.
 LOOKS: dict[Kind, tuple[str, float]] = {
     "shell": ("#9fb8cc", 0.45),
@@ -28,15 +27,6 @@ LOOKS: dict[Kind, tuple[str, float]] = {
     "housing": ("#4f7f6b", 1.0),
     "board": ("#2f2f2f", 1.0),
     "package": ("#b8b8b8", 1.0),
-}
-_KINDS: dict[str, Kind] = {
-    "shell": "shell",
-    "membrane": "membrane",
-    "spring": "spring",
-    "sheath": "sheath",
-    "microphone-housing": "housing",
-    "microphone-board": "board",
-    "microphone-package": "package",
 }
 
 
@@ -54,15 +44,6 @@ class ArrayModel:
     """Every copy of every part."""
     schematic: tuple[TubePlacement, ...]
     """Tubes that are not among the parts, since their way is drawn for the eye only."""
-
-    def kind(self, part: str) -> Kind:
-        """Kind of a part, by its name."""
-        return kind_of(part)
-
-
-def kind_of(part: str) -> Kind:
-    """Kind of a part, by its name."""
-    return next(kind for start, kind in _KINDS.items() if part.startswith(start))
 
 
 def array_model(design: ArrayDesign, parts: Mapping[str, cq.Workplane] | None = None) -> ArrayModel:
@@ -118,7 +99,7 @@ def assembly_of(model: ArrayModel) -> cq.Assembly:
             model.shapes[part.part],
             name=component_name(model, part),
             loc=cq.Location(plane_of(part.matrix)),
-            color=cq.Color(*_rgb(LOOKS[model.kind(part.part)][0])),
+            color=cq.Color(*_rgb(LOOKS[part.kind][0])),
         )
     for group in groups.values():
         root.add(group)
@@ -127,7 +108,7 @@ def assembly_of(model: ArrayModel) -> cq.Assembly:
 
 def component_name(model: ArrayModel, part: PlacedPart) -> str:
     """Name of a placed part in an assembly, where its group has the name of its place."""
-    return part.label if part.label != part.group else f"{part.label} {model.kind(part.part)}"
+    return part.label if part.label != part.group else f"{part.label} {part.kind}"
 
 
 def plane_of(matrix: NDArray[np.float64]) -> cq.Plane:
@@ -161,10 +142,11 @@ def _tubes(design: ArrayDesign, layout: ArrayLayout) -> tuple[list[PlacedPart], 
             spring, sheath = build_tube(piece)
             shapes[f"spring-{names[piece]}"], shapes[f"sheath-{names[piece]}"] = spring.val(), sheath.val()
         x, y, z = ((float(a), float(b), float(c)) for a, b, c in matrix[:3, :3].T)
-        for kind in ("spring", "sheath"):
+        kinds: tuple[Kind, ...] = ("spring", "sheath")
+        for kind in kinds:
             label = f"{kind} of {tube.label}"
             at = tuple(matrix[:3, 3].tolist())
-            placed.append(PlacedPart(f"{kind}-{names[piece]}", label, at, 0.0, (x, y, z), tube.label))
+            placed.append(PlacedPart(f"{kind}-{names[piece]}", kind, label, at, 0.0, (x, y, z), tube.label))
     return placed, shapes
 
 
@@ -181,10 +163,10 @@ def _packages(design: ArrayDesign, placed: tuple[PlacedPart, ...]) -> tuple[list
     )
     packages = []
     for board in placed:
-        if kind_of(board.part) == "board":
+        if board.kind == "board":
             x, y, z = (np.array(board.position) + microphone.sound_hole_length * np.array(board.axes[2])).tolist()
             label = board.group.replace("microphone", "package")
-            packages.append(replace(board, part="microphone-package", label=label, position=(x, y, z)))
+            packages.append(replace(board, part="microphone-package", kind="package", label=label, position=(x, y, z)))
     return packages, package
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
@@ -21,7 +21,7 @@ from geometry.layout.placement import (
     microphone_ports,
     point_ports,
 )
-from geometry.molds.mold import mold_counts
+from geometry.molds.mold import MoldKind, mold_counts, mold_kinds
 from geometry.plan.cylinder import FLAT, Axes
 from geometry.stated.ports import ANGLE_STEP, Port, in_common_rotation
 
@@ -29,18 +29,61 @@ if TYPE_CHECKING:
     import cadquery as cq
 
 
+#: What a part of an array is.
+Kind = Literal["shell", "carrier", "membrane", "housing", "board", "package", "spring", "sheath"] | MoldKind
+#: Where a part comes from.
+Origin = Literal["printed", "cast", "bought"]
+#: Kinds that are not printed.
+_ORIGINS: dict[Kind, Origin] = {
+    "membrane": "cast",
+    "board": "bought",
+    "package": "bought",
+    "spring": "bought",
+    "sheath": "bought",
+}
+
+
 class PartSet(dict[str, "cq.Workplane"]):
     """Parts by name, each in its own coordinates (mm), with what they were generated from.
 
     ``parameters`` has for each part the numbers and words written into its 3MF file: what matters most of it, and
     under ``design_toml`` the text of the whole design, from which :func:`build_parts` draws the part of that name
-    again. ``counts`` has how many of it one array needs, 0 for single shells beside a carrier.
+    again. ``counts`` has how many of it one array needs, 0 for single shells beside a carrier. ``kinds`` has what each
+    part is, for parts of an array: where it comes from, and what is put into it, follow from that.
     """
 
     def __init__(self) -> None:
         super().__init__()
         self.parameters: dict[str, dict[str, float | int | str]] = {}
         self.counts: dict[str, int] = {}
+        self.kinds: dict[str, Kind] = {}
+
+    def origin(self, name: str) -> Origin:
+        """Where a part comes from; one of no kind is printed."""
+        kind = self.kinds.get(name)
+        return "printed" if kind is None else _ORIGINS.get(kind, "printed")
+
+    def only(self, *names: str) -> PartSet:
+        """Some of the parts, in this order, with all that is known of them.
+
+        Raises:
+            KeyError: no part has the name.
+        """
+        chosen = PartSet()
+        chosen.update({name: self[name] for name in names})
+        chosen.parameters = {name: self.parameters[name] for name in names if name in self.parameters}
+        chosen.counts = {name: self.counts[name] for name in names if name in self.counts}
+        chosen.kinds = {name: self.kinds[name] for name in names if name in self.kinds}
+        return chosen
+
+
+def part_set(parts: Mapping[str, cq.Workplane]) -> PartSet:
+    """Parts of an array as they are; any others as parts of no kind, of which nothing is known but their names."""
+    if isinstance(parts, PartSet):
+        return parts
+    plain = PartSet()
+    plain.update(parts)
+    return plain
 
 
 @dataclass(frozen=True)
@@ -49,6 +92,8 @@ class PlacedPart:
 
     part: str
     """Name of the part."""
+    kind: Kind
+    """What it is."""
     label: str
     """Name of this copy."""
     position: tuple[float, float, float]
@@ -117,7 +162,7 @@ def build_parts(design: ArrayDesign) -> PartSet:
         parts["carrier"] = carrier.part
         own = {"shells": len(carrier.places), "necks": carrier.necks}
         parts.parameters["carrier"] = {**about["shell"], **about["joints"], **own}
-    parts.counts = _counts(design, plan)
+    parts.counts, parts.kinds = _counts(design, plan), _kinds(design, plan)
     text = write_design(design.completed())
     for name in parts:
         head: dict[str, float | int | str] = {"design": design.name, "count": parts.counts[name]}
@@ -171,13 +216,14 @@ def part_counts(design: ArrayDesign) -> dict[str, int]:
 def place_parts(design: ArrayDesign, layout: ArrayLayout) -> tuple[PlacedPart, ...]:
     """Where every copy of every made part lies; the floors of resonators' cavities lie at z = 0 of a flat array."""
     plan, placed = _plan(design, layout), []
+    kinds = _kinds(design, plan)
 
     def put(
         part: str, label: str, at: PointPlacement | MicrophonePlacement, height: float, turn: float, group: str
     ) -> None:
         frame = layout.frame(at)
         x, y, z = (round(float(c), 9) + 0.0 for c in frame.at(0.0, 0.0, height))
-        placed.append(PlacedPart(part, label, (x, y, z), turn, frame.axes, group))
+        placed.append(PlacedPart(part, kinds[part], label, (x, y, z), turn, frame.axes, group))
 
     top = design.resonator.cavity_height
     for point, (name, turn) in zip(layout.points, plan.point_shells, strict=True):
@@ -259,12 +305,17 @@ def _counts(design: ArrayDesign, plan: _Plan) -> dict[str, int]:
     }
 
 
+def _kinds(design: ArrayDesign, plan: _Plan) -> dict[str, Kind]:
+    carried: dict[str, Kind] = {} if design.printing.carrier == "none" else {"carrier": "carrier"}
+    return {
+        **dict.fromkeys(plan.shells, "shell"),
+        "membrane": "membrane",
+        **mold_kinds(design),
+        **dict.fromkeys(plan.housings, "housing"),
+        "microphone-board": "board",
+        **carried,
+    }
+
+
 def _describe(ports: Sequence[Port]) -> str:
     return "; ".join(f"{p.angle:g} deg, bore {p.bore_diameter:g}, tube {p.tube_diameter:g}" for p in ports)
-
-
-def origin(name: str) -> Literal["cast", "bought", "printed"]:
-    """Where a part of that name comes from: membranes are cast in silicone, boards of microphones are bought."""
-    if name.startswith("membrane"):
-        return "cast"
-    return "bought" if name == "microphone-board" else "printed"

@@ -17,7 +17,6 @@ from geometry.layout.cutting import cut_lengths
 from geometry.layout.placement import TubePlacement
 from geometry.plan.routing import tightest_bend
 
-_HOUSINGS = ("shell", "microphone-housing")
 _COLUMNS = (
     *("line", "place", "part", "rotation (degrees)", "x (mm)", "y (mm)", "z (mm)"),
     *("port before (degrees)", "port after (degrees)", "tube to the next", "bore (mm)", "outside (mm)"),
@@ -73,7 +72,7 @@ class AssemblyStep:
 def assembly_steps(design: ArrayDesign) -> tuple[AssemblyStep, ...]:
     """Steps line by line from microphone to microphone; one that joins several lines stands at the end of each."""
     layout = lay_out(design)
-    parts = {part.group: part for part in place_parts(design, layout) if part.part.startswith(_HOUSINGS)}
+    parts = {part.group: part for part in place_parts(design, layout) if part.kind in ("shell", "housing")}
     tubes = {(tube.line, tube.segment): tube for tube in layout.tubes}
     ports = {m.name: {(p.line, p.end): p.angle for p in m.ports} for m in layout.microphones}
     steps = []

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from geometry.assembly.parts import PartSet
+from geometry.assembly.parts import part_set
 from geometry.files.writing import whole_file
 from geometry.formats.three_mf import Body, read_3mf, write_3mf
 from geometry.refusal import Refusal
@@ -119,7 +119,7 @@ def export(
     folder = Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
     shapes = tessellate_distinct(parts, tolerance, progress) if shapes is None else shapes
-    parameters = parts.parameters if isinstance(parts, PartSet) else {}
+    parameters = part_set(parts).parameters
     files = []
     for index, shared in enumerate(shapes):
         name, shape, facets = shared.names[0], _shape(parts[shared.names[0]]), shared.facets
@@ -171,7 +171,7 @@ def tessellate_distinct(
     Raises:
         Refusal: a part that is not one valid solid.
     """
-    counts = parts.counts if isinstance(parts, PartSet) else {}
+    counts = part_set(parts).counts
     tolerance = tessellation_tolerance(parts) if tolerance is None else tolerance
     shared: dict[bytes, SharedShape] = {}
     for index, (name, part) in enumerate(parts.items()):

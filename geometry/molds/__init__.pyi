@@ -1,2 +1,8 @@
-from .mold import Mold as Mold, build_mold as build_mold, mold_counts as mold_counts
+from .mold import (
+    Mold as Mold,
+    MoldKind as MoldKind,
+    build_mold as build_mold,
+    mold_counts as mold_counts,
+    mold_kinds as mold_kinds,
+)
 from .plan import plan_mold as plan_mold

@@ -4,13 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 from geometry.design.array_design import ArrayDesign
 from geometry.molds.plan import MoldPlan, plan_mold
 
 if TYPE_CHECKING:
     import cadquery as cq
+
+
+#: What a part of a mold is.
+MoldKind = Literal["mold-base", "mold-lid", "mold-shim", "mold-scraper"]
 
 
 @dataclass(frozen=True)
@@ -35,16 +39,19 @@ class Mold:
         return [cq.Workplane(turned_over.moved(cq.Location(cq.Vector(x, y, 0)))) for x, y in self.plan.centres]
 
 
+def mold_kinds(design: ArrayDesign) -> dict[str, MoldKind]:
+    """What each part of the mold is, by the names of :func:`build_mold`."""
+    if design.mold.kind == "open-face":
+        return {"mold-base": "mold-base", "mold-scraper": "mold-scraper"}
+    shims = [f"mold-shim-{step}" for step in range(1, design.mold.shim_count + 1)]
+    return {"mold-base": "mold-base", "mold-lid": "mold-lid", **dict.fromkeys(shims, "mold-shim")}
+
+
 def mold_counts(design: ArrayDesign) -> dict[str, int]:
     """How many of each part one mold has, by the names of :func:`build_mold`."""
-    if design.mold.kind == "open-face":
-        return {"mold-base": 1, "mold-scraper": 1}
-    shims = len(plan_mold(design).pins)
-    return {
-        "mold-base": 1,
-        "mold-lid": 1,
-        **{f"mold-shim-{step}": shims for step in range(1, design.mold.shim_count + 1)},
-    }
+    kinds = mold_kinds(design)
+    shims = len(plan_mold(design).pins) if "mold-shim" in kinds.values() else 0
+    return {name: shims if kind == "mold-shim" else 1 for name, kind in kinds.items()}
 
 
 def build_mold(design: ArrayDesign) -> Mold:

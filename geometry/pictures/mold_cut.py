@@ -11,7 +11,7 @@ import cadquery as cq
 from geometry.assembly.model import LOOKS
 from geometry.assembly.parts import build_parts
 from geometry.design.array_design import ArrayDesign
-from geometry.molds.mold import Mold, mold_counts
+from geometry.molds.mold import Mold, mold_counts, mold_kinds
 from geometry.molds.plan import plan_mold
 from geometry.pictures.canvas import aim, draw_labels, open_plotter, polydata, save_picture
 
@@ -29,7 +29,7 @@ def mold_section(
     Shims are left out. Arguments as for :func:`geometry.pictures.views.draw_array`.
     """
     parts = build_parts(design) if parts is None else parts
-    names = [name for name in mold_counts(design) if not name.startswith("mold-shim")]
+    names = [name for name, kind in mold_kinds(design).items() if kind != "mold-shim"]
     plan = plan_mold(design)
     mold = Mold({name: parts[name] for name in names}, mold_counts(design), plan)
     cut_at = min(y for _, y in plan.centres)

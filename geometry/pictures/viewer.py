@@ -69,8 +69,8 @@ def write_viewer(
     scene.set_camera(angles=_SEEN_FROM)
     page = scene_to_html(scene)
     # The page's own title and switches go beside trimesh's canvas; its three.js objects carry our labels.
-    kinds = [kind for kind in _NAMES if any(model.kind(part.part) == kind for part in model.placed)]
-    labels = {kind: [_node(p.label) for p in model.placed if model.kind(p.part) == kind] for kind in kinds}
+    kinds = [kind for kind in _NAMES if any(part.kind == kind for part in model.placed)]
+    labels = {kind: [_node(p.label) for p in model.placed if p.kind == kind] for kind in kinds}
     switches = "".join(
         f'<label><input type="checkbox" checked data-kind="{kind}"> '
         f'<b style="color:{LOOKS[kind][0]}">&#9632;</b> {_NAMES[kind]} ({len(labels[kind])})</label><br>'
@@ -128,7 +128,7 @@ def _scene(model: ArrayModel, outer: np.ndarray) -> trimesh.Scene:
             mesh = trimesh.Trimesh(facets.vertices, facets.triangles, process=False)
             # Corners where faces meet at an edge are not shared, so that edges stay sharp.
             mesh = trimesh.graph.smooth_shade(mesh, angle=np.radians(30))
-            mesh.visual = trimesh.visual.TextureVisuals(material=_material(model.kind(part.part)))
+            mesh.visual = trimesh.visual.TextureVisuals(material=_material(part.kind))
             scene.geometry[part.part] = mesh
         scene.graph.update(
             frame_to=_node(part.label), frame_from="array", matrix=outer @ part.matrix, geometry=part.part

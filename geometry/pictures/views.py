@@ -15,8 +15,8 @@ import numpy as np
 import pyvista as pv
 from numpy.typing import NDArray
 
-from geometry.assembly.model import LOOKS, ArrayModel, Kind, array_model, kind_of
-from geometry.assembly.parts import build_parts
+from geometry.assembly.model import LOOKS, ArrayModel, Kind, array_model
+from geometry.assembly.parts import PartSet, build_parts
 from geometry.design.array_design import ArrayDesign
 from geometry.pictures.canvas import aim, draw_labels, open_plotter, polydata, save_picture
 from geometry.plan.cylinder import Cylinder
@@ -115,10 +115,10 @@ def exploded_view(
     Arguments as for :func:`draw_array`.
     """
     model = array_model(design, parts)
-    counts = Counter(model.kind(part.part) for part in model.placed)
+    counts = Counter(part.kind for part in model.placed)
     if design.point_count > _MOST_EXPLODED:
         model = _first_of(model, _EXCERPT)
-    boxes = {kind: _bounds(model, kind) for kind in _LEVELS if any(model.kind(p.part) == kind for p in model.placed)}
+    boxes = {kind: _bounds(model, kind) for kind in _LEVELS if any(p.kind == kind for p in model.placed)}
     low, high = np.min([low for low, _ in boxes.values()], axis=0), np.max([high for _, high in boxes.values()], axis=0)
     # Long sides lie across the picture.
     tall = bool(high[1] - low[1] > high[0] - low[0])
@@ -148,7 +148,7 @@ def _bounds(model: ArrayModel, kind: Kind) -> tuple[NDArray[np.float64], NDArray
     """Lowest and highest x, y and z of all parts of a kind, mm."""
     corners = []
     for part in model.placed:
-        if model.kind(part.part) == kind:
+        if part.kind == kind:
             box = model.shapes[part.part].BoundingBox()
             sides = itertools.product((box.xmin, box.xmax), (box.ymin, box.ymax), (box.zmin, box.zmax))
             corners.append(np.array(list(sides)) @ part.matrix[:3, :3].T + part.matrix[:3, 3])
@@ -181,7 +181,7 @@ def _exploded(width: float, depth: float, thick: float, layers: int, size: tuple
 def draw_point(
     design: ArrayDesign,
     path: str | os.PathLike[str],
-    parts: Mapping[str, cq.Workplane] | None = None,
+    parts: PartSet | None = None,
     size: tuple[int, int] = (1600, 1000),
 ) -> Path:
     """Render the parts of one point pulled apart: shell and membrane, beside them the open mold.
@@ -190,7 +190,7 @@ def draw_point(
     for :func:`draw_array`; the shell is the first one of the design.
     """
     parts = build_parts(design) if parts is None else parts
-    shell = next(name for name in parts if name.startswith("shell"))
+    shell = next(name for name in parts if parts.kinds[name] == "shell")
     mold = parts["mold-base"].val().BoundingBox()
     cover = "mold-scraper" if design.mold.kind == "open-face" else "mold-lid"
     top, thickness = design.resonator.cavity_height, design.membrane.thickness
@@ -212,7 +212,7 @@ def draw_point(
             reach = 2 * (box.DiagonalLength + 1)
             solid = solid.cut(cq.Solid.makeBox(reach, reach, reach, cq.Vector(0, -reach, -reach / 2)))
         mesh = polydata(solid).translate(offset)
-        plotter.add_mesh(mesh, color=_look(name)[0], split_sharp_edges=True, smooth_shading=True)
+        plotter.add_mesh(mesh, color=_look(parts.kinds[name])[0], split_sharp_edges=True, smooth_shading=True)
         labels.append(name)
         anchors.append((offset[0] + box.xmin, offset[1] + box.ymin, offset[2] + box.zmin))
     draw_labels(plotter, anchors, labels, 22, ("left", "top"))
@@ -220,9 +220,9 @@ def draw_point(
     return save_picture(plotter, path)
 
 
-def _look(name: str) -> tuple[str, float]:
+def _look(kind: Kind) -> tuple[str, float]:
     """Colour and opacity of a part."""
-    return (_MOLD, 1.0) if name.startswith("mold") else LOOKS[kind_of(name)]
+    return LOOKS.get(kind, (_MOLD, 1.0))
 
 
 def _round_length(length: float) -> float:
@@ -245,13 +245,14 @@ def _first_of(model: ArrayModel, count: int) -> ArrayModel:
 def _add_parts(plotter: pv.Plotter, model: ArrayModel, lifted: Mapping[Kind, float] | None = None) -> None:
     """All placed parts, each kind raised away from what the array stands on (mm)."""
     copies: dict[str, list[NDArray[np.float64]]] = {}
+    kinds = {placed.part: placed.kind for placed in model.placed}
     for placed in model.placed:
         matrix = placed.matrix
         if lifted:
-            matrix[:3, 3] += lifted[model.kind(placed.part)] * model.layout.surface.outwards(matrix[:3, 3])
+            matrix[:3, 3] += lifted[placed.kind] * model.layout.surface.outwards(matrix[:3, 3])
         copies.setdefault(placed.part, []).append(matrix)
     for name, matrices in copies.items():
-        colour, opacity = LOOKS[model.kind(name)]
+        colour, opacity = LOOKS[kinds[name]]
         mesh = _copies(polydata(model.shapes[name]), matrices)
         plotter.add_mesh(mesh, color=colour, opacity=opacity, split_sharp_edges=True, smooth_shading=True)
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from geometry.assembly.parts import PartSet, origin
+from geometry.assembly.parts import part_set
 from geometry.files.writing import whole_file
 from geometry.formats.part_files import SharedShape, tessellate_distinct
 from geometry.formats.three_mf import Body, write_3mf
@@ -58,7 +58,7 @@ def export_plates(
     pose in which the report judges it.
 
     Args:
-        parts: name to workplane with one solid, mm; cast and bought ones are left out.
+        parts: as of :func:`geometry.print_report`; cast and bought ones are left out.
         folder: exists.
         process: its build volume is the size of a plate.
         shapes: of :func:`geometry.formats.part_files.tessellate_distinct`, where they exist already.
@@ -66,18 +66,17 @@ def export_plates(
     Raises:
         Refusal: nothing is printed, or nothing fits.
     """
-    counts = parts.counts if isinstance(parts, PartSet) else {}
-    parameters = parts.parameters if isinstance(parts, PartSet) else {}
+    known = part_set(parts)
     copies: list[tuple[SharedShape, Pose]] = []
     too_large: list[str] = []
     for shape in tessellate_distinct(parts) if shapes is None else shapes:
-        if origin(shape.names[0]) != "printed":
+        if known.origin(shape.names[0]) != "printed":
             continue
         pose = find_pose(shape.facets, process)
         if not pose.fits:
             too_large += shape.names
             continue
-        copies += [(shape, pose)] * sum(counts.get(name, 1) for name in shape.names)
+        copies += [(shape, pose)] * sum(known.counts.get(name, 1) for name in shape.names)
     if not copies:
         raise Refusal(f"parts: none of {', '.join(parts) or 'none'} can be laid on the plate of {process.name}")
     copies.sort(key=lambda copy: -copy[1].size[1])
@@ -88,7 +87,7 @@ def export_plates(
             Body(
                 name,
                 shape.facets,
-                parameters.get(name, {}),
+                known.parameters.get(name, {}),
                 tuple(place for other, place in placed if other.names == shape.names),
             )
             for name, shape in distinct.items()

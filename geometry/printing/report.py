@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from geometry.assembly.parts import PartSet, origin
+from geometry.assembly.parts import Kind, part_set
 from geometry.formats.part_files import SharedShape, tessellation_tolerance
 from geometry.printing.rules import Finding, judge_cast, judge_printed, judge_shims
 from geometry.printing.tolerance import USUAL_TOLERANCE, AcousticEffect, acoustic_effects
@@ -57,12 +57,12 @@ def print_report(
 
     Walls and gaps are found by rays between the facets that are exported and measured between the faces of the
     solid, holes and pins as its cylinders and cones, overhangs and cups on the facets, as the part is laid on the
-    plate, see :func:`geometry.printing.pose.find_pose`. Parts named ``membrane...`` are cast and only the thickness of
-    the disc is judged; every other part is printed. Gaps to what is put into a part are not in the solids: the design
-    states them.
+    plate, see :func:`geometry.printing.pose.find_pose`. Of cast parts only the thickness of the disc is judged.
+    Gaps to what is put into a part are not in the solids: the design states them.
 
     Args:
-        parts: name to workplane with one solid, mm.
+        parts: of :func:`geometry.build_parts`, or some of them by :meth:`geometry.assembly.PartSet.only`, which know
+            what is cast, bought and printed; or any others by name, workplanes with one solid, mm: all of them printed.
         process: name of a process, path of a process file (see :func:`geometry.stated.print_processes.find_process`),
             or a process; default: that of the design with the rules it states, else ``sla-resin``.
         design: what the parts were built from; with it the report says what the tolerance does to the acoustics.
@@ -82,22 +82,22 @@ def print_report(
 
     tolerance = tessellation_tolerance(parts)
     facets_of = {name: shape.facets for shape in shapes or () for name in shape.names}
-    parameters = parts.parameters if isinstance(parts, PartSet) else {}
+    known = part_set(parts)
     findings: list[Finding] = []
     for index, (name, part) in enumerate(parts.items()):
         if progress is not None:
             progress(name, index / len(parts))
         solid = part.val()
-        source = origin(name)
+        source, kind = known.origin(name), known.kinds.get(name)
         if source == "bought":
             continue
         facets = facets_of[name] if name in facets_of else tessellate(solid, tolerance)
         if source == "cast":
             findings.append(judge_cast(name, facets, rules))
             continue
-        gaps = _gaps(name, design) if design is not None else parameters.get(name, {})
+        gaps = _gaps(kind, design) if design is not None else known.parameters.get(name, {})
         findings += judge_printed(name, solid, facets, rules, gaps)
-        if design is not None and name.startswith("mold-shim"):
+        if design is not None and kind == "mold-shim":
             findings.append(judge_shims(name, design.mold.shim_step, rules))
     effects: tuple[AcousticEffect, ...] = ()
     if design is not None:
@@ -106,14 +106,16 @@ def print_report(
     return PrintReport(rules, tuple(findings), effects)
 
 
-def _gaps(name: str, design: ArrayDesign) -> dict[str, float]:
+def _gaps(kind: Kind | None, design: ArrayDesign) -> dict[str, float]:
     """Radial gaps to what is put into a part of a design or slides on it, mm, by the keys of ``print_rules.GAPS``."""
-    if name.startswith("microphone-housing"):
-        return {"glue_gap": design.printing.glue_gap, "board_gap": design.microphone.board_gap}
-    if name.startswith("shell") or name == "carrier":
-        return {"glue_gap": design.printing.glue_gap}
-    if name == "mold-scraper":
-        return {"guide_clearance": design.mold.pin_clearance}
-    if name == "mold-lid" or name.startswith("mold-shim"):
-        return {"pin_clearance": design.mold.pin_clearance}
-    return {}
+    match kind:
+        case "housing":
+            return {"glue_gap": design.printing.glue_gap, "board_gap": design.microphone.board_gap}
+        case "shell" | "carrier":
+            return {"glue_gap": design.printing.glue_gap}
+        case "mold-scraper":
+            return {"guide_clearance": design.mold.pin_clearance}
+        case "mold-lid" | "mold-shim":
+            return {"pin_clearance": design.mold.pin_clearance}
+        case _:
+            return {}

@@ -153,7 +153,7 @@ def test_shells_stand_on_the_cylinder_and_collide_where_it_is_too_narrow():
             floor = np.array(part.matrix @ [0, 0, -design.resonator.floor_thickness, 1])[:3]
             assert math.hypot(floor[0], floor[2] - axis) == pytest.approx(30.0)
     narrow = array_model(design.with_values({"layout.diameter": 9.0, "lines.0.points": 4}))
-    shells = tuple(part for part in narrow.placed if narrow.kind(part.part) == "shell")
+    shells = tuple(part for part in narrow.placed if part.kind == "shell")
     solids = {frozenset((f.first, f.second)) for f in interferences(dataclasses.replace(narrow, placed=shells))}
     notes = buildability_notes(narrow.design, narrow.layout)
     told = [re.match(r"(shell \d+) overlaps (shell \d+) by", note) for note in notes]
@@ -190,7 +190,7 @@ def test_components_lie_where_the_parts_are_placed(models):
     assembly = build_assembly(model.design)
     boxes = {c.name: g.loc * c.loc for g in assembly.children for c in g.children}
     for part in model.placed:
-        label = part.label if part.label != part.group else f"{part.label} {model.kind(part.part)}"
+        label = part.label if part.label != part.group else f"{part.label} {part.kind}"
         assert boxes[label].toTuple()[0] == pytest.approx(part.position, abs=1e-9)
 
 

@@ -129,7 +129,13 @@ def test_every_part_of_every_prototype_is_one_valid_solid_and_is_counted(name):
     parts, counts = build_parts(design), part_counts(design)
     assert isinstance(parts, PartSet)
     assert parts.counts == counts
-    assert list(parts) == list(counts)
+    assert list(parts) == list(counts) == list(parts.kinds)
+    assert {parts.kinds[name]: parts.origin(name) for name in parts} == {
+        "shell": "printed", "membrane": "cast", "housing": "printed", "board": "bought",
+        "mold-base": "printed", "mold-lid": "printed", "mold-shim": "printed",
+    }  # fmt: skip
+    half = parts.only(*list(parts)[::2])
+    assert (list(half), list(half.counts), list(half.kinds)) == (list(parts)[::2],) * 3
     for part in parts.values():
         assert len(part.solids().vals()) == 1
         assert part.val().isValid()

@@ -182,7 +182,7 @@ def test_plates_hold_every_printed_part_as_often_as_it_is_needed(tmp_path):
         "beam": cq.Workplane().box(60, 3, 3),
     }
     parts.counts = {"block": 7, "rod": 3, "membrane": 9, "beam": 1}
-    parts.parameters = {"block": {"width": 10.0}}
+    parts.parameters, parts.kinds = {"block": {"width": 10.0}}, {"membrane": "membrane"}
     process = with_rules(PROCESSES["sla-resin"], {"build_volume": (40, 45, 50)})
     made = export_plates(parts, tmp_path, process)
     assert made.too_large == ("beam",)

@@ -9,6 +9,7 @@ import pytest
 import trimesh
 
 import geometry
+from geometry.assembly.parts import PartSet
 from geometry.printing.overhangs import overhangs, sealed_cup
 from geometry.printing.plates import export_plates
 from geometry.printing.pose import find_pose
@@ -124,14 +125,14 @@ def test_the_web_of_the_glove_is_found_and_a_thinner_one_fails():
     name, parts = "microphone-housing-60", geometry.build_parts(glove)
     # Bores of 0.64 mm, 60 degrees apart, in the wall of a chamber of 1.8 mm.
     web = 2 * (math.sqrt(0.9**2 - 0.32**2) / 2 - 0.32 * math.cos(math.pi / 6))
-    found = finding(print_report({name: parts[name]}, design=glove), name, "thinnest wall")
+    found = finding(print_report(parts.only(name), design=glove), name, "thinnest wall")
     assert (found.value, found.verdict) == (pytest.approx(web, abs=1e-6), "warn")
     thin = glove.with_values(
         {"lines.0.points": 1, "lines.1.points": 5, "lines.2.points": 5, "microphone.chamber_diameter": 6.74}
     )
     parts = geometry.build_parts(thin)
     name = next(name for name in parts if name.startswith("microphone-housing-1"))
-    found = finding(print_report({name: parts[name]}, design=thin), name, "thinnest wall")
+    found = finding(print_report(parts.only(name), design=thin), name, "thinnest wall")
     assert (found.value, found.verdict) == (pytest.approx(0.1213, abs=1e-4), "fail")
 
 
@@ -377,10 +378,24 @@ def test_a_fingertip_bore_cannot_be_printed_by_desktop_stereolithography():
     assert (coarse.verdict, fine.verdict) == ("fail", "warn")
 
 
+def membrane_of(solid):
+    parts = PartSet()
+    parts["disc"], parts.kinds["disc"] = solid, "membrane"
+    return parts
+
+
 def test_the_membrane_is_judged_as_a_casting_only(coarse):
     assert [(f.rule, f.verdict) for f in coarse.findings if f.part == "membrane"] == [("cast thickness", "ok")]
-    thin = {"membrane": cq.Workplane().circle(3).extrude(0.15)}
-    assert finding(print_report(thin), "membrane", "cast thickness").verdict == "warn"
+    disc = cq.Workplane().circle(3).extrude(0.15)
+    assert [(f.rule, f.verdict) for f in print_report(membrane_of(disc)).findings] == [("cast thickness", "warn")]
+
+
+def test_a_name_says_nothing_of_what_a_part_is(design):
+    """Parts of no kind are printed, whatever they are called, and the design states no gap for them."""
+    block = {name: cq.Workplane().box(5, 5, 5) for name in ("membrane", "mold-lid", "microphone-board", "shell")}
+    report = print_report(block, design=design)
+    assert {f.part for f in report.findings} == set(block)
+    assert not [f for f in report.findings if f.rule == "cast thickness" or f.rule.startswith("gap around")]
 
 
 @pytest.mark.parametrize(
@@ -388,7 +403,7 @@ def test_the_membrane_is_judged_as_a_casting_only(coarse):
 )
 def test_the_disc_of_a_membrane_is_judged_not_its_boss_or_rim(design, shape):
     thin = design.with_values({"membrane.thickness": 0.09, **{f"membrane.{key}": v for key, v in shape.items()}})
-    found = finding(print_report({"membrane": build_membrane(thin)}), "membrane", "cast thickness")
+    found = finding(print_report(membrane_of(build_membrane(thin))), "disc", "cast thickness")
     assert (found.value, found.verdict) == (pytest.approx(0.09), "fail")
 
 
@@ -405,7 +420,7 @@ def test_gaps_to_what_is_put_in_are_judged_on_every_part_that_has_them(design):
 def test_a_gasket_of_the_default_depth_leaves_a_wall_that_prints():
     sealed = geometry.prototype("array-2x6").with_values({"microphone.gasket_width": 0.5})
     parts = geometry.build_parts(sealed)
-    report = print_report({"microphone-housing": parts["microphone-housing"]}, design=sealed)
+    report = print_report(parts.only("microphone-housing"), design=sealed)
     wall = finding(report, "microphone-housing", "thinnest wall")
     assert (wall.value, wall.verdict) == (pytest.approx(0.2, abs=1e-6), "warn")
     assert report.verdict == "warn"
@@ -416,7 +431,7 @@ def test_shims_that_a_tolerance_mixes_up_are_warned_of(coarse, design):
     assert (found.value, found.limit, found.verdict) == (0.05, 0.1, "warn")
     assert "two shims true to 0.05 mm each" in found.reason
     wide = design.with_values({"mold.shim_step": 0.1})
-    parts = {"mold-shim-1": geometry.build_parts(wide)["mold-shim-1"]}
+    parts = geometry.build_parts(wide).only("mold-shim-1")
     assert finding(print_report(parts, design=wide), "mold-shim-1", "step of shims").verdict == "ok"
 
 
