@@ -16,7 +16,7 @@ import numpy as np
 
 from acoustic_fem.batch.numpy_or_torch import Array, namespace
 from acoustic_fem.batch.topology import Topology, tubes_of_line
-from acoustic_fem.membrane.disc import design_disc
+from acoustic_fem.membrane.disc import KnownDiscs, design_disc
 from acoustic_fem.network.microphone import circuit_elements as elements
 from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.units import cubic_metres, metres
@@ -62,18 +62,28 @@ class ArrayParameters:
     """Admittance 1/R of the vent, (n_design, n_microphone_column) float64, m^3/(Pa s)."""
 
     @classmethod
-    def from_design(cls, design: ArrayDesign, medium: Medium | None = None) -> ArrayParameters:
+    def from_design(
+        cls, design: ArrayDesign, medium: Medium | None = None, known: KnownDiscs | None = None
+    ) -> ArrayParameters:
         """The numbers of one design, n_design = 1, as NumPy arrays in the columns of :meth:`Topology.of`.
 
         Args:
             design: the array.
             medium: the air, of which diaphragm and vent depend; by default that of the design.
+            known: membranes that need not be solved.
         """
-        return cls.from_designs([design], medium)
+        return cls.from_designs([design], medium, known)
 
     @classmethod
-    def from_designs(cls, designs: Sequence[ArrayDesign], medium: Medium | None = None) -> ArrayParameters:
+    def from_designs(
+        cls, designs: Sequence[ArrayDesign], medium: Medium | None = None, known: KnownDiscs | None = None
+    ) -> ArrayParameters:
         """The numbers of several designs of one topology.
+
+        Args:
+            designs: the arrays.
+            medium: the air, of which diaphragm and vent depend; by default that of each design.
+            known: membranes that need not be solved.
 
         Raises:
             Refusal: no design, designs that are wired in different ways, a cavity that is no cylinder, or a
@@ -85,7 +95,7 @@ class ArrayParameters:
         for number, design in enumerate(designs):
             if Topology.of(design) != topology:
                 raise Refusal(f"designs.{number} ({design.name}) is not wired as designs.0 ({designs[0].name})")
-        rows = [_row(design, medium or design_air(design)) for design in designs]
+        rows = [_row(design, medium or design_air(design), known) for design in designs]
         return cls(**{name: np.array([row[name] for row in rows], dtype=np.float64) for name in rows[0]})
 
     @property
@@ -215,9 +225,9 @@ def design_air(design: ArrayDesign) -> Medium:
     return Medium.at(design.air.temperature, design.air.humidity, design.air.pressure)
 
 
-def _row(design: ArrayDesign, medium: Medium) -> dict[str, list[Any]]:
+def _row(design: ArrayDesign, medium: Medium, known: KnownDiscs | None) -> dict[str, list[Any]]:
     tubes = list(tubes_of_line(design).values())
-    disc = design_disc(design)
+    disc = design_disc(design, known=known)
     loss = design.material(design.membrane.material).loss_factor
     if np.any(disc.model.geometric) and loss > 0:
         raise Refusal(

@@ -1,15 +1,17 @@
 from .disc import (
+    DiscOptions as DiscOptions,
     DiscSolution as DiscSolution,
+    KnownDiscs as KnownDiscs,
     design_compliance as design_compliance,
     design_disc as design_disc,
+    design_shape as design_shape,
     disc_compliance as disc_compliance,
     solve_disc as solve_disc,
 )
 from .disc_table import (
     DiscTable as DiscTable,
-    design_shape as design_shape,
+    DiscTables as DiscTables,
     disc_count as disc_count,
     disc_tables as disc_tables,
-    interpolated_discs as interpolated_discs,
 )
 from .elasticity import DiscShape as DiscShape, ElasticDisc as ElasticDisc, solve_dimensionless as solve_dimensionless

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Callable
-from contextvars import ContextVar
 from dataclasses import dataclass
 from functools import lru_cache
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -26,8 +25,40 @@ _LARGEST_STRETCH = 1.9
 
 _cached_disc = lru_cache(maxsize=256)(solve_dimensionless)
 
-#: Asked for a disc before it is solved; set by :func:`acoustic_fem.membrane.disc_table.interpolated_discs`.
-disc_source: ContextVar[Callable[[DiscShape], ElasticDisc | None] | None] = ContextVar("disc_source", default=None)
+
+class KnownDiscs(Protocol):
+    """Discs that need not be solved, such as :class:`acoustic_fem.membrane.disc_table.DiscTables`."""
+
+    def find(self, shape: DiscShape) -> ElasticDisc | None:
+        """Disc of a shape, None where it is not known."""
+
+
+@dataclass(frozen=True)
+class DiscOptions:
+    """What a disc may have beyond that of :func:`disc_compliance`: glue, pre-stretch, a patch, a raised part."""
+
+    glue_width: float | None = None
+    """Width of the glued annulus, from the edge of the opening outwards, m, at least 0.05 thicknesses; None: the whole
+    rim. Beyond it the disc lies free."""
+    tension: float = 0.0
+    """Force per length in the plane, the same in all directions, N/m; at most 20 thickness x youngs_modulus."""
+    stretch: float = 1.0
+    """Ratio of lengths in the plane, stretched to relaxed, 1 to 1.9; not beside a tension."""
+    contact_radius: float | None = None
+    """Radius of the patch in the middle of the upper face that takes a force as uniform pressure, m, 0.02 to 0.9 radii;
+    None: a quarter of the radius, or the whole boss."""
+    rim_height: float = 0.0
+    """Height by which the disc is thicker all along its rim, on the upper face, m, at most 2 radii; needs a rim_width,
+    and neither tension nor stretch: the stress of such a disc is not uniform."""
+    boss_radius: float = 0.0
+    """Radius of a boss in the middle of the upper face, m, 0.1 to 0.9 radii, at least contact_radius; instead of a
+    rim_height, and without tension and stretch."""
+    boss_height: float = 0.0
+    """Height of the boss above that face, m, above 0, at most 2 radii."""
+
+
+#: A disc that is glued over its whole rim, flat, not stretched, and touched on a quarter of its radius.
+_PLAIN = DiscOptions()
 
 
 @dataclass(frozen=True, eq=False)
@@ -155,14 +186,8 @@ def solve_disc(
     poisson_ratio: float = 0.49,
     rim_width: float = 0.0,
     density: float = 1070.0,
-    *,
-    glue_width: float | None = None,
-    tension: float = 0.0,
-    stretch: float = 1.0,
-    contact_radius: float | None = None,
-    rim_height: float = 0.0,
-    boss_radius: float = 0.0,
-    boss_height: float = 0.0,
+    options: DiscOptions = _PLAIN,
+    known: KnownDiscs | None = None,
 ) -> DiscSolution:
     """Axisymmetric mixed elasticity (Q2-Q1) of a disc under pressure and under a force in its middle.
 
@@ -171,43 +196,50 @@ def solve_disc(
     lateral face is stiffer than a glued rim: at a = 3 mm, h = 0.5 mm the rim is 36 % softer.
 
     A pre-stretched disc is stretched alike in all directions of its plane and then mounted; its stress is
-    taken as uniform, the rim included (a free edge nearer than two thicknesses relaxes it in part). Under
-    ``tension`` T the stress T / h adds its geometric stiffness and the modulus is that of the disc as it is.
-    ``stretch`` starts from the relaxed sheet, neo-Hookean: thickness h / s^2, stress E (s^2 - s^-4) / 3 and
+    taken as uniform, the rim included (a free edge nearer than two thicknesses relaxes it in part). Under a
+    tension T the stress T / h adds its geometric stiffness and the modulus is that of the disc as it is.
+    A stretch starts from the relaxed sheet, neo-Hookean: thickness h / s^2, stress E (s^2 - s^-4) / 3 and
     modulus E s^-4, which is exact for incompressible rubber (Ogden, Non-Linear Elastic Deformations (1984),
     chapter 6).
 
     Args:
         radius: of the opening, m.
-        thickness: of the disc, m, 0.01 to 2 radii; with ``stretch`` that of the relaxed sheet.
-        youngs_modulus: static modulus E, Pa; with ``stretch`` that of the relaxed sheet.
+        thickness: m, 0.01 to 2 radii; with a stretch that of the relaxed sheet.
+        youngs_modulus: Pa; with a stretch that of the relaxed sheet.
         poisson_ratio: 0.01 to 0.49999.
         rim_width: 0: lateral face clamped; above 0: disc of radius + rim_width, glued on its lower face
             along the rim, other faces free; m, at least 0.05 thicknesses and at most 50 radii.
         density: kg/m^3.
-        glue_width: width of the glued annulus, from the edge of the opening outwards, m, at least 0.05
-            thicknesses; by default the whole rim. Beyond it the disc lies free.
-        tension: in the plane, the same in all directions, N/m; at most 20 thickness x youngs_modulus.
-        stretch: ratio of lengths in the plane, stretched to relaxed, 1 to 1.9; not beside a tension.
-        contact_radius: of the patch that takes a force as uniform pressure, in the middle of the upper
-            face, m, 0.02 to 0.9 radii; by default a quarter of the radius, or the whole boss.
-        rim_height: the disc is thicker by this all along its rim, on the upper face, m, at most 2 radii; needs
-            a rim_width, and neither tension nor stretch: the stress of such a disc is not uniform.
-        boss_radius: of a boss in the middle of the upper face, m, 0.1 to 0.9 radii, at least contact_radius;
-            instead of a rim_height, and without tension and stretch.
-        boss_height: of the boss above that face, m, above 0, at most 2 radii.
+        options: glue, pre-stretch, patch of the touch, raised part.
+        known: discs that need not be solved.
 
     Raises:
         Refusal: a value that is not finite or out of range.
     """
-    for name, value, unit in (
-        ("radius", radius, "m"),
-        ("youngs_modulus", youngs_modulus, "Pa"),
-        ("density", density, "kg/m^3"),
-    ):
+    positive("density", density, "kg/m^3")
+    shape, modulus = shape_of_disc(radius, thickness, youngs_modulus, poisson_ratio, rim_width, options)
+    # What interpolates between discs knows flat ones only.
+    found = known.find(shape) if known is not None and shape.raised is None else None
+    return _in_si(found or _cached_disc(shape), shape.contact, float(radius), modulus, float(density))
+
+
+def shape_of_disc(
+    radius: float,
+    thickness: float,
+    youngs_modulus: float,
+    poisson_ratio: float = 0.49,
+    rim_width: float = 0.0,
+    options: DiscOptions = _PLAIN,
+) -> tuple[DiscShape, float]:
+    """What the dimensionless solution of a mounted disc depends on, and its modulus, Pa.
+
+    Arguments and errors as for :func:`solve_disc`.
+    """
+    for name, value, unit in (("radius", radius, "m"), ("youngs_modulus", youngs_modulus, "Pa")):
         positive(name, value, unit)
     # limits stated in millimetres are kept after conversion
     less, more = 1 - 1e-9, 1 + 1e-9
+    stretch, tension, boss_radius = options.stretch, options.tension, options.boss_radius
     in_range("stretch", stretch, 1, _LARGEST_STRETCH)
     if stretch != 1 and tension != 0:
         raise Refusal(f"stretch = {stretch:g} must not be given beside tension = {tension:g} N/m; give one of the two")
@@ -218,31 +250,33 @@ def solve_disc(
     in_range("thickness", thickness, 0.01 * radius * less, 2 * radius * more, "m")
     in_range("poisson_ratio", poisson_ratio, 0.01, 0.49999)
     in_range("tension", tension, 0, _LARGEST_PRESTRESS * thickness * youngs_modulus, "N/m")
-    glue = 0.0
-    if rim_width != 0:
-        in_range("rim_width", rim_width, 0.05 * thickness * less, 50 * radius * more, "m")
-        glue = rim_width if glue_width is None else glue_width
-        in_range("glue_width", glue, 0.05 * thickness, rim_width, "m")
-    elif glue_width is not None:
-        raise Refusal(f"glue_width = {glue_width:g} m needs a rim: rim_width = 0 clamps the lateral face")
-    raised = _raised(radius, rim_width, rim_height, boss_radius, boss_height)
+    glue = _glue(radius, thickness, rim_width, options.glue_width)
+    raised = _raised(radius, rim_width, options.rim_height, boss_radius, options.boss_height)
     if raised is not None and tension != 0:
         raise Refusal(
-            f"rim_height = {rim_height:g} m, boss_height = {boss_height:g} m must be 0 under a tension or a stretch: "
-            "only a flat disc is stretched evenly"
+            f"rim_height = {options.rim_height:g} m, boss_height = {options.boss_height:g} m must be 0 under a tension "
+            "or a stretch: only a flat disc is stretched evenly"
         )
-    contact = (boss_radius or CONTACT * radius) if contact_radius is None else contact_radius
+    contact = (boss_radius or CONTACT * radius) if options.contact_radius is None else options.contact_radius
     in_range("contact_radius", contact, 0.02 * radius, (boss_radius or 0.9 * radius) * more, "m")
     contact = min(contact, boss_radius or contact)
     # rounding lets equal discs in different units share one solution
     lengths = (thickness, rim_width, glue, contact)
-    thickness, rim, glue, contact = (round(float(length) / radius, 12) for length in lengths)
-    prestress = round(tension / (thickness * radius * youngs_modulus), 12)
-    shape = DiscShape(thickness, float(poisson_ratio), rim, glue, prestress, contact, raised)
-    # What interpolates between discs knows flat ones only.
-    source = disc_source.get() if raised is None else None
-    disc: ElasticDisc = (source(shape) if source is not None else None) or _cached_disc(shape)
-    return _in_si(disc, contact, float(radius), float(youngs_modulus), float(density))
+    depth, rim, held, patch = (round(float(length) / radius, 12) for length in lengths)
+    prestress = round(tension / (depth * radius * youngs_modulus), 12)
+    return DiscShape(depth, float(poisson_ratio), rim, held, prestress, patch, raised), float(youngs_modulus)
+
+
+def _glue(radius: float, thickness: float, rim_width: float, glue_width: float | None) -> float:
+    """Width of the glued annulus, m; 0 where the lateral face is clamped."""
+    if rim_width != 0:
+        in_range("rim_width", rim_width, 0.05 * thickness * (1 - 1e-9), 50 * radius * (1 + 1e-9), "m")
+        glue = rim_width if glue_width is None else glue_width
+        in_range("glue_width", glue, 0.05 * thickness, rim_width, "m")
+        return glue
+    if glue_width is not None:
+        raise Refusal(f"glue_width = {glue_width:g} m needs a rim: rim_width = 0 clamps the lateral face")
+    return 0.0
 
 
 def _raised(
@@ -301,43 +335,70 @@ def disc_compliance(
     return solve_disc(radius, thickness, youngs_modulus, poisson_ratio, rim_width).static_compliance
 
 
-def design_disc(design: ArrayDesign, *, contact_radius: float | None = None) -> DiscSolution:
+def design_disc(
+    design: ArrayDesign, *, contact_radius: float | None = None, known: KnownDiscs | None = None
+) -> DiscSolution:
     """The membrane of a design, mounted, shaped and stretched as it says; its draft is left out.
 
     A clamped rim does not move, however thick it is.
 
     Args:
         design: the array.
-        contact_radius: of the patch that takes a force, m, as for :func:`solve_disc`.
+        contact_radius: of the patch that takes a force, m, as for :class:`DiscOptions`.
+        known: discs that need not be solved.
 
     Raises:
         Refusal: proportions outside what :func:`solve_disc` covers.
     """
+    density = design.material(design.membrane.material).density
+    sizes, options = _membrane_of(design, contact_radius)
+    return solve_disc(*sizes, density, options, known)
+
+
+def design_shape(design: ArrayDesign) -> DiscShape:
+    """What the dimensionless solution of :func:`design_disc` depends on.
+
+    Raises:
+        Refusal: proportions outside what :func:`solve_disc` covers.
+    """
+    sizes, options = _membrane_of(design, None)
+    return shape_of_disc(*sizes, options)[0]
+
+
+def _membrane_of(
+    design: ArrayDesign, contact_radius: float | None
+) -> tuple[tuple[float, float, float, float, float], DiscOptions]:
+    """Radius, thickness, modulus, Poisson's ratio and rim of a design's membrane, SI, and its options."""
     membrane = design.membrane
-    material = design.material(membrane.material)
-    return solve_disc(
+    material, clamped = design.material(membrane.material), membrane.mounting == "clamped"
+    options = DiscOptions(
+        stretch=membrane.stretch,
+        contact_radius=contact_radius,
+        rim_height=0.0 if clamped else metres(membrane.rim_height or 0.0),
+        boss_radius=metres(membrane.boss_diameter or 0.0) / 2,
+        boss_height=metres(membrane.boss_height or 0.0),
+    )
+    return (
         metres(design.resonator.cavity_diameter) / 2,
         metres(membrane.thickness),
         pascals(material.youngs_modulus),
         material.poisson_ratio,
-        0.0 if membrane.mounting == "clamped" else metres(membrane.rim_width),
-        material.density,
-        stretch=membrane.stretch,
-        contact_radius=contact_radius,
-        rim_height=0.0 if membrane.mounting == "clamped" else metres(membrane.rim_height or 0.0),
-        boss_radius=metres(membrane.boss_diameter or 0.0) / 2,
-        boss_height=metres(membrane.boss_height or 0.0),
-    )
+        0.0 if clamped else metres(membrane.rim_width),
+    ), options
 
 
-def design_compliance(design: ArrayDesign, frequency: ArrayLike) -> NDArray[np.complex128]:
-    """Volume compliance of a design's membrane with the loss factor of its material.
+def design_compliance(
+    design: ArrayDesign, frequency: ArrayLike, known: KnownDiscs | None = None
+) -> NDArray[np.complex128]:
+    """Volume compliance of a design's membrane with the loss factor of its material, m^3/Pa.
 
     Args:
         design: the array.
         frequency: Hz, any shape.
+        known: discs that need not be solved.
 
     Returns:
-        Shape of frequency, complex128, m^3/Pa.
+        Complex128 of the shape of the frequency.
     """
-    return design_disc(design).compliance(frequency, design.material(design.membrane.material).loss_factor)
+    disc = design_disc(design, known=known)
+    return disc.compliance(frequency, design.material(design.membrane.material).loss_factor)

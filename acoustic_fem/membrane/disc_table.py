@@ -8,17 +8,14 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Callable, Iterable, Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.polynomial.chebyshev import chebvander
 from numpy.typing import NDArray
 
-from acoustic_fem.membrane import disc
 from acoustic_fem.membrane.elasticity import DiscShape, ElasticDisc, solve_dimensionless
-from geometry.design.array_design import ArrayDesign
 
 #: Largest relative error of the interpolated statics and of the first mode, at the points where it is checked.
 ACCURACY = 3e-4
@@ -102,18 +99,16 @@ class DiscTable:
         return index[0] * sizes[1] + index[1]
 
 
-@contextmanager
-def interpolated_discs(tables: Sequence[DiscTable]) -> Iterator[None]:
-    """Within the block, membranes that a table covers come from it; the others are solved as always."""
+@dataclass(frozen=True, eq=False)
+class DiscTables:
+    """Several tables as :class:`acoustic_fem.membrane.disc.KnownDiscs`: membranes that one covers come from it."""
 
-    def look_up(shape: DiscShape) -> ElasticDisc | None:
-        return next((table.at(shape) for table in tables if table.covers(shape)), None)
+    tables: tuple[DiscTable, ...] = ()
+    """Tables in the order in which they are asked."""
 
-    token = disc.disc_source.set(look_up if tables else None)
-    try:
-        yield
-    finally:
-        disc.disc_source.reset(token)
+    def find(self, shape: DiscShape) -> ElasticDisc | None:
+        """Disc of a shape, None where no table covers it."""
+        return next((table.at(shape) for table in self.tables if table.covers(shape)), None)
 
 
 def disc_tables(shapes: Iterable[DiscShape], solve: Solve | None = None) -> tuple[DiscTable, ...]:
@@ -146,7 +141,7 @@ def disc_count(shapes: Iterable[DiscShape]) -> int:
 def _groups(shapes: Iterable[DiscShape]) -> list[list[DiscShape]]:
     groups: dict[object, list[DiscShape]] = {}
     for shape in dict.fromkeys(shapes):
-        if shape.prestress == 0 and shape.glue == shape.rim:
+        if shape.prestress == 0 and shape.glue == shape.rim and shape.raised is None:
             groups.setdefault(_family(shape), []).append(shape)
     return list(groups.values())
 
@@ -160,16 +155,6 @@ def _sizes(bounds: NDArray[np.float64]) -> list[int]:
     """Points along thickness and along rim."""
     widths = bounds[:, 1] - bounds[:, 0]
     return [1 if w < 1e-12 else math.ceil(_POINTS + more * w) for w, more in zip(widths, _MORE, strict=True)]
-
-
-def design_shape(design: ArrayDesign) -> DiscShape | None:
-    """The membrane of a design as :func:`acoustic_fem.membrane.design_disc` solves it; None where it is stretched."""
-    if design.membrane.stretch != 1:
-        return None
-    radius = design.resonator.cavity_diameter / 2
-    rim = 0.0 if design.membrane.mounting == "clamped" else round(design.membrane.rim_width / radius, 12)
-    ratio = design.material(design.membrane.material).poisson_ratio
-    return DiscShape(round(design.membrane.thickness / radius, 12), ratio, rim, rim, 0.0, disc.CONTACT)
 
 
 def _made(group: Sequence[DiscShape], solve: Solve) -> DiscTable | None:

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acoustic_fem.duct.plane_wave import port_admittance
-from acoustic_fem.membrane.disc import design_compliance
+from acoustic_fem.membrane.disc import KnownDiscs, design_compliance
 from acoustic_fem.network.microphone import load_admittance
 from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.units import metres
@@ -74,6 +74,7 @@ def solve_network(
     admittances: Mapping[Cell, Array],
     frequency: NDArray[np.float64],
     medium: Medium,
+    known: KnownDiscs | None = None,
 ) -> NetworkResponse:
     """Responses of all points at all microphones and frequencies.
 
@@ -85,11 +86,12 @@ def solve_network(
             s): the outer ends of its k stubs in the order of ``cell.ports``, then the opening.
         frequency: (n_freq,) float64, Hz.
         medium: the air.
+        known: membranes that need not be solved.
 
     Raises:
         Refusal: a cell is missing or its admittance has the wrong shape.
     """
-    membrane = 2j * np.pi * frequency * design_compliance(design, frequency)
+    membrane = 2j * np.pi * frequency * design_compliance(design, frequency, known)
     ducts: dict[Tube, TwoPort] = {}
     lines = []
     for index, line in enumerate(design.lines):

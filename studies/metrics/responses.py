@@ -13,6 +13,7 @@ from geometry.refusal import Refusal
 
 if TYPE_CHECKING:
     from acoustic_fem import Library, Medium
+    from acoustic_fem.membrane.disc import KnownDiscs
     from geometry import ArrayDesign
 
 Complex = NDArray[np.complex128]
@@ -42,6 +43,8 @@ class Responses:
     microphone_impedance: Complex | None = None
     """Pressure at a microphone per volume velocity injected at a microphone; (n_design, n_microphone, n_microphone,
     n_freq) complex128, Pa s/m^3."""
+    known: KnownDiscs | None = None
+    """Membranes that need not be solved."""
 
     def __post_init__(self) -> None:
         h = self.transfer_function

@@ -127,7 +127,7 @@ def _disc_responses(responses: Responses) -> tuple[Complex, Complex]:
         material = design.material(design.membrane.material)
         key = (design.resonator.cavity_diameter, design.membrane, material)
         if key not in known:
-            vacuum = design_disc(design).response(responses.frequency, material.loss_factor)
+            vacuum = design_disc(design, known=responses.known).response(responses.frequency, material.loss_factor)
             known[key] = vacuum.volume_per_force, vacuum.displacement_per_force
         rows.append(known[key])
     return np.stack([row[0] for row in rows]), np.stack([row[1] for row in rows])

@@ -33,6 +33,7 @@ from studies.metrics.separation import pair_distances
 from studies.scatter.tolerances import TOLERANCES, ScatteredDesign, Tolerance
 
 if TYPE_CHECKING:
+    from acoustic_fem.membrane.disc import KnownDiscs
     from localize.signals.noise import NoiseSpectrum
 
 Array = NDArray[np.float64]
@@ -196,6 +197,7 @@ def scattered_accuracy(
     tolerances: Sequence[Tolerance] = TOLERANCES,
     noise: float | None = None,
     seed: int = 0,
+    known: KnownDiscs | None = None,
 ) -> Array:
     """Predicted top-1 of mis-made sensors with one localizer, trained on the nominal design; lumped fidelity.
 
@@ -209,6 +211,7 @@ def scattered_accuracy(
         tolerances: what scatters.
         noise: as for :func:`tolerance_study`.
         seed: of the draws.
+        known: membranes that need not be solved.
 
     Returns:
         (sensors,) float64, 0 to 1.
@@ -216,7 +219,7 @@ def scattered_accuracy(
     Raises:
         Refusal: a design that the lumped batch does not take, or a grid that does not cover the band.
     """
-    scattered, air, grid = ScatteredDesign(design, tolerances), design_air(design), frequency_grid(frequency)
+    scattered, air, grid = ScatteredDesign(design, tolerances, known), design_air(design), frequency_grid(frequency)
     nominal = batch_transfer_function(scattered.nominal, scattered.topology, grid, air)
     h = batch_transfer_function(scattered.sample(0, sensors, seed), scattered.topology, grid, air)
     return predict_confusion(h, grid, _noise(design, noise), assumed=nominal).top1

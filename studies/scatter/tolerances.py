@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from acoustic_fem.batch.parameters import ArrayParameters
 from acoustic_fem.batch.topology import Topology
-from acoustic_fem.membrane.disc import DiscSolution, solve_disc
+from acoustic_fem.membrane.disc import DiscOptions, DiscSolution, KnownDiscs, solve_disc
 from acoustic_fem.quantities.units import metres, pascals
 from geometry.design.array_design import ArrayDesign
 from geometry.files.reading import read_toml
@@ -114,12 +114,18 @@ class ScatteredDesign:
     Args:
         design: the nominal array; its membranes must not be pre-stretched with loss.
         tolerances: one per quantity; a quantity that is not among them does not scatter.
+        known: membranes that need not be solved.
 
     Raises:
         Refusal: a quantity twice, or a membrane the batch or the elastic solution does not take.
     """
 
-    def __init__(self, design: ArrayDesign, tolerances: Sequence[Tolerance] = TOLERANCES) -> None:
+    def __init__(
+        self,
+        design: ArrayDesign,
+        tolerances: Sequence[Tolerance] = TOLERANCES,
+        known: KnownDiscs | None = None,
+    ) -> None:
         names = [tolerance.quantity for tolerance in tolerances]
         if len(set(names)) != len(names):
             raise Refusal(f"tolerances: {max(names, key=names.count)} is given twice")
@@ -134,13 +140,13 @@ class ScatteredDesign:
         self.tolerances = tuple(tolerances)
         shared = Topology.of(design)
         self.topology = shared.individual()
-        self.nominal = ArrayParameters.from_design(design).individual(shared)
+        self.nominal = ArrayParameters.from_design(design, known=known).individual(shared)
         self._columns = {
             "tube": self.nominal.tube_radius.shape[1],
             "point": self.nominal.cavity_radius.shape[1],
             "array": 1,
         }
-        self._discs = _Discs(design, self.tolerances)
+        self._discs = _Discs(design, self.tolerances, known)
 
     def draws(self, first: int, count: int, seed: int) -> dict[str, Array]:
         """Deviations of samples ``first`` to ``first + count - 1``.
@@ -217,7 +223,7 @@ class _Discs:
 
     nodes = 6
 
-    def __init__(self, design: ArrayDesign, tolerances: Sequence[Tolerance]) -> None:
+    def __init__(self, design: ArrayDesign, tolerances: Sequence[Tolerance], known: KnownDiscs | None) -> None:
         material = design.material(design.membrane.material)
         self.opening = metres(design.resonator.cavity_diameter) / 2
         self.thickness = metres(design.membrane.thickness)
@@ -228,7 +234,7 @@ class _Discs:
         solutions: list[DiscSolution] = [
             solve_disc(
                 self.opening, ratio * self.opening, pascals(material.youngs_modulus), material.poisson_ratio,
-                rim * self.opening, material.density, stretch=design.membrane.stretch,
+                rim * self.opening, material.density, DiscOptions(stretch=design.membrane.stretch), known,
             )
             for ratio in ratios
         ]  # fmt: skip

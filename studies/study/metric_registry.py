@@ -217,7 +217,10 @@ def _scattered_top1(responses: Responses) -> Values:
     from studies.scatter.effects import scattered_accuracy
 
     return _of_designs(
-        lambda design: float(scattered_accuracy(design, responses.frequency, sensors=SENSORS).mean()), responses
+        lambda design: float(
+            scattered_accuracy(design, responses.frequency, sensors=SENSORS, known=responses.known).mean()
+        ),
+        responses,
     )
 
 

@@ -24,7 +24,8 @@ from acoustic_fem.batch.topology import Topology
 from acoustic_fem.cell.design_cells import solve_cells
 from acoustic_fem.cell.lumped import lumped_admittance
 from acoustic_fem.cell.one_cell import CellError, CellFault
-from acoustic_fem.membrane.disc_table import DiscTable, design_shape, interpolated_discs
+from acoustic_fem.membrane.disc import design_shape
+from acoustic_fem.membrane.disc_table import DiscTables
 from acoustic_fem.membrane.elasticity import DiscShape
 from acoustic_fem.network.array_network import solve_network
 from geometry import ArrayDesign, DesignError
@@ -59,8 +60,8 @@ class Job:
     """Names of the metrics."""
     transfer_functions: bool
     """Whether transfer functions are handed back."""
-    discs: tuple[DiscTable, ...] = ()
-    """Tables of membranes to interpolate between."""
+    discs: DiscTables | None = None
+    """Membranes that are interpolated between solved ones; None: all are solved."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -106,11 +107,9 @@ def discs_of(cases: Cases) -> list[DiscShape]:
     shapes: dict[DiscShape, None] = {}
     for number in range(len(cases)):
         try:
-            shape = design_shape(cases.design(number))
-        except DesignError:
-            continue
-        if shape is not None:
-            shapes[shape] = None
+            shapes[design_shape(cases.design(number))] = None
+        except (DesignError, ValueError):
+            continue  # the case fails by name
     return list(shapes)
 
 
@@ -145,7 +144,7 @@ def solve_block(
     """
     metrics = metrics_named(job.metrics)
     block = _Block(len(cases), {metric.name: np.full(len(cases), np.nan) for metric in metrics}, [""] * len(cases))
-    with warnings.catch_warnings(record=True) as caught, interpolated_discs(job.discs):
+    with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         designs: dict[int, ArrayDesign] = {}
         for number in range(len(cases)):
@@ -219,7 +218,8 @@ def _batch(job: Job, topology: Topology, designs: Sequence[ArrayDesign]) -> Resp
     medium = media[0] if len(states) == 1 else MediumParameters.from_media(media)
     # of the same designs whatever the others of the block are: their own air, diaphragm and vent
     parameters = [
-        ArrayParameters.from_designs([d for d in designs if d.air == air], state) for air, state in states.items()
+        ArrayParameters.from_designs([d for d in designs if d.air == air], state, job.discs)
+        for air, state in states.items()
     ]
     joined = parameters[0] if len(parameters) == 1 else _in_order(parameters, designs, list(states))
     response = batch_response(joined, topology, job.frequency, medium)
@@ -231,6 +231,7 @@ def _batch(job: Job, topology: Topology, designs: Sequence[ArrayDesign]) -> Resp
         source_response=response.source_response,
         point_impedance=response.point_impedance,
         microphone_impedance=response.microphone_impedance,
+        known=job.discs,
     )
 
 
@@ -256,7 +257,7 @@ def _network(job: Job, design: ArrayDesign, cells: Mapping[CellKey, SolvedCell])
         if solved.admittance is None:
             raise CellError(solved.reason)
         admittances[cell] = solved.admittance
-    response = solve_network(design, layout, catalogue, admittances, job.frequency, air)
+    response = solve_network(design, layout, catalogue, admittances, job.frequency, air, job.discs)
     return Responses(
         frequency=job.frequency,
         transfer_function=(response.source_response / response.point_impedance[:, None])[None],
@@ -265,6 +266,7 @@ def _network(job: Job, design: ArrayDesign, cells: Mapping[CellKey, SolvedCell])
         source_response=response.source_response[None],
         point_impedance=response.point_impedance[None],
         microphone_impedance=response.microphone_impedance[None],
+        known=job.discs,
     )
 
 
@@ -278,6 +280,7 @@ def _joined(parts: Sequence[Responses]) -> Responses:
         frequency=parts[0].frequency,
         designs=tuple(design for part in parts for design in part.designs or ()),
         medium=tuple(air for part in parts for air in part.medium or ()),
+        known=parts[0].known,
         **{
             name: all_of(name)
             for name in ("transfer_function", "source_response", "point_impedance", "microphone_impedance")

@@ -17,7 +17,7 @@ from typing import IO, Any
 import numpy as np
 
 from acoustic_fem.library.provenance import versions
-from acoustic_fem.membrane.disc_table import DiscTable, disc_tables
+from acoustic_fem.membrane.disc_table import DiscTables, disc_tables
 from acoustic_fem.membrane.elasticity import DiscShape, ElasticDisc, solve_dimensionless
 from geometry import DesignError
 from geometry.refusal import Refusal
@@ -179,14 +179,14 @@ def _try_metrics(job: Job, cases: Cases, study: Study) -> None:
         return
 
 
-def _interpolate_discs(team: Workers, discs: Sequence[DiscShape]) -> tuple[DiscTable, ...]:
+def _interpolate_discs(team: Workers, discs: Sequence[DiscShape]) -> DiscTables:
     """Tables of the membranes of all cases, waiting or not, so that every run has the same."""
 
     def solve(shapes: Sequence[DiscShape]) -> list[ElasticDisc]:
         solved = dict(team.run(solve_dimensionless, ((shape,) for shape in shapes)))
         return [solved[number] for number in range(len(shapes))]
 
-    return disc_tables(discs, solve)
+    return DiscTables(disc_tables(discs, solve))
 
 
 def _cells_of_blocks(

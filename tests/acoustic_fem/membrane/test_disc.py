@@ -11,7 +11,7 @@ from acoustic_fem.cell.condensed import AirModel, BodyFaces, condense
 from acoustic_fem.duct.plane_wave import port_admittance
 from acoustic_fem.fields.element_sizes import mesh_sizes
 from acoustic_fem.fields.navier_stokes import WallMotion
-from acoustic_fem.membrane.disc import design_compliance, design_disc, disc_compliance, solve_disc
+from acoustic_fem.membrane.disc import DiscOptions, design_compliance, design_disc, disc_compliance, solve_disc
 from acoustic_fem.membrane.elasticity import DiscShape, solve_dimensionless
 from acoustic_fem.quantities.medium import Medium
 from geometry import DesignError
@@ -158,7 +158,13 @@ def test_coupling_shapes_sweep_the_areas_and_are_held_at_the_edge():
 @settings(max_examples=8)
 @given(st.sampled_from([0.0, 0.4]), st.sampled_from([0.1, 0.3]), st.sampled_from([0.0, 0.05]), st.floats(0, 1))
 def test_at_low_frequency_the_modal_sum_is_the_static_answer(rim, thickness, prestress, loss):
-    disc = solve_disc(3e-3, thickness * 3e-3, 5e5, rim_width=rim * 3e-3, tension=prestress * thickness * 3e-3 * 5e5)
+    disc = solve_disc(
+        3e-3,
+        thickness * 3e-3,
+        5e5,
+        rim_width=rim * 3e-3,
+        options=DiscOptions(tension=prestress * thickness * 3e-3 * 5e5),
+    )
     static = disc.response(1e-4)
     assert static.compliance == pytest.approx(disc.static_compliance, rel=1e-9, abs=0)
     assert static.volume_per_force == pytest.approx(disc.volume_per_force, rel=1e-9, abs=0)
@@ -187,7 +193,7 @@ def test_four_modes_and_two_corrections_are_as_good_as_many():
 @settings(max_examples=20)
 @given(st.floats(0.001, 1), st.floats(1, 3000))
 def test_a_lossy_disc_takes_power_at_any_frequency(loss, frequency):
-    disc = solve_disc(3e-3, 0.5e-3, 1e6, rim_width=1.5e-3, tension=20.0)
+    disc = solve_disc(3e-3, 0.5e-3, 1e6, rim_width=1.5e-3, options=DiscOptions(tension=20.0))
     answer = disc.response(frequency, loss)
     power = np.array(
         [[answer.compliance, answer.volume_per_force], [answer.volume_per_force, answer.displacement_per_force]]
@@ -217,7 +223,7 @@ def test_volume_per_patch_force_is_patch_displacement_per_pressure(rim):
 
 def test_a_small_patch_sinks_in_as_into_a_half_space():
     """Mean displacement under uniform pressure 16 (1 - nu^2) F / (3 pi^2 E c) (Johnson, Contact Mechanics, 3.29b)."""
-    disc = [solve_disc(1.0, 2.0, 1.0, contact_radius=contact) for contact in (0.02, 0.05)]
+    disc = [solve_disc(1.0, 2.0, 1.0, options=DiscOptions(contact_radius=contact)) for contact in (0.02, 0.05)]
     local = 16 * (1 - 0.49**2) / (3 * np.pi**2)
     found = disc[0].displacement_per_force - disc[1].displacement_per_force
     assert found == pytest.approx(local * (1 / 0.02 - 1 / 0.05), rel=2e-3, abs=0)
@@ -225,7 +231,7 @@ def test_a_small_patch_sinks_in_as_into_a_half_space():
 
 def test_a_thin_disc_under_a_central_force_bends_as_a_plate():
     """Clamped plate under a point force: centre F a^2 / (16 pi D), volume F a^4 / (64 D) (Timoshenko 1959, 19)."""
-    disc = solve_disc(1.0, 0.02, 1.0, contact_radius=0.03)
+    disc = solve_disc(1.0, 0.02, 1.0, options=DiscOptions(contact_radius=0.03))
     stiffness = 0.02**3 / (12 * (1 - 0.49**2))
     assert disc.volume_per_force == pytest.approx(1 / (64 * stiffness), rel=4e-3, abs=0)
     assert disc.displacement_per_force == pytest.approx(1 / (16 * np.pi * stiffness), rel=1e-2, abs=0)
@@ -240,7 +246,8 @@ def test_pressure_from_above_sweeps_what_pressure_from_below_does():
 def test_glue_over_part_of_the_flange_lies_between_no_flange_and_the_whole():
     widths = (0.15e-3, 0.3e-3, 0.6e-3, 1.5e-3)
     compliance = [
-        solve_disc(3e-3, 0.5e-3, 1e6, rim_width=1.5e-3, glue_width=width).static_compliance for width in widths
+        solve_disc(3e-3, 0.5e-3, 1e6, rim_width=1.5e-3, options=DiscOptions(glue_width=width)).static_compliance
+        for width in widths
     ]
     assert np.all(np.diff(compliance) < 0)
     assert compliance[-1] > disc_compliance(3e-3, 0.5e-3, 1e6)
@@ -253,13 +260,13 @@ def test_glue_over_part_of_the_flange_lies_between_no_flange_and_the_whole():
 @pytest.mark.parametrize("prestress", [1e-6, 1e-4, 1e-3, 1e-2])
 def test_a_thin_disc_under_tension_is_a_plate_under_tension(prestress):
     tension = prestress * 0.02
-    disc = solve_disc(1.0, 0.02, 1.0, tension=tension)
+    disc = solve_disc(1.0, 0.02, 1.0, options=DiscOptions(tension=tension))
     assert disc.static_compliance == pytest.approx(tensioned_plate(1.0, 0.02, 1.0, tension), rel=2.5e-3, abs=0)
 
 
 def test_under_high_tension_a_thin_disc_is_a_skin():
     """C = pi a^4 / (8 T) and f = j0n / (2 pi a) sqrt(T / (rho h))."""
-    disc = solve_disc(1.0, 0.01, 1.0, density=1000.0, tension=0.01)
+    disc = solve_disc(1.0, 0.01, 1.0, density=1000.0, options=DiscOptions(tension=0.01))
     assert disc.static_compliance == pytest.approx(np.pi / (8 * 0.01), rel=0.01, abs=0)
     skin = jn_zeros(0, 4) / (2 * np.pi) * np.sqrt(0.01 / (1000 * 0.01))
     np.testing.assert_allclose(disc.modes.frequency[:2], skin[:2], rtol=0.003)
@@ -268,7 +275,9 @@ def test_under_high_tension_a_thin_disc_is_a_skin():
 
 def test_tension_stiffens_and_raises_the_resonance():
     tensions = [0.0, 1.0, 10.0, 100.0]
-    discs = [solve_disc(3e-3, 0.5e-3, 1e6, rim_width=1.5e-3, tension=tension) for tension in tensions]
+    discs = [
+        solve_disc(3e-3, 0.5e-3, 1e6, rim_width=1.5e-3, options=DiscOptions(tension=tension)) for tension in tensions
+    ]
     assert np.all(np.diff([disc.static_compliance for disc in discs]) < 0)
     assert np.all(np.diff([disc.displacement_per_force for disc in discs]) < 0)
     assert np.all(np.diff([disc.first_frequency for disc in discs]) > 0)
@@ -276,14 +285,16 @@ def test_tension_stiffens_and_raises_the_resonance():
 
 def test_a_stretched_sheet_is_neo_hookean():
     stretch, thickness, modulus = 1.2, 0.5e-3, 1e6
-    disc = solve_disc(3e-3, thickness, modulus, rim_width=1.5e-3, stretch=stretch)
+    disc = solve_disc(3e-3, thickness, modulus, rim_width=1.5e-3, options=DiscOptions(stretch=stretch))
     stress = modulus / 3 * (stretch**2 - stretch**-4)
     mounted = thickness / stretch**2
-    same = solve_disc(3e-3, mounted, modulus * stretch**-4, rim_width=1.5e-3, tension=stress * mounted)
+    same = solve_disc(
+        3e-3, mounted, modulus * stretch**-4, rim_width=1.5e-3, options=DiscOptions(tension=stress * mounted)
+    )
     assert disc.static_compliance == pytest.approx(same.static_compliance, rel=1e-9, abs=0)
     relaxed = solve_disc(3e-3, thickness, modulus, rim_width=1.5e-3)
     assert disc.static_compliance < relaxed.static_compliance
-    barely = solve_disc(3e-3, thickness, modulus, rim_width=1.5e-3, stretch=1 + 1e-9)
+    barely = solve_disc(3e-3, thickness, modulus, rim_width=1.5e-3, options=DiscOptions(stretch=1 + 1e-9))
     assert barely.static_compliance == pytest.approx(relaxed.static_compliance, rel=1e-5, abs=0)
 
 
@@ -319,7 +330,13 @@ def test_the_design_says_how_the_membrane_is_held_and_stretched():
     assert plate < expected < design_disc(design).static_compliance
     stretched = design.with_values({"membrane.stretch": 1.1})
     expected = solve_disc(
-        a, h, material.youngs_modulus * 1e6, material.poisson_ratio, 1.5e-3, material.density, stretch=1.1
+        a,
+        h,
+        material.youngs_modulus * 1e6,
+        material.poisson_ratio,
+        1.5e-3,
+        material.density,
+        options=DiscOptions(stretch=1.1),
     )
     assert design_disc(stretched).static_compliance == expected.static_compliance
     assert membrane_radius(stretched.resonator, stretched.membrane) == pytest.approx(
@@ -382,9 +399,11 @@ def test_the_largest_stretch_that_the_rules_allow_can_be_solved():
     ],
 )
 def test_an_impossible_disc_is_refused_by_name(changes, message):
-    arguments = {"radius": 3e-3, "thickness": 0.3e-3, "youngs_modulus": 5e5, **changes}
+    options = {name: value for name, value in changes.items() if hasattr(DiscOptions(), name)}
+    plain = {name: value for name, value in changes.items() if name not in options}
+    arguments = {"radius": 3e-3, "thickness": 0.3e-3, "youngs_modulus": 5e5, **plain}
     with pytest.raises(ValueError) as error:
-        solve_disc(**arguments)
+        solve_disc(**arguments, options=DiscOptions(**options))
     assert message in str(error.value)
 
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from acoustic_fem.membrane.disc import design_disc, solve_disc
+from acoustic_fem.membrane.disc import DiscOptions, design_disc, solve_disc
 from acoustic_fem.membrane.elasticity import DiscShape, solve_dimensionless
 from geometry.design.design_file import prototype
 
@@ -73,15 +73,24 @@ def test_shaped_discs_are_converged(part):
 
 def test_a_heavy_boss_lowers_the_resonance_and_a_rim_raises_it():
     flat = solve_disc(3e-3, 0.5e-3, 1e6, rim_width=1.5e-3).first_frequency
-    assert solve_disc(3e-3, 0.5e-3, 1e6, rim_width=1.5e-3, boss_radius=1e-3, boss_height=3e-3).first_frequency < flat
-    assert solve_disc(3e-3, 0.5e-3, 1e6, rim_width=1.5e-3, rim_height=1e-3).first_frequency > flat
+    assert (
+        solve_disc(
+            3e-3, 0.5e-3, 1e6, rim_width=1.5e-3, options=DiscOptions(boss_radius=1e-3, boss_height=3e-3)
+        ).first_frequency
+        < flat
+    )
+    assert solve_disc(3e-3, 0.5e-3, 1e6, rim_width=1.5e-3, options=DiscOptions(rim_height=1e-3)).first_frequency > flat
 
 
 def test_the_touch_takes_the_whole_boss_unless_told_otherwise():
-    disc = solve_disc(3e-3, 0.5e-3, 1e6, rim_width=1.5e-3, boss_radius=1.2e-3, boss_height=1e-3)
+    disc = solve_disc(3e-3, 0.5e-3, 1e6, rim_width=1.5e-3, options=DiscOptions(boss_radius=1.2e-3, boss_height=1e-3))
     assert disc.contact_radius == pytest.approx(1.2e-3, rel=1e-12, abs=0)
     smaller = solve_disc(
-        3e-3, 0.5e-3, 1e6, rim_width=1.5e-3, boss_radius=1.2e-3, boss_height=1e-3, contact_radius=0.6e-3
+        3e-3,
+        0.5e-3,
+        1e6,
+        rim_width=1.5e-3,
+        options=DiscOptions(boss_radius=1.2e-3, boss_height=1e-3, contact_radius=0.6e-3),
     )
     assert smaller.displacement_per_force > disc.displacement_per_force
 
@@ -93,9 +102,9 @@ def test_a_design_gives_its_shape_to_the_acoustics():
     material = design.material(design.membrane.material)
     same = {"rim_width": 1.5e-3, "density": material.density}
     given = (3e-3, 0.5e-3, material.youngs_modulus * 1e6, material.poisson_ratio)
-    expected = solve_disc(*given, **same, boss_radius=1e-3, boss_height=0.6e-3).static_compliance
+    expected = solve_disc(*given, **same, options=DiscOptions(boss_radius=1e-3, boss_height=0.6e-3)).static_compliance
     assert design_disc(boss).static_compliance == pytest.approx(expected, rel=1e-9, abs=0)
-    expected = solve_disc(*given, **same, rim_height=0.4e-3).static_compliance
+    expected = solve_disc(*given, **same, options=DiscOptions(rim_height=0.4e-3)).static_compliance
     assert design_disc(rim).static_compliance == pytest.approx(expected, rel=1e-9, abs=0)
     assert design_disc(rim).static_compliance < 0.97 * design_disc(design).static_compliance
     # A rim that cannot move is no stiffer for being thick.
@@ -123,5 +132,5 @@ def test_a_design_gives_its_shape_to_the_acoustics():
 )
 def test_a_shape_that_cannot_be_solved_is_refused_by_name(changes, message):
     with pytest.raises(ValueError) as error:
-        solve_disc(**({"radius": 3e-3, "thickness": 0.5e-3, "youngs_modulus": 1e6} | changes))
+        solve_disc(3e-3, 0.5e-3, 1e6, rim_width=changes.pop("rim_width", 0.0), options=DiscOptions(**changes))
     assert message in str(error.value)
