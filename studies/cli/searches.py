@@ -39,14 +39,11 @@ def optimize(
     """
     check_workers(workers, scheduler)
     from studies.findings.search_files import check_printed, save_search
-    from studies.optimization.gradient import check_refinable, refine, with_refined
     from studies.optimization.problem import load_optimization
     from studies.optimization.search import journal_exists, optimize as search
     from studies.output.folders import check_folder
 
     problem = load_optimization(study)
-    if problem.refine:
-        check_refinable(problem)
     check_folder(out)
     if out.is_dir() and any(out.iterdir()) and not journal_exists(out):
         raise Refusal(f"{out}: holds files that no search made; --out must be a new folder, or one of this search")
@@ -54,9 +51,6 @@ def optimize(
     with display_on_stderr() as display:
         with display.stage("Search") as report:
             result = search(problem, out, workers=workers, scheduler=scheduler, progress=report)
-        if problem.refine and result.front:
-            with display.stage("Refine") as report:
-                result = with_refined(problem, result, refine(problem, result.front, report))
         if not result.front:
             raise Refusal(
                 f"{problem.study.name}: none of {problem.trials} designs keeps the limits "
@@ -81,6 +75,6 @@ def _show_front(problem: Optimization, rows: tuple[Candidate, ...]) -> None:
         numbers=tuple(range(1, len(metrics) + 1)),
     )  # fmt: skip
     for each in rows:
-        name = "base" if each.number == -1 else f"{each.number}" if each.number >= 0 else f"refined {-each.number - 1}"
+        name = "base" if each.number == -1 else f"{each.number}"
         table.add_row(name, *(number(each.metrics[metric.name]) for metric in metrics))
     show(table)

@@ -98,9 +98,8 @@ class ResultTable:
         raise Refusal(f"metric {name!r} must be one of: {', '.join(column.name for column in self.metrics)}")
 
     def label(self, row: int) -> str:
-        """Name of the design of a row: its number, or one after the start it was refined from."""
-        number = int(self.number[row])
-        return str(number) if number >= 0 else f"refined-{-number - 1}"
+        """Name of the design of a row: its number."""
+        return str(int(self.number[row]))
 
     def best(self, metric: str, count: int) -> list[int]:
         """Rows of the best designs by one metric, the best first; equals by number.

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import csv
 import io
-import json
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -15,10 +14,9 @@ from geometry.printing.report import PrintReport
 from studies.optimization.printable import worst_accepted
 from studies.optimization.problem import Optimization
 from studies.optimization.search import Candidate, OptimizationResult, ranked
-from studies.output.folders import write_json
 
-#: The study, its base and the designs found by descent, beside the journal of the trials.
-_STUDY, _BASE, _REFINED = "study.toml", "base.toml", "refined.json"
+#: The study, its base and the best design, beside the journal of the trials.
+_STUDY, _BASE, _BEST = "study.toml", "base.toml", "best.toml"
 #: Designs of the front whose files are written and whose parts are drawn and measured.
 LARGEST_FRONT = 10
 
@@ -41,7 +39,7 @@ def check_printed(
         for each in front[:LARGEST_FRONT]:
             if each.number in verdicts:
                 continue
-            report(f"design {label(each)}", min(len(verdicts) / LARGEST_FRONT, 1.0))
+            report(f"design {each.number}", min(len(verdicts) / LARGEST_FRONT, 1.0))
             design = problem.study.base.with_values(each.values)
             printing = print_report(build_parts(design), design.printing.process)
             passes = printing.verdict in worst_accepted(problem.rules.demand)
@@ -62,14 +60,9 @@ def _failure(printing: PrintReport) -> str:
     return f"drawn and measured: {finding.rule} of the {finding.part.split('-')[0]} against the print rules"
 
 
-def label(candidate: Candidate) -> str:
-    """Name of a design in files: the number of its trial, or that of the start it was refined from."""
-    return str(candidate.number) if candidate.number >= 0 else f"refined-{-candidate.number - 1}"
-
-
 def candidate_design(problem: Optimization, candidate: Candidate) -> ArrayDesign:
     """Design of a candidate, named after the study."""
-    origin = f"Design {label(candidate)} of the search {problem.study.name}; base {problem.study.base.name}"
+    origin = f"Design {candidate.number} of the search {problem.study.name}; base {problem.study.base.name}"
     return problem.study.base.with_values(
         {**candidate.values, "name": problem.study.name, "description": origin}
     ).completed()
@@ -80,17 +73,15 @@ def save_search(problem: Optimization, result: OptimizationResult, out: Path) ->
     from studies.findings.page import write_sweep_report
     from studies.findings.result_table import table_of_search
 
-    best, table, report, folder = (out / name for name in ("best.toml", "front.csv", "report.html", "front"))
+    best, table, report, folder = (out / name for name in (_BEST, "front.csv", "report.html", "front"))
     write_text(out / _STUDY, problem.text)
     save_design(problem.study.base, out / _BASE)
-    refined = [vars(each) for each in result.candidates if each.number < 0]
-    write_json(out / _REFINED, {"refined": refined})
     save_design(candidate_design(problem, result.front[0]), best)
     folder.mkdir(exist_ok=True)
     for old in folder.glob("*.toml"):
         old.unlink()
     for each in result.front[:LARGEST_FRONT]:
-        save_design(candidate_design(problem, each), folder / f"{label(each)}.toml")
+        save_design(candidate_design(problem, each), folder / f"{each.number}.toml")
     write_text(table, _csv(problem, result))
     write_sweep_report(
         table_of_search(problem, result), report, f"acoustic-fem best {out} {{number}} --out design-{{number}}.toml"
@@ -109,16 +100,13 @@ def read_search(out: Path) -> tuple[Optimization, OptimizationResult]:
     from studies.optimization.search import found_so_far, journal_exists
     from studies.study.study import StudyError
 
-    if not journal_exists(out) or not all((out / name).is_file() for name in (_STUDY, _BASE, _REFINED)):
+    if not journal_exists(out) or not all((out / name).is_file() for name in (_STUDY, _BASE, _BEST)):
         raise StudyError(
             f"{out}: is neither the results of a sweep (a .zarr folder) nor the folder of a finished search"
         )
     text = (out / _STUDY).read_text(encoding="utf-8")
     problem = read_optimization(text, str(out / _STUDY), out, load_design(out / _BASE))
-    result = found_so_far(problem, out)
-    refined = json.loads((out / _REFINED).read_text(encoding="utf-8"))["refined"]
-    candidates = (*result.candidates, *(Candidate(**each) for each in refined))
-    return problem, replace(result, candidates=candidates, front=ranked(problem, candidates))
+    return problem, found_so_far(problem, out)
 
 
 def _csv(problem: Optimization, result: OptimizationResult) -> str:
@@ -129,6 +117,6 @@ def _csv(problem: Optimization, result: OptimizationResult) -> str:
     writer.writerow(["design", *parameters, *names])
     for each in result.front:
         writer.writerow(
-            [label(each), *(each.values[name] for name in parameters), *(f"{each.metrics[name]:.6g}" for name in names)]
+            [each.number, *(each.values[name] for name in parameters), *(f"{each.metrics[name]:.6g}" for name in names)]
         )
     return text.getvalue()

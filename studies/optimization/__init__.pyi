@@ -1,4 +1,3 @@
-from .gradient import check_refinable as check_refinable, refine as refine, with_refined as with_refined
 from .printable import worst_accepted as worst_accepted
 from .problem import (
     Optimization as Optimization,

@@ -80,8 +80,6 @@ class Optimization:
     """Method of the search: "nsga2" for a front, "tpe" for one objective, "random" for comparison."""
     rules: PrintDemand
     """Demand that a design must meet to be printed and laid out."""
-    refine: int
-    """Number of steps of gradient descent from the best designs; 0 for none."""
 
     @property
     def metrics(self) -> tuple[Metric, ...]:
@@ -111,7 +109,6 @@ class _Optimize(FileSection):
     batch: Annotated[_Whole, Field(ge=1, le=10_000)] = Field(default=64, description="designs computed at once")
     method: Method | None = Field(default=None, description="how the designs are proposed")
     printable: Demand = Field(default="base", description="what the print rules demand")
-    refine: Annotated[_Whole, Field(ge=0, le=10_000)] = Field(default=0, description="steps of gradient descent")
     objectives: tuple[_Objective, ...] = Field(min_length=1, max_length=4, description="figures to be made best")
     limits: tuple[_Limit, ...] = Field(default=(), description="bounds on figures")
 
@@ -171,9 +168,7 @@ def _checked(file: _Optimize, study: Study, text: str) -> Optimization:
         for parameter in axis:
             searched_range(parameter, rules)
     method = file.method or ("nsga2" if len(objectives) > 1 else "tpe")
-    return Optimization(
-        study, text, tuple(objectives), tuple(limits), file.trials, file.batch, method, rules, file.refine
-    )
+    return Optimization(study, text, tuple(objectives), tuple(limits), file.trials, file.batch, method, rules)
 
 
 def searched_range(parameter: Parameter, rules: PrintDemand) -> tuple[float, float]:

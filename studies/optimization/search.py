@@ -42,7 +42,7 @@ class Candidate:
     """Candidate: a design that was computed."""
 
     number: int
-    """Number of its trial; -1 for the base design, -2 and below for those found by gradient descent."""
+    """Number of its trial; -1 for the base design."""
     values: dict[str, Any]
     """Values of the parameters by dotted name."""
     metrics: dict[str, float]
@@ -178,7 +178,7 @@ def _opened(problem: Optimization, out: Path) -> optuna.Study:
     elif of_whom != _identity(problem):
         raise StudyError(
             f"{out / JOURNAL}: holds the trials of another problem; give a new folder, or the file it was begun with "
-            "(only optimize.trials and optimize.refine may change)"
+            "(only optimize.trials may change)"
         )
     return search
 
@@ -275,7 +275,8 @@ def _proposed(trial: optuna.Trial, problem: Optimization) -> dict[str, Any]:
             if first.whole:
                 values[first.name] = trial.suggest_int(label, round(low), round(high))
             else:
-                values[first.name] = rounded(trial.suggest_float(label, low, high, log=first.scale == "log"), low, high)
+                value = trial.suggest_float(label, low, high, log=first.scale == "log")
+                values[first.name] = _rounded(value, low, high)
         else:
             place = np.array([trial.suggest_float(label, 0.0, 1.0)])
             values |= {parameter.name: _at(parameter, place) for parameter in axis}
@@ -284,10 +285,10 @@ def _proposed(trial: optuna.Trial, problem: Optimization) -> dict[str, Any]:
 
 def _at(parameter: Parameter, place: NDArray[np.float64]) -> float | int:
     value = parameter.at(place)[0]
-    return int(value) if parameter.whole else rounded(float(value), *sorted((parameter.low, parameter.high)))
+    return int(value) if parameter.whole else _rounded(float(value), *sorted((parameter.low, parameter.high)))
 
 
-def rounded(value: float, low: float, high: float) -> float:
+def _rounded(value: float, low: float, high: float) -> float:
     """Length to four significant digits, inside its range."""
     return min(max(float(f"{value:.{_DIGITS}g}"), low), high)
 
@@ -295,35 +296,35 @@ def rounded(value: float, low: float, high: float) -> float:
 def _result(search: optuna.Study, problem: Optimization) -> OptimizationResult:
     import optuna
 
-    base = evaluated(problem, -1, {})
+    base = _base(problem)
     candidates, reasons = [], list[tuple[int, str]]()
     for trial in search.trials:
         if trial.state == optuna.trial.TrialState.COMPLETE:
             figures = trial.user_attrs["metrics"]
-            candidates.append(Candidate(trial.number, trial.user_attrs["values"], figures, keeps(problem, figures)))
+            candidates.append(Candidate(trial.number, trial.user_attrs["values"], figures, _keeps(problem, figures)))
         elif "reason" in trial.user_attrs:
             reasons.append((trial.number, trial.user_attrs["reason"]))
     refused = tuple((reason, len(numbers)) for reason, numbers in by_kind(reasons).items())
     return OptimizationResult(base, tuple(candidates), refused, ranked(problem, candidates))
 
 
-def keeps(problem: Optimization, figures: dict[str, float]) -> bool:
+def _keeps(problem: Optimization, figures: dict[str, float]) -> bool:
     """Whether figures keep all limits."""
     return all(limit.excess(figures[limit.metric.name]) <= 0 for limit in problem.limits)
 
 
-def evaluated(problem: Optimization, number: int, values: dict[str, Any]) -> Candidate:
-    """Candidate of a design, its figures computed.
+def _base(problem: Optimization) -> Candidate:
+    """The design the search begins from.
 
     Raises:
-        StudyError: it is not valid, or cannot be computed.
+        StudyError: it cannot be computed.
     """
     with open_workers(1, None) as team:
-        table, (reason,) = design_metrics([values], problem.study, problem.metrics, team)
+        table, (reason,) = design_metrics([{}], problem.study, problem.metrics, team)
     if reason:
         raise StudyError(f"{problem.study.base.name}: cannot be computed: {reason}")
     figures = {metric.name: float(value) for metric, value in zip(problem.metrics, table[0], strict=True)}
-    return Candidate(number, values, figures, keeps(problem, figures))
+    return Candidate(-1, {}, figures, _keeps(problem, figures))
 
 
 @contextmanager

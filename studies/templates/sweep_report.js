@@ -83,15 +83,14 @@ function drawFront() {
   const bar = { title: { text: label(columns[c]), side: "right" }, thickness: 14, ...(columns[c].labels.length ? { tickvals: columns[c].labels.map((_, k) => k), ticktext: columns[c].labels } : {}) };
   const ahead = front(x, y), wanted = (k) => (M[k].better === "smaller" ? " \u2190 better" : " better \u2192");
   const traces = [
-    { type: "scattergl", mode: "markers", x: cloud.metrics[x], y: cloud.metrics[y], customdata: cloud.number, text: cloud.number.map((n, k) => "design " + named(n) + "<br>" + about(k).join("<br>")),
+    { type: "scattergl", mode: "markers", x: cloud.metrics[x], y: cloud.metrics[y], customdata: cloud.number, text: cloud.number.map((n, k) => "design " + n + "<br>" + about(k).join("<br>")),
       marker: { size: 6, color: colour, colorscale: "Viridis", opacity: 0.75, colorbar: bar }, hovertemplate: "%{text}<extra></extra>" },
     { type: "scatter", mode: "lines", x: ahead.map((k) => cloud.metrics[x][k]), y: ahead.map((k) => cloud.metrics[y][k]), line: { color: HOT, width: 2 }, hoverinfo: "skip" },
   ];
   if (M[x].name in data.base) traces.push({ type: "scatter", mode: "markers+text", x: [data.base[M[x].name]], y: [data.base[M[y].name]], text: ["base"], textposition: "top center", marker: { symbol: "diamond", size: 12, color: HOT }, hovertemplate: "base<extra></extra>" });
   Plotly.react("front-plot", traces, layout({ height: 520, xaxis: axis(label(M[x]) + wanted(x)), yaxis: axis(label(M[y]) + wanted(y)) }), config);
 }
-const named = (n) => (n < 0 ? "refined-" + (-n - 1) : String(n));
-const command = (n) => data.command.replaceAll("{number}", named(n));
+const command = (n) => data.command.replaceAll("{number}", String(n));
 
 /* -- best designs ------------------------------------------------------------------------------ */
 function drawBest() {
@@ -118,7 +117,7 @@ function drawBest() {
     save.addEventListener("click", () => {
       const link = document.createElement("a");
       link.href = URL.createObjectURL(new Blob([data.designs[number]], { type: "application/toml" }));
-      link.download = "design-" + named(number) + ".toml";
+      link.download = "design-" + number + ".toml";
       link.click();
       URL.revokeObjectURL(link.href);
     });
@@ -129,7 +128,7 @@ function drawBest() {
     });
     buttons.style.whiteSpace = "nowrap";
     buttons.append(save, " ", copy);
-    row([named(number), buttons, ...values(k), ...P.map((column, p) => shown(column, cloud.parameters[p][k]))], "td");
+    row([number, buttons, ...values(k), ...P.map((column, p) => shown(column, cloud.parameters[p][k]))], "td");
   });
   byId("copied").textContent = command(data.best[M[m].name][0]);
 }
@@ -166,5 +165,5 @@ byId("front-plot").on("plotly_click", (event) => {
   const n = event.points[0].customdata;
   if (n === undefined) return;
   const k = cloud.number.indexOf(n);
-  byId("picked").textContent = "design " + named(n) + ": " + about(k).join(", ") + ". " + command(n);
+  byId("picked").textContent = "design " + n + ": " + about(k).join(", ") + ". " + command(n);
 });
