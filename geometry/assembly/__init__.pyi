@@ -1,4 +1,5 @@
 from .bill import Bill as Bill, Prices as Prices, bill_of_materials as bill_of_materials, write_bill as write_bill
+from .fit import misfits as misfits
 from .model import (
     LOOKS as LOOKS,
     ArrayModel as ArrayModel,

@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 CONTACT_VOLUME = 1e-4
 #: A hole belongs to a tube where their axes are within this angle (sine) and distance (mm).
 _SAME_DIRECTION, _SAME_AXIS = 0.01, 0.1
+#: Misfits below this are rounding, mm: directions of ports are rounded to 0.1 degrees.
+_ROUNDING = 0.01
 #: Kinds that stand apart from each other unless they belong to one point, tube or microphone.
 _BODIES: tuple[Kind, ...] = ("shell", "housing", "sheath")
 
@@ -119,19 +121,34 @@ def port_fits(model: ArrayModel) -> tuple[PortFit, ...]:
     Raises:
         Refusal: a tube ends in no port, or in a port without a bore and a socket.
     """
-    joined = _joined(model)
-    holes = {name: _cylinders(shape) for name, shape in model.shapes.items()}
-    bodies = {p.group: p for p in model.placed if p.kind in ("shell", "housing")}
-    springs = {p.group: p for p in model.placed if p.kind == "spring"}
-    fits = []
-    for sheath in model.placed:
-        if sheath.kind != "sheath":
+    return tuple(_port_fit(*end) for end in _tube_ends(model))
+
+
+def misfits(model: ArrayModel) -> tuple[str, ...]:
+    """What keeps an array from being put together, one line each: parts in each other's way, tubes that fit no port.
+
+    Tubes that are drawn schematically are left out, see :func:`geometry.layout.arrangement.lay_out`.
+    """
+    lines = [
+        f"{found.first} and {found.second} are in each other's way: they share {found.volume:.3g} mm^3"
+        for found in interferences(model)
+    ]
+    for end in _tube_ends(model):
+        try:
+            fit = _port_fit(*end)
+        except Refusal as error:
+            lines.append(str(error))
             continue
-        sleeve, spring = _in_space(holes[sheath.part], sheath), _in_space(holes[springs[sheath.group].part], sheath)
-        for group in sorted(other for pair in joined if sheath.group in pair for other in pair - {sheath.group}):
-            body = bodies[group]
-            fits.append(_port_fit(sheath, sleeve, spring, body, _in_space(holes[body.part], body)))
-    return tuple(fits)
+        if fit.glue_gap < -_ROUNDING:
+            lines.append(
+                f"{fit.tube} is {fit.tube_outside:.4g} mm wide, its socket in {fit.part} {fit.counterbore:.4g} mm"
+            )
+        if fit.axis_offset > max(fit.glue_gap, 0.0) + _ROUNDING:
+            lines.append(
+                f"{fit.tube} is {fit.axis_offset:.3g} mm beside the axis of its socket in {fit.part}, which leaves it "
+                f"{fit.glue_gap:.3g} mm"
+            )
+    return tuple(lines)
 
 
 # -- pairs ----------------------------------------------------------------------------------------------
@@ -219,6 +236,23 @@ def _cylinders(shape: cq.Shape) -> list[_Cylinder]:
 def _in_space(cylinders: list[_Cylinder], part: PlacedPart) -> list[_Cylinder]:
     turn, move = part.matrix[:3, :3], part.matrix[:3, 3]
     return [_Cylinder(turn @ c.point + move, turn @ c.direction, c.radius, c.ends @ turn.T + move) for c in cylinders]
+
+
+def _tube_ends(
+    model: ArrayModel,
+) -> Iterator[tuple[PlacedPart, list[_Cylinder], list[_Cylinder], PlacedPart, list[_Cylinder]]]:
+    """Sheaths with their cylinders and those of their springs, once for each body they end in, and its cylinders."""
+    joined = _joined(model)
+    holes = {name: _cylinders(shape) for name, shape in model.shapes.items()}
+    bodies = {p.group: p for p in model.placed if p.kind in ("shell", "housing")}
+    springs = {p.group: p for p in model.placed if p.kind == "spring"}
+    for sheath in model.placed:
+        if sheath.kind != "sheath":
+            continue
+        sleeve, spring = _in_space(holes[sheath.part], sheath), _in_space(holes[springs[sheath.group].part], sheath)
+        for group in sorted(other for pair in joined if sheath.group in pair for other in pair - {sheath.group}):
+            body = bodies[group]
+            yield sheath, sleeve, spring, body, _in_space(holes[body.part], body)
 
 
 def _port_fit(

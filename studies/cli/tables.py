@@ -14,6 +14,9 @@ if TYPE_CHECKING:
     from studies.run.check import DesignCheck
     from studies.run.part_folder import MadeParts
 
+#: Misfits of parts that are printed.
+_MISFITS = 10
+
 
 def table_of(*columns: str, numbers: tuple[int, ...] = ()) -> Table:
     """An empty table; columns at the indices ``numbers`` are aligned to the right."""
@@ -76,8 +79,7 @@ def show_check(found: DesignCheck) -> None:
     for part, count in found.part_counts.items():
         table.add_row(part, str(count))
     show(table)
-    for note in found.notes:
-        print(f"note: {note}")
+    _show_notes(found.notes, found.misfits)
     table = table_of("estimated attenuation", "level (dB)", "", numbers=(1,))
     for frequency, level, point in found.attenuation:
         table.add_row(f"{frequency:g} Hz", f"{level:.1f}", f"point {point} at its second-loudest microphone")
@@ -125,8 +127,15 @@ def show_parts(design: ArrayDesign, made: MadeParts) -> None:
     print("which part goes to which point, and which tube between: assembly.txt")
     for name in made.too_large:
         print(f"note: {name} is too large for the plate of {made.printing.process.name} and lies on none")
-    for note in made.notes:
+    _show_notes(made.notes, made.misfits)
+
+
+def _show_notes(notes: tuple[str, ...], misfits: tuple[str, ...]) -> None:
+    """What could not be built as drawn, and the first of what does not go together."""
+    for note in (*notes, *misfits[:_MISFITS]):
         print(f"note: {note}")
+    if len(misfits) > _MISFITS:
+        print(f"note: {len(misfits) - _MISFITS} more parts do not go together")
 
 
 def show_findings(printing: PrintReport) -> None:

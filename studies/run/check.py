@@ -16,6 +16,7 @@ from geometry.layout.placement import ArrayLayout
 from geometry.layout.size import array_size
 from geometry.plan.topology import WiringCounts, wiring_counts
 from geometry.printing.report_files import report_content
+from geometry.refusal import Refusal
 from studies.metrics.pairs import BAND, worst_heard
 
 if TYPE_CHECKING:
@@ -73,6 +74,8 @@ class DesignCheck:
     """Notes on what is drawn but could not be built as drawn."""
     part_counts: Mapping[str, int]
     """Number of each part."""
+    misfits: tuple[str, ...]
+    """Lines on what keeps the parts, as drawn, from being put together."""
     printing: PrintReport
     """Report of the print rules on the parts."""
     validity: tuple[Validity, ...]
@@ -107,6 +110,7 @@ class DesignCheck:
             "layout_notes": list(self.notes),
             "fidelities": list(self.fidelities),
             "parts": dict(self.part_counts),
+            "misfits": list(self.misfits),
             "printing": report_content(self.printing),
             "validity": [{**asdict(item), "holds": item.holds} for item in self.validity],
             "attenuation": [
@@ -128,6 +132,8 @@ def check_design(design: ArrayDesign, progress: Callable[[str, float], None] | N
     """
     import acoustic_fem
     from geometry import build_parts, print_report
+    from geometry.assembly.fit import misfits
+    from geometry.assembly.model import array_model
 
     report = progress or (lambda message, fraction: None)
     report("layout", 0.0)
@@ -140,6 +146,11 @@ def check_design(design: ArrayDesign, progress: Callable[[str, float], None] | N
     levels = [(frequency, *worst_heard(library.transfer_function, frequency)) for frequency in ATTENUATION_AT]
     report("parts", 0.3)
     parts = build_parts(design)
+    report("fit", 0.4)
+    try:
+        in_the_way = misfits(array_model(design, parts))
+    except Refusal as error:  # a tube that bends into itself is no solid
+        in_the_way = (str(error),)
     printing = print_report(
         parts, design=design, progress=lambda part, fraction: report(f"print rules: {part}", 0.5 + 0.5 * fraction)
     )
@@ -151,6 +162,7 @@ def check_design(design: ArrayDesign, progress: Callable[[str, float], None] | N
         cells=cell_uses(design, layout),
         notes=buildability_notes(design, layout),
         part_counts=parts.counts,
+        misfits=in_the_way,
         printing=printing,
         validity=model_validity(design, library.medium, levels[-1][1]),
         attenuation=tuple(levels),

@@ -33,6 +33,8 @@ class MadeParts:
     """Names of the parts that fit on no plate."""
     notes: tuple[str, ...]
     """Notes on what is drawn but could not be built as drawn."""
+    misfits: tuple[str, ...]
+    """Lines on what keeps the parts, as drawn, from being put together."""
 
 
 def make_parts(
@@ -62,6 +64,7 @@ def _make(
 ) -> MadeParts:
     from geometry import build_parts, export, print_report
     from geometry.assembly.bill import bill_of_materials, write_bill
+    from geometry.assembly.fit import misfits
     from geometry.assembly.model import array_model
     from geometry.assembly.table import write_assembly_table
     from geometry.formats.part_files import tessellate_distinct
@@ -89,6 +92,8 @@ def _make(
     write_assembly_table(design, folder)
     model = array_model(design, parts)
     write_step(model, folder / "assembly.step")
+    report("fit", 0.75)
+    in_the_way = misfits(model)
     report("array.glb", 0.78)
     write_gltf(design, folder / "array.glb", parts)
     report("array.html", 0.82)
@@ -100,4 +105,4 @@ def _make(
     report("mold-section.png", 0.96)
     mold_section(design, folder / "mold-section.png", parts)
     report("done", 1.0)
-    return MadeParts(files, printing, bill, plates.too_large, buildability_notes(design, model.layout))
+    return MadeParts(files, printing, bill, plates.too_large, buildability_notes(design, model.layout), in_the_way)

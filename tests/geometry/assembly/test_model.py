@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import geometry
-from geometry.assembly.fit import CONTACT_VOLUME, clearances, interferences, port_fits
+from geometry.assembly.fit import CONTACT_VOLUME, clearances, interferences, misfits, port_fits
 from geometry.assembly.model import array_model, assembly_of, build_assembly
 from geometry.formats.step_assembly import write_step
 from geometry.layout.cutting import cutting_list
@@ -95,6 +95,7 @@ def test_every_tube_end_fits_its_port_and_its_bore_carries_on_the_spring(name, m
 @pytest.mark.parametrize("name", geometry.prototype_names())
 def test_no_two_placed_parts_are_in_each_others_way(name, models):
     assert interferences(models[name]) == ()
+    assert misfits(models[name]) == ()
 
 
 def moved(model, label, offset):
@@ -122,6 +123,30 @@ def test_a_tube_beside_its_port_fits_in_none(models):
     with pytest.raises(ValueError, match=r"sheath of tube 2 of line 1 ends in shell \d where no bore with a socket is"):
         port_fits(aside)
     assert {found.first for found in interferences(aside)} == {"shell 1", "shell 2"}
+
+
+def test_what_does_not_go_together_is_said_in_a_line_each(models):
+    model = models["array-2x6"]
+    (line,) = misfits(moved(model, "membrane 3", (0, 0, -0.1)))
+    assert re.fullmatch(r"shell 3 and membrane 3 are in each other's way: they share 3\.\d+ mm\^3", line)
+    aside = moved(model, "spring of tube 2 of line 1", (0, 0, 0.07))
+    aside = moved(aside, "sheath of tube 2 of line 1", (0, 0, 0.07))
+    found = [line for line in misfits(aside) if "axis" in line]
+    assert [re.sub(r"shell \d", "shell", line) for line in found] == [
+        "sheath of tube 2 of line 1 is 0.07 mm beside the axis of its socket in shell, which leaves it 0.05 mm"
+    ] * 2
+
+
+def test_a_sheath_that_is_too_wide_for_its_sockets_is_found(models):
+    model = models["array-2x6"]
+    (name,) = (part.part for part in model.placed if part.label == "sheath of tube 2 of line 1")
+    box = model.shapes[name].BoundingBox()
+    inner, outer = (
+        cq.Solid.makeCylinder(radius, box.xlen, cq.Vector(box.xmin, 0, 0), cq.Vector(1, 0, 0)) for radius in (0.3, 0.55)
+    )
+    wide = misfits(dataclasses.replace(model, shapes={**model.shapes, name: outer.cut(inner)}))
+    assert "sheath of tube 2 of line 1 is 1.1 mm wide, its socket in shell 1 1 mm" in wide
+    assert any(line.startswith("shell 1 and sheath of tube 2 of line 1 are in each other's way") for line in wide)
 
 
 def test_the_closest_parts_are_named_with_their_distance(models):
