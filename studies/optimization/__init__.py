@@ -1,6 +1,6 @@
 """Search for the best designs.
 
-Stands on: metrics, study, sweep.
+Stands on: study, sweep.
 """
 
 import lazy_loader
