@@ -12,7 +12,7 @@ import numpy as np
 import acoustic_fem
 import geometry
 from geometry.files.writing import replace_section
-from studies.scatter.effects import tolerance_study
+from studies.scatter.effects import scatter_effects
 from studies.study.metric_registry import METRICS
 
 DOCS = Path(__file__).parents[1] / "docs"
@@ -45,7 +45,7 @@ def main() -> None:
         old, new = (factor * METRICS[name].of_library(library) for library in libraries)
         better = (new > old) == (METRICS[name].better == "larger")
         lines.append(f"| {title} | {old:.3g} | {new:.3g} | {'better' if better else 'worse'} |")
-    scattered = [tolerance_study(design, GRID, samples=SENSORS, base=0, seed=SEED).accuracy for design in (base, found)]
+    scattered = [scatter_effects(design, GRID, samples=SENSORS, base=0, seed=SEED).accuracy for design in (base, found)]
     for name, title in SCATTERED:
         old, new = (100 * accuracy[name] for accuracy in scattered)
         change = new - old  # the same deviations of both

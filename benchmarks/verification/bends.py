@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from benchmarks.verification.report import Check, Subject, Table
-from studies.bending.rig import BendingRig, solve_bending
+from studies.bending import BendingRig, solve_bending
 
 TEXT = """The rig of the publication: a tube of {length:g} mm with a bore of {bore:g} mm wound on a cylinder of
 {diameter:g} mm, Navier-Stokes in the bent bore, pressure at the far end over that at the near end. The change of the

@@ -15,6 +15,7 @@ import numpy as np
 
 from geometry.assembly.parts import part_set
 from geometry.files.writing import whole_file
+from geometry.formats.names import FORMATS
 from geometry.formats.three_mf import Body, read_3mf, write_3mf
 from geometry.refusal import Refusal
 
@@ -24,7 +25,6 @@ if TYPE_CHECKING:
 
     from geometry.solids.measure import Tessellation
 
-FORMATS = ("stl", "step", "3mf")
 #: A file whose volume differs more than this from the CAD solid is refused.
 LARGEST_VOLUME_ERROR = 0.001
 #: Facets are made finer until the volume of their body keeps this.

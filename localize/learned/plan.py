@@ -1,16 +1,17 @@
-"""How a localizer is trained."""
+"""How a localizer is trained: a choice, which loads nothing of what it names until it is made."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from geometry.refusal import Refusal
-from localize.learned.classifier import NETWORKS
-from localize.learned.features import FeatureChoice, map_count
-from localize.signals.disturbances import MicrophoneMismatch, check_ambient
-from localize.signals.finger_stimuli import STIMULI, Mixture
-from localize.signals.noise import NoiseChoice
-from localize.signals.stimulus import StimulusSource
+
+if TYPE_CHECKING:
+    from localize.learned.features import FeatureChoice
+    from localize.signals.disturbances import MicrophoneMismatch
+    from localize.signals.noise import NoiseChoice
+    from localize.signals.stimulus import StimulusSource
 
 
 @dataclass(frozen=True)
@@ -65,6 +66,11 @@ class TrainingPlan:
     processor has instructions for it, and slower elsewhere. Weights and finished localizer are in single precision."""
 
     def __post_init__(self) -> None:
+        from localize.learned.classifier import NETWORKS
+        from localize.learned.features import map_count
+        from localize.signals.disturbances import check_ambient
+        from localize.signals.finger_stimuli import STIMULI
+
         for name, least, most in (
             ("seconds_per_point", 1, 1_000_000),
             ("epochs", 1, 10_000),
@@ -117,10 +123,14 @@ class TrainingPlan:
     @property
     def source(self) -> StimulusSource:
         """Source of the stimuli: one kind, or a mixture of several."""
+        from localize.signals.finger_stimuli import STIMULI, Mixture
+
         sources = tuple(STIMULI[name] for name in self.stimuli)
         return sources[0] if len(sources) == 1 else Mixture(sources)
 
     @property
     def mismatch(self) -> MicrophoneMismatch | None:
         """Scatter that the microphones' gains are drawn from; None where they are all alike."""
+        from localize.signals.disturbances import MicrophoneMismatch
+
         return MicrophoneMismatch(self.microphone_gain) if self.microphone_gain else None

@@ -195,7 +195,7 @@ class DeviceSource:
     def _find(self, device: int | str | None) -> InputDevice:
         devices = input_devices(self._audio)
         if not devices:
-            raise SourceError("no device that can record is there; plug one in, or play a file with --replay")
+            raise SourceError("no device that can record is there; plug one in, or play a file with `replay`")
         if device is None:
             found = [each for each in devices if each.default] or devices[:1]
         elif isinstance(device, int):

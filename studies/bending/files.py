@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from geometry.files.writing import write_text
-from studies.bending.rig import Bending
+from studies.bending.solution import Bending
 from studies.output.figure_style import frequency_panels, save_figure
 from studies.output.folders import write_json
 

@@ -1,6 +1,6 @@
 """The command line ``acoustic-fem``: one verb per job, exit codes, and errors in one line.
 
-Verbs of one subject share a module ``cli_*``. Nothing heavy is imported before a verb needs it.
+Verbs of one subject share a module. Nothing heavy is imported before a verb needs it.
 """
 
 from __future__ import annotations
@@ -18,19 +18,14 @@ from geometry.refusal import Refusal
 from studies.cli import (
     bending,
     calibrations,
-    convert,
     designs,
     live,
     localizers,
     locating,
-    recalibrate,
-    report,
     searches,
     sweeps,
-    tolerance,
-    wiring,
 )
-from studies.cli.options import Fidelity
+from studies.cli.options import Fidelity, in_options
 
 __all__ = ["Fidelity", "app", "fail", "main"]
 
@@ -60,12 +55,12 @@ app = typer.Typer(
 VERBS = (
     designs.prototypes,
     designs.check,
-    wiring.wiring,
+    designs.wiring,
     designs.solve,
     designs.parts,
     calibrations.calibrate,
-    recalibrate.recalibrate,
-    convert.convert,
+    calibrations.recalibrate,
+    calibrations.convert,
     localizers.train,
     localizers.evaluate,
     locating.onnx,
@@ -74,10 +69,10 @@ VERBS = (
     designs.run,
     bending.bend,
     sweeps.sweep,
-    tolerance.tolerance,
+    searches.tolerance,
     searches.optimize,
-    report.report,
-    report.best,
+    sweeps.report,
+    sweeps.best,
 )
 
 
@@ -90,7 +85,7 @@ def main() -> NoReturn:
     except KeyboardInterrupt:
         fail("stopped", 130)
     except Refusal as error:
-        fail(str(error))
+        fail(in_options(str(error)))
     except OSError as error:
         if error.filename is None:
             raise  # a mistake of the program: its traceback says where

@@ -4,13 +4,22 @@ from __future__ import annotations
 
 from enum import StrEnum
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from studies.cli.options import Fidelity, Frequencies, display_on_stderr, frequency_option, named
+from studies.bending.rig import BendingRig
+from studies.bending.studying import bending_study
+from studies.cli.options import Fidelity, Frequencies, defaults_of, display_on_stderr, frequency_option, named
 from studies.cli.tables import show, table_of
 from studies.output.display import number
+from studies.output.frequencies import FREQUENCIES
+
+if TYPE_CHECKING:
+    from studies.bending.solution import Bending
+
+_FIDELITY = Fidelity(defaults_of(bending_study)["fidelity"])
+_ANGLES = ",".join(f"{angle:g}" for angle in BendingRig.angles)
 
 
 class FarEnd(StrEnum):
@@ -22,19 +31,23 @@ class FarEnd(StrEnum):
 
 def bend(
     out: Annotated[Path, typer.Option(help="The folder to write to.", show_default=False)],
-    bore: Annotated[float, typer.Option(help="Inner diameter of the tube, mm.")] = 0.5,
-    length: Annotated[float, typer.Option(help="Of the tube along its centre line, mm.")] = 120.0,
-    diameter: Annotated[float, typer.Option(help="Of the cylinder on which the centre line is wound, mm.")] = 11.6,
-    outside: Annotated[float, typer.Option(help="Outer diameter of the tube, mm: the turns of a helix touch.")] = 0.9,
-    angles: Annotated[str, typer.Option(metavar="ANGLES", help="Degrees wound, with commas.")] = "0,90,180,270,360",
+    bore: Annotated[float, typer.Option(help="Inner diameter of the tube, mm.")] = BendingRig.bore,
+    length: Annotated[float, typer.Option(help="Of the tube along its centre line, mm.")] = BendingRig.length,
+    diameter: Annotated[
+        float, typer.Option(help="Of the cylinder on which the centre line is wound, mm.")
+    ] = BendingRig.diameter,
+    outside: Annotated[
+        float, typer.Option(help="Outer diameter of the tube, mm: the turns of a helix touch.")
+    ] = BendingRig.outside,
+    angles: Annotated[str, typer.Option(metavar="ANGLES", help="Degrees wound, with commas.")] = _ANGLES,
     end: Annotated[
         FarEnd, typer.Option(help="The far end: the microphone of array-2x6 in its chamber, or nothing.")
-    ] = FarEnd.microphone,
+    ] = FarEnd[BendingRig.end],
     fidelity: Annotated[
         Fidelity,
         typer.Option(help="navier-stokes: the one to trust; helmholtz: makes the change 13 times too large."),
-    ] = Fidelity.navier_stokes,
-    frequencies: Frequencies = "1:100:64",
+    ] = _FIDELITY,
+    frequencies: Frequencies = FREQUENCIES,
 ) -> None:
     """Does a tube transmit less when it is bent? The publication's rig, the bent bore solved in 3-D.
 
@@ -45,24 +58,24 @@ def bend(
     """
     grid = frequency_option(frequencies)
     wound = _angles(angles)
-    from studies.bending.files import save_bending
-    from studies.bending.rig import BendingRig, solve_bending
-    from studies.output.folders import check_folder
-
-    check_folder(out)
     names = ("bore", "length", "diameter", "outside", "angles", "end", "fidelity")
-    with named(frequency="--frequencies", **{name: f"--{name}" for name in names}):
+    with named(frequency="--frequencies", **{name: f"--{name}" for name in names}), display_on_stderr() as display:
         rig = BendingRig(bore, length, diameter, outside, wound, end.value)
-        with display_on_stderr() as display, display.stage("Bending") as report:
-            result = solve_bending(rig, grid, fidelity.value, report)
-    files = save_bending(result, out)
+        study = bending_study(out, rig, fidelity=fidelity.value, frequency=grid, display=display)
+    _show_bending(study.result)
+    for file in study.files:
+        print(file)
+
+
+def _show_bending(result: Bending) -> None:
+    grid = result.frequency
     table = table_of(
         "bent over", "arc (mm)", "largest difference (dB)", "(degrees)",
         f"Y12 of the bend at {grid[0]:g} Hz (%)", f"at {grid[-1]:g} Hz (%)", numbers=(0, 1, 2, 3, 4, 5),
     )  # fmt: skip
-    rows = zip(rig.angles, result.largest_differences, result.bend_change, strict=True)
+    rows = zip(result.rig.angles, result.largest_differences, result.bend_change, strict=True)
     for angle, (level, phase), change in rows:
-        arc = rig.winding(angle).arc_length
+        arc = result.rig.winding(angle).arc_length
         values = (arc, level, phase, *(100 * abs(change[k]) for k in (0, -1)))
         table.add_row(f"{angle:g} degrees", *(number(value) for value in values))
     show(table)
@@ -73,8 +86,6 @@ def bend(
             f"mesh: {result.unknowns} unknowns; the differences are good to {100 * result.mesh_error:.2g} %, by a mesh "
             f"twice as coarse; {100 * result.straight_error:.2g} % of a straight bore's admittance taken out"
         )
-    for file in files:
-        print(file)
 
 
 def _angles(text: str) -> tuple[float, ...]:

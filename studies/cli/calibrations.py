@@ -1,4 +1,4 @@
-"""The verb calibrate."""
+"""Verbs on the library of a made sensor: calibrate, recalibrate, convert."""
 
 from __future__ import annotations
 
@@ -7,17 +7,29 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from geometry.refusal import Refusal
-from studies.cli.options import Fidelity, Frequencies, Tolerances, display_on_stderr, frequency_option, named
-from studies.cli.tables import show, table_of
+from studies.cli.options import (
+    Fidelity,
+    Frequencies,
+    LibraryFile,
+    Noise,
+    Tolerances,
+    defaults_of,
+    display_on_stderr,
+    frequency_option,
+    named,
+)
+from studies.cli.tables import show, show_library, table_of
+from studies.made_sensor.calibrating import MANIFEST, calibrate_sensor
+from studies.made_sensor.recalibrating import recalibrate as recalibrate_sensor
+from studies.output.frequencies import FREQUENCIES
 
 if TYPE_CHECKING:
-    from acoustic_fem.calibration.model_updating import Update
+    from studies.made_sensor.calibrating import SensorCalibration
 
-#: The manifest of a folder of recordings.
-MANIFEST = "calibration.toml"
 #: s, from which on a delay that the fit found is told.
 _NOTED_DELAY = 3e-4
+_FIDELITY = Fidelity(defaults_of(calibrate_sensor)["fidelity"])
+_SEED = defaults_of(recalibrate_sensor)["seed"]
 
 
 def calibrate(
@@ -35,8 +47,8 @@ def calibrate(
     ],
     fidelity: Annotated[
         Fidelity, typer.Option(help="Of the design's own transfer functions, which stand in for missing points.")
-    ] = Fidelity.lumped,
-    frequencies: Frequencies = "1:100:64",
+    ] = _FIDELITY,
+    frequencies: Frequencies = FREQUENCIES,
     tolerances: Tolerances = None,
 ) -> None:
     """From recordings of the made sensor to its library: measured transfer functions with their uncertainty.
@@ -48,75 +60,120 @@ def calibrate(
     Example: [bold]acoustic-fem calibrate recordings --out made.nc[/bold]
     """
     grid = frequency_option(frequencies)
-    from studies.output.folders import check_new_file
-
-    picture = out.with_suffix(".png")
-    if out.suffix.lower() != ".nc":
-        raise Refusal(f"{out}: --out must be a library, .nc; its figure goes beside it as .png")
-    check_new_file(out, kept="a measured library")
-    check_new_file(picture, kept="the figure of one")
-    import acoustic_fem
-    from acoustic_fem.calibration.fitted_model import UpdatedModel
-    from acoustic_fem.calibration.manifest import read_manifest
-    from acoustic_fem.calibration.measured_library import calibrate as estimate
-    from acoustic_fem.calibration.model_updating import update
-    from studies.made_sensor.figures import draw_calibration
-    from studies.made_sensor.priors import fit_priors, model_deviation
-    from studies.scatter.tolerances import TOLERANCES, read_tolerances
-
-    scatter = TOLERANCES if tolerances is None else read_tolerances(tolerances)
-    manifest = read_manifest(recordings / MANIFEST if recordings.is_dir() else recordings)
-    with display_on_stderr() as display, named(frequency="--frequencies"):
-        with display.stage("Design") as report:
-            model = acoustic_fem.solve(manifest.design, grid, fidelity=fidelity.value, progress=report)
-        with display.stage("Recordings") as report:
-            calibration = estimate(manifest, model, report)
-        fit, deviation = None, None
-        if calibration.missing:
-            with display.stage("Fit"):
-                fit = update(UpdatedModel(model, fit_priors(manifest.design, scatter)), calibration.estimates)
-                deviation = model_deviation(manifest.design, grid, scatter)
-        library = calibration.library(model, deviation, None if fit is None or fit.objection else fit)
-        acoustic_fem.save(library, out)
-        figure = draw_calibration(calibration, model, picture)
+    with named(frequency="--frequencies"), display_on_stderr() as display:
+        found = calibrate_sensor(
+            recordings, out, fidelity=fidelity.value, frequency=grid, tolerances=tolerances, display=display
+        )
+    calibration = found.calibration
     if calibration.findings:
         table = table_of("point", "", "finding", numbers=(0,))
         for finding in calibration.findings:
             table.add_row(str(finding.point), "left out" if finding.excluded else "note", finding.text)
         show(table)
-    if fit is not None:
-        determined = int((fit.eigenvalues >= 1).sum())
-        print(
-            f"fit: chi-squared {fit.chi_squared:.0f} for {fit.residuals} residuals; {determined} of "
-            f"{len(fit.parameters)} combinations of parameters determined"
-        )
-        if fit.objection:
-            print(
-                f"fit not used: {fit.objection}\nwarning: measured and designed points beside each other may decode "
-                "worse than the design's own library; measure point "
-                f"{', '.join(map(str, calibration.missing))} too, or find what is wrong with point {fit.worst_point}"
-            )
-        else:
-            print(_prospect(fit))
-            if abs(fit.delay) > _NOTED_DELAY:
-                when = f"{1e3 * abs(fit.delay):.1f} ms {'later' if fit.delay > 0 else 'earlier'}"
-                print(f"the array's microphones came {when} than stated, against the reference; the fit allows for it")
-    source = "of the design" if fit is not None and fit.objection else "fitted"
+    _print_fit(found)
+    source = "of the design" if found.fit is not None and found.fit.objection else "fitted"
     rest = f", {len(calibration.missing)} {source}" if calibration.missing else ""
-    print(f"{out}: {len(calibration.estimates)} of {manifest.design.point_count} points measured{rest}")
-    print(figure)
+    print(f"{out}: {len(calibration.estimates)} of {calibration.manifest.design.point_count} points measured{rest}")
+    print(found.figure)
 
 
-def _prospect(fit: Update) -> str:
+def _print_fit(found: SensorCalibration) -> None:
+    """What the fit says of the missing points, where there was one."""
+    fit = found.fit
+    if fit is None:
+        return
+    determined = int((fit.eigenvalues >= 1).sum())
+    print(
+        f"fit: chi-squared {fit.chi_squared:.0f} for {fit.residuals} residuals; {determined} of "
+        f"{len(fit.parameters)} combinations of parameters determined"
+    )
+    if fit.objection:
+        print(
+            f"fit not used: {fit.objection}\nwarning: measured and designed points beside each other may decode "
+            "worse than the design's own library; measure point "
+            f"{', '.join(map(str, found.calibration.missing))} too, or find what is wrong with point {fit.worst_point}"
+        )
+        return
+    print(_prospect(found))
+    if abs(fit.delay) > _NOTED_DELAY:
+        when = f"{1e3 * abs(fit.delay):.1f} ms {'later' if fit.delay > 0 else 'earlier'}"
+        print(f"the array's microphones came {when} than stated, against the reference; the fit allows for it")
+
+
+def _prospect(found: SensorCalibration) -> str:
     """What is to be expected of the fitted library, and what to measure next."""
-    from localize.recalibration.accuracy_to_expect import DRAWS, expected_accuracy, is_enough, least_known
     from localize.signals.stimulus import BAND
 
-    if fit.model.frequency[0] > BAND[0] or fit.model.frequency[-1] < BAND[1]:
+    shares = found.expected
+    if shares is None:
         return f"--frequencies do not cover {BAND[0]:g} to {BAND[1]:g} Hz: what to expect of the fit is not known"
-    shares = expected_accuracy(fit)
     text = (
         f"to expect: {100 * shares.mean():.1f} % of touches named right, {100 * shares[0]:.1f} % in the worst of "
-        f"{DRAWS} cases"
+        f"{len(shares)} cases"
     )
-    return text if is_enough(fit, shares) else f"{text}; warning: measure another point, best point {least_known(fit)}"
+    if found.measure_next is None:
+        return text
+    return f"{text}; warning: measure another point, best point {found.measure_next}"
+
+
+def recalibrate(
+    library: LibraryFile,
+    recordings: Annotated[
+        list[Path],
+        typer.Argument(
+            metavar="RECORDINGS",
+            help="Touches that fill 1 to 100 Hz, one at a time, spread over all points: WAV with a channel per "
+            "microphone; CSV with their names on top; NPZ with 'signals'.",
+            show_default=False,
+        ),
+    ],
+    out: Annotated[Path, typer.Option(help="The library to write, netCDF, a new file.", show_default=False)],
+    full_scale: Annotated[
+        float | None,
+        typer.Option(
+            help="Pa: of WAV files the pressure at full scale, of others that at which they clip.",
+            show_default="1 Pa; flat tops",
+        ),
+    ] = None,
+    noise: Noise = None,
+    seed: Annotated[int, typer.Option(help="Of the choice of the touches that judge.", min=0)] = _SEED,
+) -> None:
+    """From touches of which nobody knows the points to the library of the sensor as it is now.
+
+    LIBRARY is that of the design or the last calibration. Needed are touches that fill 1 to 100 Hz (multi-sines or
+    noise; no taps and no friction), one at a time, in a quiet room, spread over all points: at least 100 frames of
+    250 ms, better 200, and several per point. A quarter of them is held out and judges; where they do not speak for the
+    sensor found, that is said with the reason, nothing is written, and LIBRARY stays what is best known.
+
+    Example: [bold]acoustic-fem recalibrate made.nc monday.wav tuesday.wav --out now.nc[/bold]
+    """
+    with named(full_scale="--full-scale", microphone_noise="--noise"), display_on_stderr() as display:
+        found = recalibrate_sensor(
+            library, recordings, out, full_scale=full_scale, noise=noise, seed=seed, display=display
+        ).found
+    print(
+        f"{out}: from {found.frames} frames with touches; {found.gain:.2f} +- {found.gain_error:.2f} nats per held-out "
+        f"frame likelier than with {library}, {100 * found.explained:.0f} % of them explained"
+    )
+    if len(found.untouched):
+        from localize.recalibration.objections import numbers
+
+        print(f"no touch was named point {numbers(found.untouched)}: least known; touch it next time")
+
+
+def convert(
+    library: Annotated[
+        Path, typer.Argument(metavar="LIBRARY", help="A library: .nc, .sofa, .npz or .csv.", show_default=False)
+    ],
+    out: Annotated[
+        Path,
+        typer.Option(help="The file to write, of another such suffix; a measured library is kept.", show_default=False),
+    ],
+) -> None:
+    """A library in another format: netCDF, SOFA (AES69-2022, GeneralTF-E), NPZ or CSV, and back to the last digit.
+
+    Example: [bold]acoustic-fem convert library.nc --out library.sofa[/bold]
+    """
+    from studies.run.libraries import convert_library
+
+    show_library(out, convert_library(library, out))

@@ -1,4 +1,4 @@
-"""Verbs on a design: prototypes, check, solve, parts, run."""
+"""Verbs on a design: prototypes, check, wiring, solve, parts, run."""
 
 from __future__ import annotations
 
@@ -7,9 +7,14 @@ from typing import Annotated
 
 import typer
 
+from geometry.formats.names import FORMATS
 from geometry.refusal import Refusal
-from studies.cli.options import Design, Fidelity, Frequencies, display_on_stderr, frequency_option, named
-from studies.cli.tables import show, show_check, show_fields, show_findings, table_of
+from studies.cli.options import Design, Fidelity, Frequencies, defaults_of, display_on_stderr, frequency_option, named
+from studies.cli.tables import show, show_check, show_fields, show_findings, show_library, show_parts, table_of
+from studies.output.frequencies import FREQUENCIES
+from studies.run.libraries import solve_library
+
+_FIDELITY = Fidelity(defaults_of(solve_library)["fidelity"])
 
 
 def prototypes(
@@ -35,11 +40,9 @@ def prototypes(
     elif out is None:
         print(prototype_text(name), end="")
     else:
-        from geometry.files.writing import write_text
-        from studies.output.folders import check_new_file
+        from studies.run.prototypes import copy_prototype
 
-        check_new_file(out, kept="a design")
-        write_text(out, prototype_text(name))
+        copy_prototype(name, out)
 
 
 def check(
@@ -63,21 +66,40 @@ def check(
     if design is None:
         raise typer.BadParameter("give a DESIGN, or --fields")
     from geometry import resolve_design
-    from studies.output.folders import check_new_file, write_json
     from studies.run.check import check_design
 
-    check_new_file(out)
-    resolved = resolve_design(design)
-    with display_on_stderr() as display, display.stage("Check") as report:
-        found = check_design(resolved, report)
+    with display_on_stderr() as display:
+        found = check_design(resolve_design(design), out, display=display)
     show_check(found)
-    if out is not None:
-        write_json(out, found.to_dict())
-    if found.failures:
-        more = len(found.failures) - 1
-        raise Refusal(
-            f"{found.design.name}: cannot be printed: {found.failures[0]}" + (f" (and {more} more)" if more else "")
+    if found.objection is not None:
+        raise Refusal(found.objection)
+
+
+def wiring(
+    microphones: Annotated[int, typer.Argument(metavar="MICROPHONES", help="How many, 2 to 16.", show_default=False)],
+    points: Annotated[int, typer.Argument(metavar="POINTS", help="On each line, 1 to 1000.", show_default=False)],
+    out: Annotated[Path | None, typer.Option(help="Draw 2 to so many microphones, PNG.", show_default=False)] = None,
+) -> None:
+    """How many points so many microphones serve, for every number of lines, against the usual wirings.
+
+    Example: [bold]acoustic-fem wiring 4 36 --out wiring.png[/bold]
+    """
+    from studies.run.wiring import wiring_table
+
+    found = wiring_table(microphones, points, out)
+    table = table_of(
+        "lines", "points", "against one transducer per point", "against rows + columns", numbers=(0, 1, 2, 3)
+    )
+    for counts in found:
+        table.add_row(
+            str(counts.lines),
+            str(counts.points),
+            f"{counts.gain_over_one_transducer_per_point:.4g} times",
+            f"{counts.gain_over_row_column:.4g} times",
         )
+    show(table)
+    if out is not None:
+        print(out)
 
 
 def solve(
@@ -91,8 +113,8 @@ def solve(
             help="lumped: closed forms, at once; helmholtz: scalar 3-D cells, a cross-check; "
             "navier-stokes: 3-D cells, the one to trust."
         ),
-    ] = Fidelity.navier_stokes,
-    frequencies: Frequencies = "1:100:64",
+    ] = _FIDELITY,
+    frequencies: Frequencies = FREQUENCIES,
 ) -> None:
     """Transfer functions from every point to every microphone.
 
@@ -102,26 +124,19 @@ def solve(
     Example: [bold]acoustic-fem solve array-2x6 --out library.nc --fidelity lumped --frequencies 1:500:500[/bold]
     """
     grid = frequency_option(frequencies)
-    import acoustic_fem
     from geometry import resolve_design
-    from studies.output.folders import check_new_library
-    from studies.run.chain import cell_lines
 
-    check_new_library(out, (".nc",))
-    resolved = resolve_design(design)
-    with display_on_stderr() as display:
-        with display.stage("Cells") as report, named(frequency="--frequencies"):
-            library = acoustic_fem.solve(resolved, grid, fidelity=fidelity.value, progress=report)
-            acoustic_fem.save(library, out)
-        for line in cell_lines(library):
-            display.note(line)
-    print(f"{out}: {resolved.point_count} points, {len(resolved.microphones)} microphones, {len(grid)} frequencies")
+    with display_on_stderr() as display, named(frequency="--frequencies"):
+        library = solve_library(resolve_design(design), out, fidelity=fidelity.value, frequency=grid, display=display)
+    show_library(out, library)
 
 
 def parts(
     design: Design,
     out: Annotated[Path, typer.Option(help="The folder to write to.", show_default=False)],
-    format: Annotated[str, typer.Option(metavar="FORMATS", help="Of stl, step and 3mf, with commas.")] = "stl,step,3mf",
+    format: Annotated[str, typer.Option(metavar="FORMATS", help="Of stl, step and 3mf, with commas.")] = ",".join(
+        FORMATS
+    ),
     process: Annotated[
         str | None,
         typer.Option(
@@ -139,24 +154,17 @@ def parts(
     Example: [bold]acoustic-fem parts array-2x6 --out parts --format stl,3mf[/bold]
     """
     formats = [word.strip().lower() for word in format.split(",")]
-    from geometry import resolve_design
-    from geometry.formats.part_files import FORMATS
-    from geometry.stated.print_processes import find_process, process_of
-    from studies.cli.tables import show_parts
-    from studies.output.folders import check_folder
-    from studies.run.part_folder import make_parts
-
-    check_folder(out)
     for word in formats:
         if word not in FORMATS:
             raise typer.BadParameter(f"--format: {word!r} must be of {', '.join(FORMATS)}, with commas")
-    resolved = resolve_design(design)
-    rules = process_of(resolved.printing) if process is None else find_process(process)
-    with display_on_stderr() as display, display.stage("Parts") as report:
-        made = make_parts(resolved, out, formats, rules, report)
-    show_parts(resolved, made)
+    from geometry import resolve_design
+    from studies.run.part_folder import export_parts
+
+    with display_on_stderr() as display:
+        made = export_parts(resolve_design(design), out, formats=formats, process=process, display=display)
+    show_parts(made)
     show_findings(made.printing)
-    print(f"{out / 'print-report.html'}")
+    print(made.report)
 
 
 def run(
@@ -178,7 +186,7 @@ def run(
     from studies.run.findings import verdict
 
     resolved = resolve_design(design)
-    check_points(resolved, design)
+    check_points(resolved, design)  # which names the file
     with display_on_stderr() as display:
         result = run_design(resolved, out, display=display)
     print(verdict(result))

@@ -3,20 +3,17 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
-from geometry.refusal import Refusal
-from studies.cli.options import LibraryFile, Noise, display_on_stderr, named, noise_choice
+from localize.learned.plan import TrainingPlan
+from studies.cli.options import LibraryFile, Noise, defaults_of, display_on_stderr, named
 from studies.cli.tables import show, table_of
+from studies.judging.evaluating import evaluate_localizer
+from studies.judging.training import train_localizer
 
-if TYPE_CHECKING:
-    from localize import Evaluation
-    from localize.evaluation.accuracy import Locator
-
-#: White noise that the Bayes decoder assumes where touches have less, Pa rms.
-LEAST_NOISE = 1e-6
+_EVALUATION = defaults_of(evaluate_localizer)
 
 
 def train(
@@ -29,10 +26,12 @@ def train(
             show_default="no limit",
         ),
     ] = None,
-    epochs: Annotated[int, typer.Option(help="How many epochs, of 200 touches of every point.")] = 20,
+    epochs: Annotated[int, typer.Option(help="How many epochs, of 200 touches of every point.")] = TrainingPlan.epochs,
     noise: Noise = None,
-    seed: Annotated[int, typer.Option(help="Of the touches and the network.")] = 0,
-    network: Annotated[str, typer.Option(help="patches, stride-2, or paper: ever larger and slower.")] = "patches",
+    seed: Annotated[int, typer.Option(help="Of the touches and the network.")] = TrainingPlan.seed,
+    network: Annotated[
+        str, typer.Option(help="patches, stride-2, or paper: ever larger and slower.")
+    ] = TrainingPlan.network,
     stimuli: Annotated[
         list[str] | None,
         typer.Option(
@@ -58,48 +57,26 @@ def train(
 
     Example: [bold]acoustic-fem train library.nc --out localizer --epochs 10[/bold]
     """
-    import acoustic_fem
-    from studies.output.folders import check_folder
-
-    check_folder(out)
-    from localize import TrainingPlan, evaluate as evaluate_localizer, train as train_localizer
-    from localize.signals.array_response import response_of
-    from studies.judging.training_files import TOUCHES, write_training_files
-
-    with named(
-        time_limit="--seconds",
-        epochs="--epochs",
-        microphone_noise="--noise",
-        seed="--seed",
-        network="--network",
-        stimuli="--stimuli",
+    with (
+        named(
+            time_limit="--seconds",
+            epochs="--epochs",
+            microphone_noise="--noise",
+            seed="--seed",
+            network="--network",
+            stimuli="--stimuli",
+        ),
+        display_on_stderr() as display,
     ):
         plan = TrainingPlan(
             time_limit=seconds,
             epochs=epochs,
-            microphone_noise=noise_choice(noise),
+            microphone_noise="design" if noise is None else noise,
             seed=seed,
             network=network,
             stimuli=tuple(stimuli) if stimuli else TrainingPlan.stimuli,
         )
-    loaded = response_of(acoustic_fem.load(library))
-    out.mkdir(parents=True, exist_ok=True)
-    checkpoint = out / "checkpoint.safetensors"
-    if (out / "localizer.json").exists() and not checkpoint.exists():
-        raise Refusal(f"{out}: holds a finished localizer; remove it, or choose another folder")
-    with display_on_stderr() as display, display.stage("Localizer") as report:
-        report("training", 0.0)
-        localizer = train_localizer(
-            loaded,
-            plan,
-            lambda p: report(f"epoch {p.epoch} of {p.epochs}: {p.accuracy:.1%}", p.epoch / p.epochs),
-            checkpoint=checkpoint,
-            recordings=recordings,
-        )
-        localizer.save(out)
-        judged = evaluate_localizer(localizer, loaded, TOUCHES, plan.microphone_noise, seed=seed)
-        write_training_files(out, localizer, judged)
-        checkpoint.unlink()
+        localizer = train_localizer(library, out, plan=plan, recordings=recordings, display=display).localizer
     accuracy = localizer.training["held_out_accuracy"][-1]
     short = f", cut short by --seconds {seconds:g}" if localizer.training["cut_short"] else ""
     if recordings is not None:
@@ -120,9 +97,9 @@ def evaluate(
         ),
     ],
     library: LibraryFile,
-    touches: Annotated[int, typer.Option(help="Held-out touches of every point.")] = 200,
+    touches: Annotated[int, typer.Option(help="Held-out touches of every point.")] = _EVALUATION["touches"],
     noise: Noise = None,
-    seed: Annotated[int, typer.Option(min=0, help="Of the touches.")] = 0,
+    seed: Annotated[int, typer.Option(min=0, help="Of the touches.")] = _EVALUATION["seed"],
     out: Annotated[
         Path | None,
         typer.Option(
@@ -136,38 +113,8 @@ def evaluate(
 
     Example: [bold]acoustic-fem evaluate localizer library.nc --out judged[/bold]
     """
-    import acoustic_fem
-    from studies.output.folders import check_folder
-
-    if out is not None:
-        check_folder(out)
-    from localize import BayesDecoder, OnnxLocalizer, evaluate as evaluate_localizer, load_localizer
-    from localize.evaluation.accuracy import check_evaluation
-    from localize.signals.array_response import response_of
-
-    localizer = OnnxLocalizer(model) if model.suffix == ".onnx" else load_localizer(model)
-    solved = acoustic_fem.load(library)
-    loaded = response_of(solved)
-    level = noise_choice(noise)
-    with named(touches_per_point="--touches", microphone_noise="--noise"):
-        check_evaluation(localizer, loaded, touches, level)
-        decoder = BayesDecoder(loaded, level if level == "design" else max(level, LEAST_NOISE))
-    name = localizer.kind if isinstance(localizer, OnnxLocalizer) else "network"
-    locators: dict[str, Locator] = {name: localizer, "Bayes decoder": decoder}
-    results: dict[str, Evaluation] = {}
-    with display_on_stderr() as display, display.stage("Evaluation") as report:
-        if out is None:
-            for number, (title, locator) in enumerate(locators.items()):
-                report(title, number / len(locators))
-                results[title] = evaluate_localizer(locator, loaded, touches, level, seed=seed)
-        else:
-            from studies.judging.full_evaluation import evaluate_fully
-            from studies.judging.report import write_evaluation
-
-            found = evaluate_fully(locators, solved, loaded, touches, level, seed, report)
-            results = {each.name: each.overall for each in found.judged}
-            report("report", 1.0)
-            write_evaluation(found, out)
+    with named(touches_per_point="--touches", microphone_noise="--noise"), display_on_stderr() as display:
+        results = evaluate_localizer(model, library, out, touches=touches, noise=noise, seed=seed, display=display)
     table = table_of("", "top-1 (%)", "top-2 (%)", "within one place (%)", "calibration error (%)", "most confused",
                      numbers=(1, 2, 3, 4))  # fmt: skip
     for title, result in results.items():

@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from geometry.refusal import Refusal
-from studies.cli.listening import Extras, open_localizer, open_stream, open_trained
 from studies.cli.options import named
 from studies.cli.tables import show, table_of
+from studies.listening.exporting import export_decoder
+from studies.listening.opening import Decoding
+from studies.listening.recorded import locate_recording
+
+if TYPE_CHECKING:
+    from localize.live.stream import State
+    from studies.listening.recorded import LocatedTouches
 
 DecoderNoise = Annotated[
     float | None,
@@ -64,21 +68,9 @@ def onnx(
 
     Example: [bold]acoustic-fem onnx localizer --out localizer.onnx[/bold]
     """
-    from studies.output.folders import check_new_file
-
-    check_new_file(out)
-    if model.suffix == ".onnx":
-        raise Refusal(f"{model}: is an ONNX file already; MODEL must be a localizer's folder or a library")
-    from localize import BayesDecoder, export_onnx
-
-    localizer = open_trained(model, noise, ambient)
-    if ambient is not None and not isinstance(localizer, BayesDecoder):
-        raise Refusal(f"--ambient = {ambient:g} is for a library; {model} was trained with a sound of its own")
-    export_onnx(localizer, out)
-    print(
-        f"{out}: {len(localizer.line)} points, {len(localizer.microphones)} microphones, "
-        f"{out.stat().st_size / 1e6:.1f} MB"
-    )
+    with named(microphone_noise="--noise"):
+        written = export_decoder(model, out, noise=noise, ambient=ambient)
+    print(f"{out}: {written.points} points, {len(written.microphones)} microphones, {out.stat().st_size / 1e6:.1f} MB")
 
 
 def locate(
@@ -122,41 +114,31 @@ def locate(
 
     Example: [bold]acoustic-fem locate localizer recording.wav --out touches.jsonl[/bold]
     """
-    from geometry.files.writing import write_text
-    from studies.output.folders import check_new_file
-
-    check_new_file(out)
     if waveform and out is None:
         raise typer.BadParameter("--waveform goes into the lines of --out; give that too")
-    from localize import Decision, read_recording, touches_of
-    from localize.live.stream import HOP, State
-    from localize.signals.stimulus import SAMPLE_RATE
+    options = {"microphone_noise": "--noise", "loudest": "--ambient", "refused": "--refuse"}
+    with named(full_scale="--full-scale", **options):
+        decoding = Decoding(noise, library, waveform, ambient, refuse)
+        found = locate_recording(model, recording, out, full_scale=full_scale, decoding=decoding)
+    _show_touches(found)
+    told: dict[State, str] = {"sound": "sound alone", "other": "no single touch"}
+    seconds = found.seconds_by_state
+    others = "".join(f", {what} for {seconds[state]:.1f} s" for state, what in told.items() if state in seconds)
+    print(f"{recording}: {len(found.touches)} touches in {found.seconds:.1f} s{others}")
 
-    localizer = open_localizer(model, noise, ambient)
-    stream = open_stream(model, localizer, library, Extras(waveform, ambient, refuse))
-    with named(full_scale="--full-scale"):
-        heard = read_recording(recording, localizer.microphones, full_scale)
-    events = stream.push(heard.signals)
-    if out is not None:
-        write_text(out, "".join(event.json_line() + "\n" for event in events))
-    touches = touches_of(events, localizer)
+
+def _show_touches(found: LocatedTouches) -> None:
     table = table_of("from (s)", "to (s)", "point", "line", "place", "probability (%)", "level (Pa)",
                      numbers=tuple(range(7)))  # fmt: skip
-    for touch in touches:
+    for touch in found.touches:
         index = touch.point - 1
         table.add_row(
             f"{touch.start:.3f}",
             f"{touch.end:.3f}",
             str(touch.point),
-            str(localizer.line[index] + 1),
-            str(localizer.place[index] + 1),
+            str(found.array.line[index] + 1),
+            str(found.array.place[index] + 1),
             f"{100 * touch.probability:.1f}",
             f"{touch.level:.3g}",
         )
     show(table)
-    told: dict[State, str] = {"sound": "sound alone", "other": "no single touch"}
-    states = Counter(event.state for event in events if isinstance(event, Decision))
-    others = "".join(
-        f", {what} for {states[state] * HOP / SAMPLE_RATE:.1f} s" for state, what in told.items() if states[state]
-    )
-    print(f"{recording}: {len(touches)} touches in {heard.seconds:.1f} s{others}")

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import inspect
 import re
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from enum import StrEnum
 from pathlib import Path
@@ -15,7 +16,6 @@ import typer
 from geometry.refusal import Refusal
 
 if TYPE_CHECKING:
-    from localize.signals.noise import NoiseChoice
     from studies.output.display import Display
 
 
@@ -61,11 +61,6 @@ def display_on_stderr() -> Display:
     return Display(sys.stderr)
 
 
-def noise_choice(level: float | None) -> NoiseChoice:
-    """``--noise`` as the localizer takes it."""
-    return "design" if level is None else level
-
-
 def check_workers(workers: int | None, scheduler: str | None) -> None:
     """Refuse ``--workers`` and ``--scheduler`` that do not go together."""
     if scheduler is not None and workers is not None:
@@ -74,9 +69,15 @@ def check_workers(workers: int | None, scheduler: str | None) -> None:
         raise typer.BadParameter(f"--workers {workers} must be between 1 and 1024")
 
 
+def defaults_of(call: Callable[..., Any]) -> dict[str, Any]:
+    """The defaults of a call by argument: those of a verb are its call's, and stand there alone."""
+    parameters = inspect.signature(call).parameters.values()
+    return {each.name: each.default for each in parameters if each.default is not each.empty}
+
+
 @contextmanager
 def named(**options: str) -> Iterator[None]:
-    """Call an argument in a refusal by the option that the user gave."""
+    """Call the argument with which a refusal begins by the option that the user gave."""
     try:
         yield
     except ValueError as error:
@@ -84,6 +85,11 @@ def named(**options: str) -> Iterator[None]:
         if field is None or field[0] not in options:
             raise
         raise Refusal(options[field[0]] + str(error)[field.end() :]) from None
+
+
+def in_options(message: str) -> str:
+    """Call the arguments that a refusal names in backticks by their options."""
+    return re.sub(r"`([a-z_]+)`", lambda name: "--" + name[1].replace("_", "-"), message)
 
 
 def frequency_option(text: str) -> Any:

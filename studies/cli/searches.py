@@ -1,4 +1,4 @@
-"""The verb optimize."""
+"""Verbs on the designs around one: tolerance, optimize."""
 
 from __future__ import annotations
 
@@ -7,17 +7,103 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from geometry.refusal import Refusal
-from studies.cli.options import Scheduler, WorkerCount, check_workers, display_on_stderr
+from studies.cli.options import (
+    Design,
+    Frequencies,
+    Noise,
+    Scheduler,
+    Tolerances,
+    WorkerCount,
+    check_workers,
+    defaults_of,
+    display_on_stderr,
+    frequency_option,
+    named,
+)
 from studies.cli.tables import show, table_of
 from studies.output.display import number
+from studies.output.frequencies import FREQUENCIES
+from studies.scatter.studying import tolerance_study
 
 if TYPE_CHECKING:
     from studies.optimization.problem import Optimization
     from studies.optimization.search import Candidate
+    from studies.scatter.studying import ToleranceStudy
 
 #: Rows of the front that are printed.
 _SHOWN = 10
+_SCATTER = defaults_of(tolerance_study)
+
+
+def tolerance(
+    design: Design,
+    out: Annotated[Path, typer.Option(help="The folder to write to.", show_default=False)],
+    samples: Annotated[int, typer.Option(help="Sensors made with scatter.")] = _SCATTER["samples"],
+    base: Annotated[int, typer.Option(help="Of the Sobol indices: ten times as many sensors; 0 for none.")] = _SCATTER[
+        "base"
+    ],
+    library: Annotated[
+        int, typer.Option(help="Sensors to store in OUT/library.zarr, for training; 0 for none.", show_default=True)
+    ] = _SCATTER["library"],
+    tolerances: Tolerances = None,
+    noise: Noise = None,
+    seed: Annotated[int, typer.Option(help="Of all draws.")] = _SCATTER["seed"],
+    frequencies: Frequencies = FREQUENCIES,
+) -> None:
+    """What manufacturing scatter does: spread of transfer functions and accuracy, and which tolerance matters most.
+
+    Every tube, cavity and membrane deviates by itself. Lumped fidelity, about half a minute for 12 points:
+    tolerance.json and tolerance.png.
+
+    Example: [bold]acoustic-fem tolerance array-2x6 --out scatter --library 2000[/bold]
+    """
+    grid = frequency_option(frequencies)
+    if seed < 0:
+        raise typer.BadParameter(f"--seed: {seed} must be 0 or above")
+    from studies.scatter.perturbed_library import MOST_SENSORS
+
+    if not 0 <= library <= MOST_SENSORS:
+        raise typer.BadParameter(f"--library: {library} must be from 0 to {MOST_SENSORS}")
+    from geometry import resolve_design
+
+    options = {name: f"--{name}" for name in ("samples", "base", "noise")}
+    with named(frequency="--frequencies", count="--library", **options), display_on_stderr() as display:
+        study = tolerance_study(
+            resolve_design(design),
+            out,
+            samples=samples,
+            base=base,
+            library=library,
+            tolerances=tolerances,
+            noise=noise,
+            seed=seed,
+            frequency=grid,
+            display=display,
+        )
+    _show_scatter(study)
+    for file in study.files:
+        print(file)
+
+
+def _show_scatter(study: ToleranceStudy) -> None:
+    from studies.scatter.effects import ACCURACIES
+
+    result = study.result
+    table = table_of("predicted top-1 (%)", "mean", "5 %", "median", "95 %", numbers=(1, 2, 3, 4))
+    summary = result.summary()
+    for name, title in ACCURACIES.items():
+        spread = summary["accuracy"][name]
+        table.add_row(title, *(number(100 * spread[key], 1) for key in ("mean", "q05", "median", "q95")))
+    show(table)
+    if result.sobol:
+        table = table_of("total Sobol index", "ratios", "+-", "top-1", "+-", numbers=(1, 2, 3, 4))
+        of_accuracy = {index.quantity: index for index in result.sobol["nominal"]}
+        for index in result.sobol["deviation"]:
+            other = of_accuracy[index.quantity]
+            shares = (index.total, index.error, other.total, other.error)
+            table.add_row(index.quantity.replace("_", " "), *(number(share, 2) for share in shares))
+        show(table)
+    print(f"{study.design.name} as designed: {number(100 * result.nominal_accuracy, 1)} %; noise: {result.noise}")
 
 
 def optimize(
@@ -38,33 +124,15 @@ def optimize(
     Example: [bold]acoustic-fem optimize fingertip-study.toml --out fingertip[/bold]
     """
     check_workers(workers, scheduler)
-    from studies.findings.search_files import check_printed, save_search
-    from studies.optimization.problem import load_optimization
-    from studies.optimization.search import journal_exists, optimize as search
-    from studies.output.folders import check_folder
+    from studies.findings.searching import optimize as search
 
-    problem = load_optimization(study)
-    check_folder(out)
-    if out.is_dir() and any(out.iterdir()) and not journal_exists(out):
-        raise Refusal(f"{out}: holds files that no search made; --out must be a new folder, or one of this search")
-    out.mkdir(parents=True, exist_ok=True)
     with display_on_stderr() as display:
-        with display.stage("Search") as report:
-            result = search(problem, out, workers=workers, scheduler=scheduler, progress=report)
-        if not result.front:
-            raise Refusal(
-                f"{problem.study.name}: none of {problem.trials} designs keeps the limits "
-                f"({'; '.join(map(str, problem.limits)) or 'none'}): widen the parameters, or loosen them"
-            )
-        with display.stage("Parts") as report:
-            result = check_printed(problem, result, report)
-        if not result.front:
-            raise Refusal(f"{problem.study.name}: of no design of the front do the drawn parts pass the print rules")
-        files = save_search(problem, result, out)
-    _show_front(problem, (result.base, *result.front[:_SHOWN]))
+        found = search(study, out, workers=workers, scheduler=scheduler, display=display)
+    result = found.result
+    _show_front(found.problem, (result.base, *result.front[:_SHOWN]))
     print(f"{len(result.candidates)} designs computed, {sum(count for _, count in result.refused)} refused, "
           f"{len(result.front)} on the front")  # fmt: skip
-    for file in files:
+    for file in found.files:
         print(file)
 
 

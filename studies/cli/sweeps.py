@@ -1,25 +1,34 @@
-"""The verb sweep."""
+"""Verbs on many designs: sweep, report, best."""
 
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable
 from pathlib import Path
-from time import perf_counter
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from studies.cli.options import Scheduler, check_workers, display_on_stderr
-from studies.output.display import number
+from studies.cli.options import Scheduler, check_workers, defaults_of, display_on_stderr
+from studies.cli.tables import show, table_of
+from studies.findings.reporting import best_designs, save_best_design
+from studies.output.display import duration, number
 
 if TYPE_CHECKING:
-    from studies.output.display import Report
+    from studies.findings.reporting import BestDesigns
     from studies.sweep.plan import Plan
-    from studies.sweep.run import Progress, Summary
+    from studies.sweep.run import Summary
 
 #: Kinds of reasons for failures that are listed; all are in the store.
 _LISTED = 10
+_COUNT = defaults_of(best_designs)["count"]
+Results = Annotated[
+    Path,
+    typer.Argument(
+        metavar="RESULTS",
+        help="The results of a sweep (results.zarr), also while it runs, or the folder of a search.",
+        show_default=False,
+    ),
+]
 
 
 def sweep(
@@ -47,11 +56,11 @@ def sweep(
 
     Example: [bold]acoustic-fem sweep study.toml --out results.zarr[/bold]
     """
-    from studies.study.file import load_study
-
     if out is None and not dry_run:
         raise typer.BadParameter("--out is missing: the store to write, such as results.zarr")
     check_workers(workers, scheduler)
+    from studies.study.file import load_study
+
     given = load_study(study)
     if dry_run:
         from studies.sweep.plan import plan_sweep
@@ -61,8 +70,8 @@ def sweep(
     from studies.sweep.run import SweepError, run_sweep
 
     assert out is not None
-    with display_on_stderr() as display, display.stage("Sweep") as report:
-        summary = run_sweep(given, out, workers=workers, scheduler=scheduler, progress=_shown(report))
+    with display_on_stderr() as display:
+        summary = run_sweep(given, out, workers=workers, scheduler=scheduler, display=display)
     _print_summary(summary, out)
     if wrong := summary.program_errors:
         raise SweepError(
@@ -71,31 +80,62 @@ def sweep(
         )
 
 
-def _shown(report: Report) -> Callable[[Progress], None]:
-    """Progress on the display: at a terminal twice a second, elsewhere when a tenth more time has passed."""
-    live = sys.stderr.isatty()
-    started = perf_counter()
-    last = -1e9
+def report(
+    results: Results,
+    out: Annotated[Path, typer.Option(help="The page to write, HTML.", show_default=False)],
+) -> None:
+    """One page about a sweep or a search: main effects, pairs, trade-offs, best designs, level and phase differences.
 
-    def show(now: Progress) -> None:
-        nonlocal last
-        seconds = perf_counter() - started
-        wait = 0.5 if live else max(5.0, 0.1 * seconds)
-        if seconds - last < wait and now.done < now.total:
-            return
-        last = seconds
-        failed = f", {now.failed} failed" if now.failed else ""
-        left = "" if now.done >= now.total else f", {duration(now.remaining)} left"
-        report(f"{now.done} of {now.total} {now.what}, {number(now.rate)}/s{left}{failed}", now.done / now.total)
+    Everything is in the file, it opens without a network.
 
-    return show
+    Example: [bold]acoustic-fem report results.zarr --out report.html[/bold]
+    """
+    from studies.findings.reporting import sweep_report
+
+    with display_on_stderr() as display:
+        table = sweep_report(results, out, display=display)
+    print(f"{out}: {len(table.number)} designs, {sum(count for _, count in table.failures)} failed, "
+          f"{table.waiting} not computed yet")  # fmt: skip
 
 
-def duration(seconds: float) -> str:
-    """A time as people say it."""
-    if seconds < 100:
-        return f"{number(seconds)} s"
-    return f"{seconds / 60:.0f} min" if seconds < 5400 else f"{seconds / 3600:.1f} h"
+def best(
+    results: Results,
+    design: Annotated[
+        str | None, typer.Argument(metavar="[DESIGN]", help="Number of a design, as listed.", show_default=False)
+    ] = None,
+    out: Annotated[Path | None, typer.Option(help="Write its design file here.", show_default=False)] = None,
+    by: Annotated[
+        str | None, typer.Option(metavar="METRIC", help="What counts.", show_default="the first of the study")
+    ] = None,
+    count: Annotated[int, typer.Option(help="Designs to list.")] = _COUNT,
+) -> None:
+    """List the best designs of a sweep or a search, or write the design file of one of them.
+
+    Example: [bold]acoustic-fem best results.zarr --by sensitivity_force[/bold], then
+    [bold]acoustic-fem best results.zarr 17 --out design-17.toml[/bold]
+    """
+    if (design is None) != (out is None):
+        raise typer.BadParameter("give the number of a DESIGN and --out together, or neither for the list")
+    if count < 1:
+        raise typer.BadParameter(f"--count {count} must be at least 1")
+    if design is None or out is None:
+        _show_best(best_designs(results, by, count))
+        return
+    save_best_design(results, design, out)
+    print(out)
+
+
+def _show_best(best: BestDesigns) -> None:
+    table = best.table
+    columns = [best.metric, *(column for column in table.metrics if column.name != best.metric.name)]
+    shown = [*columns, *table.parameters]
+    head = [f"{column.name}{f' ({column.unit})' * bool(column.unit)}" for column in shown]
+    out = table_of("design", *head, numbers=tuple(range(len(shown) + 1)))
+    for row in best.rows:
+        cells = [column.labels[int(v)] if column.labels else number(v)
+                 for column in shown for v in [float(column.values[row])]]  # fmt: skip
+        out.add_row(table.label(row), *cells)
+    show(out)
 
 
 def size(count: float) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from studies.output.display import number
@@ -9,7 +10,7 @@ from studies.output.display import number
 if TYPE_CHECKING:
     from rich.table import Table
 
-    from geometry.design.array_design import ArrayDesign
+    from acoustic_fem import Library
     from geometry.printing.report import PrintReport
     from studies.run.check import DesignCheck
     from studies.run.part_folder import MadeParts
@@ -97,7 +98,15 @@ def show_check(found: DesignCheck) -> None:
     show_findings(found.printing)
 
 
-def show_parts(design: ArrayDesign, made: MadeParts) -> None:
+def show_library(path: Path, library: Library) -> None:
+    """A library that was written, in one line."""
+    points, microphones, frequencies = (
+        library.transfer_function.sizes[name] for name in ("point", "microphone", "frequency")
+    )
+    print(f"{path}: {points} points, {microphones} microphones, {frequencies} frequencies")
+
+
+def show_parts(made: MadeParts) -> None:
     """What was made: parts with their files, tubes to cut, the bill, where to read which part goes where."""
     from geometry.layout.cutting import cutting_list
 
@@ -111,7 +120,7 @@ def show_parts(design: ArrayDesign, made: MadeParts) -> None:
     table = table_of(
         "tube", "count", "sheath (mm)", "spring (mm)", "bore (mm)", "outside (mm)", numbers=(1, 2, 3, 4, 5)
     )
-    for cut in cutting_list(design):
+    for cut in cutting_list(made.design):
         lengths = f"{cut.cut_length:g}", f"{cut.spring_length:g}"
         table.add_row(
             cut.place, str(cut.count), *lengths, f"{cut.tube.inner_diameter:g}", f"{cut.tube.outer_diameter:g}"

@@ -1,4 +1,4 @@
-"""What a sweep or search found: table, page, files.
+"""A search from its study file to its designs; what a sweep or search found: table, page, files.
 
 Stands on: optimization, output, study, sweep.
 """

@@ -1,4 +1,4 @@
-"""A localizer judged under other conditions, and its report.
+"""A localizer trained and judged, also under other conditions, and its report.
 
 Stands on: output, scatter.
 """

@@ -1,4 +1,4 @@
-"""Priors, figures and a virtual rig for calibration.
+"""A made sensor calibrated and recalibrated; priors, figures and a virtual rig for it.
 
 Stands on: output, scatter.
 """

@@ -9,7 +9,7 @@ from .search import (
     OptimizationResult as OptimizationResult,
     found_so_far as found_so_far,
     journal_exists as journal_exists,
-    optimize as optimize,
     pareto_front as pareto_front,
     ranked as ranked,
+    search_designs as search_designs,
 )

@@ -65,7 +65,7 @@ class OptimizationResult:
     """Designs that keep the limits and that no other beats in all objectives; the best first objective first."""
 
 
-def optimize(
+def search_designs(
     problem: Optimization,
     out: Path,
     *,

@@ -1,4 +1,4 @@
-from .display import Display as Display, Report as Report, number as number
+from .display import Display as Display, Report as Report, duration as duration, number as number
 from .figure_style import (
     WIDTH as WIDTH,
     crop_picture as crop_picture,
@@ -17,3 +17,4 @@ from .folders import (
     replaced_folder as replaced_folder,
     write_json as write_json,
 )
+from .frequencies import FREQUENCIES as FREQUENCIES, stated_frequencies as stated_frequencies

@@ -31,6 +31,13 @@ def number(value: float, digits: int | None = None) -> str:
     return text.replace("-", "\N{MINUS SIGN}") if text.startswith("-") else text
 
 
+def duration(seconds: float) -> str:
+    """A time as people say it."""
+    if seconds < 100:
+        return f"{number(seconds)} s"
+    return f"{seconds / 60:.0f} min" if seconds < 5400 else f"{seconds / 3600:.1f} h"
+
+
 class Display:
     """Display of the stages of a job, one after the other.
 
@@ -45,7 +52,7 @@ class Display:
         self.seconds: dict[str, float] = {}
 
     def __enter__(self) -> Self:
-        if self._stream is not None and self._stream.isatty():
+        if self.terminal:
             from rich.console import Console
             from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
@@ -65,6 +72,11 @@ class Display:
         if self._bars is not None:
             self._bars.stop()
             self._bars = None
+
+    @property
+    def terminal(self) -> bool:
+        """Whether it draws bars, which can change often; elsewhere every message stays as a line."""
+        return self._stream is not None and self._stream.isatty()
 
     def note(self, text: str) -> None:
         """Write a line that stays."""

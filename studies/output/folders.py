@@ -1,4 +1,7 @@
-"""Results on disk: a file is whole or not there, and nobody else's files are touched."""
+"""Results on disk: a file is whole or not there, and nobody else's files are touched.
+
+A refusal names an argument other than its first word in backticks: the command line makes an option of it.
+"""
 
 from __future__ import annotations
 
@@ -41,7 +44,7 @@ def claim_folder(out: str | os.PathLike[str], design: str) -> Path:
     check_folder(folder)
     if folder.is_dir() and any(folder.iterdir()) and not (folder / MARK).is_file():
         raise Refusal(
-            f"{folder}: holds files that no run of this program made; --out must be a new or empty folder, or one of "
+            f"{folder}: holds files that no run of this program made; `out` must be a new or empty folder, or one of "
             "an earlier run"
         )
     folder.mkdir(parents=True, exist_ok=True)
@@ -54,14 +57,14 @@ def claim_folder(out: str | os.PathLike[str], design: str) -> Path:
     return folder
 
 
-def check_new_file(path: Path | None, kept: str | None = None, option: str = "--out") -> None:
+def check_new_file(path: Path | None, kept: str | None = None, option: str = "out") -> None:
     """Refuse a file that cannot be written, before any work is done for it.
 
     Args:
         path: of the file; none is nothing to write.
         kept: what it is, where such a file is never overwritten: a design that somebody may have changed, a library
             that nobody can compute again. By default an earlier file is replaced.
-        option: by which it was given.
+        option: name of the argument by which it was given.
 
     Raises:
         Refusal: it is a folder, exists and is kept, or its own folder does not exist or cannot be written to.
@@ -69,11 +72,11 @@ def check_new_file(path: Path | None, kept: str | None = None, option: str = "--
     if path is None:
         return
     if path.is_dir():
-        raise Refusal(f"{path}: is a folder; {option} must be a file")
+        raise Refusal(f"{path}: is a folder; `{option}` must be a file")
     if kept is not None and path.exists():
         raise Refusal(f"{path}: exists, and {kept} is never overwritten; name another file, or remove this one")
     if not path.parent.is_dir():
-        raise Refusal(f"{path}: {option} must lie in a folder that exists; there is no {path.parent}")
+        raise Refusal(f"{path}: `{option}` must lie in a folder that exists; there is no {path.parent}")
     _check_writable(path, path.parent, option)
 
 
@@ -88,7 +91,7 @@ def check_new_library(path: Path, formats: Sequence[str]) -> None:
         Refusal: another suffix, a measured library, or a file that cannot be written.
     """
     if path.suffix.lower() not in formats and not path.is_dir():
-        raise Refusal(f"{path}: --out must be a library, {' or '.join(formats)}")
+        raise Refusal(f"{path}: `out` must be a library, {' or '.join(formats)}")
     check_new_file(path, kept="a measured library" if _is_measured(path) else None)
 
 
@@ -111,8 +114,8 @@ def check_folder(path: Path) -> None:
     """
     place = next(folder for folder in (path, *path.absolute().parents) if folder.exists())
     if not place.is_dir():
-        raise Refusal(f"{path}: --out must be a folder; {place} is a file")
-    _check_writable(path, place, "--out")
+        raise Refusal(f"{path}: `out` must be a folder; {place} is a file")
+    _check_writable(path, place, "out")
 
 
 @contextmanager
@@ -182,7 +185,7 @@ def _check_writable(path: Path, place: Path, option: str) -> None:
             pass
     except OSError as error:
         reason = error.strerror or str(error)
-        raise Refusal(f"{path}: {option} cannot be written: {reason}: {place}") from None
+        raise Refusal(f"{path}: `{option}` cannot be written: {reason}: {place}") from None
 
 
 def _remove(path: Path) -> None:

@@ -1,4 +1,4 @@
-"""One design through the whole chain, and its report.
+"""One design: checked, solved, its parts, or all through the whole chain, and the report.
 
 Stands on: metrics, output.
 """

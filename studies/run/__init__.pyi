@@ -1,5 +1,7 @@
 from .chain import cell_lines as cell_lines, check_points as check_points, run_design as run_design
 from .check import DesignCheck as DesignCheck, check_design as check_design
 from .findings import verdict as verdict
-from .part_folder import MadeParts as MadeParts, make_parts as make_parts
-from .wiring import draw_wirings as draw_wirings, wirings as wirings
+from .libraries import convert_library as convert_library, solve_library as solve_library
+from .part_folder import MadeParts as MadeParts, export_parts as export_parts
+from .prototypes import copy_prototype as copy_prototype
+from .wiring import draw_wirings as draw_wirings, wiring_table as wiring_table, wirings as wirings

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import math
+import os
 import warnings
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import asdict, dataclass
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 from geometry.air.cells import Cell, cell_catalogue
@@ -18,6 +20,8 @@ from geometry.plan.topology import WiringCounts, wiring_counts
 from geometry.printing.report_files import report_content
 from geometry.refusal import Refusal
 from studies.metrics.pairs import BAND, worst_heard
+from studies.output.display import Display, Report
+from studies.output.folders import check_new_file, write_json
 
 if TYPE_CHECKING:
     from acoustic_fem.quantities.medium import Medium
@@ -100,6 +104,14 @@ class DesignCheck:
             if f.verdict == "fail"
         )
 
+    @property
+    def objection(self) -> str | None:
+        """Why the array cannot be made, in one line; None where it can."""
+        if not self.failures:
+            return None
+        more = len(self.failures) - 1
+        return f"{self.design.name}: cannot be printed: {self.failures[0]}" + (f" (and {more} more)" if more else "")
+
     def to_dict(self) -> dict[str, Any]:
         """Findings as JSON can hold them."""
         return {
@@ -120,22 +132,35 @@ class DesignCheck:
         }
 
 
-def check_design(design: ArrayDesign, progress: Callable[[str, float], None] | None = None) -> DesignCheck:
+def check_design(
+    design: ArrayDesign, out: str | os.PathLike[str] | None = None, *, display: Display | None = None
+) -> DesignCheck:
     """Findings on a design: laid out, its parts drawn and judged, the models' assumptions compared with their limits.
 
     Args:
         design: the design.
-        progress: called with what is being done and the fraction done.
+        out: a JSON file for all that was found; an earlier one is replaced.
+        display: shows what is being done.
 
     Raises:
-        Refusal: a part cannot be built, or the membrane's proportions are outside what can be solved.
+        Refusal: a part cannot be built, the membrane's proportions are outside what can be solved, or the file cannot
+            be written.
     """
+    path = None if out is None else Path(out)
+    check_new_file(path)
+    with (display or Display()).stage("Check") as report:
+        found = _judged(design, report)
+    if path is not None:
+        write_json(path, found.to_dict())
+    return found
+
+
+def _judged(design: ArrayDesign, report: Report) -> DesignCheck:
     import acoustic_fem
     from geometry import build_parts, print_report
     from geometry.assembly.fit import misfits
     from geometry.assembly.model import array_model
 
-    report = progress or (lambda message, fraction: None)
     report("layout", 0.0)
     layout = lay_out(design)
     report("attenuation", 0.1)

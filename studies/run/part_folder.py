@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from geometry.design.array_design import ArrayDesign
+from geometry.formats.names import FORMATS
 from geometry.layout.overlaps import buildability_notes
-from geometry.stated.print_processes import PrintProcess
-from studies.output.display import Report
-from studies.output.folders import replaced_files
+from geometry.stated.print_processes import PrintProcess, find_process, process_of
+from studies.output.display import Display, Report
+from studies.output.folders import check_folder, replaced_files
 
 if TYPE_CHECKING:
     from geometry.assembly.bill import Bill
+    from geometry.design.array_design import ArrayDesign
     from geometry.formats.part_files import ExportedFile
     from geometry.printing.report import PrintReport
 
@@ -23,6 +25,10 @@ if TYPE_CHECKING:
 class MadeParts:
     """Parts of an array as they lie in a folder, and what was found on them."""
 
+    design: ArrayDesign
+    """Array that the parts are of."""
+    report: Path
+    """Page with what the print rules say."""
     files: tuple[ExportedFile, ...]
     """Files that were written."""
     printing: PrintReport
@@ -37,26 +43,36 @@ class MadeParts:
     """Lines on what keeps the parts, as drawn, from being put together."""
 
 
-def make_parts(
-    design: ArrayDesign, folder: Path, formats: Sequence[str], process: PrintProcess, report: Report
+def export_parts(
+    design: ArrayDesign,
+    out: str | os.PathLike[str],
+    *,
+    formats: Sequence[str] = FORMATS,
+    process: PrintProcess | str | os.PathLike[str] | None = None,
+    display: Display | None = None,
 ) -> MadeParts:
     """Parts of a design, drawn, exported and judged, and the array put together, all of it or nothing.
 
     Args:
         design: the array.
-        folder: made if it does not exist. What it holds of an earlier call is replaced when all is made; files of
-            others stay, but for those of the same name.
+        out: a folder, made if it does not exist. What it holds of an earlier call is replaced when all is made; files
+            of others stay, but for those of the same name.
         formats: of the files of each part.
-        process: whose rules are applied.
-        report: told what is being made.
+        process: whose rules are applied: a name or a ``.toml`` file; by default that of the design.
+        display: shows what is being made.
 
     Raises:
-        Refusal: a part cannot be built or written, or the folder's list of files names what is none of its own.
+        Refusal: a part cannot be built or written, an unknown process or format, or the folder's list of files names
+            what is none of its own.
         OSError: the folder cannot be written.
     """
-    with replaced_files(folder) as fresh:
-        made = _make(design, fresh, formats, process, report)
-    return replace(made, files=tuple(replace(file, path=folder / file.path.name) for file in made.files))
+    folder = Path(out)
+    check_folder(folder)
+    rules = process_of(design.printing) if process is None else find_process(process)
+    with (display or Display()).stage("Parts") as report, replaced_files(folder) as fresh:
+        made = _make(design, fresh, formats, rules, report)
+    files = tuple(replace(file, path=folder / file.path.name) for file in made.files)
+    return replace(made, report=folder / made.report.name, files=files)
 
 
 def _make(
@@ -84,7 +100,7 @@ def _make(
     printing = print_report(
         parts, process, design, lambda part, done: report(f"print rules of {part}", 0.45 + 0.2 * done), shapes
     )
-    write_report(printing, folder, design.name, files)
+    _, page = write_report(printing, folder, design.name, files)
     report("bill of materials", 0.65)
     bill = bill_of_materials(design, parts)
     write_bill(bill, folder)
@@ -105,4 +121,5 @@ def _make(
     report("mold-section.png", 0.96)
     mold_section(design, folder / "mold-section.png", parts)
     report("done", 1.0)
-    return MadeParts(files, printing, bill, plates.too_large, buildability_notes(design, model.layout), in_the_way)
+    notes = buildability_notes(design, model.layout)
+    return MadeParts(design, page, files, printing, bill, plates.too_large, notes, in_the_way)

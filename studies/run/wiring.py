@@ -13,6 +13,7 @@ import numpy as np
 from geometry.files.writing import whole_file
 from geometry.plan.topology import WiringCounts, wiring_counts
 from geometry.refusal import Refusal
+from studies.output.folders import check_new_file
 
 MOST_MICROPHONES, MOST_POINTS = 16, 1000
 
@@ -35,6 +36,27 @@ def wirings(microphones: int, points_per_line: int) -> tuple[WiringCounts, ...]:
             raise Refusal(f"{name} = {value} must be from {least} to {most}")
     fewest, most_lines = microphones - 1, microphones * (microphones - 1) // 2
     return tuple(wiring_counts(microphones, [points_per_line] * lines) for lines in range(fewest, most_lines + 1))
+
+
+def wiring_table(
+    microphones: int, points_per_line: int, out: str | os.PathLike[str] | None = None
+) -> tuple[WiringCounts, ...]:
+    """Points that so many microphones serve, for every number of lines that connects them; drawn where asked.
+
+    Args:
+        microphones: M, 2 to 16.
+        points_per_line: N, 1 to 1000.
+        out: a PNG file for the picture of :func:`draw_wirings`.
+
+    Raises:
+        Refusal: a number out of range, or a file that cannot be written.
+    """
+    path = None if out is None else Path(out)
+    found = wirings(microphones, points_per_line)
+    check_new_file(path)
+    if path is not None:
+        draw_wirings(path, microphones, points_per_line)
+    return found
 
 
 def draw_wirings(path: str | os.PathLike[str], microphones: int, points_per_line: int) -> Path:

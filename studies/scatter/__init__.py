@@ -1,4 +1,4 @@
-"""Manufacturing tolerances and what they do.
+"""Manufacturing tolerances, what they do, and the study of it.
 
 Stands on: metrics, output.
 """

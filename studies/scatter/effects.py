@@ -117,7 +117,7 @@ class ToleranceResult:
         }
 
 
-def tolerance_study(
+def scatter_effects(
     design: ArrayDesign,
     frequency: ArrayLike,
     *,
@@ -209,7 +209,7 @@ def scattered_accuracy(
         frequency: (n_freq,), Hz, over 1 to 100 Hz.
         sensors: how many.
         tolerances: what scatters.
-        noise: as for :func:`tolerance_study`.
+        noise: as for :func:`scatter_effects`.
         seed: of the draws.
         known: membranes that need not be solved.
 

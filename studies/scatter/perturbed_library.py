@@ -37,6 +37,8 @@ FORMAT = 1
 MARK = "acoustic_fem_perturbed_library"
 #: Sensors per block.
 BLOCK = 64
+MOST_SENSORS = 1_000_000
+"""Sensors that a store holds at most."""
 _DIMENSIONS = ("design", "point", "microphone", "frequency")
 
 
@@ -69,8 +71,8 @@ def write_perturbed_library(
             lumped batch does not take.
     """
     target = Path(path)
-    if isinstance(count, bool) or not isinstance(count, int) or not 1 <= count <= 1_000_000:
-        raise Refusal(f"count = {count!r} must be a whole number from 1 to 1000000")
+    if isinstance(count, bool) or not isinstance(count, int) or not 1 <= count <= MOST_SENSORS:
+        raise Refusal(f"count = {count!r} must be a whole number from 1 to {MOST_SENSORS}")
     if target.exists():
         raise Refusal(f"{target}: exists; a library is never overwritten")
     check_folder(target)

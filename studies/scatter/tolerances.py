@@ -7,6 +7,7 @@ come from :mod:`acoustic_fem.batch.network` (lumped fidelity), thousands per sec
 from __future__ import annotations
 
 import math
+import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -82,6 +83,17 @@ TOLERANCES = (
     Tolerance("modulus_of_batch", 0.15, "relative", "geometry.stated.materials: Gent's formula, 30 %, two deviations"),
     Tolerance("glue_overrun", 0.05, "absolute", "assumed: glue creeps over the rim by a bead's foot, half-normal"),
 )  # fmt: skip
+
+
+def tolerances_of(given: Sequence[Tolerance] | str | os.PathLike[str] | None) -> tuple[Tolerance, ...]:
+    """Tolerances as a caller gives them: themselves, a TOML file of :func:`read_tolerances`, or None for assumed ones.
+
+    Raises:
+        Refusal: as :func:`read_tolerances`.
+    """
+    if given is None:
+        return TOLERANCES
+    return read_tolerances(Path(given)) if isinstance(given, str | os.PathLike) else tuple(given)
 
 
 def read_tolerances(path: Path) -> tuple[Tolerance, ...]:

@@ -21,12 +21,14 @@ from acoustic_fem.membrane.disc_table import DiscTables, disc_tables
 from acoustic_fem.membrane.elasticity import DiscShape, ElasticDisc, solve_dimensionless
 from geometry import DesignError
 from geometry.refusal import Refusal
+from studies.output.display import Display
 from studies.study.cases import Cases, cases_of
 from studies.study.failure_reasons import PROGRAM_ERROR
 from studies.study.metric_registry import metrics_named
 from studies.study.study import Study, StudyError
 from studies.sweep.block import CellKey, Job, SolvedCell, cells_of, check_metrics, discs_of, solve_cell
 from studies.sweep.cost import seconds_of, team_size
+from studies.sweep.progress import Progress, shown_on
 from studies.sweep.retries import ENDED_WORKERS, solved_blocks
 from studies.sweep.store import DONE, FAILED, SweepStore, check_store, sole_writer
 from studies.sweep.workers import Workers, WorkersLost, open_workers
@@ -37,24 +39,6 @@ _LOOKED_AT = 1000
 
 class SweepError(Refusal):
     """Refusal of a sweep that did not compute all of its cases; what is done is kept."""
-
-
-@dataclass(frozen=True)
-class Progress:
-    """Progress of a sweep."""
-
-    what: str
-    """Words for what is being done."""
-    done: int
-    """Number of cases (or cells) finished, failed ones included, those of earlier runs too."""
-    total: int
-    """Number of all cases (or cells)."""
-    failed: int
-    """Number of those finished that failed."""
-    rate: float
-    """Cases (or cells) per second of this run; 0 before the first."""
-    remaining: float
-    """Time left at that rate, s; NaN before the first."""
 
 
 @dataclass(frozen=True)
@@ -91,6 +75,7 @@ def run_sweep(
     workers: int | None = None,
     scheduler: str | None = None,
     progress: Callable[[Progress], None] | None = None,
+    display: Display | None = None,
 ) -> Summary:
     """Summary of a study that is computed, or what an earlier run left of it.
 
@@ -101,13 +86,33 @@ def run_sweep(
             that saves more than their start, or 1.
         scheduler: address of a dask scheduler whose workers are used instead, such as ``tcp://10.0.0.1:8786``.
         progress: called as results come.
+        display: shows what is being done.
 
     Raises:
         StudyError: ``out`` holds something else or another study, or a metric does not suit the study.
         SweepError: workers were lost; running again continues.
     """
+    if display is None:
+        return _run_sweep(study, Path(out), workers, scheduler, progress)
+    with display.stage("Sweep") as report:
+        told = shown_on(report, often=display.terminal)
+
+        def both(now: Progress) -> None:
+            told(now)
+            if progress is not None:
+                progress(now)
+
+        return _run_sweep(study, Path(out), workers, scheduler, both)
+
+
+def _run_sweep(
+    study: Study,
+    out: Path,
+    workers: int | None,
+    scheduler: str | None,
+    progress: Callable[[Progress], None] | None,
+) -> Summary:
     started = perf_counter()
-    out = Path(out)
     cases = cases_of(study)
     metrics = metrics_named(study.metrics)
     job = Job(study.fidelity, study.frequency, study.metrics, study.transfer_functions)

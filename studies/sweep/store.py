@@ -101,7 +101,7 @@ class SweepStore:
         store = cls(path)
         differs = _first_difference(json.loads(store.attributes["study_content"]), study.content())
         if differs:
-            raise StudyError(f"{path}: holds the results of another study: {differs}; give another --out, or remove it")
+            raise StudyError(f"{path}: holds the results of another study: {differs}; give another `out`, or remove it")
         for left in path.rglob("*.partial"):  # of a run that was killed while it wrote
             left.unlink()
         return store
@@ -149,7 +149,7 @@ def check_store(path: Path) -> None:
     """
     check_folder(path)
     if not is_sweep(path) and path.is_dir() and any(path.iterdir()) and not is_sweep(path):  # or it came meanwhile
-        raise StudyError(f"{path}: holds what no sweep made; --out must be new, or the results of the same study")
+        raise StudyError(f"{path}: holds what no sweep made; `out` must be new, or the results of the same study")
 
 
 @contextmanager
@@ -172,7 +172,7 @@ def sole_writer(path: Path) -> Iterator[IO[str]]:
             raise StudyError(f"{path}: another sweep is writing to it") from None
         except OSError as error:
             raise StudyError(
-                f"{log.name}: cannot be locked ({error.strerror}); --out must be where files can"
+                f"{log.name}: cannot be locked ({error.strerror}); `out` must be where files can"
             ) from None
         yield log
 

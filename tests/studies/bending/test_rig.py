@@ -13,7 +13,8 @@ from toroidal_bore import compliance_change, conductance_change
 from acoustic_fem.duct import plane_wave
 from acoustic_fem.quantities.medium import Medium
 from geometry.design.design_file import prototype
-from studies.bending.rig import BendingRig, end_load
+from studies.bending.rig import BendingRig
+from studies.bending.solution import end_load
 from studies.cli import app
 
 BORE, BEND = 0.25, 5.8  # radii of the publication's rig, mm

@@ -24,9 +24,9 @@ from studies.optimization.search import (
     JOURNAL,
     Candidate,
     OptimizationResult,
-    optimize,
     pareto_front,
     refusal_of,
+    search_designs,
 )
 from studies.study.metric_registry import metrics_named
 from studies.study.study import StudyError
@@ -75,7 +75,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="module")
 def found(problem: Optimization, folder: Path) -> OptimizationResult:
-    return optimize(problem, folder)
+    return search_designs(problem, folder)
 
 
 def test_every_computed_design_can_be_printed_and_laid_out(problem: Optimization, found: OptimizationResult) -> None:
@@ -113,7 +113,7 @@ def test_a_search_that_was_cut_short_ends_as_one_that_was_not(
 ) -> None:
     text = (folder / JOURNAL).read_bytes()
     (tmp_path / JOURNAL).write_bytes(text[: int(0.6 * len(text))])  # in the middle of a batch and of a line
-    again = optimize(problem, tmp_path)
+    again = search_designs(problem, tmp_path)
     assert [(c.number, c.values, c.metrics) for c in again.candidates] == [
         (c.number, c.values, c.metrics) for c in found.candidates
     ]
@@ -124,9 +124,9 @@ def test_a_search_killed_for_real_goes_on(tmp_path: Path, problem: Optimization,
     study = tmp_path / "study.toml"
     study.write_text(SEARCH, encoding="utf-8")
     code = (
-        "import sys; from pathlib import Path; from studies.optimization.search import optimize; "
+        "import sys; from pathlib import Path; from studies.optimization.search import search_designs; "
         "from studies.optimization.problem import load_optimization; "
-        f"optimize(load_optimization({str(study)!r}), Path({str(tmp_path)!r}))"
+        f"search_designs(load_optimization({str(study)!r}), Path({str(tmp_path)!r}))"
     )
     child = subprocess.Popen([sys.executable, "-c", code], cwd=Path(__file__).parents[3])
     journal = tmp_path / JOURNAL
@@ -135,7 +135,7 @@ def test_a_search_killed_for_real_goes_on(tmp_path: Path, problem: Optimization,
     os.kill(child.pid, signal.SIGKILL)
     child.wait()
     (tmp_path / f"{JOURNAL}.lock").unlink(missing_ok=True)  # Optuna waits half a minute for its owner
-    again = optimize(problem, tmp_path)
+    again = search_designs(problem, tmp_path)
     assert [(c.number, c.values) for c in again.candidates] == [(c.number, c.values) for c in found.candidates]
 
 
@@ -156,7 +156,7 @@ def test_what_is_on_disk_is_what_was_found(problem: Optimization, found: Optimiz
 def test_a_folder_of_another_search_is_refused(found: OptimizationResult, folder: Path) -> None:
     other = read_optimization(SEARCH.replace("least = 1.5", "least = 1.6"))
     with pytest.raises(StudyError, match="another problem"):
-        optimize(other, folder)
+        search_designs(other, folder)
 
 
 def test_a_front_is_what_no_other_beats() -> None:

@@ -109,7 +109,7 @@ def test_the_old_folder_stays_where_the_new_one_cannot_be_put_in_its_place(
 
 def test_places_that_cannot_be_written_are_refused(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("")
-    with pytest.raises(ValueError, match="is a folder; --out must be a file"):
+    with pytest.raises(ValueError, match="is a folder; `out` must be a file"):
         check_new_file(tmp_path)
     with pytest.raises(ValueError, match="must lie in a folder that exists"):
         check_new_file(tmp_path / "none" / "library.nc")
@@ -126,5 +126,5 @@ def test_places_that_cannot_be_written_are_refused(tmp_path: Path) -> None:
 @pytest.mark.skipif(not Path("/proc/self").exists(), reason="needs a file system in which nothing can be made")
 def test_a_file_system_in_which_nothing_can_be_made_is_refused() -> None:
     for check, place in ((check_folder, Path("/proc/foo")), (check_new_file, Path("/proc/foo.nc"))):
-        with pytest.raises(ValueError, match=rf"{place}: --out cannot be written: .*: /proc$"):
+        with pytest.raises(ValueError, match=rf"{place}: `out` cannot be written: .*: /proc$"):
             check(place)

@@ -16,7 +16,7 @@ import geometry
 from acoustic_fem.batch.network import batch_transfer_function
 from acoustic_fem.batch.parameters import ArrayParameters, design_air
 from studies.cli.app import app
-from studies.scatter.effects import deviation, scattered_accuracy, sobol_indices, tolerance_study
+from studies.scatter.effects import deviation, scatter_effects, scattered_accuracy, sobol_indices
 from studies.scatter.tolerances import CUT, TOLERANCES, ScatteredDesign, Tolerance, read_tolerances
 
 GRID = np.linspace(1.0, 100.0, 24)
@@ -118,21 +118,21 @@ def test_an_output_that_never_changes_has_no_causes() -> None:
 
 
 def test_scatter_costs_accuracy_and_a_calibrated_sensor_gets_it_back() -> None:
-    found = tolerance_study(DESIGN, GRID, samples=24, base=8, noise=3e-3)
+    found = scatter_effects(DESIGN, GRID, samples=24, base=8, noise=3e-3)
     mean = {name: values.mean() for name, values in found.accuracy.items()}
     assert mean["nominal"] < mean["calibrated"]
     assert mean["calibrated"] == pytest.approx(found.nominal_accuracy, abs=0.02)
     assert {index.quantity for index in found.sobol["deviation"]} == {t.quantity for t in TOLERANCES}
     largest = [index.quantity for index in found.sobol["deviation"]][:2]
     assert {"membrane_thickness", "modulus_of_batch"} & set(largest)
-    again = tolerance_study(DESIGN, GRID, samples=24, base=0, noise=3e-3)
+    again = scatter_effects(DESIGN, GRID, samples=24, base=0, noise=3e-3)
     assert np.array_equal(again.transfer_function, found.transfer_function)
     assert again.sobol == {}
     json.dumps(found.summary(), allow_nan=False)
 
 
 def test_without_scatter_every_sensor_is_the_design() -> None:
-    found = tolerance_study(DESIGN, GRID, samples=2, base=2, tolerances=only("length", 0.0), noise=3e-3)
+    found = scatter_effects(DESIGN, GRID, samples=2, base=2, tolerances=only("length", 0.0), noise=3e-3)
     assert found.deviation == pytest.approx(np.zeros(2), abs=1e-4)
     assert found.accuracy["nominal"] == pytest.approx(np.full(2, found.nominal_accuracy))
     assert found.sobol["deviation"][0].total == 0
@@ -196,7 +196,7 @@ def test_a_bad_file_is_refused_by_name(text: str, message: str, tmp_path: Path) 
 )
 def test_bad_arguments_are_refused(arguments: dict, message: str) -> None:
     with pytest.raises(ValueError) as error:
-        tolerance_study(DESIGN, GRID, **arguments)
+        scatter_effects(DESIGN, GRID, **arguments)
     assert message in str(error.value)
 
 

@@ -31,8 +31,9 @@ from studies.study.metric_registry import METRICS
 from studies.study.study import Study, StudyError
 from studies.sweep import block, run, store
 from studies.sweep.one_design import design_metrics
+from studies.sweep.progress import Progress
 from studies.sweep.retries import ENDED_WORKERS
-from studies.sweep.run import Progress, Summary, run_sweep
+from studies.sweep.run import Summary, run_sweep
 from studies.sweep.store import BlockResult, SweepStore, block_size, open_sweep
 from studies.sweep.workers import Workers, open_workers
 
@@ -206,7 +207,7 @@ def test_nobody_elses_folder_is_touched(study: Study, tmp_path: Path) -> None:
     with pytest.raises(StudyError, match="holds what no sweep made"):
         run_sweep(study, tmp_path / "mine.zarr", workers=1)
     (tmp_path / "file").write_text("")
-    with pytest.raises(ValueError, match="--out must be a folder"):
+    with pytest.raises(ValueError, match="`out` must be a folder"):
         run_sweep(study, tmp_path / "file", workers=1)
     assert [entry.name for entry in (tmp_path / "mine.zarr").iterdir()] == ["letter.txt"]
 

@@ -1,0 +1,48 @@
+from . import (
+    bending as bending,
+    cli as cli,
+    findings as findings,
+    judging as judging,
+    listening as listening,
+    made_sensor as made_sensor,
+    metrics as metrics,
+    optimization as optimization,
+    output as output,
+    run as run,
+    scatter as scatter,
+    study as study,
+    sweep as sweep,
+)
+from .bending.rig import BendingRig as BendingRig
+from .bending.studying import BendingStudy as BendingStudy, bending_study as bending_study
+from .findings.reporting import (
+    BestDesigns as BestDesigns,
+    best_designs as best_designs,
+    save_best_design as save_best_design,
+    sweep_report as sweep_report,
+)
+from .findings.searching import Search as Search, optimize as optimize
+from .judging.evaluating import evaluate_localizer as evaluate_localizer
+from .judging.training import TrainedLocalizer as TrainedLocalizer, train_localizer as train_localizer
+from .listening.exporting import ExportedDecoder as ExportedDecoder, export_decoder as export_decoder
+from .listening.live import LiveInput as LiveInput, LiveSummary as LiveSummary, listen as listen
+from .listening.opening import Decoding as Decoding
+from .listening.recorded import LocatedTouches as LocatedTouches, locate_recording as locate_recording
+from .made_sensor.calibrating import SensorCalibration as SensorCalibration, calibrate_sensor as calibrate_sensor
+from .made_sensor.recalibrating import Recalibration as Recalibration, recalibrate as recalibrate
+from .made_sensor.rig import HiddenScatter as HiddenScatter, Recorder as Recorder, Rig as Rig
+from .optimization.problem import load_optimization as load_optimization
+from .output.display import Display as Display
+from .run.chain import run_design as run_design
+from .run.check import DesignCheck as DesignCheck, check_design as check_design
+from .run.libraries import convert_library as convert_library, solve_library as solve_library
+from .run.part_folder import MadeParts as MadeParts, export_parts as export_parts
+from .run.prototypes import copy_prototype as copy_prototype
+from .run.result import RunResult as RunResult
+from .run.wiring import wiring_table as wiring_table
+from .scatter.studying import ToleranceStudy as ToleranceStudy, tolerance_study as tolerance_study
+from .study.file import load_study as load_study
+from .study.study import Study as Study
+from .sweep.plan import Plan as Plan, plan_sweep as plan_sweep
+from .sweep.run import Summary as Summary, run_sweep as run_sweep
+from .sweep.store import Sweep as Sweep, open_sweep as open_sweep

@@ -1,0 +1,117 @@
+"""What a sweep or a search found, read back: a page, the best designs, the design file of one."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from geometry.refusal import Refusal
+from studies.output.display import Display
+from studies.output.folders import check_new_file
+
+if TYPE_CHECKING:
+    from studies.findings.result_table import Column, ResultTable
+
+
+@dataclass(frozen=True, eq=False)
+class BestDesigns:
+    """Best designs by one metric."""
+
+    table: ResultTable
+    """Table of all designs that were computed."""
+    metric: Column
+    """Column of the metric that counts."""
+    rows: tuple[int, ...]
+    """Rows of the table, best first."""
+
+
+def read_results(results: str | os.PathLike[str]) -> ResultTable:
+    """Table of the designs of a sweep or a search with their parameters and metrics.
+
+    Args:
+        results: the store of a sweep (``results.zarr``), also while it runs, or the folder of a search.
+
+    Raises:
+        Refusal: it is neither, or holds no design that was computed.
+    """
+    from studies.findings.result_table import table_of_search, table_of_sweep
+    from studies.findings.search_files import read_search
+    from studies.sweep.store import open_sweep
+
+    place = Path(results)
+    if place.is_dir() and not (place / "zarr.json").exists():
+        return table_of_search(*read_search(place))
+    return table_of_sweep(open_sweep(place))
+
+
+def sweep_report(
+    results: str | os.PathLike[str], out: str | os.PathLike[str], *, display: Display | None = None
+) -> ResultTable:
+    """Page about a sweep or a search: main effects, pairs, trade-offs, best designs, level and phase differences.
+
+    Args:
+        results: as of :func:`read_results`.
+        out: the page to write, HTML; an earlier one is replaced. It opens without a network.
+        display: shows what is being done.
+
+    Returns:
+        What the page shows.
+
+    Raises:
+        Refusal: as :func:`read_results`, or a file that cannot be written.
+    """
+    from studies.findings.page import write_sweep_report
+
+    path = Path(out)
+    check_new_file(path)
+    table = read_results(results)
+    with (display or Display()).stage("Report"):
+        write_sweep_report(table, path, f"acoustic-fem best {results} {{number}} --out design-{{number}}.toml")
+    return table
+
+
+def best_designs(results: str | os.PathLike[str], by: str | None = None, count: int = 10) -> BestDesigns:
+    """Best designs of a sweep or a search by one metric.
+
+    Args:
+        results: as of :func:`read_results`.
+        by: name of the metric that counts; by default the first of the study.
+        count: at most so many, at least 1.
+
+    Raises:
+        Refusal: as :func:`read_results`, no such metric, or a count below 1.
+    """
+    if count < 1:
+        raise Refusal(f"count = {count} must be at least 1")
+    table = read_results(results)
+    metric = table.metric(by or table.metrics[0].name)
+    return BestDesigns(table, metric, tuple(table.best(metric.name, count)))
+
+
+def save_best_design(results: str | os.PathLike[str], design: str | int, out: str | os.PathLike[str]) -> Path:
+    """Write the design file of one design of a sweep or a search.
+
+    Args:
+        results: as of :func:`read_results`.
+        design: its number, or as it is called where it is listed.
+        out: a new file; a design that is there is kept.
+
+    Raises:
+        Refusal: as :func:`read_results`, no such design, or a file that exists or cannot be written.
+    """
+    from geometry import save_design
+    from studies.findings.page import design_of
+
+    path = Path(out)
+    check_new_file(path, kept="a design")
+    table = read_results(results)
+    rows = {table.label(row): row for row in range(len(table.number))}
+    if str(design) not in rows:
+        raise Refusal(
+            f"{results}: design {design} is not among the {len(rows)} that were computed, from {table.number.min()} to "
+            f"{table.number.max()}"
+        )
+    save_design(design_of(table, rows[str(design)]), path)
+    return path

@@ -1,0 +1,75 @@
+"""A search from its study file to its files."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from geometry.refusal import Refusal
+from studies.output.display import Display
+from studies.output.folders import check_folder
+
+if TYPE_CHECKING:
+    from studies.optimization.problem import Optimization
+    from studies.optimization.search import OptimizationResult
+
+
+@dataclass(frozen=True, eq=False)
+class Search:
+    """Results of a search, and their files."""
+
+    problem: Optimization
+    """Problem: what is wanted of the designs."""
+    result: OptimizationResult
+    """Designs computed, and those on the front, whose parts are drawn and pass the print rules."""
+    files: tuple[Path, ...]
+    """Files that were written, most wanted first."""
+
+
+def optimize(
+    study: str | os.PathLike[str] | Optimization,
+    out: str | os.PathLike[str],
+    *,
+    workers: int | None = None,
+    scheduler: str | None = None,
+    display: Display | None = None,
+) -> Search:
+    """Best designs of a study, of those that can be printed and laid out.
+
+    Killed and called again it goes on where it was; with more trials in the study it goes on beyond.
+
+    Args:
+        study: a study file with a section ``[optimize]``, or what is in one.
+        out: a new folder, or that of the same search, which is continued.
+        workers: processes on this machine; 1 computes in this one; by default one per core.
+        scheduler: address of a dask scheduler whose workers are used instead.
+        display: shows what is being done.
+
+    Raises:
+        Refusal: a study that cannot be read, a folder with files of others or of another search, or no design that
+            keeps the limits and can be printed.
+    """
+    from studies.findings.search_files import check_printed, save_search
+    from studies.optimization.problem import Optimization, load_optimization
+    from studies.optimization.search import journal_exists, search_designs
+
+    folder, show = Path(out), display or Display()
+    problem = study if isinstance(study, Optimization) else load_optimization(study)
+    check_folder(folder)
+    if folder.is_dir() and any(folder.iterdir()) and not journal_exists(folder):
+        raise Refusal(f"{folder}: holds files that no search made; `out` must be a new folder, or one of this search")
+    folder.mkdir(parents=True, exist_ok=True)
+    with show.stage("Search") as report:
+        result = search_designs(problem, folder, workers=workers, scheduler=scheduler, progress=report)
+    if not result.front:
+        raise Refusal(
+            f"{problem.study.name}: none of {problem.trials} designs keeps the limits "
+            f"({'; '.join(map(str, problem.limits)) or 'none'}): widen the parameters, or loosen them"
+        )
+    with show.stage("Parts") as report:
+        result = check_printed(problem, result, report)
+    if not result.front:
+        raise Refusal(f"{problem.study.name}: of no design of the front do the drawn parts pass the print rules")
+    return Search(problem, result, tuple(save_search(problem, result, folder)))

@@ -1,0 +1,80 @@
+"""A localizer judged on touches that it has never heard, the model-based decoder beside it."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from studies.output.display import Display
+from studies.output.folders import check_folder
+
+if TYPE_CHECKING:
+    from localize import Evaluation
+    from localize.evaluation.accuracy import Locator
+    from localize.signals.noise import NoiseChoice
+
+#: White noise that the Bayes decoder assumes where touches have less, Pa rms.
+LEAST_NOISE = 1e-6
+
+
+def evaluate_localizer(
+    model: str | os.PathLike[str],
+    library: str | os.PathLike[str],
+    out: str | os.PathLike[str] | None = None,
+    *,
+    touches: int = 200,
+    noise: float | None = None,
+    seed: int = 0,
+    display: Display | None = None,
+) -> dict[str, Evaluation]:
+    """Evaluations of a localizer on touches that it has never heard, the Bayes decoder beside it.
+
+    Args:
+        model: the folder of a trained localizer, or an ONNX file.
+        library: the file of the library that touches are made from.
+        out: a folder for ``evaluation.json`` and ``evaluation.html``: with it, both are also judged under other noise,
+            ambient sound, touches and lengths, and on mis-made sensors.
+        touches: held-out touches of every point.
+        noise: of the microphones, white, Pa rms over 0 to 500 Hz; by default that of the design's.
+        seed: of the touches.
+        display: shows what is being done.
+
+    Returns:
+        Each localizer's evaluation by its name: ``"network"``, or the kind of an ONNX file, and ``"Bayes decoder"``.
+
+    Raises:
+        Refusal: a folder that cannot be written, a file that cannot be read, a localizer of another array, or a value
+            out of range.
+    """
+    folder = None if out is None else Path(out)
+    if folder is not None:
+        check_folder(folder)
+    import acoustic_fem
+    from localize import BayesDecoder, OnnxLocalizer, evaluate, load_localizer
+    from localize.evaluation.accuracy import check_evaluation
+    from localize.signals.array_response import response_of
+
+    localizer = OnnxLocalizer(model) if Path(model).suffix == ".onnx" else load_localizer(model)
+    solved = acoustic_fem.load(library)
+    response = response_of(solved)
+    level: NoiseChoice = "design" if noise is None else noise
+    check_evaluation(localizer, response, touches, level)
+    decoder = BayesDecoder(response, "design" if noise is None else max(noise, LEAST_NOISE))
+    name = localizer.kind if isinstance(localizer, OnnxLocalizer) else "network"
+    locators: dict[str, Locator] = {name: localizer, "Bayes decoder": decoder}
+    results: dict[str, Evaluation] = {}
+    with (display or Display()).stage("Evaluation") as report:
+        if folder is None:
+            for number, (title, locator) in enumerate(locators.items()):
+                report(title, number / len(locators))
+                results[title] = evaluate(locator, response, touches, level, seed=seed)
+        else:
+            from studies.judging.full_evaluation import evaluate_fully
+            from studies.judging.report import write_evaluation
+
+            found = evaluate_fully(locators, solved, response, touches, level, seed, report)
+            results = {each.name: each.overall for each in found.judged}
+            report("report", 1.0)
+            write_evaluation(found, folder)
+    return results

@@ -1,0 +1,82 @@
+"""A localizer trained on a library, with its files."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from geometry.refusal import Refusal
+from studies.output.display import Display
+from studies.output.folders import check_folder
+
+if TYPE_CHECKING:
+    from localize import Evaluation, Localizer, TrainingPlan
+
+#: Where the state of a training is kept until it is done.
+_CHECKPOINT = "checkpoint.safetensors"
+
+
+@dataclass(frozen=True, eq=False)
+class TrainedLocalizer:
+    """Trained localizer, and how it did."""
+
+    folder: Path
+    """Folder of the localizer, its curves and its confusions."""
+    localizer: Localizer
+    """Localizer as :func:`localize.load_localizer` reads it from there."""
+    judged: Evaluation
+    """Evaluation on touches that it has not seen."""
+
+
+def train_localizer(
+    library: str | os.PathLike[str],
+    out: str | os.PathLike[str],
+    *,
+    plan: TrainingPlan | None = None,
+    recordings: str | os.PathLike[str] | None = None,
+    display: Display | None = None,
+) -> TrainedLocalizer:
+    """Localizer trained on touches made from a library, and on recorded ones where there are some.
+
+    Killed and called again it goes on where it was, to the same weights.
+
+    Args:
+        library: the file.
+        out: the folder for the localizer, ``training.csv`` and ``confusion.csv``, and a picture of each.
+        plan: how to train; by default with the noise of the design's microphone.
+        recordings: a manifest of recorded touches, half of all that is trained on.
+        display: shows what is being done.
+
+    Raises:
+        Refusal: a folder that cannot be written or holds a finished localizer or another training, or a file that
+            cannot be read.
+    """
+    folder = Path(out)
+    check_folder(folder)
+    import acoustic_fem
+    from localize import TrainingPlan, evaluate, train
+    from localize.signals.array_response import response_of
+    from studies.judging.training_files import TOUCHES, write_training_files
+
+    plan = plan or TrainingPlan(microphone_noise="design")
+    response = response_of(acoustic_fem.load(library))
+    folder.mkdir(parents=True, exist_ok=True)
+    checkpoint = folder / _CHECKPOINT
+    if (folder / "localizer.json").exists() and not checkpoint.exists():
+        raise Refusal(f"{folder}: holds a finished localizer; remove it, or choose another folder")
+    with (display or Display()).stage("Localizer") as report:
+        report("training", 0.0)
+        localizer = train(
+            response,
+            plan,
+            lambda p: report(f"epoch {p.epoch} of {p.epochs}: {p.accuracy:.1%}", p.epoch / p.epochs),
+            checkpoint=checkpoint,
+            recordings=None if recordings is None else Path(recordings),
+        )
+        localizer.save(folder)
+        judged = evaluate(localizer, response, TOUCHES, plan.microphone_noise, seed=plan.seed)
+        write_training_files(folder, localizer, judged)
+        checkpoint.unlink()
+    return TrainedLocalizer(folder, localizer, judged)

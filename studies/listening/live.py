@@ -1,0 +1,211 @@
+"""Touches named while they happen, from a sound card or a recording played in real time."""
+
+from __future__ import annotations
+
+import gc
+import os
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import ExitStack, closing, contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from time import perf_counter
+from typing import TYPE_CHECKING
+
+from geometry.refusal import Refusal
+from studies.listening.opening import Decoding, open_localizer, open_stream
+from studies.output.folders import check_new_file
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from localize.live.listener import Heard, Latencies, LiveListener
+    from localize.live.sources import Source
+    from localize.live.stream import StreamLocator
+    from localize.live.touches import Array as TouchedArray
+
+
+@dataclass(frozen=True)
+class LiveInput:
+    """Where live samples come from."""
+
+    device: int | str | None = None
+    """Sound card: its number, or a part of its name; by default that of the system."""
+    replay: str | os.PathLike[str] | None = None
+    """WAV file to play in real time instead of listening."""
+    channels: Mapping[str, int] | None = None
+    """Channel of each microphone, from 1; by default the first ones, in the order of the design."""
+    full_scale: float = 1.0
+    """Pressure at full scale of the sound card or file, Pa."""
+
+    def __post_init__(self) -> None:
+        if self.device is not None and self.replay is not None:
+            raise Refusal("`device` must not be given beside `replay`")
+
+    def open(self, locator: StreamLocator) -> Source:
+        """Source of a locator's microphones, not listened to yet."""
+        from localize.live.sound_device import DeviceSource
+        from localize.live.sources import ReplaySource
+
+        if self.replay is not None:
+            return ReplaySource(self.replay, locator.microphones, self.full_scale, self.channels)
+        return DeviceSource(locator.microphones, self.device, self.full_scale, self.channels)
+
+
+class LiveSession:
+    """Session of listening, for whoever shows it.
+
+    Attributes:
+        array: points' lines and places.
+        microphones: names.
+        latencies: of the decisions so far.
+    """
+
+    def __init__(self, listener: LiveListener, array: TouchedArray) -> None:
+        from localize.live.listener import Latencies
+
+        self._listener = listener
+        self.array, self.microphones = array, listener.stream.locator.microphones
+        self.latencies = Latencies()
+
+    @property
+    def source(self) -> str:
+        """Name of what is listened to."""
+        return self._listener.source.name
+
+    @property
+    def recent(self) -> NDArray[np.float64]:
+        """Newest samples at 1 kHz; (n_microphone, n) float64, Pa."""
+        return self._listener.recent
+
+
+Hear = Callable[["LiveSession", "Heard", str], bool | None]
+"""Takes the session, an event and its line of JSON; listening ends where it says False."""
+
+
+@dataclass(frozen=True, eq=False)
+class LiveSummary:
+    """Counts of all that was heard."""
+
+    seconds: float
+    """Time that was listened, s."""
+    states: Mapping[str, int]
+    """Number of decisions by what they say."""
+    faults: Mapping[str, int]
+    """Number of faults and notices by kind."""
+    samples_lost: int
+    """Number of samples at 1 kHz that were lost."""
+    latencies: Latencies
+    """Latencies of the decisions, from the last sample of their frame to the end of what was done with them."""
+    recordings: tuple[Path, ...]
+    """Files that were recorded."""
+
+
+def listen(
+    model: str | os.PathLike[str],
+    source: LiveInput | None = None,
+    out: str | os.PathLike[str] | None = None,
+    *,
+    record: str | os.PathLike[str] | None = None,
+    decoding: Decoding | None = None,
+    hear: Hear | None = None,
+) -> LiveSummary:
+    """Summary of touches that are named while they happen, until the source ends, ``hear`` says so, or Ctrl-C.
+
+    A sound card that is unplugged is waited for.
+
+    Args:
+        model: the folder of a trained localizer, an ONNX file, or a library for the model-based decoder.
+        source: where samples come from; by default the system's sound card.
+        out: a file for a line of JSON for every frame, 16 ms apart, written as it comes; an earlier one is replaced.
+        record: a new WAV file for what comes in, at the rate at which it does; readable even if the program is killed.
+        decoding: how signals are read, and what is told beside the point.
+        hear: called with every event.
+
+    Raises:
+        Refusal: a file that cannot be written or read, options that do not go together, or no such sound card.
+    """
+    where, given = source or LiveInput(), decoding or Decoding()
+    lines, recording = (None if path is None else Path(path) for path in (out, record))
+    check_new_file(lines)
+    if recording is not None and where.replay is not None:
+        played = Path(where.replay)
+        if recording.exists() and played.exists() and recording.samefile(played):
+            raise Refusal(f"`record` {recording} is the file that `replay` plays")
+    check_new_file(recording, kept="a recording", option="record")
+    from localize.live.listener import LiveListener
+    from localize.live.recorder import LiveRecorder
+    from localize.recordings.recording import check_full_scale
+
+    check_full_scale(where.full_scale)
+    locator = open_localizer(Path(model), given.noise, given.ambient)
+    samples = where.open(locator)
+    stream = open_stream(Path(model), locator, given, samples.limit)
+    recorder = None
+    if recording is not None:
+        recorder = LiveRecorder(recording, samples.rate, len(locator.microphones), where.full_scale)
+    listener = LiveListener(samples, stream, recorder)
+    session = LiveSession(listener, locator)
+    counts = _Counts()
+    with ExitStack() as stack:
+        stack.enter_context(_nothing_freed())
+        # Lines are written as they come, and stand in the file whenever the program ends.
+        file = None
+        if lines is not None:
+            file = stack.enter_context(lines.open("w", encoding="utf-8", newline="\n", buffering=1))
+        try:
+            for heard in stack.enter_context(closing(listener.listen())):
+                available = heard.available
+                line = heard.json_line(None if available is None else perf_counter() - available)
+                if file is not None:
+                    file.write(line + "\n")
+                goes_on = hear is None or hear(session, heard, line) is not False
+                if available is not None:
+                    session.latencies.add(perf_counter() - available)
+                counts.take(heard)
+                if not goes_on:
+                    break
+        except KeyboardInterrupt:
+            pass
+    return counts.summary(session.latencies, () if recorder is None else tuple(recorder.paths))
+
+
+@contextmanager
+def _nothing_freed() -> Iterator[None]:
+    """Memory as it is: looking through all that was imported for what can be freed takes longer than a frame."""
+    gc.collect()
+    gc.freeze()
+    try:
+        yield
+    finally:
+        gc.unfreeze()
+
+
+class _Counts:
+    """What was heard so far."""
+
+    def __init__(self) -> None:
+        self._states: Counter[str] = Counter()
+        self._faults: Counter[str] = Counter()
+        self._lost = 0
+        self._began = perf_counter()
+
+    def take(self, heard: Heard) -> None:
+        """Count an event."""
+        from localize.live.listener import Notice
+        from localize.live.stream import Decision, Fault
+
+        event = heard.event
+        if isinstance(event, Decision):
+            self._states[event.state] += 1
+        elif isinstance(event, Fault):
+            self._faults[event.kind] += 1
+            self._lost += (event.samples or 0) if event.kind == "samples lost" else 0
+        elif isinstance(event, Notice):
+            self._faults[event.kind] += 1
+
+    def summary(self, latencies: Latencies, recordings: tuple[Path, ...]) -> LiveSummary:
+        """All of it."""
+        seconds = perf_counter() - self._began
+        return LiveSummary(seconds, dict(self._states), dict(self._faults), self._lost, latencies, recordings)

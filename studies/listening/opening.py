@@ -1,0 +1,133 @@
+"""What listens: a localizer of any kind, and a stream with all it shall tell."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from geometry.refusal import Refusal
+
+if TYPE_CHECKING:
+    from localize import BayesDecoder, Localizer, OnnxLocalizer, TouchStream
+    from localize.signals.noise import NoiseChoice
+
+#: White noise that waveforms are reconstructed with where a localizer knows none, Pa rms.
+LEAST_NOISE = 1e-6
+
+
+@dataclass(frozen=True)
+class Decoding:
+    """Choice of how signals are read and what is told beside the point."""
+
+    noise: float | None = None
+    """White noise, for a library as model: that of the microphones, Pa rms over 0 to 500 Hz; by default that of the
+    design's."""
+    library: str | os.PathLike[str] | None = None
+    """File of the library of the array, which the fields below need; by default the model, where that is one."""
+    waveform: bool = False
+    """Whether the pressure in the touched cavity is reconstructed."""
+    ambient: float | None = None
+    """Level up to which sound is told from touches, dB SPL; by default a quiet room."""
+    refuse: float | None = None
+    """Share of the frames of true touches that may be refused with those that no single point explains; by default the
+    likeliest point is named."""
+
+    @property
+    def needs_library(self) -> str | None:
+        """Name of the first field given that needs a library; None where none is."""
+        given = {"waveform": self.waveform, "ambient": self.ambient is not None, "refuse": self.refuse is not None}
+        return next((name for name, wanted in given.items() if wanted), None)
+
+
+def open_trained(model: Path, noise: float | None, ambient: float | None) -> Localizer | BayesDecoder:
+    """Trained localizer from its folder, or the model-based decoder of a library.
+
+    Args:
+        model: a folder or a library.
+        noise: of the microphones, Pa rms, for a library; None for that of the design's.
+        ambient: sound in the room up to this level, dB SPL, for a library; None for quiet.
+
+    Raises:
+        Refusal: a noise for a trained localizer, or a file that is neither.
+    """
+    from localize import BayesDecoder, load_localizer
+    from localize.decoders.bayes import sound_levels
+
+    if _is_trained(model):
+        if noise is not None:
+            raise Refusal(f"`noise` = {noise} is for a library; {model} was trained with a noise of its own")
+        return load_localizer(model)
+    import acoustic_fem
+
+    level: NoiseChoice = "design" if noise is None else noise
+    return BayesDecoder(acoustic_fem.load(model), level, ambient=sound_levels(ambient))
+
+
+def open_localizer(
+    model: Path, noise: float | None, ambient: float | None
+) -> Localizer | BayesDecoder | OnnxLocalizer:  # fmt: skip
+    """Localizer of :func:`open_trained`, or that of an ONNX file.
+
+    Raises:
+        Refusal: as :func:`open_trained`.
+    """
+    if model.suffix != ".onnx":
+        return open_trained(model, noise, ambient)
+    if noise is not None:
+        raise Refusal(f"`noise` = {noise} is for a library; {model} was made for the noise it names itself")
+    from localize import OnnxLocalizer
+
+    return OnnxLocalizer(model)
+
+
+def open_stream(
+    model: Path,
+    localizer: Localizer | BayesDecoder | OnnxLocalizer,
+    decoding: Decoding,
+    limit: float | None = None,
+) -> TouchStream:
+    """Stream that listens with a localizer.
+
+    Args:
+        model: where the localizer came from.
+        localizer: of :func:`open_localizer`.
+        decoding: what to tell beside the point.
+        limit: Pa; a sample that reaches it is clipped. By default nothing is.
+
+    Raises:
+        Refusal: a field that needs a library without one, a library without such a field, or a figure out of range.
+    """
+    from localize import BayesDecoder, Reconstructor, ResidualTest, SoundTest, TouchStream
+    from localize.live.stream import REFUSED
+    from localize.signals.array_response import response_of
+
+    needy = decoding.needs_library
+    if needy is None:
+        if decoding.library is not None:
+            raise Refusal(f"`library` {decoding.library} is for `waveform`, `ambient` and `refuse`; give one of them")
+        return TouchStream(localizer, limit=limit)
+    import acoustic_fem
+
+    path = decoding.library or (None if _is_trained(model) or model.suffix == ".onnx" else model)
+    if path is None:
+        raise Refusal(f"`{needy}` needs the library of the array: {model} is none; give `library`")
+    response = response_of(acoustic_fem.load(path))
+    noise = localizer.microphone_noise if isinstance(localizer, BayesDecoder) else localizer.noise_rms or "design"
+    wave = Reconstructor(response, max(localizer.noise_rms, LEAST_NOISE)) if decoding.waveform else None
+    sound = None if decoding.ambient is None else SoundTest(response, noise, loudest=decoding.ambient)
+    residual = None if decoding.refuse is None else ResidualTest(response, noise, ambient=decoding.ambient)
+    return TouchStream(
+        localizer,
+        limit=limit,
+        reconstructor=wave,
+        sound_test=sound,
+        residual_test=residual,
+        refused=REFUSED if decoding.refuse is None else decoding.refuse,
+    )
+
+
+def _is_trained(model: Path) -> bool:
+    """Whether a model is the folder of a trained localizer."""
+    return model.is_dir() or not model.suffix

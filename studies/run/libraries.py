@@ -1,0 +1,69 @@
+"""Libraries as files: solved for a design, and brought into another format."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from studies.output.display import Display
+from studies.output.folders import check_new_library
+from studies.output.frequencies import FREQUENCIES, stated_frequencies
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from acoustic_fem import Library
+    from geometry.design.array_design import ArrayDesign
+
+
+def solve_library(
+    design: ArrayDesign,
+    out: str | os.PathLike[str],
+    *,
+    fidelity: str = "navier-stokes",
+    frequency: ArrayLike | str = FREQUENCIES,
+    display: Display | None = None,
+) -> Library:
+    """Library of a design, also in a file: transfer functions from every point to every microphone.
+
+    Args:
+        design: the array.
+        out: the library to write, netCDF (``.nc``); one that was computed is replaced, a measured one is kept.
+        fidelity: see :func:`acoustic_fem.solve`.
+        frequency: (n_freq,) Hz, ascending, or FIRST:LAST:COUNT.
+        display: shows what is being done, then a line for each distinct cell.
+
+    Raises:
+        Refusal: a file that cannot be written, a bad frequency or fidelity, or a design that cannot be solved.
+    """
+    path, show = Path(out), display or Display()
+    check_new_library(path, (".nc",))
+    import acoustic_fem
+    from studies.run.chain import cell_lines
+
+    with show.stage("Cells") as report:
+        library = acoustic_fem.solve(design, stated_frequencies(frequency), fidelity=fidelity, progress=report)
+        acoustic_fem.save(library, path)
+    for line in cell_lines(library):
+        show.note(line)
+    return library
+
+
+def convert_library(library: str | os.PathLike[str], out: str | os.PathLike[str]) -> Library:
+    """Library of a file, written in another format, to the last digit.
+
+    Args:
+        library: the file to read: netCDF (``.nc``), SOFA (``.sofa``), ``.npz`` or ``.csv``.
+        out: the file to write, with another such suffix; a measured library is kept.
+
+    Raises:
+        Refusal: a file that is no library, or cannot be written.
+    """
+    from acoustic_fem.library.exchange import FORMATS, export, load_exchanged
+
+    path = Path(out)
+    check_new_library(path, FORMATS)
+    loaded = load_exchanged(Path(library))
+    export(loaded, path)
+    return loaded

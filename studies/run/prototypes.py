@@ -1,0 +1,27 @@
+"""Prototypes as files of one's own."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+from studies.output.folders import check_new_file
+
+
+def copy_prototype(name: str, out: str | os.PathLike[str]) -> Path:
+    """Write the design file of a prototype, with its comments, to start one's own from.
+
+    Args:
+        name: one of :func:`geometry.prototype_names`.
+        out: a new file; a design that is there is kept.
+
+    Raises:
+        Refusal: no prototype of that name, or a file that exists or cannot be written.
+    """
+    from geometry.design.design_file import prototype_text
+    from geometry.files.writing import write_text
+
+    path = Path(out)
+    check_new_file(path, kept="a design")
+    write_text(path, prototype_text(name))
+    return path
