@@ -1,0 +1,319 @@
+"""A verb parses, calls and prints: what it does is one call in Python, with the same defaults and the same files."""
+
+from __future__ import annotations
+
+import ast
+import inspect
+import json
+import re
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+import scipy.io.wavfile
+from small_run import small_design, small_run
+
+import acoustic_fem
+import geometry
+import localize
+import studies
+from localize.signals.array_response import response_of
+from studies.cli import app
+from studies.cli.options import in_options
+from studies.output.frequencies import stated_frequencies
+
+ROOT = Path(__file__).parents[3]
+#: Verb -> what it calls, where it finds it.
+CALLS = {
+    "check": "studies.run.check.check_design",
+    "wiring": "studies.run.wiring.wiring_table",
+    "solve": "studies.cli.designs.solve_library",
+    "parts": "studies.run.part_folder.export_parts",
+    "run": "studies.run.chain.run_design",
+    "calibrate": "studies.cli.calibrations.calibrate_sensor",
+    "recalibrate": "studies.cli.calibrations.recalibrate_sensor",
+    "convert": "studies.run.libraries.convert_library",
+    "train": "studies.cli.localizers.train_localizer",
+    "evaluate": "studies.cli.localizers.evaluate_localizer",
+    "onnx": "studies.cli.locating.export_decoder",
+    "locate": "studies.cli.locating.locate_recording",
+    "live": "studies.cli.live.listen",
+    "bend": "studies.cli.bending.bending_study",
+    "sweep": "studies.sweep.run.run_sweep",
+    "tolerance": "studies.cli.searches.tolerance_study",
+    "optimize": "studies.findings.searching.optimize",
+    "report": "studies.findings.reporting.sweep_report",
+    "best": "studies.cli.sweeps.best_designs",
+    "prototypes": "studies.run.prototypes.copy_prototype",
+}
+#: Verb -> the words that it needs.
+WORDS = {
+    "check": "row.toml",
+    "wiring": "2 3",
+    "solve": "row.toml --out x.nc",
+    "parts": "row.toml --out x",
+    "run": "row.toml --out x",
+    "calibrate": "folder --out x.nc",
+    "recalibrate": "a.nc b.wav --out x.nc",
+    "convert": "a.nc --out x.csv",
+    "train": "a.nc --out x",
+    "evaluate": "model a.nc",
+    "onnx": "model --out x.onnx",
+    "locate": "model r.wav",
+    "live": "model",
+    "bend": "--out x",
+    "sweep": "study.toml --out x.zarr",
+    "tolerance": "row.toml --out x",
+    "optimize": "study.toml --out x",
+    "report": "results.zarr --out x.html",
+    "best": "results.zarr",
+    "prototypes": "glove --out x.toml",
+}
+#: What a call takes where it is given None.
+BY_DEFAULT = {
+    "decoding": studies.Decoding(),
+    "source": studies.LiveInput(),
+    "rig": studies.BendingRig(),
+    "plan": localize.TrainingPlan(microphone_noise="design"),
+}
+#: The longest body of a verb, in lines behind its docstring, and the longest function that prints.
+LONGEST_BODY, LONGEST_PRINT = 30, 45
+STUDY = """
+base = "array-2x6"
+fidelity = "lumped"
+frequencies = "1:100:12"
+metrics = ["distance_smallest", "volume"]
+[parameters]
+"tube.inner_diameter" = { from = 0.3, to = 0.5, count = 3 }
+"""
+
+
+@pytest.fixture
+def command(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Callable[..., str]:
+    """Runs ``acoustic-fem`` with arguments in this process; what it printed."""
+
+    def run(*arguments: object, code: int = 0) -> str:
+        monkeypatch.setattr(sys, "argv", ["acoustic-fem", *map(str, arguments)])
+        capsys.readouterr()
+        with pytest.raises(SystemExit) as ended:
+            app.main()
+        told = capsys.readouterr()
+        assert ended.value.code == code, told.err
+        return told.out
+
+    return run
+
+
+@pytest.fixture
+def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A folder to work in, with a design and a study."""
+    geometry.save_design(small_design(), tmp_path / "row.toml")
+    (tmp_path / "study.toml").write_text(STUDY)
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def text(*parts: str) -> str:
+    """A file of the folder that is worked in."""
+    return Path(*parts).read_text(encoding="utf-8")
+
+
+def verbs() -> dict[str, ast.FunctionDef]:
+    """The source of every verb."""
+    found = {}
+    for verb in app.VERBS:
+        (tree,) = ast.parse(inspect.getsource(verb)).body
+        assert isinstance(tree, ast.FunctionDef)
+        found[verb.__name__] = tree
+    return found
+
+
+def documented() -> dict[str, list[str]]:
+    """The table of docs/python.md: verb -> its calls as written."""
+    rows = re.findall(
+        r"^\| `(\w+)` \| (.*?) \|", (ROOT / "docs" / "python.md").read_text(encoding="utf-8"), re.MULTILINE
+    )
+    return {verb: re.findall(r"(?:studies|geometry)\.\w+", calls) for verb, calls in rows}
+
+
+# -- a verb holds no workflow ------------------------------------------------------------------------------
+def test_every_verb_has_a_documented_call_that_can_be_imported() -> None:
+    table = documented()
+    assert table.keys() == verbs().keys() == CALLS.keys()
+    for verb, calls in table.items():
+        assert calls, verb
+        for call in calls:
+            package, name = call.split(".")
+            assert callable(getattr(sys.modules[package], name)), call
+        own = CALLS[verb].rpartition(".")[2].replace("recalibrate_sensor", "recalibrate")
+        assert f"studies.{own}" in calls
+
+
+@pytest.mark.parametrize("verb", verbs())
+def test_a_verb_is_short(verb: str) -> None:
+    tree = verbs()[verb]
+    assert ast.get_docstring(tree)
+    first, last = tree.body[1], tree.body[-1]
+    assert (last.end_lineno or 0) - first.lineno < LONGEST_BODY
+
+
+def test_nothing_in_the_command_line_writes_files_or_takes_long_ways() -> None:
+    """Functions that are no verbs print or read options; whoever writes, solves or loads is called."""
+    for path in sorted((ROOT / "studies" / "cli").glob("*.py")):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.FunctionDef) and node.name not in verbs():
+                assert (node.end_lineno or 0) - node.lineno < LONGEST_PRINT, (path.name, node.name)
+            if isinstance(node, ast.Call):
+                called = node.func.attr if isinstance(node.func, ast.Attribute) else getattr(node.func, "id", "")
+                assert not re.match(r"(write|save|load|mkdir|train|evaluate|solve)(_|$)", called) or called in (
+                    "solve_library", "train_localizer", "evaluate_localizer", "load_study", "save_best_design",
+                ), (path.name, called)  # fmt: skip
+
+
+@pytest.mark.parametrize("verb", CALLS)
+def test_a_verb_without_options_has_the_defaults_of_its_call(
+    command: Callable[..., str], place: Path, monkeypatch: pytest.MonkeyPatch, verb: str
+) -> None:
+    words, target = WORDS[verb], CALLS[verb]
+    module, _, name = target.rpartition(".")
+    call = getattr(sys.modules.get(module) or __import__(module, fromlist=[name]), name)
+    given: list[inspect.BoundArguments] = []
+
+    def seen(*arguments: Any, **named: Any) -> None:
+        given.append(inspect.signature(call).bind(*arguments, **named))
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(target, seen)
+    command(verb, *words.split(), code=130)
+    (bound,) = given
+    for parameter in inspect.signature(call).parameters.values():
+        value = bound.arguments.get(parameter.name, parameter.default)
+        if parameter.default is parameter.empty or parameter.name in ("display", "hear"):
+            continue
+        default = BY_DEFAULT.get(parameter.name, parameter.default)
+        if parameter.name == "out" and default is None:
+            continue  # which a verb may need
+        if parameter.name == "frequency" and verb != "run":
+            assert np.array_equal(value, stated_frequencies(default))
+        else:
+            assert (default if value is None else value) == default or list(value) == list(default), parameter.name
+
+
+def test_arguments_that_a_refusal_names_are_options_on_the_command_line() -> None:
+    model = small_run().folder / "localizer"
+    with pytest.raises(geometry.Refusal, match=r"^`library` a.nc is for `waveform`, `ambient` and `refuse`") as refused:
+        studies.locate_recording(model, "r.wav", decoding=studies.Decoding(library="a.nc"))
+    assert in_options(str(refused.value)).startswith("--library a.nc is for --waveform, --ambient and --refuse")
+    assert in_options("`full_scale` of `a.b`") == "--full-scale of `a.b`"
+
+
+# -- the same files ----------------------------------------------------------------------------------------
+def test_designs_and_libraries_in_python_are_those_of_the_verbs(command: Callable[..., str], place: Path) -> None:
+    command("prototypes", "glove", "--out", "verb.toml")
+    studies.copy_prototype("glove", "call.toml")
+    assert text("verb.toml") == text("call.toml")
+
+    out = command("solve", "row.toml", "--out", "verb.nc", "--fidelity", "lumped")
+    library = studies.solve_library(small_design(), "call.nc", fidelity="lumped")
+    assert "verb.nc: 3 points, 2 microphones, 64 frequencies" in out
+    for one in (library, acoustic_fem.load("call.nc")):
+        assert one.transfer_function.identical(acoustic_fem.load("verb.nc").transfer_function)
+
+    command("convert", "call.nc", "--out", "verb.csv")
+    studies.convert_library("call.nc", "call.csv")
+    assert text("verb.csv") == text("call.csv")
+
+    command("wiring", 3, 36, "--out", "verb.png")
+    counts = studies.wiring_table(3, 36, "call.png")
+    assert [each.points for each in counts] == [72, 108]
+    assert Path("verb.png").read_bytes() == Path("call.png").read_bytes()
+
+
+def test_a_check_in_python_writes_what_it_found(place: Path) -> None:
+    found = studies.check_design(small_design(), "call.json")
+    assert found.objection is None
+    assert json.loads(json.dumps(found.to_dict())) == json.loads(text("call.json"))
+
+
+def test_scatter_and_bending_in_python_are_those_of_the_verbs(command: Callable[..., str], place: Path) -> None:
+    command("tolerance", "row.toml", "--out", "verb", "--samples", 4, "--base", 0, "--library", 2)
+    study = studies.tolerance_study(small_design(), "call", samples=4, base=0, library=2)
+    assert [path.name for path in study.files] == ["tolerance.json", "tolerance.png", "library.zarr"]
+    assert text("verb/tolerance.json") == text("call/tolerance.json")
+
+    command("bend", "--out", "verb", "--angles", "0", "--frequencies", "1:100:3")
+    bent = studies.bending_study("call", studies.BendingRig(angles=(0.0,)), frequency="1:100:3")
+    assert [path.name for path in bent.files] == ["bending.png", "bending.csv", "bending.json"]
+    assert text("verb/bending.csv") == text("call/bending.csv")
+
+
+def test_a_localizer_in_python_is_that_of_the_verbs(command: Callable[..., str], place: Path) -> None:
+    library = small_run().folder / "library.nc"
+    command("train", library, "--out", "verb", "--epochs", 1)
+    trained = studies.train_localizer(library, "call", plan=localize.TrainingPlan(epochs=1, microphone_noise="design"))
+    assert trained.folder == Path("call")
+    for name in ("training.csv", "confusion.csv"):
+        assert text("verb", name) == text("call", name)
+    assert {path.name for path in Path("verb").iterdir()} == {path.name for path in Path("call").iterdir()}
+
+    out = command("evaluate", "verb", library, "--touches", 20)
+    judged = studies.evaluate_localizer("call", library, touches=20)
+    assert list(judged) == ["network", "Bayes decoder"]
+    for title, each in judged.items():
+        line = next(line for line in out.splitlines() if line.strip().startswith(title))
+        assert f"{100 * each.top1:.1f}" in line
+
+
+def test_touches_in_python_are_those_of_the_verbs(command: Callable[..., str], place: Path) -> None:
+    library = small_run().folder / "library.nc"
+    touches = localize.TouchGenerator(response_of(acoustic_fem.load(library)), 0, "evaluation", 1e-3).samples(0, 1)
+    scipy.io.wavfile.write("r.wav", 1000, touches.signals[0].numpy().T.astype(np.float32))
+    out = command("locate", library, "r.wav", "--out", "verb.jsonl", "--ambient", 60)
+    found = studies.locate_recording(library, "r.wav", "call.jsonl", decoding=studies.Decoding(ambient=60.0))
+    assert text("verb.jsonl") == text("call.jsonl")
+    assert f"r.wav: {len(found.touches)} touches in 1.0 s" in out
+
+    heard: list[str] = []
+    summary = studies.listen(
+        library, studies.LiveInput(replay="r.wav"), "live.jsonl", record="again.wav",
+        decoding=studies.Decoding(ambient=60.0), hear=lambda session, event, line: heard.append(line),
+    )  # fmt: skip
+    assert text("live.jsonl").splitlines() == heard
+    told = [{k: v for k, v in json.loads(line).items() if k != "latency"} for line in heard]
+    assert told == [json.loads(line) for line in text("call.jsonl").splitlines()]
+    assert sum(summary.states.values()) == len(heard)
+    assert summary.latencies.count >= len(heard) - 1  # the end of the filter may come when the file has ended
+    assert summary.recordings == (Path("again.wav"),)
+    first = studies.listen(library, studies.LiveInput(replay="r.wav"), hear=lambda *_: False)
+    assert sum(first.states.values()) == 1
+
+
+def test_a_sweep_in_python_is_that_of_the_verbs(command: Callable[..., str], place: Path) -> None:
+    command("sweep", "study.toml", "--out", "verb.zarr", "--workers", 1)
+    told: list[int] = []
+    with studies.Display() as display:
+        summary = studies.run_sweep(
+            studies.load_study("study.toml"), "call.zarr", workers=1, display=display,
+            progress=lambda now: told.append(now.done),
+        )  # fmt: skip
+    assert (summary.cases, told[-1]) == (3, 3)
+    assert "Sweep" in display.seconds
+    one, other = (studies.open_sweep(name).dataset for name in ("verb.zarr", "call.zarr"))
+    assert one["distance_smallest"].identical(other["distance_smallest"])
+
+    out = command("best", "verb.zarr", "--by", "volume", "--count", 2)
+    best = studies.best_designs("call.zarr", "volume", 2)
+    listed = [line.split()[0] for line in out.splitlines() if line.split()[:1] and line.split()[0].isdecimal()]
+    assert [best.table.label(row) for row in best.rows] == listed
+    command("best", "verb.zarr", listed[0], "--out", "verb.toml")
+    studies.save_best_design("call.zarr", int(listed[0]), "call.toml")
+    assert text("verb.toml") == text("call.toml")
+
+    command("report", "verb.zarr", "--out", "verb.html")
+    table = studies.sweep_report("call.zarr", "call.html")
+    assert len(table.number) == 3
+    own, called = (text(f"{name}.html").replace(f"{name}.zarr", "") for name in ("verb", "call"))
+    assert own == called
