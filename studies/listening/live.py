@@ -56,18 +56,21 @@ class LiveInput:
 class LiveSession:
     """Session of listening, for whoever shows it.
 
-    Attributes:
-        array: points' lines and places.
-        microphones: names.
-        latencies: of the decisions so far.
+    Args:
+        listener: joins the source to the stream.
+        array: what its points are.
     """
 
     def __init__(self, listener: LiveListener, array: TouchedArray) -> None:
         from localize.live.listener import Latencies
 
         self._listener = listener
-        self.array, self.microphones = array, listener.stream.locator.microphones
+        self.array = array
+        """Array with the lines and places of its points."""
+        self.microphones = listener.stream.locator.microphones
+        """Names of the microphones."""
         self.latencies = Latencies()
+        """Latencies of the decisions so far."""
 
     @property
     def source(self) -> str:
