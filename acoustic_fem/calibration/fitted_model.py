@@ -88,6 +88,8 @@ class UpdatedModel:
             "corner": microphones,
             "chamber": microphones,
         }
+        #: Group of each parameter.
+        self.groups = tuple(group for group, size in self.sizes.items() for _ in range(size))
         #: What each parameter is of.
         self.names = (
             *(f"bore of {name}" for name in self.topology.tube_names),
@@ -100,7 +102,7 @@ class UpdatedModel:
         )
         h = nominal.transfer_function.transpose("point", "microphone", "frequency").values
         #: (count,) logarithm of a parameter's factor per standard deviation of its prior.
-        self.scale = np.repeat([getattr(self.priors, name) for name in self.sizes], list(self.sizes.values()))
+        self.scale = np.array([getattr(self.priors, group) for group in self.groups], np.float64)
         self._ratio = h / self._lumped(np.zeros((1, self.count)))[0]
 
     @property

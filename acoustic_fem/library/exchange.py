@@ -144,7 +144,7 @@ def _write_sofa(library: Library, path: Path) -> None:
         values = dataset[name].transpose(*dimensions)
         if set(dimensions) == {"point", "microphone", "frequency"}:
             shaped = values.transpose("microphone", "frequency", "point").values[None]
-            if name.startswith("transfer_function") and name != _DEVIATION:
+            if name in ("transfer_function_real", "transfer_function_imag"):
                 setattr(sofa, f"Data_{name.rsplit('_', 1)[1].capitalize()}", shaped)
             else:
                 sofa.add_variable(_sofa_name(name), shaped, "double", "MRNE")

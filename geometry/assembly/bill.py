@@ -11,7 +11,7 @@ import json
 import math
 import os
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass, fields, replace
+from dataclasses import asdict, dataclass, field, fields, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal, get_args
 
@@ -51,9 +51,9 @@ class Prices:
     """Price of the gasket under a board."""
     glue: float = 0.01
     """Price of the glue of one joint: of a tube, a membrane or a board."""
-    resin_factor: float = 1.3
+    resin_factor: float = field(default=1.3, metadata={"least": 1.0})
     """Resin used per resin in the parts, for supports and what stays in the tank."""
-    silicone_factor: float = 2.0
+    silicone_factor: float = field(default=2.0, metadata={"least": 1.0})
     """Silicone mixed per silicone in the membranes, for the overflow and the cup."""
     cutting_loss: float = 0.5
     """Length of spring and sheath lost per cut, mm."""
@@ -66,10 +66,10 @@ class Prices:
         Raises:
             Refusal: a value is negative or not finite, or a factor below 1.
         """
-        for field in fields(self):
-            value, least = getattr(self, field.name), 1.0 if field.name.endswith("factor") else 0.0
+        for each in fields(self):
+            value, least = getattr(self, each.name), each.metadata.get("least", 0.0)
             if isinstance(value, (int, float)) and not least <= value < math.inf:
-                raise Refusal(f"prices.{field.name} = {value:g} must be at least {least:g} and finite")
+                raise Refusal(f"prices.{each.name} = {value:g} must be at least {least:g} and finite")
 
 
 @dataclass(frozen=True)

@@ -64,10 +64,10 @@ def hidden_parameters(rig: Rig, model: UpdatedModel) -> dict[str, tuple[float, A
         ]
     )
     rows = np.diag(model.scale)
-    common = model.names.index("modulus of all membranes")
-    own = [n for n, name in enumerate(model.names) if name.startswith("compliance of")]
+    common = model.groups.index("modulus")
+    own = [n for n, group in enumerate(model.groups) if group == "compliance"]
     rows[own, common] = -model.scale[common]
-    stated = [n for n, name in enumerate(model.names) if not name.endswith("all membranes")]
+    stated = [n for n, group in enumerate(model.groups) if group not in ("modulus", "loss")]
     return {model.names[n]: (float(value), rows[n]) for n, value in zip(stated, values, strict=True)}
 
 
