@@ -40,7 +40,7 @@ def gas_temperature(medium: Medium) -> float:
     return medium.gamma * medium.pressure / ((medium.gamma - 1) * medium.density * medium.heat_capacity)
 
 
-def thermal_covariance(impedance: ArrayLike, temperature: float) -> NDArray[np.complex128]:
+def thermal_covariance(impedance: ArrayLike, temperature: ArrayLike) -> NDArray[np.complex128]:
     """Spectral density of thermal pressure noise between the ports of a passive network.
 
     2 k T (Z + Z*^T), one-sided, Pa^2/Hz (Twiss 1955, eq. 4).
@@ -58,8 +58,45 @@ def thermal_covariance(impedance: ArrayLike, temperature: float) -> NDArray[np.c
     matrix = np.asarray(impedance, dtype=np.complex128)
     if matrix.ndim < 2 or matrix.shape[-1] != matrix.shape[-2]:
         raise Refusal(f"impedance has shape {matrix.shape}; it must be (..., n, n)")
-    positive("temperature", temperature, "K")
-    return 2 * BOLTZMANN * temperature * (matrix + matrix.swapaxes(-1, -2).conj())
+    factor = 2 * BOLTZMANN * positive("temperature", temperature, "K")
+    return np.asarray(factor[..., None, None] * (matrix + matrix.swapaxes(-1, -2).conj()))
+
+
+def port_noise(impedance: ArrayLike, temperature: ArrayLike, own: ArrayLike) -> NDArray[np.complex128]:
+    """Thermal noise between ports with what each adds of its own, independent of the others.
+
+    Args:
+        impedance: (..., n, n) complex, Pa s/m^3.
+        temperature: K, of a shape that broadcasts with that of the stack of matrices.
+        own: densities of the ports' own noise, the same for all of them, of the shape of the stack, Pa/sqrt(Hz).
+
+    Returns:
+        (..., n, n) complex128, one-sided, Pa^2/Hz.
+
+    Raises:
+        Refusal: as :func:`thermal_covariance`.
+    """
+    covariance = thermal_covariance(impedance, temperature)
+    ports = np.arange(covariance.shape[-1])
+    covariance[..., ports, ports] += np.asarray(own)[..., None] ** 2
+    return covariance
+
+
+def combined_snr(signal: NDArray[np.complex128], noise: NDArray[np.complex128]) -> NDArray[np.float64]:
+    """Ratio of signal to noise, of powers, behind the best linear combination of all microphones: h^H N^-1 h.
+
+    Args:
+        signal: (..., n_freq, n_microphone, n_point) complex128, h.
+        noise: (..., n_freq, n_microphone, n_microphone) complex128, N, per hertz.
+
+    Returns:
+        (..., n_point, n_freq) float64, Hz.
+    """
+    # unit diagonal: the noise spans decades
+    scale = np.sqrt(np.einsum("...mm->...m", noise).real)
+    scaled = signal / scale[..., None]
+    whitened = np.linalg.solve(noise / (scale[..., :, None] * scale[..., None, :]), scaled)
+    return np.asarray(np.einsum("...fmp,...fmp->...pf", scaled.conj(), whitened).real)
 
 
 def noise_covariance(library: Library, noise_at: NoiseAt = "front") -> NDArray[np.complex128]:
@@ -80,10 +117,7 @@ def noise_covariance(library: Library, noise_at: NoiseAt = "front") -> NDArray[n
     Raises:
         Refusal: a library without microphone impedance, or an unknown ``noise_at``.
     """
-    covariance = thermal_covariance(_impedance(library), gas_temperature(library.medium))
-    microphones = np.arange(covariance.shape[-1])
-    covariance[:, microphones, microphones] += _own_density(library, noise_at)[:, None] ** 2
-    return covariance
+    return port_noise(_impedance(library), gas_temperature(library.medium), _own_density(library, noise_at))
 
 
 def noise_density(library: Library, noise_at: NoiseAt = "front") -> xr.Dataset:
@@ -264,11 +298,7 @@ def _snr_density(
     chosen = [names.index(name) for name in (names if microphones is None else microphones)]
     noise = noise_covariance(library, noise_at)[:, chosen][:, :, chosen]
     signal = response.transpose("frequency", "microphone", "point").values[:, chosen]
-    # unit diagonal: the noise spans decades
-    scale = np.sqrt(np.einsum("fmm->fm", noise).real)
-    whitened = np.linalg.solve(noise / (scale[:, :, None] * scale[:, None, :]), signal / scale[:, :, None])
-    density = np.einsum("fmp,fmp->pf", (signal / scale[:, :, None]).conj(), whitened).real
-    return response.isel(microphone=0, drop=True).copy(data=density)
+    return response.isel(microphone=0, drop=True).copy(data=combined_snr(signal, noise))
 
 
 def _integrated(density: xr.DataArray, band: tuple[float, float]) -> xr.DataArray:

@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 import xarray as xr
+from numpy.typing import NDArray
 
 from geometry.design.array_design import ArrayDesign
 from geometry.refusal import Refusal
+
+if TYPE_CHECKING:
+    from acoustic_fem.membrane.disc import DiscResponse
 
 #: What a touch is measured by, and its unit.
 TOUCHES = {"displacement": "m", "force": "N", "pressure": "Pa"}
@@ -48,16 +54,36 @@ def touch_response(
     grid = np.asarray(source_response["frequency"].values)
     disc = design_disc(design, contact_radius=contact_radius)
     vacuum = disc.response(grid, design.material(design.membrane.material).loss_factor)
-    omega = 2j * np.pi * xr.DataArray(grid, dims="frequency")
-    volume = xr.DataArray(vacuum.volume_per_force, dims="frequency")
+    source = source_response.transpose("point", "microphone", "frequency")
+    injected = injected_flow(touch, grid, vacuum, point_impedance.transpose("point", "frequency").values)
+    return (
+        source.copy(data=source.values * injected[:, None])
+        .assign_attrs(
+            {"units": f"Pa/{TOUCHES[touch]}", "long_name": f"pressure at the microphone per {touch} of the touch"}
+        )
+        .rename(f"response_to_{touch}")
+    )
+
+
+def injected_flow(
+    touch: str, frequency: NDArray[np.float64], vacuum: DiscResponse, point_impedance: NDArray[np.complex128]
+) -> NDArray[np.complex128]:
+    """Volume velocity that a touch injects into the cavity of each point.
+
+    Args:
+        touch: one of :data:`TOUCHES`.
+        frequency: (n_freq,) float64, Hz.
+        vacuum: what the membrane does in vacuo, arrays (..., n_freq) complex128.
+        point_impedance: (..., n_point, n_freq) complex128, Pa s/m^3; the air pushes back where a displacement is given.
+
+    Returns:
+        (..., n_point or 1, n_freq) complex128, m^3/s per unit of the touch.
+    """
+    omega = 2j * np.pi * frequency
     if touch == "pressure":
-        injected = omega * xr.DataArray(vacuum.volume_per_pressure, dims="frequency")
-    elif touch == "force":
-        injected = omega * volume
-    else:
-        compliance = xr.DataArray(vacuum.displacement_per_force, dims="frequency")
-        injected = omega * volume / (compliance - omega * volume**2 * point_impedance)
-    response = (source_response * injected).transpose("point", "microphone", "frequency")
-    return response.assign_attrs(
-        {"units": f"Pa/{TOUCHES[touch]}", "long_name": f"pressure at the microphone per {touch} of the touch"}
-    ).rename(f"response_to_{touch}")
+        return np.asarray((omega * vacuum.volume_per_pressure)[..., None, :])
+    per_force = omega * vacuum.volume_per_force
+    if touch == "force":
+        return np.asarray(per_force[..., None, :])
+    pushed_back = (omega * vacuum.volume_per_force**2)[..., None, :] * point_impedance
+    return np.asarray(per_force[..., None, :] / (vacuum.displacement_per_force[..., None, :] - pushed_back))

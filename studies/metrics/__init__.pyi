@@ -7,15 +7,19 @@ from .pairs import (
     BAND as BAND,
     DECIBEL as DECIBEL,
     Disagreement as Disagreement,
-    Separability as Separability,
     attenuation as attenuation,
     check_band as check_band,
     disagreement as disagreement,
     microphone_ratios as microphone_ratios,
     sensitivity as sensitivity,
-    separability as separability,
     trapezoidal_weights as trapezoidal_weights,
     worst_heard as worst_heard,
 )
 from .responses import Responses as Responses
-from .separation import PairDistances as PairDistances, pair_distances as pair_distances
+from .separation import (
+    PairDistances as PairDistances,
+    Separability as Separability,
+    pair_distances as pair_distances,
+    separability as separability,
+)
+from .shared import SharedFigures as SharedFigures

@@ -27,56 +27,6 @@ DECIBEL = 20 / math.log(10)
 Array = NDArray[np.float64]
 
 
-@dataclass(frozen=True, eq=False)
-class Separability:
-    """Distances of all pairs of points; each matrix is symmetric with zeros on its diagonal."""
-
-    points: tuple[int, ...]
-    """Numbers of the points, in the order of rows and columns."""
-    level: Array
-    """Level distance: rms over band and microphone pairs of 20 log10 |r_i / r_j|; (n_point, n_point) float64, dB."""
-    phase: Array
-    """Phase distance: rms over band and microphone pairs of arg(r_i / r_j), wrapped to (-180, 180]; (n_point, n_point)
-    float64, degrees."""
-
-    @property
-    def combined(self) -> Array:
-        """Combined distance: rms of |log(r_i / r_j)|, level in nepers and phase in radians; (n_point, n_point) float64.
-
-        The square root of (level / 8.686 dB)^2 + (phase / 57.3 degrees)^2: 0.1 is as much as 0.87 dB or 5.7 degrees
-        over the whole band.
-        """
-        return np.hypot(self.level / DECIBEL, np.radians(self.phase))
-
-    @property
-    def hardest_pairs(self) -> tuple[tuple[int, int], ...]:
-        """Numbers of all pairs of points, the smallest combined distance first, each as (lower, higher)."""
-        distance = self.combined
-        # Mirror images are equally hard up to rounding: the lower numbers come first, every time.
-        pairs = sorted(
-            combinations(range(len(self.points)), 2), key=lambda pair: (float(f"{distance[pair]:.6g}"), pair)
-        )
-        return tuple((self.points[i], self.points[j]) for i, j in pairs)
-
-    @property
-    def equally_hard(self) -> tuple[tuple[int, int], ...]:
-        """Numbers of the hardest pair and of those within 1 % of its combined distance, such as its mirror image."""
-        least = self.between(*self.hardest_pairs[0])[2]
-        return tuple(sorted(pair for pair in self.hardest_pairs if self.between(*pair)[2] <= 1.01 * least))
-
-    def nearest(self, point: int) -> int:
-        """Number of the point that is hardest to tell from ``point``."""
-        index = self.points.index(point)
-        row = self.combined[index].copy()
-        row[index] = np.inf
-        return self.points[int(np.argmin(row))]
-
-    def between(self, first: int, second: int) -> tuple[float, float, float]:
-        """Level (dB), phase (degrees) and combined distance of two points, by number."""
-        i, j = self.points.index(first), self.points.index(second)
-        return float(self.level[i, j]), float(self.phase[i, j]), float(self.combined[i, j])
-
-
 def microphone_ratios(transfer_function: xr.DataArray) -> NDArray[np.complex128]:
     """Ratios H_ia / H_ib of every pair of microphones a < b.
 
@@ -108,41 +58,6 @@ def check_band(frequency: Array, band: tuple[float, float]) -> None:
             f"frequencies from {low:g} to {high:g} Hz in steps of at most {(high - low) / 2:g} Hz; the grid of "
             f"{len(frequency)} runs from {frequency[0]:g} to {frequency[-1]:g} Hz"
         )
-
-
-def separability(transfer_function: xr.DataArray, band: tuple[float, float] = BAND) -> Separability:
-    """Distances of all pairs of points.
-
-    Means over frequency are integrals by the trapezoidal rule over a linear axis, so that they hardly depend on
-    the grid.
-
-    Args:
-        transfer_function: (n_point, n_microphone, n_freq) complex, Pa/Pa; dimensions point, microphone, frequency (Hz).
-        band: lowest and highest frequency, Hz; the grid must have at least two frequencies in it.
-
-    Raises:
-        Refusal: fewer than two points, microphones, or frequencies in the band.
-    """
-    frequency = np.asarray(transfer_function["frequency"].values, np.float64)
-    inside = (frequency >= band[0] - 1e-9) & (frequency <= band[1] + 1e-9)
-    for name, count in (
-        ("points", transfer_function.sizes["point"]),
-        ("microphones", transfer_function.sizes["microphone"]),
-        (f"frequencies between {band[0]:g} and {band[1]:g} Hz", int(inside.sum())),
-    ):
-        if count < 2:
-            raise Refusal(f"separability: {count} {name} must be at least 2")
-    log = np.log(microphone_ratios(transfer_function)[..., inside])
-    weight = trapezoidal_weights(frequency[inside]) / log.shape[1]
-    level, phase = np.zeros((2, len(log), len(log)))
-    for index, own in enumerate(log):
-        difference = log - own
-        turn = np.remainder(difference.imag + np.pi, 2 * np.pi) - np.pi
-        level[index] = DECIBEL * np.sqrt((difference.real**2 @ weight).sum(axis=1))
-        phase[index] = np.degrees(np.sqrt((turn**2 @ weight).sum(axis=1)))
-    points = tuple(int(number) for number in transfer_function["point"].values)
-    # Rounding of log - own differs with the sign of the difference.
-    return Separability(points, (level + level.T) / 2, (phase + phase.T) / 2)
 
 
 def attenuation(transfer_function: xr.DataArray, frequency: float) -> Array:

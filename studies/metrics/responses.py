@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from geometry import ArrayDesign
 
 Complex = NDArray[np.complex128]
+_T = TypeVar("_T")
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,7 +44,7 @@ class Responses:
     microphone_impedance: Complex | None = None
     """Pressure at a microphone per volume velocity injected at a microphone; (n_design, n_microphone, n_microphone,
     n_freq) complex128, Pa s/m^3."""
-    known: KnownDiscs | None = None
+    discs: KnownDiscs | None = None
     """Membranes that need not be solved."""
 
     def __post_init__(self) -> None:
@@ -88,6 +89,12 @@ class Responses:
             if mutual is None
             else _one(mutual.transpose("microphone", "microphone_2", "frequency").values),
         )
+
+
+def known(values: _T | None) -> _T:
+    """What :attr:`studies.study.metric_registry.Metric.needs` has made sure of."""
+    assert values is not None
+    return values
 
 
 def _one(values: NDArray[np.complex128]) -> Complex:

@@ -13,7 +13,8 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
-from studies.metrics.pairs import BAND, Separability, microphone_ratios
+from studies.metrics.pairs import BAND, microphone_ratios
+from studies.metrics.separation import Separability
 from studies.output.figure_style import WIDTH, figure_in_style, frequency_panels, line_colours, save_figure
 
 if TYPE_CHECKING:

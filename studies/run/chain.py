@@ -17,7 +17,8 @@ from geometry.layout.arrangement import lay_out
 from geometry.layout.overlaps import buildability_notes
 from geometry.layout.size import array_size
 from geometry.refusal import Refusal
-from studies.metrics.pairs import BAND, Separability, disagreement, separability, worst_heard
+from studies.metrics.pairs import BAND, disagreement, worst_heard
+from studies.metrics.separation import Separability, separability
 from studies.output.display import Display, Report
 from studies.output.folders import claim_folder, replaced_folder
 from studies.run.check import model_validity

@@ -9,7 +9,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from geometry.design.array_design import ArrayDesign
-from studies.metrics.pairs import Disagreement, Separability
+from studies.metrics.pairs import Disagreement
+from studies.metrics.separation import Separability
 from studies.run.check import Validity
 
 if TYPE_CHECKING:

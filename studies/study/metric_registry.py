@@ -8,23 +8,21 @@ from __future__ import annotations
 import difflib
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from functools import lru_cache, partial
+from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from geometry.layout.size import array_size
 from geometry.refusal import Refusal
 from studies.metrics import build, touch
 from studies.metrics.pairs import BAND, check_band
-from studies.metrics.responses import Responses
-from studies.metrics.separation import PairDistances, pair_distances
+from studies.metrics.responses import Responses, known
+from studies.metrics.shared import SharedFigures
 
 if TYPE_CHECKING:
     from acoustic_fem import Library
     from geometry import ArrayDesign
-    from studies.metrics.confusion import PredictedConfusion
 
 Values = NDArray[np.float64]
 
@@ -41,7 +39,7 @@ class Metric:
     """Title for axes and tables, a few words."""
     definition: str
     """Definition in one or two sentences."""
-    compute: Callable[[Responses], Values]
+    compute: Callable[[SharedFigures], Values]
     """Function from the responses of a batch to values (n_design,) float64."""
     needs: frozenset[str] = frozenset()
     """Fields of :class:`studies.metrics.Responses` beside frequency and transfer function that must not be None."""
@@ -66,8 +64,12 @@ class Metric:
         except ValueError as error:
             raise Refusal(f"metric {self.name} needs {error}") from None
 
-    def of_batch(self, responses: Responses) -> Values:
+    def of_batch(self, responses: Responses, figures: SharedFigures | None = None) -> Values:
         """Value of each design of a batch; (n_design,) float64, in the unit of the metric.
+
+        Args:
+            responses: of the designs.
+            figures: what several metrics of these responses share, where there are several.
 
         Raises:
             Refusal: something the metric needs is missing, or the grid does not reach over its band.
@@ -76,7 +78,7 @@ class Metric:
         if missing:
             raise Refusal(f"metric {self.name} needs {', '.join(missing)}")
         self.check_grid(responses.frequency)
-        return np.asarray(self.compute(responses), np.float64)
+        return np.asarray(self.compute(figures or SharedFigures(responses)), np.float64)
 
     def of_library(self, library: Library) -> float:
         """Value of one design.
@@ -103,14 +105,10 @@ def metrics_named(names: Iterable[str]) -> tuple[Metric, ...]:
     return tuple(found)
 
 
-@lru_cache(maxsize=2)
-def _distances(responses: Responses, band: tuple[float, float]) -> PairDistances:
-    """Of the batch that was asked for last: several metrics share them."""
-    return pair_distances(responses, band)
-
-
-def _of_distances(field: str, reduce: Callable[..., Values], band: tuple[float, float], responses: Responses) -> Values:
-    return reduce(getattr(_distances(responses, band), field), axis=1)
+def _of_distances(
+    field: str, reduce: Callable[..., Values], band: tuple[float, float], figures: SharedFigures
+) -> Values:
+    return reduce(getattr(figures.distances(band), field), axis=1)
 
 
 _RATIO = "r_i = H_ia / H_ib; root mean square over 1 to 100 Hz and all pairs a, b of microphones"
@@ -144,37 +142,12 @@ def _separation() -> Iterable[Metric]:
         )
 
 
-@lru_cache(maxsize=2)
-def _confusion(responses: Responses, level: float | None) -> PredictedConfusion:
-    """Of the batch that was asked for last, at a white noise or that of the designs' microphones."""
-    from studies.metrics.confusion import predict_confusion
-
-    noise = _design_noise(responses) if level is None else level
-    return predict_confusion(responses.transfer_function, responses.frequency, noise)
+def _top1(level: float | None, figures: SharedFigures) -> Values:
+    return figures.confusion(level).top1
 
 
-def _top1(level: float | None, responses: Responses) -> Values:
-    return _confusion(responses, level).top1
-
-
-def _hardest_pair(level: float | None, responses: Responses) -> Values:
-    return np.asarray(_confusion(responses, level).pairwise.max(axis=(1, 2)))
-
-
-def _design_noise(responses: Responses) -> Values:
-    """Mean squares per hertz of the microphones' noise, (n_design, 500), Pa^2."""
-    from localize.signals.noise import microphone_noise
-
-    assert responses.designs is not None
-    assert responses.medium is not None
-    known: dict[tuple[object, ...], Values] = {}
-    rows = []
-    for design, medium in zip(responses.designs, responses.medium, strict=True):
-        key = (design.microphone, medium)
-        if key not in known:
-            known[key] = microphone_noise(design.microphone, medium).power
-        rows.append(known[key])
-    return np.stack(rows)
+def _hardest_pair(level: float | None, figures: SharedFigures) -> Values:
+    return np.asarray(figures.confusion(level).pairwise.max(axis=(1, 2)))
 
 
 #: White noise that stands for a loud room and for what the transfer functions do not tell, Pa rms over 0 to 500 Hz.
@@ -213,15 +186,15 @@ def _predicted() -> Iterable[Metric]:
 SENSORS = 64
 
 
-def _scattered_top1(responses: Responses) -> Values:
+def _scattered_top1(figures: SharedFigures) -> Values:
     from studies.scatter.effects import scattered_accuracy
 
-    return _of_designs(
-        lambda design: float(
-            scattered_accuracy(design, responses.frequency, sensors=SENSORS, known=responses.known).mean()
-        ),
-        responses,
-    )
+    own = figures.responses
+
+    def of_design(design: ArrayDesign) -> float:
+        return float(scattered_accuracy(design, own.frequency, sensors=SENSORS, known=own.discs).mean())
+
+    return _of_designs(of_design, figures)
 
 
 def _forgiving() -> Iterable[Metric]:
@@ -238,53 +211,54 @@ def _touches() -> Iterable[Metric]:
     worst = "rms over 1 to 100 Hz at the loudest microphone, of the point where that is least"
     yield Metric(
         "sensitivity_force", "Pa/N", "sensitivity to force", f"Microphone pressure per force on the membrane: {worst}.",
-        lambda responses: touch.smallest_sensitivity(responses, touch.force_response),
+        lambda figures: touch.smallest_sensitivity(figures.responses, figures.touch_response("force")),
         touch.NEEDS, band=BAND,
     )  # fmt: skip
     yield Metric(
         "sensitivity_displacement", "Pa/um", "sensitivity to displacement",
         f"Microphone pressure per displacement of the touched patch: {worst}.",
-        lambda responses: 1e-6 * touch.smallest_sensitivity(responses, touch.displacement_response),
+        lambda figures: 1e-6 * touch.smallest_sensitivity(figures.responses, figures.touch_response("displacement")),
         touch.NEEDS, band=BAND,
     )  # fmt: skip
     yield Metric(
         "noise_equivalent_force", "N", "noise-equivalent force",
         "Rms force of flat spectrum from 1 to 100 Hz that equals thermal and microphone noise, all microphones "
         "combined best, at the point where it is largest.",
-        touch.noise_equivalent_force, touch.NOISE_NEEDS, "smaller", BAND,
+        lambda figures: touch.noise_equivalent_force(figures.responses, figures.touch_response("force")),
+        touch.NOISE_NEEDS, "smaller", BAND,
     )  # fmt: skip
     yield Metric(
         "bandwidth", "Hz", "bandwidth",
         "Width of the range around its maximum where microphone pressure per force is within 3 dB of it, at the "
         "point's loudest microphone and within the grid; the narrowest of all points.",
-        touch.bandwidth, touch.NEEDS,
+        lambda figures: touch.bandwidth(figures.responses, figures.touch_response("force")), touch.NEEDS,
     )  # fmt: skip
 
 
 def _build() -> Iterable[Metric]:
-    for name, unit, long_name, definition, of_design, better in (
+    for name, unit, long_name, definition, compute, better in (
         ("length", "mm", "length", "Longer side of the box around all that is built, tubes and boards included.",
-         lambda design: max(array_size(design)[:2]), "smaller"),
-        ("width", "mm", "width", "Shorter side of that box.", lambda design: min(array_size(design)[:2]), "smaller"),
+         lambda figures: figures.sizes()[:, 0], "smaller"),
+        ("width", "mm", "width", "Shorter side of that box.", lambda figures: figures.sizes()[:, 1], "smaller"),
         ("height", "mm", "height", "Of that box, from the lowest floor to the highest membrane or microphone.",
-         lambda design: array_size(design)[2], "smaller"),
+         lambda figures: figures.sizes()[:, 2], "smaller"),
         ("volume", "mm^3", "volume of all parts", "Shells, housings, boards, membranes and tubes, without their air.",
-         build.volume, "smaller"),
-        ("mass", "g", "mass", "Of those parts and the microphones.", build.mass, "smaller"),
+         partial(_of_designs, build.volume), "smaller"),
+        ("mass", "g", "mass", "Of those parts and the microphones.", partial(_of_designs, build.mass),
+         "smaller"),
         ("cost", "USD", "cost of materials", "That of the bill of materials for one array; molds are left out.",
-         build.cost, "smaller"),
+         partial(_of_designs, build.cost), "smaller"),
         ("smallest_wall", "mm", "thinnest printed wall", "Of walls, floors, lips and the cover of sockets.",
-         build.smallest_wall, "larger"),
+         partial(_of_designs, build.smallest_wall), "larger"),
     ):  # fmt: skip
         yield Metric(
             name=name, unit=unit, long_name=long_name, definition=definition, needs=frozenset({"designs"}),
-            better=better, compute=partial(_of_designs, of_design),
+            better=better, compute=compute,
         )  # fmt: skip
 
 
-def _of_designs(of_design: Callable[[ArrayDesign], float], responses: Responses) -> Values:
-    assert responses.designs is not None
-    return np.array([of_design(design) for design in responses.designs])
+def _of_designs(of_design: Callable[[ArrayDesign], float], figures: SharedFigures) -> Values:
+    return np.array([of_design(design) for design in known(figures.responses.designs)])
 
 
 #: All metrics by name.

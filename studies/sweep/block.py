@@ -32,6 +32,7 @@ from geometry import ArrayDesign, DesignError
 from geometry.air.cells import Cell, cell_catalogue
 from geometry.layout.arrangement import lay_out
 from studies.metrics.responses import Responses
+from studies.metrics.shared import SharedFigures
 from studies.study.cases import Cases
 from studies.study.failure_reasons import PROGRAM_ERROR
 from studies.study.metric_registry import Metric, metrics_named
@@ -231,7 +232,7 @@ def _batch(job: Job, topology: Topology, designs: Sequence[ArrayDesign]) -> Resp
         source_response=response.source_response,
         point_impedance=response.point_impedance,
         microphone_impedance=response.microphone_impedance,
-        known=job.discs,
+        discs=job.discs,
     )
 
 
@@ -266,7 +267,7 @@ def _network(job: Job, design: ArrayDesign, cells: Mapping[CellKey, SolvedCell])
         source_response=response.source_response[None],
         point_impedance=response.point_impedance[None],
         microphone_impedance=response.microphone_impedance[None],
-        known=job.discs,
+        discs=job.discs,
     )
 
 
@@ -280,7 +281,7 @@ def _joined(parts: Sequence[Responses]) -> Responses:
         frequency=parts[0].frequency,
         designs=tuple(design for part in parts for design in part.designs or ()),
         medium=tuple(air for part in parts for air in part.medium or ()),
-        known=parts[0].known,
+        discs=parts[0].discs,
         **{
             name: all_of(name)
             for name in ("transfer_function", "source_response", "point_impedance", "microphone_impedance")
@@ -313,10 +314,11 @@ def _one(responses: Responses, number: int) -> Responses:
 
 # -- metrics ----------------------------------------------------------------------------------------
 def _measure(numbers: Sequence[int], responses: Responses, metrics: Sequence[Metric], block: _Block) -> None:
+    figures = SharedFigures(responses)
     for metric in metrics:
         values = block.values[metric.name]
         try:
-            values[list(numbers)] = metric.of_batch(responses)
+            values[list(numbers)] = metric.of_batch(responses, figures)
         except FAILURES:  # one design is at fault, or all are: each has its own reason
             for place_in_batch, number in enumerate(numbers):
                 try:
@@ -338,8 +340,9 @@ def check_metrics(job: Job, design: ArrayDesign) -> None:
         Refusal: what a metric says.
     """
     responses = _network(replace(job, fidelity="lumped"), design, {})
+    figures = SharedFigures(responses)
     for metric in metrics_named(job.metrics):
-        metric.of_batch(responses)
+        metric.of_batch(responses, figures)
 
 
 def _reason(error: BaseException, where: str = "") -> str:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import json
 from dataclasses import replace
+from functools import partial
+from itertools import combinations
 from pathlib import Path
 
 import numpy as np
@@ -16,7 +18,7 @@ import geometry
 from acoustic_fem.library.noise import detection_limits
 from geometry.assembly.bill import Prices, bill_of_materials
 from geometry.layout.size import array_size
-from studies.metrics import build
+from studies.metrics import build, shared
 from studies.metrics.build import _volumes
 from studies.metrics.confusion import predict_confusion
 from studies.metrics.pairs import (
@@ -25,13 +27,13 @@ from studies.metrics.pairs import (
     disagreement,
     microphone_ratios,
     sensitivity,
-    separability,
     trapezoidal_weights,
     worst_heard,
 )
 from studies.metrics.responses import Responses
-from studies.metrics.separation import pair_distances
-from studies.metrics.touch import force_response
+from studies.metrics.separation import pair_distances, separability
+from studies.metrics.shared import SharedFigures
+from studies.metrics.touch import touch_response
 from studies.study.metric_registry import METRICS, metrics_named
 
 
@@ -213,12 +215,31 @@ def test_a_design_has_the_same_metrics_in_any_batch() -> None:
 
 
 @given(random_arrays)
-def test_batches_of_distances_are_those_of_one_design(h: xr.DataArray) -> None:
-    one, pairs = separability(h), np.triu_indices(4, 1)
-    found = pair_distances(Responses(h["frequency"].values, h.values[None]))
-    assert np.allclose(found.level[0], one.level[pairs], rtol=1e-9, atol=1e-12)
-    assert np.allclose(found.phase[0], one.phase[pairs], rtol=1e-9, atol=1e-9)
-    assert np.allclose(found.combined[0], one.combined[pairs], rtol=1e-9, atol=1e-12)
+def test_distances_are_those_of_their_definition(h: xr.DataArray) -> None:
+    ratio, weight = microphone_ratios(h), trapezoidal_weights(h["frequency"].values)
+    found = separability(h)
+    for i, j in combinations(range(4), 2):
+        change = ratio[i] / ratio[j]
+        level = np.sqrt(((20 * np.log10(np.abs(change))) ** 2 @ weight).mean())
+        phase = np.sqrt((np.degrees(np.angle(change)) ** 2 @ weight).mean())
+        assert np.allclose(found.between(i + 1, j + 1)[:2], (level, phase), rtol=1e-9, atol=1e-9)
+    assert np.array_equal(found.level, found.level.T)
+    batch = pair_distances(Responses(h["frequency"].values, np.stack([h.values, h.values])))
+    assert np.allclose(batch.level[1], found.level[np.triu_indices(4, 1)], rtol=1e-12, atol=0)
+
+
+def test_what_several_metrics_share_is_computed_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked: list[str] = []
+    for name in ("pair_distances", "predict_confusion", "touch_response", "array_size"):
+        own = getattr(shared, name)
+        monkeypatch.setattr(shared, name, partial(lambda *given, _own, _name: (asked.append(_name), _own(*given))[1],
+                                                  _own=own, _name=name))  # fmt: skip
+    responses = Responses.of_library(acoustic_fem.solve(geometry.prototype("array-2x6"), GRID, "lumped"))
+    figures = SharedFigures(responses)
+    for metric in METRICS.values():
+        if metric.name != "scattered_top1":
+            metric.of_batch(responses, figures)
+    assert sorted(asked) == ["array_size", *["pair_distances"] * 2, *["predict_confusion"] * 2, *["touch_response"] * 2]
 
 
 def test_sensitivities_are_those_of_the_touch_response(glove: acoustic_fem.Library) -> None:
@@ -227,7 +248,9 @@ def test_sensitivities_are_those_of_the_touch_response(glove: acoustic_fem.Libra
         power = np.abs(glove.touch_response(touch).values) ** 2 @ weight
         expected = unit * np.sqrt(power.max(axis=1).min())
         assert METRICS[f"sensitivity_{name}"].of_library(glove) == pytest.approx(expected, rel=1e-9, abs=0)
-    assert glove.force_response.values[None] == pytest.approx(force_response(Responses.of_library(glove)), rel=1e-9)
+    assert glove.force_response.values[None] == pytest.approx(
+        touch_response(Responses.of_library(glove), "force"), rel=1e-9
+    )
 
 
 def test_noise_equivalent_force_is_the_detection_limit_of_the_deafest_point(glove: acoustic_fem.Library) -> None:
@@ -242,7 +265,7 @@ def test_bandwidth_of_a_low_pass_and_of_a_resonance() -> None:
 
     def shaped(response: np.ndarray) -> Responses:
         """With this pressure per force at every point."""
-        source = own.source_response * (response / force_response(own))
+        source = own.source_response * (response / touch_response(own, "force"))
         return replace(own, source_response=source)
 
     low_pass = METRICS["bandwidth"].of_batch(shaped(1 / (1 + 1j * grid / 20)))[0]

@@ -20,7 +20,7 @@ import acoustic_fem
 import geometry
 from acoustic_fem.numerics.disk_cache import CacheWarning
 from localize import TrainingPlan, load_localizer
-from studies.metrics.pairs import separability
+from studies.metrics.separation import separability
 from studies.output.display import Display
 from studies.output.folders import MARK, claim_folder
 from studies.run import chain as run_module

@@ -15,7 +15,8 @@ from small_run import small_run
 from geometry.printing.report import PrintReport
 from geometry.printing.rules import Finding
 from localize.signals.noise import microphone_noise
-from studies.metrics.pairs import Disagreement, Separability
+from studies.metrics.pairs import Disagreement
+from studies.metrics.separation import Separability
 from studies.run.findings import (
     agreement_sentence,
     confusion_sentence,

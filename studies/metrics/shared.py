@@ -1,0 +1,74 @@
+"""Responses of a batch of designs with what several metrics are made of, computed once and handed on."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from geometry.layout.size import array_size
+from studies.metrics.confusion import PredictedConfusion, predict_confusion
+from studies.metrics.responses import Complex, Responses, known
+from studies.metrics.separation import PairDistances, pair_distances
+from studies.metrics.touch import touch_response
+
+Array = NDArray[np.float64]
+
+
+class SharedFigures:
+    """Figures of one batch that more than one metric needs: each is computed when it is first asked for and kept here.
+
+    Args:
+        responses: of the batch.
+    """
+
+    def __init__(self, responses: Responses) -> None:
+        self.responses = responses
+        self._distances: dict[tuple[float, float], PairDistances] = {}
+        self._confusion: dict[float | None, PredictedConfusion] = {}
+        self._touches: dict[str, Complex] = {}
+        self._sizes: Array | None = None
+
+    def distances(self, band: tuple[float, float]) -> PairDistances:
+        """Distances of all pairs of points over a band, Hz."""
+        if band not in self._distances:
+            self._distances[band] = pair_distances(self.responses, band)
+        return self._distances[band]
+
+    def confusion(self, level: float | None) -> PredictedConfusion:
+        """Predicted confusions of the points.
+
+        Args:
+            level: white noise of the microphones, Pa rms over 0 to 500 Hz; None: that of the designs' microphones.
+        """
+        if level not in self._confusion:
+            own = self.responses
+            noise = _design_noise(own) if level is None else level
+            self._confusion[level] = predict_confusion(own.transfer_function, own.frequency, noise)
+        return self._confusion[level]
+
+    def touch_response(self, touch: str) -> Complex:
+        """Responses of :func:`studies.metrics.touch.touch_response`, complex128."""
+        if touch not in self._touches:
+            self._touches[touch] = touch_response(self.responses, touch)
+        return self._touches[touch]
+
+    def sizes(self) -> Array:
+        """Length, width and height of each design, (n_design, 3) float64, mm: length is the longer side."""
+        if self._sizes is None:
+            sizes = [array_size(design) for design in known(self.responses.designs)]
+            self._sizes = np.array([(max(x, y), min(x, y), z) for x, y, z in sizes])
+        return self._sizes
+
+
+def _design_noise(responses: Responses) -> Array:
+    """Mean squares per hertz of the microphones' noise, (n_design, 500) float64, Pa^2."""
+    from localize.signals.noise import microphone_noise
+
+    found: dict[tuple[object, ...], Array] = {}
+    rows = []
+    for design, medium in zip(known(responses.designs), known(responses.medium), strict=True):
+        key = (design.microphone, medium)
+        if key not in found:
+            found[key] = microphone_noise(design.microphone, medium).power
+        rows.append(found[key])
+    return np.stack(rows)
