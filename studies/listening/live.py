@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from localize.live.listener import Heard, Latencies, LiveListener
+    from localize.live.recorder import LiveRecorder
     from localize.live.sources import Source
     from localize.live.stream import StreamLocator
     from localize.live.touches import Array as TouchedArray
@@ -59,12 +60,13 @@ class LiveSession:
     Args:
         listener: joins the source to the stream.
         array: what its points are.
+        recorder: writes what comes in.
     """
 
-    def __init__(self, listener: LiveListener, array: TouchedArray) -> None:
+    def __init__(self, listener: LiveListener, array: TouchedArray, recorder: LiveRecorder | None = None) -> None:
         from localize.live.listener import Latencies
 
-        self._listener = listener
+        self._listener, self._recorder = listener, recorder
         self.array = array
         """Array with the lines and places of its points."""
         self.microphones = listener.stream.locator.microphones
@@ -76,6 +78,11 @@ class LiveSession:
     def source(self) -> str:
         """Name of what is listened to."""
         return self._listener.source.name
+
+    @property
+    def recordings(self) -> tuple[Path, ...]:
+        """Files that were recorded so far."""
+        return () if self._recorder is None else tuple(self._recorder.paths)
 
     @property
     def recent(self) -> NDArray[np.float64]:
@@ -129,27 +136,9 @@ def listen(
     Raises:
         Refusal: a file that cannot be written or read, options that do not go together, or no such sound card.
     """
-    where, given = source or LiveInput(), decoding or Decoding()
-    lines, recording = (None if path is None else Path(path) for path in (out, record))
+    lines = None if out is None else Path(out)
     check_new_file(lines)
-    if recording is not None and where.replay is not None:
-        played = Path(where.replay)
-        if recording.exists() and played.exists() and recording.samefile(played):
-            raise Refusal(f"`record` {recording} is the file that `replay` plays")
-    check_new_file(recording, kept="a recording", option="record")
-    from localize.live.listener import LiveListener
-    from localize.live.recorder import LiveRecorder
-    from localize.recordings.recording import check_full_scale
-
-    check_full_scale(where.full_scale)
-    locator = open_localizer(Path(model), given.noise, given.ambient)
-    samples = where.open(locator)
-    stream = open_stream(Path(model), locator, given, samples.limit)
-    recorder = None
-    if recording is not None:
-        recorder = LiveRecorder(recording, samples.rate, len(locator.microphones), where.full_scale)
-    listener = LiveListener(samples, stream, recorder)
-    session = LiveSession(listener, locator)
+    listener, session = _opened(Path(model), source or LiveInput(), record, decoding or Decoding())
     counts = _Counts()
     with ExitStack() as stack:
         stack.enter_context(_nothing_freed())
@@ -171,7 +160,32 @@ def listen(
                     break
         except KeyboardInterrupt:
             pass
-    return counts.summary(session.latencies, () if recorder is None else tuple(recorder.paths))
+    return counts.summary(session)
+
+
+def _opened(
+    model: Path, source: LiveInput, record: str | os.PathLike[str] | None, decoding: Decoding
+) -> tuple[LiveListener, LiveSession]:
+    """What listens, and what is told of it; nothing is heard or written yet."""
+    recording = None if record is None else Path(record)
+    if recording is not None and source.replay is not None:
+        played = Path(source.replay)
+        if recording.exists() and played.exists() and recording.samefile(played):
+            raise Refusal(f"`record` {recording} is the file that `replay` plays")
+    check_new_file(recording, kept="a recording", option="record")
+    from localize.live.listener import LiveListener
+    from localize.live.recorder import LiveRecorder
+    from localize.recordings.recording import check_full_scale
+
+    check_full_scale(source.full_scale)
+    locator = open_localizer(model, decoding.noise, decoding.ambient)
+    samples = source.open(locator)
+    stream = open_stream(model, locator, decoding, samples.limit)
+    recorder = None
+    if recording is not None:
+        recorder = LiveRecorder(recording, samples.rate, len(locator.microphones), source.full_scale)
+    listener = LiveListener(samples, stream, recorder)
+    return listener, LiveSession(listener, locator, recorder)
 
 
 @contextmanager
@@ -208,7 +222,13 @@ class _Counts:
         elif isinstance(event, Notice):
             self._faults[event.kind] += 1
 
-    def summary(self, latencies: Latencies, recordings: tuple[Path, ...]) -> LiveSummary:
+    def summary(self, session: LiveSession) -> LiveSummary:
         """All of it."""
-        seconds = perf_counter() - self._began
-        return LiveSummary(seconds, dict(self._states), dict(self._faults), self._lost, latencies, recordings)
+        return LiveSummary(
+            perf_counter() - self._began,
+            dict(self._states),
+            dict(self._faults),
+            self._lost,
+            session.latencies,
+            session.recordings,
+        )

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from geometry.assembly.parts import PartSet
     from geometry.formats.part_files import ExportedFile
     from geometry.printing.report import PrintReport
-    from localize import Evaluation, TrainingPlan
+    from localize import Evaluation, Localizer, TrainingPlan
 
 #: Whole hertz up to half the sample rate of the signals: the stimuli's white noise needs all of them.
 FREQUENCY = tuple(float(f) for f in range(1, 501))
@@ -70,9 +70,7 @@ def run_design(
         Refusal: the folder holds something else, or the design cannot be built, solved or decoded.
         OSError: the folder cannot be written.
     """
-    import acoustic_fem
     from geometry.design.design_file import write_design
-    from localize import BayesDecoder, evaluate, train
     from studies.run.report import write_report
 
     show = display or Display()
@@ -83,34 +81,9 @@ def run_design(
 
     with show.stage("Parts") as report:
         parts, files, printing, figures = _make_parts(design, folder, report)
-    with warnings.catch_warnings(record=True) as caught:
-        warnings.simplefilter("always", UserWarning)
-        with show.stage("Cells") as report:
-            library = acoustic_fem.solve(design, grid, fidelity=fidelity, progress=report)
-            acoustic_fem.save(library, folder / "library.nc")
-        for line in cell_lines(library):
-            show.note(line)
-        lumped = None
-        if fidelity != "lumped":
-            inside = (grid >= BAND[0]) & (grid <= BAND[1])
-            lumped = acoustic_fem.solve(design, grid[inside], fidelity="lumped")
-    limits = _said_of_models(caught, show)
+    library, lumped, limits = _solved(design, grid, fidelity, folder, show)
     distances = separability(library.transfer_function)
-
-    with show.stage("Localizer") as report:
-        report("training", 0.0)
-        localizer = train(
-            library, training, lambda p: report(f"epoch {p.epoch} of {p.epochs}: {p.accuracy:.1%}", p.epoch / p.epochs)
-        )
-        with replaced_folder(folder / "localizer") as fresh:
-            localizer.save(fresh)
-    with show.stage("Evaluation") as report:
-        touches = max(LEAST_TOUCHES_PER_POINT, EVALUATION_TOUCHES // design.point_count)
-        report("network", 0.0)
-        network = evaluate(localizer, library, touches, training.microphone_noise)
-        report("Bayes decoder", 0.5)
-        decoder = BayesDecoder(library, training.microphone_noise)
-        bayes = evaluate(decoder, library, touches, training.microphone_noise)
+    localizer, network, bayes = _judged_localizer(library, training, folder, show)
 
     difference = None
     if lumped is not None:
@@ -225,6 +198,49 @@ def _picture_height(design: ArrayDesign) -> int:
     """Pixels of a picture 1600 wide in which the array is as large as can be, with room for names."""
     width, depth, _ = array_size(design)
     return int(np.clip(1600 * (0.15 + depth / width), 500, 1400))
+
+
+def _solved(
+    design: ArrayDesign, grid: NDArray[np.float64], fidelity: str, folder: Path, show: Display
+) -> tuple[Library, Library | None, tuple[str, ...]]:
+    """The library, that of closed forms in the band where it is another, and what was said of the models' limits."""
+    import acoustic_fem
+
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always", UserWarning)
+        with show.stage("Cells") as report:
+            library = acoustic_fem.solve(design, grid, fidelity=fidelity, progress=report)
+            acoustic_fem.save(library, folder / "library.nc")
+        for line in cell_lines(library):
+            show.note(line)
+        lumped = None
+        if fidelity != "lumped":
+            inside = (grid >= BAND[0]) & (grid <= BAND[1])
+            lumped = acoustic_fem.solve(design, grid[inside], fidelity="lumped")
+    return library, lumped, _said_of_models(caught, show)
+
+
+def _judged_localizer(
+    library: Library, training: TrainingPlan, folder: Path, show: Display
+) -> tuple[Localizer, Evaluation, Evaluation]:
+    """The trained localizer, and how it and the model-based decoder name held-out touches."""
+    from localize import BayesDecoder, evaluate, train
+
+    with show.stage("Localizer") as report:
+        report("training", 0.0)
+        localizer = train(
+            library, training, lambda p: report(f"epoch {p.epoch} of {p.epochs}: {p.accuracy:.1%}", p.epoch / p.epochs)
+        )
+        with replaced_folder(folder / "localizer") as fresh:
+            localizer.save(fresh)
+    with show.stage("Evaluation") as report:
+        touches = max(LEAST_TOUCHES_PER_POINT, EVALUATION_TOUCHES // library.design.point_count)
+        report("network", 0.0)
+        network = evaluate(localizer, library, touches, training.microphone_noise)
+        report("Bayes decoder", 0.5)
+        decoder = BayesDecoder(library, training.microphone_noise)
+        bayes = evaluate(decoder, library, touches, training.microphone_noise)
+    return localizer, network, bayes
 
 
 def _draw_figures(
