@@ -18,7 +18,7 @@ from tests.support.reference_data import AIR, column, rows
 
 CELL_TEXT = """The reference cell: a cylinder of 6 x 2.5 mm, rigid all round, with two tubes of 0.5 x 6.25 mm opposite
 each other at mid height; 1 to 100 Hz. The vendored rows of another program (tests/reference/acoustics.json) are good
-to 5e-4 themselves. The study refines everything at once, the sizes of `acoustic_fem.cell.solid.mesh_sizes` times a
+to 5e-4 themselves. The study refines everything at once, the sizes of `acoustic_fem.fields.mesh_sizes` times a
 scale, with 1 mm of each tube in the mesh of half the cell and exact ducts for the rest, against the finest mesh; the
 error of Y is relative to |Y₁₁|, that of the sum to itself. Two things compete: the thermal layer, which makes the sum
 converge with 3 to 4, and the re-entrant edge of the mouth, where the pressure is singular: on a mesh that is not graded
