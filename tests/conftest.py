@@ -14,10 +14,11 @@ os.environ.setdefault("PYVISTA_OFF_SCREEN", "true")
 if sys.platform == "linux" and not os.environ.get("DISPLAY"):
     os.environ.setdefault("VTK_DEFAULT_OPENGL_WINDOW", "vtkEGLRenderWindow")  # not X first, which warns
 
-# One cache of cells for all processes of a test run, apart from the user's own.
-if "ACOUSTIC_FEM_CACHE" not in os.environ:
-    _cache = tempfile.TemporaryDirectory(prefix="acoustic-fem-tests-")
-    os.environ["ACOUSTIC_FEM_CACHE"] = _cache.name
+# One cache of cells for all processes of a test run, apart from the user's own, and one of what else they share.
+if "ACOUSTIC_FEM_TESTS" not in os.environ:
+    _folder = tempfile.TemporaryDirectory(prefix="acoustic-fem-tests-")
+    os.environ["ACOUSTIC_FEM_TESTS"] = _folder.name
+os.environ.setdefault("ACOUSTIC_FEM_CACHE", os.path.join(os.environ["ACOUSTIC_FEM_TESTS"], "cells"))
 
 import pytest
 from hypothesis import settings

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import functools
-import tempfile
-from pathlib import Path
+
+from shared import shared, shared_folder
 
 import geometry
 from geometry.design.array_design import ArrayDesign
@@ -22,6 +22,6 @@ def small_design() -> ArrayDesign:
 
 @functools.cache
 def small_run() -> RunResult:
-    """One run for all tests of a process, at fidelity lumped; nobody writes into its folder."""
-    folder = Path(tempfile.mkdtemp(prefix="row-3-")) / "out"
-    return run_design(small_design(), folder, fidelity="lumped", training=PLAN)
+    """One run for all tests, at fidelity lumped; nobody writes into its folder."""
+    folder = shared_folder() / "row-3"
+    return shared("small-run", lambda: run_design(small_design(), folder, fidelity="lumped", training=PLAN))

@@ -224,19 +224,3 @@ def test_the_file_of_another_cell_under_this_ones_name_is_said_and_not_used(kept
     assert disk_cache.fetch(key) is None  # gone, which is no damage
     with pytest.warns(CacheWarning, match="is damaged"):
         assert disk_cache.fetch(other) is None
-
-
-def test_a_cell_whose_cache_file_was_cut_or_swapped_is_solved_again_with_the_same_numbers(tmp_path, monkeypatch):
-    monkeypatch.setenv("ACOUSTIC_FEM_CACHE", str(tmp_path))
-    monkeypatch.setattr("acoustic_fem.cell.one_cell.DESIGN_ACCURACY", 0.1)
-    first = solve_cells([CHAMBER], [10.0], AIR, "helmholtz")[CHAMBER]
-    (file,) = tmp_path.glob("*.cell")
-    arrays, about = disk_cache.fetch(file.stem)
-    disk_cache.store("another", {name: 2 * values for name, values in arrays.items()}, about)
-    for damage in (file.read_bytes()[:-100], (tmp_path / "another.cell").read_bytes()):
-        file.write_bytes(damage)
-        with pytest.warns(CacheWarning, match="is damaged; the cell is solved again"):
-            mended = solve_cells([CHAMBER], [10.0], AIR, "helmholtz")[CHAMBER]
-        assert not mended.cached
-        np.testing.assert_allclose(mended.admittance, first.admittance, rtol=1e-9)
-    assert solve_cells([CHAMBER], [10.0], AIR, "helmholtz")[CHAMBER].cached

@@ -6,6 +6,7 @@ import os
 import cadquery as cq
 import numpy as np
 import pytest
+from coarse_cells import coarse_cells, coarse_in_children
 from reference_data import AIR, column
 
 from acoustic_fem.cavity.closed_forms import closed_cylinder_compliance
@@ -18,6 +19,7 @@ from acoustic_fem.numerics import disk_cache
 from acoustic_fem.numerics.linear_solver import LinearSolverError
 from geometry.air.cells import Cell
 from geometry.air.mesh import MeshError
+from geometry.air.mirror_symmetry import mirror_half
 from geometry.stated.ports import CellPort
 
 STRAIGHT = Cell("resonator", 6.0, 2.5, 1.25, (CellPort(0.0, 0.5), CellPort(180.0, 0.5)), 6.0, 0.0)
@@ -119,32 +121,59 @@ def test_closed_forms_and_finite_elements_agree_on_a_cell(cell):
     assert difference.max() < 0.03
 
 
-def test_straight_tube_converges_to_the_exact_duct():
-    tube = cq.Workplane("YZ").circle(0.25).extrude(5)
+TUBE = cq.Workplane("YZ").circle(0.25).extrude(3)
+ENDS = {"a": (0, 0, 0), "b": (3, 0, 0)}
+
+
+@pytest.fixture(scope="module")
+def tube():
+    """A straight tube, and its exact admittance at three frequencies."""
     frequency = np.array([1.0, 10.0, 100.0])
-    exact = plane_wave.port_admittance(2.5e-4, 5e-3, frequency, AIR)
-    errors = []
-    for accuracy in (2e-3, 5e-4):
-        admittance = port_admittance(tube, {"a": (0, 0, 0), "b": (5, 0, 0)}, frequency, AIR, accuracy=accuracy)
-        errors.append(np.abs(admittance / exact - 1).max())
-        assert errors[-1] < accuracy
+    solved = solve_solid(TUBE, ENDS, (1.0, 100.0), AIR, accuracy=2e-3)
+    return solved, frequency, plane_wave.port_admittance(2.5e-4, 3e-3, frequency, AIR)
+
+
+def test_straight_tube_converges_to_the_exact_duct(tube):
+    solved, frequency, exact = tube
+    coarse = solved.body.nodal_admittance(frequency)
+    fine = port_admittance(TUBE, ENDS, frequency, AIR, accuracy=5e-4)
+    errors = [np.abs(admittance / exact - 1).max() for admittance in (coarse, fine)]
+    assert errors[0] < 2e-3
+    assert errors[1] < 5e-4
     assert errors[1] < errors[0]
 
 
 def test_half_a_symmetric_cell_answers_as_the_whole_one():
     """Turned by half a degree the same ports are off the mirror plane, and the whole cell is solved."""
     almost = Cell("resonator", 6.0, 2.5, 1.25, (CellPort(0.0, 0.5), CellPort(179.5, 0.5)), 6.0, 0.0)
-    half, whole = (solve_cells([cell], [1.0, 100.0], AIR)[cell] for cell in (STRAIGHT, almost))
+    with coarse_cells():
+        half, whole = (solve_cells([cell], [1.0, 100.0], AIR)[cell] for cell in (STRAIGHT, almost))
     assert half.unknowns < 0.7 * whole.unknowns
     scale = np.sqrt(np.abs(np.einsum("fii->fi", whole.admittance)))
     difference = np.abs(half.admittance - whole.admittance) / (scale[:, :, None] * scale[:, None, :])
     assert difference.max() < half.mesh_error + whole.mesh_error
 
 
+def test_half_a_body_of_any_shape_answers_as_the_whole_one():
+    solid, ports = _with_tubes(cq.Solid.makeBox(5, 4, 3, cq.Vector(-2.5, -2, 0)), (0, 180), height=1.0)
+    solid = solid.Solids()[0]
+    # A groove too small to matter ends the symmetry.
+    notch = cq.Solid.makeBox(0.3, 0.02, 0.02, cq.Vector(0.5, 1.99, 2.99))
+    notched, accuracy = solid.cut(notch).Solids()[0], 0.02
+    assert mirror_half(notched, ports) is None
+    with coarse_cells():
+        halved, whole = (solve_solid(each, ports, (1.0, 100.0), AIR, accuracy=accuracy) for each in (solid, notched))
+    assert (halved.body.copies, whole.body.copies) == (2, 1)
+    half, entire = (each.body.nodal_admittance(np.array([1.0, 100.0])) for each in (halved, whole))
+    np.testing.assert_allclose(half, entire, rtol=2 * accuracy)
+    np.testing.assert_allclose(half.sum(axis=(1, 2)), entire.sum(axis=(1, 2)), rtol=2 * accuracy)
+
+
 def test_what_flows_at_one_port_for_a_pressure_at_the_other_is_the_same_both_ways():
     """Before the response is averaged with its transpose: each column is a solution of its own."""
     bent = cq.Workplane("YZ").circle(0.25).extrude(2).union(cq.Workplane("XZ").circle(0.4).extrude(-2))
-    body = solve_solid(bent, {"a": (2, 0, 0), "b": (0, 2, 0)}, (1.0, 100.0), AIR, accuracy=3e-3).body
+    with coarse_cells():
+        body = solve_solid(bent, {"a": (2, 0, 0), "b": (0, 2, 0)}, (1.0, 100.0), AIR, accuracy=0.03).body
     size = len(body.flow.matrices)
     theta, phi = np.ones((1, size), dtype=complex), np.ones((1, len(body.flow.excitations)), dtype=complex)
     theta[0, 1:] *= 1e-2j
@@ -155,11 +184,8 @@ def test_what_flows_at_one_port_for_a_pressure_at_the_other_is_the_same_both_way
     np.testing.assert_allclose(response[0, 0, 1], response[0, 1, 0], rtol=1e-9)
 
 
-def test_mesh_error_reported_covers_the_error_in_a_straight_tube():
-    tube = cq.Workplane("YZ").circle(0.25).extrude(5)
-    solved = solve_solid(tube, {"a": (0, 0, 0), "b": (5, 0, 0)}, (1.0, 100.0), AIR, accuracy=2e-3)
-    frequency = np.array([1.0, 10.0, 100.0])
-    exact = plane_wave.port_admittance(2.5e-4, 5e-3, frequency, AIR)
+def test_mesh_error_reported_covers_the_error_in_a_straight_tube(tube):
+    solved, frequency, exact = tube
     error = np.abs(solved.body.nodal_admittance(frequency) / exact - 1).max()
     assert error < 1.5 * solved.mesh_error
     with pytest.raises(ValueError, match=r"frequency = 200 Hz must be between 1 and 100 Hz, the band solved"):
@@ -168,9 +194,8 @@ def test_mesh_error_reported_covers_the_error_in_a_straight_tube():
 
 
 def test_helmholtz_is_exact_in_a_straight_tube_and_five_percent_off_at_openings():
-    tube = cq.Workplane("YZ").circle(0.25).extrude(3)
     exact = plane_wave.port_admittance(2.5e-4, 3e-3, FREQUENCY, AIR)
-    straight_tube = port_admittance(tube, {"a": (0, 0, 0), "b": (3, 0, 0)}, FREQUENCY, AIR, "helmholtz", accuracy=3e-3)
+    straight_tube = port_admittance(TUBE, ENDS, FREQUENCY, AIR, "helmholtz", accuracy=3e-3)
     np.testing.assert_allclose(straight_tube, exact, rtol=3e-3)
     extension = plane_wave.port_admittance(2.5e-4, 5.25e-3, FREQUENCY, AIR)
     cell = rigid_and_extended(solve_cells([STRAIGHT], FREQUENCY, AIR, "helmholtz")[STRAIGHT].admittance, extension)
@@ -179,13 +204,16 @@ def test_helmholtz_is_exact_in_a_straight_tube_and_five_percent_off_at_openings(
 
 
 def test_cells_solved_side_by_side_are_those_solved_alone(tmp_path, monkeypatch):
+    coarse_in_children(tmp_path)
+    monkeypatch.syspath_prepend(tmp_path)
     other = Cell("microphone", 2.0, 1.5, 0.75, (CellPort(0.0, 0.44),), 0.5, 0.3)
     monkeypatch.setenv("ACOUSTIC_FEM_CACHE", str(tmp_path / "alone"))
-    alone = [solve_cells([cell], [10.0], AIR)[cell].admittance for cell in (CHAMBER, other)]
-    monkeypatch.setenv("ACOUSTIC_FEM_CACHE", str(tmp_path / "together"))
-    monkeypatch.setattr("acoustic_fem.cell.design_cells.cores", lambda: 2)
-    fractions = []
-    together = solve_cells([CHAMBER, other], [10.0], AIR, progress=lambda label, done: fractions.append(done))
+    with coarse_cells():
+        alone = [solve_cells([cell], [10.0], AIR)[cell].admittance for cell in (CHAMBER, other)]
+        monkeypatch.setenv("ACOUSTIC_FEM_CACHE", str(tmp_path / "together"))
+        monkeypatch.setattr("acoustic_fem.cell.design_cells.cores", lambda: 2)
+        fractions = []
+        together = solve_cells([CHAMBER, other], [10.0], AIR, progress=lambda label, done: fractions.append(done))
     for cell, expected in zip((CHAMBER, other), alone, strict=True):
         np.testing.assert_allclose(together[cell].admittance, expected, rtol=1e-9)
     assert fractions == sorted(fractions)
@@ -213,8 +241,14 @@ def test_box_with_corners_keeps_its_whole_isothermal_compliance():
 def test_cells_are_reused_from_the_cache_and_damaged_files_made_again(tmp_path, monkeypatch):
     monkeypatch.setenv("ACOUSTIC_FEM_CACHE", str(tmp_path))
     labels = []
-    first = solve_cells([CHAMBER], [10.0], AIR)[CHAMBER]
-    again = solve_cells([CHAMBER], [10.0, 20.0], AIR, progress=lambda label, done: labels.append(label))[CHAMBER]
+
+    def solve(*frequency):
+        with coarse_cells():
+            return solve_cells([CHAMBER], frequency, AIR, progress=lambda label, done: labels.append(label))[CHAMBER]
+
+    first = solve(10.0)
+    labels.clear()
+    again = solve(10.0, 20.0)
     assert not first.cached
     assert again.cached
     assert labels
@@ -226,7 +260,7 @@ def test_cells_are_reused_from_the_cache_and_damaged_files_made_again(tmp_path, 
     content[len(content) // 2] ^= 1
     file.write_bytes(content)
     with pytest.warns(UserWarning, match=r"is damaged; the cell is solved again"):
-        mended = solve_cells([CHAMBER], [10.0], AIR)[CHAMBER]
+        mended = solve(10.0)
     assert not mended.cached
     np.testing.assert_allclose(mended.admittance, first.admittance, rtol=1e-9)
 
@@ -260,7 +294,8 @@ def test_a_full_disk_keeps_the_result_and_leaves_no_half_file(tmp_path, monkeypa
         raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
 
     monkeypatch.setattr("pathlib.Path.write_bytes", half)
-    with pytest.warns(UserWarning, match=r"cannot be written \(No space left on device\); the solved cell is not kept"):
+    expected = r"cannot be written \(No space left on device\); the solved cell is not kept"
+    with pytest.warns(UserWarning, match=expected), coarse_cells():
         solution = solve_cells([CHAMBER], [10.0], AIR)[CHAMBER]
     assert np.isfinite(solution.admittance).all()
     assert not solution.cached

@@ -4,6 +4,7 @@ from itertools import combinations, pairwise
 
 import numpy as np
 import pytest
+from coarse_cells import coarse_cells
 from hypothesis import given, settings, strategies as st
 
 from acoustic_fem.cell.design_cells import solve_cells
@@ -102,7 +103,8 @@ def navier_stokes():
     """Cells of array-2x6 on a grid whose lowest frequency is for the limit."""
     design = prototype("array-2x6")
     cells = cell_catalogue(design, lay_out(design)).distinct
-    return design, {cell: done.admittance for cell, done in solve_cells(cells, WIDE_BAND, AIR).items()}
+    with coarse_cells():
+        return design, {cell: solve_cells([cell], WIDE_BAND, AIR)[cell].admittance for cell in cells}
 
 
 def shortened(name, points):
@@ -151,7 +153,7 @@ def test_closed_forms_and_navier_stokes_give_the_same_transfer_functions(navier_
     finite_elements, closed_forms = transfer_functions(response), transfer_functions(lumped)
     assert finite_elements.shape == (12, 2, len(WIDE_BAND))
     ratio = closed_forms / finite_elements
-    # Measured: 0.30 % and 0.15 degrees.
+    # Measured: 0.30 % and 0.15 degrees with cells as fine as usual.
     assert np.abs(np.abs(ratio) - 1).max() < 0.015
     assert np.abs(np.degrees(np.angle(ratio))).max() < 1.0
 

@@ -3,9 +3,7 @@
 import cadquery as cq
 import numpy as np
 import pytest
-from reference_data import AIR
 
-from acoustic_fem.cell.solid import port_admittance, solve_solid
 from geometry.air.mirror_symmetry import mirror_half
 
 BORE, REACH = 0.25, 4.0
@@ -57,17 +55,3 @@ def test_a_twisted_body_has_the_faces_of_its_mirror_image_and_stays_whole(angle)
     assert mirror_half(twisted.val(), ends) is None
     # Straight, it has its planes.
     assert mirror_half(cq.Workplane().rect(2, 0.6).extrude(2.5).val(), ends) is not None
-
-
-def test_half_a_body_of_any_shape_answers_as_the_whole_one():
-    solid, ports = with_tubes(BOX, 0, 180, height=1.0)
-    frequency = np.array([1.0, 100.0])
-    # A groove too small to matter ends the symmetry.
-    notch = cq.Solid.makeBox(0.3, 0.02, 0.02, cq.Vector(0.5, 1.99, 2.99))
-    halved = solve_solid(solid, ports, (1.0, 100.0), AIR, accuracy=3e-3)
-    assert halved.body.copies == 2
-    assert mirror_half(solid.cut(notch).Solids()[0], ports) is None
-    whole = port_admittance(solid.cut(notch).Solids()[0], ports, frequency, AIR, accuracy=3e-3)
-    admittance = halved.body.nodal_admittance(frequency)
-    np.testing.assert_allclose(admittance, whole, rtol=6e-3)
-    np.testing.assert_allclose(admittance.sum(axis=(1, 2)), whole.sum(axis=(1, 2)), rtol=6e-3)

@@ -17,6 +17,7 @@ import numpy as np
 import pytest
 import scipy.io.wavfile
 import trimesh
+from shared import solved
 from small_run import small_design, small_run
 
 import acoustic_fem
@@ -280,7 +281,7 @@ def test_a_network_is_trained_on_the_stimuli_that_are_named(command: Command, tm
 def test_train_goes_on_where_it_was_stopped(command: Command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     library = small_run().folder / "library.nc"
     whole, stopped = tmp_path / "whole", tmp_path / "stopped"
-    words = ("--epochs", 3, "--seed", 5)
+    words = ("--seconds", 10, "--epochs", 3, "--seed", 5)
     assert command("train", library, "--out", whole, *words).code == 0
     train = localize.train
 
@@ -295,7 +296,7 @@ def test_train_goes_on_where_it_was_stopped(command: Command, tmp_path: Path, mo
         patch.setattr(localize, "train", interrupted, raising=False)
         assert command("train", library, "--out", stopped, *words).code != 0
     assert [path.name for path in stopped.iterdir()] == ["checkpoint.safetensors"]
-    told = command("train", library, "--out", stopped, "--epochs", 4, "--seed", 5)
+    told = command("train", library, "--out", stopped, "--seconds", 10, "--epochs", 4, "--seed", 5)
     assert (told.code, "plan.epochs was 3, is 4; remove it to train anew" in told.err) == (1, True)
     assert command("train", library, "--out", stopped, *words).code == 0
     told = command("train", library, "--out", whole, *words)
@@ -417,10 +418,10 @@ def test_check_says_what_each_fidelity_costs_and_how_far_lumped_is_off(command: 
 
 
 # -- bad input ----------------------------------------------------------------------------------------------
-@pytest.fixture
-def places(tmp_path: Path) -> dict[str, Path]:
-    """Good and bad files by name."""
-    result = small_run()
+@pytest.fixture(scope="module")
+def places(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
+    """Good and bad files by name; what is refused changes none of them."""
+    result, tmp_path = small_run(), tmp_path_factory.mktemp("places")
     files = {name: tmp_path / name for name in ("text.nc", "short.nc", "bad.toml", "wide.toml", "full", "missing")}
     files |= {"out.nc": tmp_path / "out.nc", "none/out.nc": tmp_path / "none" / "out.nc", "folder": tmp_path}
     files["library.nc"] = result.folder / "library.nc"
@@ -436,9 +437,7 @@ def places(tmp_path: Path) -> dict[str, Path]:
     geometry.save_design(small_design().with_values({"lines.0.points": 1}), files["one.toml"])
     files["full"].mkdir()
     (files["full"] / "thesis.txt").write_text("all my work")
-    acoustic_fem.save(
-        acoustic_fem.solve(geometry.prototype("glove"), np.arange(1.0, 101.0), fidelity="lumped"), tmp_path / "glove.nc"
-    )
+    acoustic_fem.save(solved("glove", np.arange(1.0, 101.0)), tmp_path / "glove.nc")
     files["glove.nc"] = tmp_path / "glove.nc"
     acoustic_fem.save(acoustic_fem.solve(small_design(), [1.0, 50.0, 60.0, 80.0], "lumped"), tmp_path / "narrow.nc")
     files["narrow.nc"] = tmp_path / "narrow.nc"
