@@ -6,6 +6,7 @@ import json
 import math
 
 import pytest
+from built import built
 
 import geometry
 from geometry.assembly.bill import Prices, bill_of_materials, write_bill
@@ -16,7 +17,7 @@ PHYSICAL = ["array-2x6", "fingertip-3x4", "fingertip-4x6", "glove", "large-area-
 
 @pytest.fixture(scope="module")
 def bill():
-    return bill_of_materials(geometry.prototype("array-2x6"))
+    return bill_of_materials(geometry.prototype("array-2x6"), built("array-2x6"))
 
 
 def test_millilitres_are_those_of_the_solids_times_their_counts(bill):
@@ -24,7 +25,7 @@ def test_millilitres_are_those_of_the_solids_times_their_counts(bill):
     radius = design.resonator.cavity_diameter / 2 + design.membrane.rim_width
     # The discs' edges have the draft of their mold.
     assert bill.silicone_ml == pytest.approx(12 * math.pi * radius**2 * design.membrane.thickness / 1000, rel=3e-3)
-    parts = geometry.build_parts(design)
+    parts = built("array-2x6")
     assert bill.silicone_ml == pytest.approx(12 * parts["membrane"].val().Volume() / 1000)
     printed = [name for name in parts if name.startswith(("shell", "microphone-housing"))]
     volume = sum(parts[name].val().Volume() * parts.counts[name] for name in printed)
@@ -46,7 +47,7 @@ def test_tubes_are_those_of_the_cutting_list_with_what_the_cuts_lose(bill):
 
 
 def test_every_part_is_on_the_bill_once_with_its_count(bill):
-    parts = geometry.build_parts(geometry.prototype("array-2x6"))
+    parts = built("array-2x6")
     assert {item.item: item.count for item in bill.items if item.item in parts} == parts.counts
     assert next(item.count for item in bill.items if item.item == "SPH1878LR5H-C") == 2
     assert next(item.count for item in bill.items if item.item == "glue joint") == 2 * 13 + 12 + 2
@@ -65,19 +66,21 @@ def test_a_board_takes_a_glue_joint_or_a_gasket(bill):
 
 
 def test_a_bent_spring_is_bought_as_long_as_its_turns_and_each_piece_says_its_lines():
-    items = bill_of_materials(geometry.prototype("fingertip-3x4")).items
+    items = bill_of_materials(geometry.prototype("fingertip-3x4"), built("fingertip-3x4")).items
     spring = next(item for item in items if item.item.startswith("spring") and "between" in item.note)
     sheath = next(item for item in items if item.item.startswith("sheath") and "between" in item.note)
     assert "cut to 3.37 mm, 67 turns, between points of line 1" in spring.note
     assert "cut to 3.6 mm" in sheath.note
     assert sheath.quantity - spring.quantity == pytest.approx(11 * 0.23e-3)
-    notes = [item.note for item in bill_of_materials(geometry.prototype("large-area-64")).items]
+    notes = [item.note for item in bill_of_materials(geometry.prototype("large-area-64"), built("large-area-64")).items]
     assert any(note.endswith("between points of lines 1, 3") for note in notes)
     assert any(note.endswith("between points of lines 2, 4") for note in notes)
 
 
 def test_prices_are_the_users_own(bill):
-    dearer = bill_of_materials(geometry.prototype("array-2x6"), prices=Prices(microphone=11.5, source="my shop"))
+    dearer = bill_of_materials(
+        geometry.prototype("array-2x6"), built("array-2x6"), prices=Prices(microphone=11.5, source="my shop")
+    )
     assert dearer.cost - bill.cost == pytest.approx(2 * 10.0)
     assert "prices my shop" in str(dearer)
     assert "prices assumed" in str(bill)
@@ -90,7 +93,7 @@ def test_prices_are_the_users_own(bill):
 @pytest.mark.parametrize("name", PHYSICAL)
 def test_a_prototype_costs_what_the_paper_says(name):
     # Published: a few to 15 USD a prototype.
-    assert 3 < bill_of_materials(geometry.prototype(name)).cost < 16
+    assert 3 < bill_of_materials(geometry.prototype(name), built(name)).cost < 16
 
 
 def test_the_files_hold_the_same_bill(bill, tmp_path):

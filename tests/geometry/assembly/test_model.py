@@ -8,6 +8,7 @@ import re
 import cadquery as cq
 import numpy as np
 import pytest
+from built import put_together
 
 import geometry
 from geometry.assembly.fit import CONTACT_VOLUME, clearances, interferences, misfits, port_fits
@@ -20,12 +21,6 @@ from geometry.plan.routing import path_length
 from geometry.solids.tube import build_tube, piece_of
 
 WOUND = {"layout": {"kind": "cylinder", "columns": 6, "diameter": 60.0}}
-
-
-@pytest.fixture(scope="module")
-def models():
-    """Every prototype put together, once."""
-    return {name: array_model(geometry.prototype(name)) for name in geometry.prototype_names()}
 
 
 def hand():
@@ -46,8 +41,8 @@ def test_a_straight_tube_is_a_spring_and_a_sheath_of_their_sections_times_the_cu
     assert sheath.Volume() == pytest.approx(math.pi / 4 * (0.9**2 - 0.6**2) * length)
 
 
-def test_a_bent_tube_has_the_volume_of_its_sections_along_its_axis(models):
-    model = models["fingertip-3x4"]
+def test_a_bent_tube_has_the_volume_of_its_sections_along_its_axis():
+    model = put_together("fingertip-3x4")
     tube, lip = model.design.tube, model.design.printing.port_lip
     (bent,) = (name for name in model.shapes if name.startswith("sheath") and "bent" in name)
     # Pappus: the axis runs through the middle of the section.
@@ -58,7 +53,7 @@ def test_a_bent_tube_has_the_volume_of_its_sections_along_its_axis(models):
 
 def test_a_piece_lies_where_its_tube_runs():
     design = geometry.prototype("fingertip-3x4")
-    for tube in array_model(design).layout.tubes:
+    for tube in put_together("fingertip-3x4").layout.tubes:
         piece, matrix = piece_of(tube.tube, tube.course, design.printing.port_lip)
         moved = np.array(piece.path) @ matrix[:3, :3].T + matrix[:3, 3]
         assert np.allclose(moved[1:-1], tube.course[1:-1], atol=2e-6)
@@ -77,8 +72,8 @@ def test_a_tube_that_bends_into_itself_is_refused_by_name():
 
 # -- fit ------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("name", geometry.prototype_names())
-def test_every_tube_end_fits_its_port_and_its_bore_carries_on_the_spring(name, models):
-    model = models[name]
+def test_every_tube_end_fits_its_port_and_its_bore_carries_on_the_spring(name):
+    model = put_together(name)
     fits = port_fits(model)
     assert len(fits) == 2 * (len(model.layout.tubes) - len(model.schematic))
     gap = model.design.printing.glue_gap
@@ -93,9 +88,9 @@ def test_every_tube_end_fits_its_port_and_its_bore_carries_on_the_spring(name, m
 
 
 @pytest.mark.parametrize("name", geometry.prototype_names())
-def test_no_two_placed_parts_are_in_each_others_way(name, models):
-    assert interferences(models[name]) == ()
-    assert misfits(models[name]) == ()
+def test_no_two_placed_parts_are_in_each_others_way(name):
+    assert interferences(put_together(name)) == ()
+    assert misfits(put_together(name)) == ()
 
 
 def moved(model, label, offset):
@@ -106,9 +101,9 @@ def moved(model, label, offset):
     return dataclasses.replace(model, placed=placed)
 
 
-def test_a_part_in_the_way_is_found_by_name_with_its_volume(models):
-    design = models["array-2x6"].design
-    pressed = moved(models["array-2x6"], "membrane 3", (0, 0, -0.1))
+def test_a_part_in_the_way_is_found_by_name_with_its_volume():
+    design = put_together("array-2x6").design
+    pressed = moved(put_together("array-2x6"), "membrane 3", (0, 0, -0.1))
     (found,) = interferences(pressed)
     assert (found.first, found.second) == ("shell 3", "membrane 3")
     inner, rim = design.resonator.cavity_diameter / 2, design.membrane.rim_width
@@ -117,16 +112,16 @@ def test_a_part_in_the_way_is_found_by_name_with_its_volume(models):
     assert found.volume > 1000 * CONTACT_VOLUME
 
 
-def test_a_tube_beside_its_port_fits_in_none(models):
-    aside = moved(models["array-2x6"], "spring of tube 2 of line 1", (0, 0.5, 0))
+def test_a_tube_beside_its_port_fits_in_none():
+    aside = moved(put_together("array-2x6"), "spring of tube 2 of line 1", (0, 0.5, 0))
     aside = moved(aside, "sheath of tube 2 of line 1", (0, 0.5, 0))
     with pytest.raises(ValueError, match=r"sheath of tube 2 of line 1 ends in shell \d where no bore with a socket is"):
         port_fits(aside)
     assert {found.first for found in interferences(aside)} == {"shell 1", "shell 2"}
 
 
-def test_what_does_not_go_together_is_said_in_a_line_each(models):
-    model = models["array-2x6"]
+def test_what_does_not_go_together_is_said_in_a_line_each():
+    model = put_together("array-2x6")
     (line,) = misfits(moved(model, "membrane 3", (0, 0, -0.1)))
     assert re.fullmatch(r"shell 3 and membrane 3 are in each other's way: they share 3\.\d+ mm\^3", line)
     aside = moved(model, "spring of tube 2 of line 1", (0, 0, 0.07))
@@ -137,8 +132,8 @@ def test_what_does_not_go_together_is_said_in_a_line_each(models):
     ] * 2
 
 
-def test_a_sheath_that_is_too_wide_for_its_sockets_is_found(models):
-    model = models["array-2x6"]
+def test_a_sheath_that_is_too_wide_for_its_sockets_is_found():
+    model = put_together("array-2x6")
     (name,) = (part.part for part in model.placed if part.label == "sheath of tube 2 of line 1")
     box = model.shapes[name].BoundingBox()
     inner, outer = (
@@ -149,11 +144,12 @@ def test_a_sheath_that_is_too_wide_for_its_sockets_is_found(models):
     assert any(line.startswith("shell 1 and sheath of tube 2 of line 1 are in each other's way") for line in wide)
 
 
-def test_the_closest_parts_are_named_with_their_distance(models):
-    first, *_ = clearances(models["fingertip-3x4"], within=1.0)
+def test_the_closest_parts_are_named_with_their_distance():
+    first, *_ = clearances(put_together("fingertip-3x4"), within=1.0)
     assert (first.first, first.second) == ("sheath of tube 2 of line 1", "sheath of tube 3 of line 1")
-    a, b = (tube.course for tube in models["fingertip-3x4"].layout.tubes[1:3])
-    between = np.linalg.norm(a[:, None] - b[None], axis=2).min() - models["fingertip-3x4"].design.tube.outer_diameter
+    model = put_together("fingertip-3x4")
+    a, b = (tube.course for tube in model.layout.tubes[1:3])
+    between = np.linalg.norm(a[:, None] - b[None], axis=2).min() - model.design.tube.outer_diameter
     # Their ends inside the shell are cut by the lips and flat: nearer to the axes' points than to each other.
     assert 0 < first.distance < between + 1.0
 
@@ -187,8 +183,8 @@ def test_shells_stand_on_the_cylinder_and_collide_where_it_is_too_narrow():
 
 
 # -- assembly -------------------------------------------------------------------------------------------
-def test_the_step_file_names_every_component_and_holds_every_shape_once(models, tmp_path):
-    model = models["array-2x6"]
+def test_the_step_file_names_every_component_and_holds_every_shape_once(tmp_path):
+    model = put_together("array-2x6")
     path = write_step(model, tmp_path / "array.step")
     text = path.read_text()
     assert text.count("MANIFOLD_SOLID_BREP(") == len(model.shapes)
@@ -210,8 +206,8 @@ def test_the_step_file_names_every_component_and_holds_every_shape_once(models, 
     assert read.toCompound().Volume() == pytest.approx(volume, rel=1e-3)
 
 
-def test_components_lie_where_the_parts_are_placed(models):
-    model = models["glove"]
+def test_components_lie_where_the_parts_are_placed():
+    model = put_together("glove")
     assembly = build_assembly(model.design)
     boxes = {c.name: g.loc * c.loc for g in assembly.children for c in g.children}
     for part in model.placed:
@@ -276,10 +272,10 @@ def test_the_layers_of_an_exploded_view_lie_clear_of_each_other_and_fill_the_pic
     assert drawn[-1] - drawn[0] > 0.38 * 800
 
 
-def test_the_gltf_model_is_in_metres_with_a_node_per_part(models, tmp_path):
+def test_the_gltf_model_is_in_metres_with_a_node_per_part(tmp_path):
     import trimesh
 
-    model = models["array-2x6"]
+    model = put_together("array-2x6")
     scene = trimesh.load_scene(write_gltf(model.design, tmp_path / "array.glb"))
     assert set(scene.graph.nodes_geometry) == {part.label.replace(" ", "_") for part in model.placed}
     assert len(scene.geometry) == len(model.shapes)
@@ -292,17 +288,17 @@ def test_the_gltf_model_is_in_metres_with_a_node_per_part(models, tmp_path):
     assert (-high[2], -low[2]) == pytest.approx((compound.ymin, compound.ymax), abs=0.05)
 
 
-def test_the_page_holds_the_model_and_asks_for_nothing_else(models, tmp_path):
+def test_the_page_holds_the_model_and_asks_for_nothing_else(tmp_path):
     import trimesh
 
-    page = write_viewer(models["array-2x6"].design, tmp_path / "array.html").read_text(encoding="utf-8")
+    page = write_viewer(put_together("array-2x6").design, tmp_path / "array.html").read_text(encoding="utf-8")
     assert not re.search(r"""(src|href)\s*=\s*["']|@import|import\s*\(|fetch\(["']http""", page.split("</script>")[-2])
     assert not re.search(r"""<(script|link|img|iframe)[^>]+(src|href)=""", page)
     content = re.search(r'base64_data\s*=\s*"([A-Za-z0-9+/=]+)"', page)
     assert content is not None
     (tmp_path / "model.glb").write_bytes(base64.b64decode(content.group(1)))
     scene = trimesh.load_scene(tmp_path / "model.glb")
-    assert len(scene.graph.nodes_geometry) == len(models["array-2x6"].placed)
+    assert len(scene.graph.nodes_geometry) == len(put_together("array-2x6").placed)
     assert "microphones (2)" in page
     assert "point 7       shell-corner-90     180     90, 0" in page
     assert "<title>array-2x6</title>" in page

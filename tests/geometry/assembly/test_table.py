@@ -7,9 +7,10 @@ from collections import Counter
 
 import numpy as np
 import pytest
+from built import built
 
 import geometry
-from geometry.assembly.parts import build_parts, place_parts
+from geometry.assembly.parts import place_parts
 from geometry.assembly.table import assembly_steps, assembly_text, write_assembly_table
 from geometry.layout.arrangement import lay_out
 from geometry.plan.routing import path_length
@@ -23,7 +24,7 @@ def test_the_assembly_table_says_what_stands_where_and_what_leads_on(name):
         part.group: part for part in place_parts(design, layout) if part.part.startswith(("shell", "microphone-h"))
     }
     tubes = {tube.label: tube for tube in layout.tubes}
-    ports = {part: words["ports"] for part, words in build_parts(design).parameters.items() if "ports" in words}
+    ports = {part: words["ports"] for part, words in built(name).parameters.items() if "ports" in words}
     assert len(steps) == sum(line.points + 2 for line in design.lines)
     assert [step.tube.name for step in steps if step.tube] == [tube.label for tube in layout.tubes]
     for step, after in itertools.pairwise(steps):
@@ -54,7 +55,7 @@ def test_the_assembly_table_is_written_for_people_and_for_programs(tmp_path):
     rows = list(csv.DictReader(table.open(encoding="utf-8")))
     assert [row["place"] for row in rows] == ["microphone A", *(f"point {k}" for k in range(1, 13)), "microphone B"]
     assert Counter(row["part"] for row in rows if row["place"].startswith("point")) == {
-        name: count for name, count in build_parts(design).counts.items() if name.startswith("shell")
+        name: count for name, count in built("fingertip-3x4").counts.items() if name.startswith("shell")
     }
     second = rows[2]
     assert (second["part"], second["tube to the next"]) == ("shell-corner-65.8-0.18x0.55", "tube 3 of line 1")

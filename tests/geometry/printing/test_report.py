@@ -7,6 +7,7 @@ import cadquery as cq
 import numpy as np
 import pytest
 import trimesh
+from built import built
 
 import geometry
 from geometry.assembly.parts import PartSet
@@ -122,7 +123,7 @@ def test_a_tapered_slot_is_as_narrow_as_its_floor():
 
 def test_the_web_of_the_glove_is_found_and_a_thinner_one_fails():
     glove = geometry.prototype("glove")
-    name, parts = "microphone-housing-60", geometry.build_parts(glove)
+    name, parts = "microphone-housing-60", built("glove")
     # Bores of 0.64 mm, 60 degrees apart, in the wall of a chamber of 1.8 mm.
     web = 2 * (math.sqrt(0.9**2 - 0.32**2) / 2 - 0.32 * math.cos(math.pi / 6))
     found = finding(print_report(parts.only(name), design=glove), name, "thinnest wall")
@@ -368,7 +369,7 @@ def test_extrusion_cannot_print_a_shell_and_powder_carries_its_overhangs(array):
 
 
 def test_a_fingertip_bore_cannot_be_printed_by_desktop_stereolithography():
-    parts = geometry.build_parts(geometry.prototype("fingertip-3x4"))
+    parts = built("fingertip-3x4")
     name = next(name for name in parts if name.startswith("shell"))
     parts = {name: parts[name]}
     coarse, fine = (

@@ -9,8 +9,6 @@ import pytest
 import geometry
 from geometry.air.cells import Cell
 from geometry.air.volume import air_volume
-from geometry.assembly.fit import interferences
-from geometry.assembly.model import array_model
 from geometry.solids.bodies import cylinder
 from geometry.solids.housing import build_board, build_housing
 from geometry.stated.making import Printing
@@ -115,13 +113,6 @@ def test_the_board_has_the_sound_hole_and_covers_package_chamber_and_gasket():
     assert board.Volume() == pytest.approx((4.5 * 4.2 - math.pi * 0.25**2) * 0.4, rel=1e-9)
     assert microphone(gasket_width=0.8).board_size == pytest.approx((7.0, 7.0))
     assert microphone(board_length=8.0).board_size == pytest.approx((8.0, 4.2))
-
-
-@pytest.mark.parametrize("name", ["array-2x6", "fingertip-4x6", "glove", "large-area-64"])
-def test_nothing_overlaps_at_the_microphones_of_a_prototype(name):
-    model = array_model(geometry.prototype(name))
-    found = [pair for pair in interferences(model) if "microphone" in pair.first + pair.second]
-    assert found == []
 
 
 @pytest.mark.parametrize("angle", [0.0, 60.0, 90.0])

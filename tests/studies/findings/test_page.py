@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import re
 import shlex
-import subprocess
 import sys
 from pathlib import Path
 from typing import Any
@@ -14,6 +13,7 @@ import numpy as np
 import pytest
 
 from geometry import load_design
+from studies.cli.app import main
 from studies.findings.page import LARGEST_CLOUD, render_sweep
 from studies.findings.result_table import Column, ResultTable, effect, table_of_sweep
 from studies.sweep.store import open_sweep
@@ -26,6 +26,16 @@ def blocks(kind: str) -> list[str]:
     return re.findall(rf"^```{kind}\n(.*?)^```", PAGE.read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)
 
 
+def follow(folder: Path, *words: str) -> None:
+    """What ``acoustic-fem`` does with the words, in the folder."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.chdir(folder)
+        patch.setattr(sys, "argv", ["acoustic-fem", *words])
+        with pytest.raises(SystemExit) as ended:
+            main()
+    assert not ended.value.code, words
+
+
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The how-to, followed to the letter in an empty folder."""
@@ -35,8 +45,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     for line in "".join(blocks("bash")).splitlines():
         program, *words = shlex.split(line)
         assert program == "acoustic-fem"
-        command = f"import sys; sys.path.insert(0, {str(ROOT)!r}); from studies.cli.app import main; main()"
-        subprocess.run([sys.executable, "-c", command, *words], cwd=folder, check=True, capture_output=True)
+        follow(folder, *words)
     return folder
 
 
@@ -108,9 +117,8 @@ def test_a_design_file_in_the_page_is_that_of_the_command(folder: Path, page: st
     number, text = next(iter(data["designs"].items()))
     (tmp_path / "from-page.toml").write_text(text, encoding="utf-8")
     words = shlex.split(data["command"].replace("{number}", number))
-    command = f"import sys; sys.path.insert(0, {str(ROOT)!r}); from studies.cli.app import main; main()"
     words[-1] = str(tmp_path / "from-command.toml")
-    subprocess.run([sys.executable, "-c", command, *words[1:]], cwd=folder, check=True, capture_output=True)
+    follow(folder, *words[1:])
     assert load_design(tmp_path / "from-page.toml") == load_design(tmp_path / "from-command.toml")
 
 

@@ -19,13 +19,14 @@ from small_run import PLAN, small_design, small_run
 import acoustic_fem
 import geometry
 from acoustic_fem.numerics.disk_cache import CacheWarning
-from localize import TrainingPlan, load_localizer
+from localize import load_localizer
 from studies.metrics.separation import separability
 from studies.output.display import Display
 from studies.output.folders import MARK, claim_folder
 from studies.run import chain as run_module
 from studies.run.chain import run_design, training_plan
 from studies.run.findings import membrane_compliance
+from studies.run.result import RunResult
 
 ROOT = Path(__file__).parents[3]
 
@@ -117,33 +118,40 @@ def test_training_depends_on_the_number_of_points_alone() -> None:
     assert [plan.seconds_per_point for plan in plans.values()] == [200, 200, 200, 69, 1]
 
 
-def test_the_same_run_again_gives_the_same_figures(tmp_path: Path) -> None:
-    again = run_design(small_design(), tmp_path / "again", fidelity="lumped", training=PLAN)
-    first = small_run()
-    for one, two in ((first.network, again.network), (first.bayes, again.bayes)):
-        assert np.array_equal(one.confusion, two.confusion)
-    assert first.training["loss"] == again.training["loss"]
-    weights = [next((run.folder / "localizer").glob("*.safetensors")).read_bytes() for run in (first, again)]
-    assert weights[0] == weights[1]
-
-
-def test_warnings_reach_the_console_and_those_of_the_cache_are_no_limits_of_models(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+@pytest.fixture(scope="module")
+def again(tmp_path_factory: pytest.TempPathFactory) -> tuple[RunResult, str]:
+    """The small run once more, while a cell in the cache is damaged, and what the console shows."""
     solve = acoustic_fem.solve
 
     def warned(*arguments: Any, **options: Any) -> acoustic_fem.Library:
         warnings.warn("old.cell is damaged; the cell is solved again", CacheWarning, stacklevel=1)
         return solve(*arguments, **options)
 
-    monkeypatch.setattr(acoustic_fem, "solve", warned)
     told = io.StringIO()
-    plan = TrainingPlan(seconds_per_point=2, epochs=1)
-    result = run_design(small_design(), tmp_path, display=Display(told), fidelity="lumped", training=plan)
-    assert "note: old.cell is damaged; the cell is solved again\n" in told.getvalue()
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(acoustic_fem, "solve", warned)
+        folder = tmp_path_factory.mktemp("again")
+        result = run_design(small_design(), folder, display=Display(told), fidelity="lumped", training=PLAN)
+    return result, told.getvalue()
+
+
+def test_the_same_run_again_gives_the_same_figures(again: tuple[RunResult, str]) -> None:
+    first, second = small_run(), again[0]
+    for one, two in ((first.network, second.network), (first.bayes, second.bayes)):
+        assert np.array_equal(one.confusion, two.confusion)
+    assert first.training["loss"] == second.training["loss"]
+    weights = [next((run.folder / "localizer").glob("*.safetensors")).read_bytes() for run in (first, second)]
+    assert weights[0] == weights[1]
+
+
+def test_warnings_reach_the_console_and_those_of_the_cache_are_no_limits_of_models(
+    again: tuple[RunResult, str],
+) -> None:
+    result, told = again
+    assert "note: old.cell is damaged; the cell is solved again\n" in told
     assert not any("damaged" in line for line in result.warnings)
     assert any("shear number" in line for line in result.warnings)  # at 500 Hz
-    assert all(f"note: {line}\n" in told.getvalue() for line in result.warnings)
+    assert all(f"note: {line}\n" in told for line in result.warnings)
 
 
 def test_a_design_of_one_point_is_refused_before_any_work(tmp_path: Path) -> None:
