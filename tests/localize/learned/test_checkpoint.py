@@ -12,6 +12,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import torch
+from clocks import ticking
 from rc_line import rc_line
 
 import localize
@@ -76,13 +77,18 @@ def test_a_finished_training_gives_its_result_again_and_reports_its_epochs(array
 
 KILLED = """
 import sys
+import time
 sys.path.insert(0, "tests/support")
 import localize
 from localize.learned import training
 from rc_line import rc_line
 training.SAVE_EVERY = 0.0
-localize.train(rc_line(4), localize.TrainingPlan(seconds_per_point=24, epochs=25, batch=16, seed=3),
-               lambda p: print(p.epoch, flush=True), checkpoint=sys.argv[1])
+def told(progress):
+    print(progress.epoch, flush=True)
+    if progress.epoch == 9:
+        time.sleep(3600)  # until it is killed
+localize.train(rc_line(4), localize.TrainingPlan(seconds_per_point=24, epochs=10, batch=16, seed=3), told,
+               checkpoint=sys.argv[1])
 """
 
 
@@ -101,7 +107,7 @@ def test_a_killed_process_leaves_a_whole_checkpoint_that_leads_to_the_same_weigh
             process.send_signal(signal.SIGKILL)
         assert process.returncode == -signal.SIGKILL
         assert path.exists()
-    plan = replace(PLAN, epochs=25)
+    plan = replace(PLAN, epochs=10)
     resumed, straight = localize.train(array, plan, checkpoint=path), localize.train(array, plan)
     assert same(weights(resumed), weights(straight))
     assert resumed.training["loss"] == straight.training["loss"]
@@ -149,7 +155,8 @@ def test_a_file_that_is_no_checkpoint_is_refused_and_kept(array, tmp_path, damag
     assert path.exists()
 
 
-def test_a_training_that_ended_by_its_limit_of_time_is_not_gone_on_with(array, tmp_path):
+def test_a_training_that_ended_by_its_limit_of_time_is_not_gone_on_with(array, tmp_path, monkeypatch):
+    monkeypatch.setattr(training, "perf_counter", ticking(0.01))
     path, plan = tmp_path / "checkpoint.safetensors", replace(PLAN, epochs=5000, time_limit=1.0)
     ended = localize.train(array, plan, checkpoint=path)
     again = localize.train(array, plan, checkpoint=path)

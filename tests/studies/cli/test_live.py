@@ -1,11 +1,13 @@
 """The verb live from the outside: replay, recording, a sound card that is not there, one that goes, and kills."""
 
+import contextlib
 import json
 import os
 import re
 import signal
 import subprocess
 import sys
+import threading
 import time
 from pathlib import Path
 
@@ -20,6 +22,7 @@ from acoustic_fem.sound.sound_file import read_wav, write_wav
 ROOT = Path(__file__).parents[3]
 NOISE = 1e-2
 RATE = 8000
+PATIENCE = 600  # s, for processes on a machine that is busy with others
 
 
 @pytest.fixture(scope="module")
@@ -32,21 +35,48 @@ def folder(tmp_path_factory):
     signals = NOISE * np.random.default_rng(0).standard_normal((2, 3000))
     signals[:, 1000:2000] += made[np.argmax(made.std(-1).max(1))]
     at = np.arange(3 * RATE) / RATE * 1000
-    write_wav(path / "play.wav", np.stack([np.interp(at, np.arange(3000), row) for row in signals[::-1]]) / 4, RATE)
+    played = np.stack([np.interp(at, np.arange(3000), row) for row in signals[::-1]]) / 4
+    write_wav(path / "play.wav", played, RATE)
+    write_wav(path / "long.wav", np.tile(played, 200), RATE)  # ten minutes: it does not end before it is stopped
+    # For processes that wait for their turn: no samples are dropped, and a silence is no loss.
+    (path / "sitecustomize.py").write_text(
+        "from localize.live import listener, sound_device, sources\n"
+        f"listener.STALL = sound_device.QUEUE = sources.QUEUE = {PATIENCE}\n"
+    )
     return path
 
 
-def acoustic_fem(*arguments: object, path: Path | None = None, **options):
-    """The command as a process; ``path`` holds the package sounddevice that it finds."""
-    found = os.pathsep.join(map(str, [ROOT, *([] if path is None else [path])]))
+def obey_ctrl_c() -> None:
+    """In a new process: what runs in the background is often told to ignore it, and its children with it."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+
+
+def acoustic_fem(*arguments: object, path: Path, **options):
+    """The command as a process; ``path`` holds modules that it finds, with colons between several folders."""
+    found = os.pathsep.join(map(str, [ROOT, path]))
     return subprocess.Popen(
         [sys.executable, "-m", "studies.cli", *map(str, arguments)],
         env={**os.environ, "PYTHONPATH": found, **options.pop("env_more", {})},
         stdout=options.pop("stdout", subprocess.PIPE),
         stderr=subprocess.PIPE,
         text=True,
+        preexec_fn=None if sys.platform == "win32" else obey_ctrl_c,
         **options,
     )
+
+
+def read_terminal(terminal: int, shown: bytearray) -> None:
+    """All that a program writes to its terminal until it ends, when Linux reports an error instead of an end."""
+    with contextlib.suppress(OSError):
+        while text := os.read(terminal, 65536):
+            shown += text
+
+
+def wait_for(condition) -> None:
+    end = time.monotonic() + PATIENCE
+    while not condition():
+        assert time.monotonic() < end, "waited too long"
+        time.sleep(0.05)
 
 
 def test_a_replay_gives_what_locate_gives_and_records_what_it_plays(folder, tmp_path):
@@ -54,8 +84,9 @@ def test_a_replay_gives_what_locate_gives_and_records_what_it_plays(folder, tmp_
     with acoustic_fem(
         *("live", folder / "model.onnx", "--replay", folder / "play.wav", *chosen),
         *("--out", tmp_path / "live.jsonl", "--record", tmp_path / "again.wav"),
+        path=folder,
     ) as process:
-        told, errors = process.communicate(timeout=60)
+        told, errors = process.communicate(timeout=PATIENCE)
     assert process.returncode == 0, errors
     assert (tmp_path / "live.jsonl").read_text() == told
     lines = [json.loads(line) for line in told.splitlines()]
@@ -72,7 +103,8 @@ def test_a_replay_gives_what_locate_gives_and_records_what_it_plays(folder, tmp_
     # the end of the filter comes when the file has ended, and has no age
     assert len(late) >= len(lines) - 1
     assert min(late) > 0.01
-    assert re.search(r"listened for [3-9]\.\d s; decisions: \d+ no touch, \d+ touch\n", errors)
+    (seconds,) = re.findall(r"listened for (\d+\.\d) s; decisions: \d+ no touch, \d+ touch\n", errors)
+    assert float(seconds) >= 3
     assert "faults: none" in errors
     assert re.search(r"latency: p50 \d+\.\d ms, p99 \d+\.\d ms, at most", errors)
     assert errors.rstrip().endswith(str(tmp_path / "again.wav"))
@@ -80,17 +112,18 @@ def test_a_replay_gives_what_locate_gives_and_records_what_it_plays(folder, tmp_
 
 @pytest.mark.skipif(not hasattr(signal, "SIGKILL"), reason="needs a system that kills")
 def test_a_killed_program_leaves_its_recording_and_its_lines(folder, tmp_path):
-    played = read_wav(folder / "play.wav").channels
+    played = read_wav(folder / "long.wav").channels
     with acoustic_fem(
-        *("live", folder / "model.onnx", "--replay", folder / "play.wav", "--full-scale", "4"),
+        *("live", folder / "model.onnx", "--replay", folder / "long.wav", "--full-scale", "4"),
         *("--out", tmp_path / "live.jsonl", "--record", tmp_path / "cut.wav"),
+        path=folder,
     ) as process:
         for _ in range(60):
             process.stdout.readline()
         process.kill()
     assert process.returncode == -signal.SIGKILL
     left = read_wav(tmp_path / "cut.wav").channels
-    assert 1.2 * RATE < len(left["1"]) < 3 * RATE
+    assert 1.2 * RATE < len(left["1"]) < len(played["1"])
     np.testing.assert_array_equal(left["1"], played["1"][: len(left["1"])])
     assert all("time" in json.loads(line) for line in (tmp_path / "live.jsonl").read_text().splitlines())
 
@@ -111,14 +144,15 @@ globals().update({{name: getattr(card, name) for name in dir(card) if not name.s
 def test_a_sound_card_is_listened_to_until_ctrl_c_though_it_is_unplugged(folder, tmp_path):
     (tmp_path / "sounddevice.py").write_text(SOUND_CARD)
     with acoustic_fem(
-        *("live", folder / "model.onnx", "--device", "usb", "--record", tmp_path / "card.wav"), path=tmp_path
+        *("live", folder / "model.onnx", "--device", "usb", "--record", tmp_path / "card.wav"),
+        path=os.pathsep.join(map(str, (tmp_path, folder))),
     ) as process:
         lines, back = [], 0
         while back < 20:
             lines.append(json.loads(process.stdout.readline()))
             back += any(line.get("notice") == "source back" for line in lines)
         process.send_signal(signal.SIGINT)
-        _, errors = process.communicate(timeout=60)
+        _, errors = process.communicate(timeout=PATIENCE)
     assert process.returncode == 0, errors
     notices = [(line["notice"], line["text"]) for line in lines if "notice" in line]
     assert notices == [
@@ -127,7 +161,7 @@ def test_a_sound_card_is_listened_to_until_ctrl_c_though_it_is_unplugged(folder,
         ("source back", "USB array (ALSA, 8000 Hz)"),
     ]
     (lost,) = [line for line in lines if line.get("fault") == "samples lost"]
-    assert 1000 < lost["samples"] < 10_000
+    assert lost["samples"] > 1000
     assert f"1 samples lost ({lost['samples']} samples)" in errors
     assert errors.rstrip().splitlines()[-2:] == [str(tmp_path / "card.wav"), str(tmp_path / "card-2.wav")]
     assert len(read_wav(tmp_path / "card.wav").channels["1"]) == 4000
@@ -140,29 +174,33 @@ def test_a_terminal_shows_the_array_and_ctrl_c_ends_it(folder, tmp_path):
     ours, theirs = pty.openpty()
     environment = {"TERM": "xterm", "COLUMNS": "90", "LINES": "30", "PYTHONIOENCODING": "utf-8"}
     with acoustic_fem(
-        *("live", folder / "model.onnx", "--replay", folder / "play.wav", "--full-scale", "4"),
+        *("live", folder / "model.onnx", "--replay", folder / "long.wav", "--full-scale", "4"),
         *("--channels", "left=2,right=1", "--out", tmp_path / "live.jsonl"),
+        path=folder,
         stdout=theirs,
         env_more=environment,
     ) as process:
         os.close(theirs)
-        shown = b""
-        while b"point" not in shown:
-            shown += os.read(ours, 65536)
+        shown = bytearray()
+        # To its end: a terminal that nobody reads fills up, and whoever writes to it waits.
+        reader = threading.Thread(target=read_terminal, args=(ours, shown), daemon=True)
+        reader.start()
+        wait_for(lambda: b"point" in shown or not reader.is_alive())
         process.send_signal(signal.SIGINT)
-        _, errors = process.communicate(timeout=60)
+        _, errors = process.communicate(timeout=PATIENCE)
+        reader.join(PATIENCE)
     os.close(ours)
     assert process.returncode == 0, errors
     assert "listened for" in errors
-    text = shown.decode(errors="replace")
-    for words in ("play.wav, played", "line 1", "○", "level", "latency p50", "faults: none", "left   ", "right  "):
+    text = bytes(shown).decode(errors="replace")
+    for words in ("long.wav, played", "line 1", "○", "level", "latency p50", "faults: none", "left   ", "right  "):
         assert words in text, words
     assert "{" not in text
     assert len((tmp_path / "live.jsonl").read_text().splitlines()) > 10
 
 
 def test_lines_into_a_program_that_ends_are_no_error(folder):
-    with acoustic_fem("live", folder / "model.onnx", "--replay", folder / "play.wav") as process:
+    with acoustic_fem("live", folder / "model.onnx", "--replay", folder / "play.wav", path=folder) as process:
         process.stdout.readline()
         process.stdout.close()
         errors = process.stderr.read()
@@ -250,7 +288,7 @@ def test_twenty_seconds_of_two_times_36_points_in_real_time_lose_no_frame():
         capture_output=True,
         text=True,
         check=False,
-        timeout=300,
+        timeout=PATIENCE,
     )
     assert result.returncode == 0, result.stderr
     # Latencies are the benchmark's to tell: they say how busy a machine is.
@@ -264,11 +302,11 @@ def test_twenty_seconds_of_two_times_36_points_in_real_time_lose_no_frame():
 def test_a_replay_is_not_faster_than_its_file(folder):
     from localize.live.sources import ReplaySource
 
-    source = ReplaySource(folder / "play.wav", ("left", "right"))
+    source = ReplaySource(folder / "long.wav", ("left", "right"))
     began = time.perf_counter()
     queue = source.open()
     count = 0
-    while (block := queue.get(0.5)) is not None:
+    while (block := queue.get(PATIENCE)) is not None:
         assert time.perf_counter() >= block.available
         count += block.samples.shape[1]
         if count > RATE:
