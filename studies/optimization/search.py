@@ -234,7 +234,7 @@ def _run_batch(search: optuna.Study, problem: Optimization, count: int, team: Wo
     import optuna
 
     trials = [search.ask() for _ in range(count)]
-    kept: list[tuple[optuna.Trial, dict[str, Any]]] = []
+    kept: list[tuple[optuna.Trial, dict[str, Any], ArrayDesign]] = []
     for trial in trials:
         values = _proposed(trial, problem)
         trial.set_user_attr("values", values)
@@ -243,13 +243,14 @@ def _run_batch(search: optuna.Study, problem: Optimization, count: int, team: Wo
             trial.set_user_attr("reason", reason)
             search.tell(trial, state=optuna.trial.TrialState.FAIL)
         else:
-            kept.append((trial, values))
+            kept.append((trial, values, design))
     if not kept:
         return
     names = [metric.name for metric in problem.metrics]
     parts = -(-len(kept) // _PART)
-    table, reasons = design_metrics([values for _, values in kept], problem.study, problem.metrics, team, parts)
-    for (trial, _), row, reason in zip(kept, table, reasons, strict=True):
+    proposed, designs = [values for _, values, _ in kept], [design for _, _, design in kept]
+    table, reasons = design_metrics(proposed, problem.study, problem.metrics, team, parts, designs)
+    for (trial, _, _), row, reason in zip(kept, table, reasons, strict=True):
         figures = dict(zip(names, (float(value) for value in row), strict=True))
         bad = [name for name, value in figures.items() if not math.isfinite(value)]
         if reason or bad:

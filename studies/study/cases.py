@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from geometry import ArrayDesign, DesignError
 from geometry.design.design_file import value_of
 from geometry.refusal import Refusal
+from studies.study.constraints import Constraint
 from studies.study.study import Study
 
 
@@ -56,8 +57,17 @@ class Cases:
         return Cases(self.base, self.names, tuple(column[first:stop] for column in self.columns))
 
 
-def cases_of(study: Study) -> Cases:
+#: Told the number of a case and its design, or why it has none.
+Look = Callable[[int, ArrayDesign | DesignError], None]
+
+
+def cases_of(study: Study, look: Look | None = None) -> Cases:
     """Cases of a study, all of them, in a fixed order: in a grid the last parameter changes fastest.
+
+    Args:
+        study: the study.
+        look: called with every case in turn, whose design is then built, once; by default designs are built where a
+            constraint reads what a case does not state.
 
     Raises:
         Refusal: the constraints leave no case, or one cannot be computed.
@@ -70,9 +80,15 @@ def cases_of(study: Study) -> Cases:
         places = _sampled(study)
         columns = [parameter.at(place) for axis, place in zip(study.axes, places.T, strict=True) for parameter in axis]
     cases = Cases(study.base, tuple(parameter.name for parameter in study.parameters), tuple(columns))
-    if not study.constraints:
+    if not study.constraints and look is None:
         return cases
-    kept = np.array([_meets(study, cases, number) for number in range(len(cases))])
+    kept, count = np.zeros(len(cases), dtype=bool), 0
+    for number in range(len(cases)):
+        case = _Case(cases, number)
+        kept[number] = case.meets(study.constraints)
+        if kept[number] and look is not None:
+            look(count, case.design)
+            count += 1
     if not kept.any():
         raise Refusal(f"{study.name}: constraints leave none of {len(cases)} cases")
     return Cases(cases.base, cases.names, tuple(column[kept] for column in columns), int((~kept).sum()))
@@ -102,17 +118,34 @@ def sobol_note(study: Study) -> str:
     return f"a Sobol sample of {study.cases} cases is not balanced; one of {lower} or {2 * lower} is"
 
 
-def _meets(study: Study, cases: Cases, number: int) -> bool:
-    """Whether a case meets all constraints; derived values are those of its design where it is valid."""
-    values: Mapping[str, Any] = cases.case(number)
-    try:
-        design = study.base.with_values(values)
-    except DesignError:
-        design = study.base  # the case fails by name later, unless its own values break a constraint
-    return all(
-        constraint.holds({name: values[name] if name in values else _read(design, name) for name in constraint.names})
-        for constraint in study.constraints
-    )
+class _Case:
+    """One case whose design is built when it is first asked for, and once."""
+
+    def __init__(self, cases: Cases, number: int) -> None:
+        self._cases, self._number = cases, number
+        self._design: ArrayDesign | DesignError | None = None
+
+    @property
+    def design(self) -> ArrayDesign | DesignError:
+        """Its design, or why its values do not go together."""
+        if self._design is None:
+            try:
+                self._design = self._cases.design(self._number)
+            except DesignError as error:
+                self._design = error
+        return self._design
+
+    def meets(self, constraints: Sequence[Constraint]) -> bool:
+        """Whether the case meets all constraints; derived values are those of its design where it is valid."""
+        values: Mapping[str, Any] = self._cases.case(self._number)
+
+        def read(name: str) -> Any:
+            if name in values:
+                return values[name]
+            # the case fails by name later, unless its own values break a constraint
+            return _read(self._cases.base if isinstance(self.design, DesignError) else self.design, name)
+
+        return all(constraint.holds({name: read(name) for name in constraint.names}) for constraint in constraints)
 
 
 def _read(design: ArrayDesign, name: str) -> Any:

@@ -24,9 +24,7 @@ from acoustic_fem.batch.topology import Topology
 from acoustic_fem.cell.design_cells import solve_cells
 from acoustic_fem.cell.lumped import lumped_admittance
 from acoustic_fem.cell.one_cell import CellError, CellFault
-from acoustic_fem.membrane.disc import design_shape
 from acoustic_fem.membrane.disc_table import DiscTables
-from acoustic_fem.membrane.elasticity import DiscShape
 from acoustic_fem.network.array_network import solve_network
 from geometry import ArrayDesign, DesignError
 from geometry.air.cells import Cell, cell_catalogue
@@ -99,19 +97,6 @@ def cells_of(design: ArrayDesign) -> tuple[CellKey, ...]:
     """Distinct cells of a design, in its air."""
     air = design_air(design)
     return tuple((cell, air) for cell in cell_catalogue(design, lay_out(design)).distinct)
-
-
-def discs_of(cases: Cases) -> list[DiscShape]:
-    """Membranes of all cases that can be interpolated, each once; none where no parameter changes them."""
-    if not any(name.startswith(("membrane.", "materials.", "resonator.cavity_diameter")) for name in cases.names):
-        return []
-    shapes: dict[DiscShape, None] = {}
-    for number in range(len(cases)):
-        try:
-            shapes[design_shape(cases.design(number))] = None
-        except (DesignError, ValueError):
-            continue  # the case fails by name
-    return list(shapes)
 
 
 @dataclass

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
@@ -24,6 +24,7 @@ def design_metrics(
     metrics: Sequence[Metric],
     team: Workers,
     parts: int = 1,
+    designs: Sequence[ArrayDesign] | None = None,
 ) -> tuple[NDArray[np.float64], tuple[str, ...]]:
     """Metrics of designs, with the base, the fidelity and the frequencies of a study.
 
@@ -33,6 +34,7 @@ def design_metrics(
         metrics: what to compute.
         team: who computes.
         parts: in how many parts the designs are handed out.
+        designs: the valid ones among them, where they are built already.
 
     Returns:
         (n_design, n_metric) float64, NaN where it failed, and for each design why it failed, or nothing.
@@ -48,7 +50,9 @@ def design_metrics(
     cases = _cases(values, study.base)
     ends = np.linspace(0, len(values), min(max(parts, 1), len(values)) + 1).round().astype(int).tolist()
     blocks = list(pairwise(ends))
-    cells = {} if study.fidelity == "lumped" else _cells(values, study, team)
+    cells = (
+        {} if study.fidelity == "lumped" else _cells(_valid(values, study) if designs is None else designs, study, team)
+    )
     table = np.full((len(values), len(names)), np.nan)
     reasons = [""] * len(values)
     tasks = ((job, cases.part(*block), block[0], cells) for block in blocks)
@@ -69,17 +73,21 @@ def _cases(values: Sequence[Mapping[str, Any]], base: ArrayDesign) -> Cases:
     return Cases(base, tuple(rows[0]), tuple(columns))
 
 
-def _cells(values: Sequence[Mapping[str, Any]], study: Study, team: Workers) -> dict[Any, Any]:
-    """Every distinct 3-D cell of valid designs, solved once."""
+def _valid(values: Sequence[Mapping[str, Any]], study: Study) -> Iterator[ArrayDesign]:
+    """Designs whose values go together; of the others their block says why."""
     from geometry import DesignError
-    from studies.sweep.block import cells_of, solve_cell
 
-    keys: dict[Any, None] = {}
     for each in values:
         try:
-            keys |= dict.fromkeys(cells_of(study.base.with_values(each)))
+            yield study.base.with_values(each)
         except DesignError:
-            continue  # its block says why
+            continue
+
+
+def _cells(designs: Iterable[ArrayDesign], study: Study, team: Workers) -> dict[Any, Any]:
+    """Every distinct 3-D cell of the designs, solved once."""
+    from studies.sweep.block import cells_of, solve_cell
+
+    keys = list(dict.fromkeys(key for design in designs for key in cells_of(design)))
     tasks = ((key, study.frequency, study.fidelity) for key in keys)
-    order = list(keys)
-    return {order[number]: cell for number, cell in team.run(solve_cell, tasks)}
+    return {keys[number]: cell for number, cell in team.run(solve_cell, tasks)}

@@ -5,13 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from acoustic_fem.cell.design_cells import is_cached
-from geometry import DesignError
-from studies.study.cases import cases_of, sobol_note
+from studies.study.cases import sobol_note
 from studies.study.failure_reasons import by_kind
-from studies.study.study import Study, StudyError
-from studies.sweep.block import CellKey, Job, cells_of, check_metrics, discs_of
+from studies.study.study import Study
+from studies.sweep.block import Job
 from studies.sweep.cost import elapsed, seconds_of, team_size
 from studies.sweep.store import block_size, point_count
+from studies.sweep.survey import surveyed, try_metrics
 
 #: Memory of a worker that has loaded everything, and of one that solves a 3-D cell, bytes.
 _WORKER_MEMORY = 0.25e9
@@ -52,34 +52,21 @@ def plan_sweep(study: Study, workers: int | None = None) -> Plan:
     Raises:
         StudyError: a metric does not suit the study.
     """
-    cases = cases_of(study)
-    job = Job(study.fidelity, study.frequency, study.metrics, study.transfer_functions)
-    refused: list[tuple[int, str]] = []
-    cells: dict[CellKey, None] = {}
-    valid: list[int] = []
-    for number in range(len(cases)):
-        try:
-            design = cases.design(number)
-            if not valid:
-                check_metrics(job, design)
-            valid.append(number)
-            if study.fidelity != "lumped":
-                cells |= dict.fromkeys(cells_of(design))
-        except DesignError as error:
-            refused.append((number, str(error)))
-        except ValueError as error:
-            if not valid:
-                raise StudyError(f"{study.name}: {error}") from None
-            refused.append((number, str(error)))
+    found = surveyed(study, every=True)
+    cases = found.cases
+    try_metrics(Job(study.fidelity, study.frequency, study.metrics, study.transfer_functions), found, study)
+    valid = [number for number in range(len(cases)) if number not in found.refused]
+    cells = found.cells_of(valid)
     cached = sum(is_cached(cell, study.frequency, air, study.fidelity) for cell, air in cells)
-    alone = seconds_of(study, cases, valid, cells, discs_of(cases))
+    alone = seconds_of(study, cases, valid, cells, found.discs)
     team = workers or team_size(alone)
     values = point_count(cases) * len(study.base.microphones) * len(study.frequency) * 16
     memory = team * (_WORKER_MEMORY + block_size(study, cases) * values * _ARRAYS)
     if len(cells) > cached:
         memory += team * _CELL_MEMORY
     stored = 8 * (len(study.metrics) + len(cases.names) + 1) + (values if study.transfer_functions else 0)
+    refused = {why: len(numbers) for why, numbers in by_kind(found.refused.items()).items()}
     return Plan(
-        len(cases), cases.left_out, {why: len(numbers) for why, numbers in by_kind(refused).items()}, len(cells),
-        cached, elapsed(alone, team), team, memory, stored * len(cases), sobol_note(study),
+        len(cases), cases.left_out, refused, len(cells), cached, elapsed(alone, team),
+        team, memory, stored * len(cases), sobol_note(study),
     )  # fmt: skip

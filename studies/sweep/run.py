@@ -19,22 +19,19 @@ import numpy as np
 from acoustic_fem.library.provenance import versions
 from acoustic_fem.membrane.disc_table import DiscTables, disc_tables
 from acoustic_fem.membrane.elasticity import DiscShape, ElasticDisc, solve_dimensionless
-from geometry import DesignError
 from geometry.refusal import Refusal
 from studies.output.display import Display
-from studies.study.cases import Cases, cases_of
+from studies.study.cases import Cases
 from studies.study.failure_reasons import PROGRAM_ERROR
 from studies.study.metric_registry import metrics_named
-from studies.study.study import Study, StudyError
-from studies.sweep.block import CellKey, Job, SolvedCell, cells_of, check_metrics, discs_of, solve_cell
+from studies.study.study import Study
+from studies.sweep.block import CellKey, Job, SolvedCell, solve_cell
 from studies.sweep.cost import seconds_of, team_size
 from studies.sweep.progress import Progress, shown_on
 from studies.sweep.retries import ENDED_WORKERS, solved_blocks
 from studies.sweep.store import DONE, FAILED, SweepStore, check_store, sole_writer
+from studies.sweep.survey import surveyed, try_metrics
 from studies.sweep.workers import Workers, WorkersLost, open_workers
-
-#: Cases looked at for a valid one, on which the metrics are tried before any work.
-_LOOKED_AT = 1000
 
 
 class SweepError(Refusal):
@@ -113,10 +110,10 @@ def _run_sweep(
     progress: Callable[[Progress], None] | None,
 ) -> Summary:
     started = perf_counter()
-    cases = cases_of(study)
-    metrics = metrics_named(study.metrics)
+    found = surveyed(study)
+    cases, metrics = found.cases, metrics_named(study.metrics)
     job = Job(study.fidelity, study.frequency, study.metrics, study.transfer_functions)
-    _try_metrics(job, cases, study)
+    try_metrics(job, found, study)
     check_store(out)
     with sole_writer(out) as log:  # from before the store is made: of two that begin at once, one does
         store = SweepStore.claim(out, study, cases, metrics)
@@ -128,13 +125,12 @@ def _run_sweep(
         write_line(log, {"event": "start", **versions(study.seed, ()), "waiting_blocks": len(waiting)})
         cells: dict[CellKey, SolvedCell] = {}
         if waiting:
-            needed = _cells_of_blocks(study, cases, waiting)
+            needed = {block: found.cells_of(range(*block)) for block in waiting}
             keys = list(dict.fromkeys(key for block in needed.values() for key in block))
-            discs = discs_of(cases)
-            pool = open_workers(_team(study, cases, waiting, keys, discs, workers, scheduler), scheduler)
+            pool = open_workers(_team(study, cases, waiting, keys, found.discs, workers, scheduler), scheduler)
             try:
                 with pool as team:
-                    job = replace(job, discs=_interpolate_discs(team, discs))
+                    job = replace(job, discs=_interpolate_discs(team, found.discs))
                     cells = _solve_cells(team, job, keys, progress)
                     _solve_blocks(team, job, cases, store, waiting, needed, cells, progress, notes, log)
             except WorkersLost as error:
@@ -170,20 +166,6 @@ def _team(
     return team_size(seconds_of(study, cases, [k for block in waiting for k in range(*block)], cells, discs))
 
 
-def _try_metrics(job: Job, cases: Cases, study: Study) -> None:
-    """Refuse what no case could be computed with, before any work."""
-    for number in range(min(len(cases), _LOOKED_AT)):
-        try:
-            design = cases.design(number)
-        except DesignError:
-            continue
-        try:
-            check_metrics(job, design)
-        except ValueError as error:
-            raise StudyError(f"{study.name}: {error}") from None
-        return
-
-
 def _interpolate_discs(team: Workers, discs: Sequence[DiscShape]) -> DiscTables:
     """Tables of the membranes of all cases, waiting or not, so that every run has the same."""
 
@@ -192,24 +174,6 @@ def _interpolate_discs(team: Workers, discs: Sequence[DiscShape]) -> DiscTables:
         return [solved[number] for number in range(len(shapes))]
 
     return DiscTables(disc_tables(discs, solve))
-
-
-def _cells_of_blocks(
-    study: Study, cases: Cases, blocks: list[tuple[int, int]]
-) -> dict[tuple[int, int], tuple[CellKey, ...]]:
-    """The 3-D cells that each block needs."""
-    if study.fidelity == "lumped":
-        return {}
-    needed = {}
-    for first, stop in blocks:
-        found: dict[CellKey, None] = {}
-        for number in range(first, stop):
-            try:
-                found |= dict.fromkeys(cells_of(cases.design(number)))
-            except (DesignError, ValueError):
-                continue  # the block says why
-        needed[first, stop] = tuple(found)
-    return needed
 
 
 def _solve_cells(

@@ -23,7 +23,7 @@ from geometry.refusal import Refusal
 from studies.study.cases import Cases, cases_of
 from studies.study.file import load_study, read_study
 from studies.study.study import Study, StudyError
-from studies.sweep import run
+from studies.sweep import survey
 from studies.sweep.retries import ENDED_WORKERS
 from studies.sweep.run import run_sweep
 from studies.sweep.store import open_sweep
@@ -220,11 +220,11 @@ def test_a_case_that_ends_every_worker_fails_and_stops_no_other(
     )
     run_sweep(study, tmp_path / "whole.zarr", workers=1)
 
-    def deadly(study: Study) -> Cases:
-        cases = cases_of(study)
+    def deadly(study: Study, look: Any = None) -> Cases:
+        cases = cases_of(study, look)
         return DeadlyCases(cases.base, cases.names, cases.columns)
 
-    monkeypatch.setattr(run, "cases_of", deadly)
+    monkeypatch.setattr(survey, "cases_of", deadly)
     summary = run_sweep(study, tmp_path / "r.zarr", workers=2)
     assert summary.failures == {ENDED_WORKERS: [12]}
     whole, result = (open_sweep(tmp_path / f"{name}.zarr").dataset for name in ("whole", "r"))

@@ -23,7 +23,7 @@ from acoustic_fem.numerics import disk_cache
 from acoustic_fem.quantities.medium import Medium
 from geometry.air.cells import Cell
 from studies.cli.app import app
-from studies.metrics.responses import Responses
+from studies.metrics.shared import SharedFigures
 from studies.study.cases import cases_of
 from studies.study.failure_reasons import by_kind
 from studies.study.file import read_study
@@ -230,10 +230,10 @@ def test_a_metric_that_fails_for_one_design_fails_that_case_only(
     length = whole.case(victim)["tube.length"]
     volume = METRICS["volume"]
 
-    def picky(responses: Responses) -> np.ndarray:
-        if any(design.tube.length == length for design in responses.designs or ()):
+    def picky(figures: SharedFigures) -> np.ndarray:
+        if any(design.tube.length == length for design in figures.responses.designs or ()):
             raise ArithmeticError("too long")
-        return volume.compute(responses)
+        return volume.compute(figures)
 
     monkeypatch.setitem(METRICS, "volume", replace(volume, compute=picky))
     run_sweep(study, tmp_path / "r.zarr", workers=1)
@@ -249,16 +249,16 @@ def test_a_mistake_of_the_program_is_no_property_of_a_design(
 ) -> None:
     volume = METRICS["volume"]
 
-    def mistaken(responses: Responses) -> np.ndarray:
-        if any(design.point_count == 6 for design in responses.designs or ()):
+    def mistaken(figures: SharedFigures) -> np.ndarray:
+        if any(design.point_count == 6 for design in figures.responses.designs or ()):
             raise KeyError("six")
-        return volume.compute(responses)
+        return volume.compute(figures)
 
     def tried(job: object, design: object) -> None:
         """The first case is tried before any work, where a mistake is a traceback."""
 
     monkeypatch.setitem(METRICS, "volume", replace(volume, compute=mistaken))
-    monkeypatch.setattr(run, "check_metrics", tried)
+    monkeypatch.setattr("studies.sweep.survey.check_metrics", tried)
     (tmp_path / "study.toml").write_text(TEXT)
     out = tmp_path / "r.zarr"
     told = CliRunner().invoke(app, ["sweep", str(tmp_path / "study.toml"), "--out", str(out)])

@@ -1,0 +1,95 @@
+"""What a sweep must know of its cases before any is computed: each design that this takes is built once."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from acoustic_fem.membrane.disc import design_shape
+from acoustic_fem.membrane.elasticity import DiscShape
+from geometry import ArrayDesign, DesignError
+from studies.study.cases import Cases, cases_of
+from studies.study.study import Study, StudyError
+from studies.sweep.block import CellKey, Job, cells_of, check_metrics
+
+#: Cases looked at for a valid one where nothing else asks for their designs.
+_LOOKED_AT = 1000
+#: Parameters that may change a membrane.
+_OF_MEMBRANES = ("membrane.", "materials.", "resonator.cavity_diameter")
+
+
+@dataclass(frozen=True, eq=False)
+class Survey:
+    """Cases of a study and what their designs need."""
+
+    cases: Cases
+    """All cases."""
+    first: ArrayDesign | None
+    """First valid design; None where none was found."""
+    refused: dict[int, str]
+    """Why a case has no design or no cells, by its number; complete where all designs were looked at."""
+    discs: tuple[DiscShape, ...]
+    """Membranes of all cases, each once; none where no parameter changes them."""
+    cells: tuple[tuple[CellKey, ...], ...]
+    """3-D cells of each case; empty at the lumped fidelity."""
+
+    def cells_of(self, numbers: Iterable[int]) -> tuple[CellKey, ...]:
+        """3-D cells of some cases, each once."""
+        return tuple(dict.fromkeys(key for number in numbers for key in self.cells[number])) if self.cells else ()
+
+
+def surveyed(study: Study, every: bool = False) -> Survey:
+    """Cases of a study with what their designs need.
+
+    Args:
+        study: the study.
+        every: look at all designs, also where neither membranes nor 3-D cells ask for it.
+
+    Raises:
+        Refusal: the constraints leave no case, or one cannot be computed.
+    """
+    membranes = any(parameter.name.startswith(_OF_MEMBRANES) for parameter in study.parameters)
+    solid = study.fidelity != "lumped"
+    known: dict[CellKey, CellKey] = {}
+    discs: dict[DiscShape, None] = {}
+    cells: list[tuple[CellKey, ...]] = []
+    refused: dict[int, str] = {}
+    valid: list[ArrayDesign] = []
+
+    def look(number: int, design: ArrayDesign | DesignError) -> None:
+        own: tuple[CellKey, ...] = ()
+        try:
+            if isinstance(design, DesignError):
+                raise design
+            if solid:
+                own = tuple(known.setdefault(key, key) for key in cells_of(design))
+            if not valid:
+                valid.append(design)
+            if membranes:
+                discs[design_shape(design)] = None
+        except ValueError as error:
+            refused[number] = str(error)  # the case fails by name when it is computed
+        cells.append(own)
+
+    cases = cases_of(study, look if every or membranes or solid else None)
+    for number in range(min(len(cases), _LOOKED_AT) if not (valid or refused) else 0):
+        try:
+            valid.append(cases.design(number))
+            break
+        except DesignError:
+            continue
+    return Survey(cases, valid[0] if valid else None, refused, tuple(discs), tuple(cells) if solid else ())
+
+
+def try_metrics(job: Job, found: Survey, study: Study) -> None:
+    """Refuse what no case could be computed with, before any work.
+
+    Raises:
+        StudyError: a metric does not suit the study.
+    """
+    if found.first is None:
+        return
+    try:
+        check_metrics(job, found.first)
+    except ValueError as error:
+        raise StudyError(f"{study.name}: {error}") from None

@@ -1,0 +1,93 @@
+"""How often the designs of a study are built before and while they are computed."""
+
+from __future__ import annotations
+
+from collections import Counter
+from pathlib import Path
+
+import pytest
+
+from geometry import ArrayDesign
+from studies.study.cases import cases_of
+from studies.study.file import read_study
+from studies.sweep import block, survey
+from studies.sweep.plan import plan_sweep
+from studies.sweep.run import run_sweep
+from studies.sweep.survey import surveyed
+
+HEAD = 'base = "array-2x6"\nmetrics = ["distance_smallest", "length", "width", "height"]\n'
+LENGTHS = '[parameters]\n"tube.length" = [12.5, 13, 14, 15, 16, 17]\n'
+STATED = 'constraints = ["tube.length > 12.6"]\n'
+DERIVED = 'constraints = ["resonator.cavity_volume * tube.length > 900"]\n'
+
+
+@pytest.fixture
+def built(monkeypatch: pytest.MonkeyPatch) -> Counter[float]:
+    """How often a design of each tube length was built from values."""
+    counts: Counter[float] = Counter()
+    own = ArrayDesign.with_values
+
+    def counted(self: ArrayDesign, values: dict[str, float]) -> ArrayDesign:
+        counts[values.get("tube.length", 0.0)] += 1
+        return own(self, values)
+
+    monkeypatch.setattr(ArrayDesign, "with_values", counted)
+    return counts
+
+
+@pytest.mark.parametrize(
+    ("head", "cases", "most"),
+    [
+        (f'{HEAD}fidelity = "lumped"\n{LENGTHS}', 6, 1),  # nobody asks for the designs but who computes them
+        (f'{HEAD}fidelity = "lumped"\n{STATED}{LENGTHS}', 5, 1),
+        (f'{HEAD}fidelity = "lumped"\n{DERIVED}{LENGTHS}', 5, 2),  # once by the parent, once by who computes it
+        (f'{HEAD}fidelity = "lumped"\n{DERIVED}{LENGTHS}"membrane.thickness" = [0.5]\n', 5, 2),
+    ],
+)
+def test_a_sweep_builds_a_design_once_for_itself_and_once_where_it_is_computed(
+    head: str, cases: int, most: int, built: Counter[float], tmp_path: Path
+) -> None:
+    study = read_study(head)
+    built.clear()
+    summary = run_sweep(study, tmp_path / "r.zarr", workers=1)
+    assert summary.computed == cases
+    assert not summary.failures
+    first = next(iter(sorted(built)))
+    # the first valid design is that on which the metrics are tried
+    assert all(count <= most + (length in (first, 13.0)) for length, count in built.items()), built
+    assert sum(built.values()) <= most * 6 + 1
+
+
+def test_cells_membranes_and_constraints_are_read_from_one_design(
+    built: Counter[float], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    study = read_study(f'{HEAD}fidelity = "navier-stokes"\n{DERIVED}{LENGTHS}"membrane.thickness" = [0.5, 0.6]\n')
+    laid_out: list[ArrayDesign] = []
+    own = block.lay_out
+    monkeypatch.setattr(block, "lay_out", lambda design: (laid_out.append(design), own(design))[1])
+    built.clear()
+    found = surveyed(study, every=True)
+    assert set(built.values()) == {2}  # two thicknesses of each length
+    assert len(laid_out) == len(found.cases) == 10
+    assert len(found.cells_of(range(10))) == len(set(found.cells_of(range(10)))) == 3
+    assert len(found.discs) == 2
+    assert found.refused == {}
+    assert found.first == found.cases.design(0)
+
+
+def test_a_plan_builds_every_design_once_but_for_those_that_it_times(built: Counter[float]) -> None:
+    study = read_study(
+        f'{HEAD}fidelity = "lumped"\n[parameters]\n"tube.length" = {[12.5 + k / 8 for k in range(40)]}\n'
+    )
+    built.clear()
+    assert plan_sweep(study).cases == 40
+    assert sum(count == 1 for count in built.values()) >= 35
+
+
+def test_a_design_that_is_refused_is_told_with_its_number() -> None:
+    study = read_study(f'{HEAD}fidelity = "lumped"\n[parameters]\n"resonator.wall_thickness" = [1.0, 2.0, 2.5]\n')
+    found = surveyed(study, every=True)
+    assert list(found.refused) == [0]
+    assert found.first == found.cases.design(1)
+    assert survey.surveyed(study).first == found.first
+    assert len(cases_of(study)) == 3
