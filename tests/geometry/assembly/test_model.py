@@ -87,12 +87,6 @@ def test_every_tube_end_fits_its_port_and_its_bore_carries_on_the_spring(name):
         assert max(fit.axis_offset for fit in fits) < 1e-8
 
 
-@pytest.mark.parametrize("name", geometry.prototype_names())
-def test_no_two_placed_parts_are_in_each_others_way(name):
-    assert interferences(put_together(name)) == ()
-    assert misfits(put_together(name)) == ()
-
-
 def moved(model, label, offset):
     placed = tuple(
         dataclasses.replace(part, position=tuple(np.add(part.position, offset))) if part.label == label else part

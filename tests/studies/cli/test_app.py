@@ -127,6 +127,7 @@ def test_a_prototype_passes_the_check(command: Command, name: str, tmp_path: Pat
     found = json.loads((tmp_path / "check.json").read_text(encoding="utf-8"))
     assert found["wiring"]["points"] == design.point_count
     assert found["printing"]["verdict"] in ("ok", "warn")
+    assert found["misfits"] == []  # no two placed parts are in each other's way, every tube fits its ports
     assert sum(cell["places"] for cell in found["cells"]) == design.point_count + len(design.microphones)
     levels = [entry["second_microphone_db"] for entry in found["attenuation"]]
     assert 0 > levels[0] > levels[1] > levels[2]
