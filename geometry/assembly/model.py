@@ -46,7 +46,9 @@ class ArrayModel:
     """Tubes that are not among the parts, since their way is drawn for the eye only."""
 
 
-def array_model(design: ArrayDesign, parts: Mapping[str, cq.Workplane] | None = None) -> ArrayModel:
+def array_model(
+    design: ArrayDesign, parts: Mapping[str, cq.Workplane] | None = None, layout: ArrayLayout | None = None
+) -> ArrayModel:
     """Put an array together from its printed and cast parts, its tubes and its microphones.
 
     Membranes are shown as mounted, stretched where the design stretches them.
@@ -54,12 +56,13 @@ def array_model(design: ArrayDesign, parts: Mapping[str, cq.Workplane] | None = 
     Args:
         design: the array.
         parts: of :func:`geometry.build_parts`, where they exist already.
+        layout: where its parts lie, where it is known already.
 
     Raises:
         Refusal: a part is not one valid solid.
     """
-    parts = build_parts(design) if parts is None else parts
-    layout = lay_out(design)
+    layout = lay_out(design) if layout is None else layout
+    parts = build_parts(design, layout) if parts is None else parts
     placed = place_parts(design, layout)
     shapes = {name: parts[name].val() for name in dict.fromkeys(part.part for part in placed)}
     if design.membrane.stretch != 1:

@@ -115,8 +115,12 @@ class PlacedPart:
         return matrix
 
 
-def build_parts(design: ArrayDesign) -> PartSet:
+def build_parts(design: ArrayDesign, layout: ArrayLayout | None = None) -> PartSet:
     """Draw every distinct part of a design.
+
+    Args:
+        design: the array.
+        layout: where its parts lie, where it is known already.
 
     Returns:
         ``shell-straight``, ``shell-corner-90``, ... one per distinct set of port angles; ``membrane``;
@@ -135,7 +139,7 @@ def build_parts(design: ArrayDesign) -> PartSet:
     from geometry.solids.membrane import build_membrane
     from geometry.solids.shell import build_shell
 
-    plan = _plan(design)
+    plan = _plan(design, layout)
     resonator, membrane, microphone, printing = design.resonator, design.membrane, design.microphone, design.printing
     parts = PartSet()
     about = _common_parameters(design)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import os
 import warnings
+from collections import Counter
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from pathlib import Path
@@ -170,10 +171,10 @@ def _judged(design: ArrayDesign, report: Report) -> DesignCheck:
         library = acoustic_fem.solve(design, ATTENUATION_AT, fidelity="lumped")
     levels = [(frequency, *worst_heard(library.transfer_function, frequency)) for frequency in ATTENUATION_AT]
     report("parts", 0.3)
-    parts = build_parts(design)
+    parts = build_parts(design, layout)
     report("fit", 0.4)
     try:
-        in_the_way = misfits(array_model(design, parts))
+        in_the_way = misfits(array_model(design, parts, layout))
     except Refusal as error:  # a tube that bends into itself is no solid
         in_the_way = (str(error),)
     printing = print_report(
@@ -212,8 +213,8 @@ def fidelity_lines(cells: int) -> tuple[str, ...]:
 def cell_uses(design: ArrayDesign, layout: ArrayLayout) -> tuple[tuple[Cell, int], ...]:
     """Distinct cells of a design whose parts lie as the layout says, and how many places each fills."""
     catalogue = cell_catalogue(design, layout)
-    uses = [use.cell for use in catalogue.points + catalogue.microphones]
-    return tuple((cell, uses.count(cell)) for cell in catalogue.distinct)
+    uses = Counter(use.cell for use in catalogue.points + catalogue.microphones)
+    return tuple((cell, uses[cell]) for cell in catalogue.distinct)
 
 
 def model_validity(design: ArrayDesign, medium: Medium, weakest_level: float) -> tuple[Validity, ...]:

@@ -24,7 +24,6 @@ from acoustic_fem.library.provenance import versions
 from acoustic_fem.quantities.checks import frequency_grid
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import read_design, write_design
-from geometry.layout.arrangement import lay_out
 from geometry.refusal import Refusal
 from studies.output.folders import check_folder
 from studies.scatter.tolerances import TOLERANCES, ScatteredDesign, Tolerance
@@ -101,7 +100,7 @@ def _new_store(
     """A store that says what is in it; its real and imaginary parts are still empty."""
     import zarr
 
-    design, points = scattered.design, lay_out(scattered.design).points
+    design, points = scattered.design, scattered.design.point_count
     group = zarr.open_group(path, mode="w", zarr_format=3)
     group.attrs.update(
         {
@@ -115,9 +114,9 @@ def _new_store(
         }
     )
     _coordinate(group, "design", np.arange(count), "number of the sensor, from 0")
-    _coordinate(group, "point", np.array([point.number for point in points]), "sensing point, from 1")
+    _coordinate(group, "point", np.arange(1, points + 1), "sensing point, from 1")
     _coordinate(group, "frequency", grid, "frequency", units="Hz")
-    shape = (count, len(points), len(design.microphones), len(grid))
+    shape = (count, points, len(design.microphones), len(grid))
     real, imag = (
         group.create_array(
             f"transfer_function_{part}", shape=shape, dtype="float64", chunks=(min(BLOCK, count), *shape[1:]),
