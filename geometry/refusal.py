@@ -1,4 +1,4 @@
-"""The one base class of what this project refuses: a user's mistake or a limit of the model, never ours."""
+"""The one base class of what this project refuses: what a user can mend, or be told in one line."""
 
 from __future__ import annotations
 

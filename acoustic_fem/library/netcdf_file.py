@@ -112,7 +112,7 @@ def load(path: str | os.PathLike[str]) -> Library:
         raise LibraryError(f"{path}: layout_version = {found} must be {_LAYOUT_VERSION}")
     try:
         return library_of(dataset)
-    except ValueError as error:
+    except Refusal as error:
         raise LibraryError(f"{path}: {_one_line(error)}") from None
 
 

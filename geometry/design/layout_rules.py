@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from geometry.design.tube_rules import stated_tubes
 from geometry.plan import cylinder, hand, ring
+from geometry.refusal import Refusal
 
 if TYPE_CHECKING:
     from geometry.stated.array import StatedArray
@@ -67,7 +68,7 @@ def cylinder_rules(design: StatedArray) -> Iterator[str]:
         (inner, outer), (inner_end, outer_end) = shell, housing if to_microphone else shell
         try:
             cylinder.wound_turn(tube.length, (inner, inner_end), (outer, outer_end), surface.port_radius)
-        except ValueError as error:
+        except Refusal as error:
             yield f"{field}.length on a cylinder, layout.diameter = {layout.diameter:g} mm: {error}"
 
 

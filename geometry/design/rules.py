@@ -177,5 +177,5 @@ def _print_rules(design: StatedArray) -> Iterator[str]:
     """A rule's advice is on the safe side of its limit."""
     try:
         process_of(design.printing)
-    except ValueError as error:
+    except Refusal as error:
         yield f"printing.{error}"

@@ -21,7 +21,7 @@ DecoderNoise = Annotated[
     float | None,
     typer.Option(
         help="For a library: the white noise of the microphones to assume instead, Pa rms over 0 to 500 Hz.",
-        show_default="that of the design's",
+        show_default="the design's",
     ),
 ]
 DecoderAmbient = Annotated[

@@ -36,7 +36,8 @@ LibraryFile = Annotated[
 Noise = Annotated[
     float | None,
     typer.Option(
-        help="White noise of the microphones instead, Pa rms over 0 to 500 Hz.", show_default="that of the design's"
+        help="White noise of the microphones instead, Pa rms over 0 to 500 Hz.",
+        show_default="that of the design's microphone",
     ),
 ]
 Frequencies = Annotated[str, typer.Option(metavar="FIRST:LAST:COUNT", help="Frequencies in Hz, evenly spaced.")]
@@ -80,7 +81,7 @@ def named(**options: str) -> Iterator[None]:
     """Call the argument with which a refusal begins by the option that the user gave."""
     try:
         yield
-    except ValueError as error:
+    except Refusal as error:
         field = re.match(r"\w+", str(error))
         if field is None or field[0] not in options:
             raise
@@ -98,5 +99,5 @@ def frequency_option(text: str) -> Any:
 
     try:
         return stated_grid(text)
-    except ValueError as error:
+    except Refusal as error:
         raise typer.BadParameter(f"--frequencies: {error}") from None

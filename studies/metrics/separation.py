@@ -1,4 +1,4 @@
-"""Distances between the points of many designs at once; definitions as in :mod:`studies.metrics`."""
+"""Distances between the points of many designs at once; definitions as in :mod:`studies.metrics.pairs`."""
 
 from __future__ import annotations
 

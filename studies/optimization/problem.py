@@ -140,7 +140,7 @@ def read_optimization(
     file = model_of(_Optimize, wanted, f"{source}: optimize", "study", StudyError)
     try:
         return _checked(file, study, text)
-    except ValueError as error:
+    except Refusal as error:
         raise StudyError(f"{source}: {error}") from None
 
 

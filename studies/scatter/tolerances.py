@@ -115,7 +115,7 @@ def read_tolerances(path: Path) -> tuple[Tolerance, ...]:
             raise Refusal(f"{path}: [{quantity}] deviation = {deviation!r} must be a number")
         try:
             known[quantity] = replace(known[quantity], **{"source": "of the file", **given})
-        except ValueError as error:
+        except Refusal as error:
             raise Refusal(f"{path}: {error}") from None
     return tuple(known.values())
 

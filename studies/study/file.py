@@ -130,11 +130,11 @@ def study_of(
         )
     except DesignError:
         raise
-    except ValueError as error:
+    except Refusal as error:
         raise StudyError(_named(source, error)) from None
 
 
-def _named(source: str, error: ValueError) -> str:
+def _named(source: str, error: Refusal) -> str:
     message = str(error)
     return message if message.startswith(f"{source}: ") else f"{source}: {message}"
 
@@ -163,11 +163,11 @@ def _frequencies(text: str) -> NDArray[np.float64]:
 
     try:
         grid = stated_grid(text)
-    except ValueError as error:
+    except Refusal as error:
         raise Refusal(f"frequencies = {error}") from None
     try:
         return frequency_grid(grid)
-    except ValueError as error:
+    except Refusal as error:
         raise Refusal(f"frequencies = {text!r}: {error}") from None
 
 

@@ -61,7 +61,7 @@ class Metric:
             return
         try:
             check_band(frequency, self.band)
-        except ValueError as error:
+        except Refusal as error:
             raise Refusal(f"metric {self.name} needs {error}") from None
 
     def of_batch(self, responses: Responses, figures: SharedFigures | None = None) -> Values:

@@ -23,12 +23,13 @@ from acoustic_fem.batch.parameters import ArrayParameters, MediumParameters, des
 from acoustic_fem.batch.topology import Topology
 from acoustic_fem.cell.design_cells import solve_cells
 from acoustic_fem.cell.lumped import lumped_admittance
-from acoustic_fem.cell.one_cell import CellError, CellFault
+from acoustic_fem.cell.one_cell import CellError
 from acoustic_fem.membrane.disc_table import DiscTables
 from acoustic_fem.network.array_network import solve_network
 from geometry import ArrayDesign, DesignError
 from geometry.air.cells import Cell, cell_catalogue
 from geometry.layout.arrangement import lay_out
+from geometry.refusal import Refusal
 from studies.metrics.responses import Responses
 from studies.metrics.shared import SharedFigures
 from studies.study.cases import Cases
@@ -42,9 +43,9 @@ Complex: TypeAlias = NDArray[np.complex128]
 
 _LONGEST_REASON = 500
 #: What stops a case: its design is refused, or cannot be computed (libraries raise more than refusals).
-FAILURES = (ValueError, ArithmeticError, RuntimeError, OSError, MemoryError)
+FAILURES = (Refusal, np.linalg.LinAlgError, ArithmeticError, OSError, MemoryError)
 #: What stops a case and is no property of its design.
-_MISTAKES = (TypeError, AttributeError, NameError, LookupError, AssertionError, CellFault)
+_MISTAKES = (ValueError, RuntimeError, TypeError, AttributeError, NameError, LookupError, AssertionError)
 
 
 @dataclass(frozen=True, eq=False)
@@ -177,7 +178,7 @@ def _responses(
     for topology, numbers in groups.items():
         try:
             found.append((numbers, _batch(job, topology, [designs[number] for number in numbers])))
-        except (ValueError, ArithmeticError):
+        except FAILURES:
             alone += numbers  # one of them is at fault; which one shows case by case
         except _MISTAKES as error:
             for number in numbers:
@@ -333,8 +334,8 @@ def check_metrics(job: Job, design: ArrayDesign) -> None:
 def _reason(error: BaseException, where: str = "") -> str:
     """Why a case failed, in one line; of a mistake of the program with the place in it."""
     message = " ".join(str(error).split())
-    if isinstance(error, _MISTAKES):
+    if not isinstance(error, FAILURES):
         last = traceback.extract_tb(error.__traceback__)[-1]
         return f"{PROGRAM_ERROR}{where}{type(error).__name__} in {Path(last.filename).name}:{last.lineno}: {message}"
-    named = isinstance(error, ValueError) and message
+    named = isinstance(error, Refusal) and message
     return where + (message if named else f"{type(error).__name__}: {message}")

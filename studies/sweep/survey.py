@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from acoustic_fem.membrane.disc import design_shape
 from acoustic_fem.membrane.elasticity import DiscShape
 from geometry import ArrayDesign, DesignError
+from geometry.refusal import Refusal
 from studies.study.cases import Cases, cases_of
 from studies.study.study import Study, StudyError
 from studies.sweep.block import CellKey, Job, cells_of, check_metrics
@@ -67,7 +68,7 @@ def surveyed(study: Study, every: bool = False) -> Survey:
                 valid.append(design)
             if membranes:
                 discs[design_shape(design)] = None
-        except ValueError as error:
+        except Refusal as error:
             refused[number] = str(error)  # the case fails by name when it is computed
         cells.append(own)
 
@@ -91,5 +92,5 @@ def try_metrics(job: Job, found: Survey, study: Study) -> None:
         return
     try:
         check_metrics(job, found.first)
-    except ValueError as error:
+    except Refusal as error:
         raise StudyError(f"{study.name}: {error}") from None
