@@ -47,7 +47,11 @@ class SharedFigures:
         return self._confusion[level]
 
     def touch_response(self, touch: str) -> Complex:
-        """Responses of :func:`studies.metrics.touch.touch_response`, complex128."""
+        """Pressure at the microphones per touch, (n_design, n_point, n_microphone, n_freq) complex128, Pa per unit of it.
+
+        Args:
+            touch: "displacement" (m), "force" (N) or "pressure" (Pa).
+        """
         if touch not in self._touches:
             self._touches[touch] = touch_response(self.responses, touch)
         return self._touches[touch]
