@@ -314,26 +314,26 @@ SMALL = Topology(
 )
 
 
-@pytest.mark.parametrize("result", ["transfer_function", "microphone_impedance"])
-def test_torch_finds_the_gradient_by_every_parameter_and_by_the_air(result):
+def test_torch_finds_the_gradient_by_every_parameter_and_by_the_air():
     parameters = random_parameters(SMALL, 5, modes=2)
     medium = MediumParameters.from_media([AIR])
     names = [field.name for field in fields(parameters)] + [f"air {field.name}" for field in fields(medium)]
     start = [getattr(parameters, f.name) for f in fields(parameters)] + [
         getattr(medium, f.name) for f in fields(medium)
     ]
-    unit = 1.0 if result == "transfer_function" else 1e-9
 
     def response(*logarithms):
         values = [torch.exp(shift) * torch.as_tensor(value) for shift, value in zip(logarithms, start, strict=True)]
         numbers = ArrayParameters(**dict(zip(names, values[:-6], strict=False)))
         gas = MediumParameters(*values[-6:])
-        return getattr(batch_response(numbers, SMALL, [3.0, 200.0], gas), result) * unit
+        found = batch_response(numbers, SMALL, [3.0, 200.0], gas)
+        return found.transfer_function, 1e-9 * found.microphone_impedance
 
     shifts = [torch.zeros(value.shape, dtype=torch.float64, requires_grad=True) for value in start]
     assert torch.autograd.gradcheck(response, shifts, atol=1e-8, rtol=1e-6)
-    grown = torch.autograd.grad(response(*shifts).abs().sum(), shifts)
-    assert all(torch.isfinite(part).all() and part.abs().sum() > 0 for part in grown), names
+    for result in response(*shifts):
+        grown = torch.autograd.grad(result.abs().sum(), shifts, retain_graph=True)
+        assert all(torch.isfinite(part).all() and part.abs().sum() > 0 for part in grown), names
 
 
 def test_torch_gradients_are_the_differences_of_the_numpy_path():

@@ -156,7 +156,7 @@ def test_a_run_that_is_killed_three_times_ends_in_the_same_store(
     assert_same_store(out, expected)
 
 
-PAIRS = 12
+PAIRS = 7
 
 
 def begin_together(folder: Path, barrier: Any, told: Any) -> None:
