@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
 import pytest
+from coarse_discs import coarse_discs
 
 from acoustic_fem import Medium
 from acoustic_fem.batch.parameters import ArrayParameters
@@ -28,13 +29,20 @@ def shapes(count: int, poisson_ratio: float = 0.49) -> Shapes:
     return [DiscShape(float(h), poisson_ratio, float(rim), float(rim), 0.0, 0.25) for h, rim in ratios]
 
 
+@pytest.fixture(scope="module", autouse=True)
+def coarse() -> Iterator[None]:
+    """Interpolated and solved discs alike: it is how far apart they are that counts."""
+    with coarse_discs():
+        yield
+
+
 @pytest.fixture(scope="module")
 def solved() -> list[DiscShape]:
     return []
 
 
 @pytest.fixture(scope="module")
-def table(solved: list[DiscShape]) -> DiscTable:
+def table(solved: list[DiscShape], coarse: None) -> DiscTable:
     def solve(several: Sequence[DiscShape]) -> list[ElasticDisc]:
         solved.extend(several)
         return [solve_dimensionless(shape) for shape in several]
