@@ -47,7 +47,7 @@ class SharedFigures:
         return self._confusion[level]
 
     def touch_response(self, touch: str) -> Complex:
-        """Pressure at the microphones per touch, (n_design, n_point, n_microphone, n_freq) complex128, Pa per unit of it.
+        """Pressures at the microphones per touch, (n_design, n_point, n_microphone, n_freq) complex128, Pa per unit.
 
         Args:
             touch: "displacement" (m), "force" (N) or "pressure" (Pa).
