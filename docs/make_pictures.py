@@ -9,6 +9,7 @@ import sys
 from pathlib import Path
 
 import geometry
+from geometry.assembly.model import array_model
 from geometry.pictures.mold_cut import mold_section
 from geometry.pictures.views import exploded_view, top_view
 
@@ -19,12 +20,11 @@ MADE = ("array-2x6", "fingertip-3x4", "fingertip-4x6", "glove", "large-area-64")
 
 def draw(name: str) -> list[Path]:
     """The three pictures of one prototype."""
-    design = geometry.prototype(name)
-    parts = geometry.build_parts(design)
+    model = array_model(geometry.prototype(name))
     return [
-        top_view(design, IMAGES / f"{name}-top.png", parts, (1200, 750)),
-        exploded_view(design, IMAGES / f"{name}-exploded.png", parts, (1200, 750)),
-        mold_section(design, IMAGES / f"{name}-mold.png", parts, (1200, 600)),
+        top_view(model, IMAGES / f"{name}-top.png", (1200, 750)),
+        exploded_view(model, IMAGES / f"{name}-exploded.png", (1200, 750)),
+        mold_section(model, IMAGES / f"{name}-mold.png", (1200, 600)),
     ]
 
 

@@ -19,6 +19,7 @@ from geometry.assembly.parts import PartSet, build_parts
 from geometry.design.array_design import ArrayDesign
 from geometry.files.writing import write_text
 from geometry.layout.cutting import Cut, cutting_list
+from geometry.layout.placement import ArrayLayout
 from geometry.molds.mold import MoldKind
 from geometry.refusal import Refusal
 from geometry.stated.parts import BOARD_SEAL
@@ -166,20 +167,26 @@ class Bill:
         )
 
 
-def bill_of_materials(design: ArrayDesign, parts: PartSet | None = None, prices: Prices | None = None) -> Bill:
+def bill_of_materials(
+    design: ArrayDesign,
+    parts: PartSet | None = None,
+    prices: Prices | None = None,
+    layout: ArrayLayout | None = None,
+) -> Bill:
     """What one array takes of resin, silicone, spring, sheath, microphones, gaskets and glue.
 
     Args:
         design: the array.
         parts: of :func:`geometry.build_parts`, where they exist already.
         prices: instead of the assumed ones.
+        layout: where its parts lie, where it is known already.
     """
-    parts = build_parts(design) if parts is None else parts
+    parts = build_parts(design, layout) if parts is None else parts
     prices = prices or Prices()
     volumes = _millilitres(parts)
     made = [name for name in parts if parts.origin(name) != "bought" and parts.counts[name]]
     items = [_made(name, _use(parts, name), volumes[name], parts.counts[name], design, prices) for name in made]
-    cuts = cutting_list(design)
+    cuts = cutting_list(design, layout)
     items += _springs(cuts, prices) + _sheaths(cuts, prices)
     microphone, count = design.microphone, len(design.microphones)
     items.append(BillItem(microphone.model, "bought", count, count, "pieces", prices.microphone))

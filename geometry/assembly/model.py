@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from geometry.assembly.parts import Kind, PlacedPart, build_parts, place_parts
+from geometry.assembly.parts import Kind, PartSet, PlacedPart, build_parts, place_parts
 from geometry.design.array_design import ArrayDesign
 from geometry.layout.arrangement import lay_out
 from geometry.layout.placement import ArrayLayout, TubePlacement
@@ -38,6 +38,8 @@ class ArrayModel:
     """Design that it was drawn from."""
     layout: ArrayLayout
     """Where everything lies."""
+    parts: PartSet
+    """Made parts, as :func:`geometry.build_parts` draws them."""
     shapes: Mapping[str, cq.Shape]
     """Each distinct part by name, in its own coordinates, mm."""
     placed: tuple[PlacedPart, ...]
@@ -47,20 +49,23 @@ class ArrayModel:
 
 
 def array_model(
-    design: ArrayDesign, parts: Mapping[str, cq.Workplane] | None = None, layout: ArrayLayout | None = None
+    array: ArrayDesign | ArrayModel, parts: PartSet | None = None, layout: ArrayLayout | None = None
 ) -> ArrayModel:
     """Put an array together from its printed and cast parts, its tubes and its microphones.
 
     Membranes are shown as mounted, stretched where the design stretches them.
 
     Args:
-        design: the array.
+        array: the design; what is put together already is returned as it is.
         parts: of :func:`geometry.build_parts`, where they exist already.
         layout: where its parts lie, where it is known already.
 
     Raises:
         Refusal: a part is not one valid solid.
     """
+    if isinstance(array, ArrayModel):
+        return array
+    design = array
     layout = lay_out(design) if layout is None else layout
     parts = build_parts(design, layout) if parts is None else parts
     placed = place_parts(design, layout)
@@ -72,13 +77,14 @@ def array_model(
     return ArrayModel(
         design,
         layout,
+        parts,
         {**shapes, **tube_shapes, "microphone-package": package},
         (*placed, *tubes, *packages),
         tuple(tube for tube in layout.tubes if tube.schematic),
     )
 
 
-def build_assembly(design: ArrayDesign, parts: Mapping[str, cq.Workplane] | None = None) -> cq.Assembly:
+def build_assembly(design: ArrayDesign, parts: PartSet | None = None) -> cq.Assembly:
     """The array as a CadQuery assembly with a named component per point, microphone and tube.
 
     Copies of a part share its shape. Tubes that are drawn schematically are left out. To write it as STEP with the

@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from geometry.assembly.model import ArrayModel
 from geometry.assembly.parts import place_parts
 from geometry.design.array_design import ArrayDesign
 from geometry.files.writing import write_text
@@ -69,10 +70,18 @@ class AssemblyStep:
     """The tube that follows; None at the second microphone."""
 
 
-def assembly_steps(design: ArrayDesign) -> tuple[AssemblyStep, ...]:
-    """Steps line by line from microphone to microphone; one that joins several lines stands at the end of each."""
-    layout = lay_out(design)
-    parts = {part.group: part for part in place_parts(design, layout) if part.kind in ("shell", "housing")}
+def assembly_steps(array: ArrayDesign | ArrayModel) -> tuple[AssemblyStep, ...]:
+    """Steps line by line from microphone to microphone; one that joins several lines stands at the end of each.
+
+    Args:
+        array: the design, or what :func:`geometry.assembly.model.array_model` put together of it already.
+    """
+    if isinstance(array, ArrayModel):
+        design, layout, placed = array.design, array.layout, array.placed
+    else:
+        design, layout = array, lay_out(array)
+        placed = place_parts(design, layout)
+    parts = {part.group: part for part in placed if part.kind in ("shell", "housing")}
     tubes = {(tube.line, tube.segment): tube for tube in layout.tubes}
     ports = {m.name: {(p.line, p.end): p.angle for p in m.ports} for m in layout.microphones}
     steps = []
@@ -94,13 +103,18 @@ def assembly_steps(design: ArrayDesign) -> tuple[AssemblyStep, ...]:
     return tuple(steps)
 
 
-def write_assembly_table(design: ArrayDesign, folder: str | os.PathLike[str]) -> tuple[Path, Path]:
+def write_assembly_table(array: ArrayDesign | ArrayModel, folder: str | os.PathLike[str]) -> tuple[Path, Path]:
     """Write ``assembly.csv`` and ``assembly.txt`` into a folder that exists; each whole or not at all.
+
+    Args:
+        array: as for :func:`assembly_steps`.
+        folder: where they are written.
 
     Returns:
         The two paths.
     """
-    steps, folder = assembly_steps(design), Path(folder)
+    steps, folder = assembly_steps(array), Path(folder)
+    design = array.design if isinstance(array, ArrayModel) else array
     table, page = folder / "assembly.csv", folder / "assembly.txt"
     write_text(table, _csv(steps))
     write_text(page, assembly_text(design, steps))

@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
 from pathlib import Path
 
 import cadquery as cq
 
-from geometry.assembly.model import LOOKS
-from geometry.assembly.parts import build_parts
+from geometry.assembly.model import LOOKS, ArrayModel, array_model
 from geometry.design.array_design import ArrayDesign
 from geometry.molds.mold import Mold, mold_counts, mold_kinds
 from geometry.molds.plan import plan_mold
@@ -19,16 +17,16 @@ _COLOURS = {"mold-base": "#d9c27a", "mold-lid": "#8fa7b8", "mold-scraper": "#8fa
 
 
 def mold_section(
-    design: ArrayDesign,
+    array: ArrayDesign | ArrayModel,
     path: str | os.PathLike[str],
-    parts: Mapping[str, cq.Workplane] | None = None,
     size: tuple[int, int] = (1600, 800),
 ) -> Path:
     """Render the mold as it lies closed with silicone in it, cut through the axes of its first row of cavities.
 
     Shims are left out. Arguments as for :func:`geometry.pictures.views.draw_array`.
     """
-    parts = build_parts(design) if parts is None else parts
+    model = array_model(array)
+    design, parts = model.design, model.parts
     names = [name for name, kind in mold_kinds(design).items() if kind != "mold-shim"]
     plan = plan_mold(design)
     mold = Mold({name: parts[name] for name in names}, mold_counts(design), plan)

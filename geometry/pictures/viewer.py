@@ -5,19 +5,17 @@ from __future__ import annotations
 import html
 import json
 import os
-from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from geometry.assembly.model import LOOKS, ArrayModel, Kind, array_model
-from geometry.assembly.table import assembly_text
+from geometry.assembly.table import assembly_steps, assembly_text
 from geometry.design.array_design import ArrayDesign
 from geometry.files.writing import whole_file
 
 if TYPE_CHECKING:
-    import cadquery as cq
     import trimesh
 
 #: Facets for the eye: within this part of a shape's size and this angle (rad).
@@ -35,36 +33,31 @@ _NAMES: dict[Kind, str] = {
 }
 
 
-def write_gltf(
-    design: ArrayDesign, path: str | os.PathLike[str], parts: Mapping[str, cq.Workplane] | None = None
-) -> Path:
+def write_gltf(array: ArrayDesign | ArrayModel, path: str | os.PathLike[str]) -> Path:
     """Write the array as binary glTF: metres, y up, one node per part by its label, each shape stored once.
 
     Args:
-        design: the array.
+        array: the design, or what :func:`geometry.assembly.model.array_model` put together of it already.
         path: of the ``.glb`` file; an existing one is replaced only by a complete one.
-        parts: of :func:`geometry.build_parts`, where they exist already.
     """
     # glTF is in metres with y up; ours is in millimetres with z up.
     to_gltf = np.array([[1, 0, 0, 0], [0, 0, 1, 0], [0, -1, 0, 0], [0, 0, 0, 1000]]) / 1000
-    return _whole(path, _scene(array_model(design, parts), to_gltf).export(file_type="glb"))
+    return _whole(path, _scene(array_model(array), to_gltf).export(file_type="glb"))
 
 
-def write_viewer(
-    design: ArrayDesign, path: str | os.PathLike[str], parts: Mapping[str, cq.Workplane] | None = None
-) -> Path:
+def write_viewer(array: ArrayDesign | ArrayModel, path: str | os.PathLike[str]) -> Path:
     """Write one HTML page that shows the array in any browser, without a network: turn, zoom, hide kinds of parts.
 
     The page holds the model as glTF and trimesh's viewer, which is made with three.js (both MIT licence).
 
     Args:
-        design: the array.
+        array: the design, or what :func:`geometry.assembly.model.array_model` put together of it already.
         path: of the page; an existing one is replaced only by a complete one.
-        parts: of :func:`geometry.build_parts`, where they exist already.
     """
     from trimesh.viewer import scene_to_html
 
-    model = array_model(design, parts)
+    model = array_model(array)
+    design = model.design
     scene = _scene(model, np.eye(4))
     scene.set_camera(angles=_SEEN_FROM)
     page = scene_to_html(scene)
@@ -80,7 +73,7 @@ def write_viewer(
         name=html.escape(design.name),
         facts=html.escape(f"{design.point_count} points, {len(design.microphones)} microphones"),
         switches=switches,
-        table=html.escape(assembly_text(design)),
+        table=html.escape(assembly_text(design, assembly_steps(model))),
         labels=json.dumps(labels),
     )
     title = f"<title>{html.escape(design.name)}</title>"

@@ -16,7 +16,6 @@ import pyvista as pv
 from numpy.typing import NDArray
 
 from geometry.assembly.model import LOOKS, ArrayModel, Kind, array_model
-from geometry.assembly.parts import PartSet, build_parts
 from geometry.design.array_design import ArrayDesign
 from geometry.pictures.canvas import aim, draw_labels, open_plotter, polydata, save_picture
 from geometry.plan.cylinder import Cylinder
@@ -54,9 +53,8 @@ _LEADS_AWAY = 0.1
 
 
 def draw_array(
-    design: ArrayDesign,
+    array: ArrayDesign | ArrayModel,
     path: str | os.PathLike[str],
-    parts: Mapping[str, cq.Workplane] | None = None,
     size: tuple[int, int] = (1600, 1000),
 ) -> Path:
     """Render the whole array with translucent shells, numbered points and named microphones.
@@ -64,12 +62,11 @@ def draw_array(
     Tubes drawn schematically (see :func:`geometry.layout.arrangement.lay_out`) have a colour of their own.
 
     Args:
-        design: the array.
+        array: the design, or what :func:`geometry.assembly.model.array_model` put together of it already.
         path: of the PNG.
-        parts: of :func:`geometry.build_parts`, where they exist already.
         size: width and height in pixels.
     """
-    model = array_model(design, parts)
+    model = array_model(array)
     plotter = open_plotter(size)
     _add_parts(plotter, model)
     _add_schematic(plotter, model)
@@ -82,13 +79,12 @@ def draw_array(
 
 
 def top_view(
-    design: ArrayDesign,
+    array: ArrayDesign | ArrayModel,
     path: str | os.PathLike[str],
-    parts: Mapping[str, cq.Workplane] | None = None,
     size: tuple[int, int] = (1600, 1000),
 ) -> Path:
     """Render the whole array from straight above, with a scale bar. Arguments as for :func:`draw_array`."""
-    model = array_model(design, parts)
+    model = array_model(array)
     plotter = open_plotter(size)
     _add_parts(plotter, model)
     _add_schematic(plotter, model)
@@ -103,9 +99,8 @@ def top_view(
 
 
 def exploded_view(
-    design: ArrayDesign,
+    array: ArrayDesign | ArrayModel,
     path: str | os.PathLike[str],
-    parts: Mapping[str, cq.Workplane] | None = None,
     size: tuple[int, int] = (1600, 1000),
 ) -> Path:
     """Render the array pulled apart, away from what it stands on, one layer per kind, each named with its count.
@@ -114,9 +109,9 @@ def exploded_view(
     the first microphone and the points next to it are shown. Tubes that are drawn schematically are left out.
     Arguments as for :func:`draw_array`.
     """
-    model = array_model(design, parts)
+    model = array_model(array)
     counts = Counter(part.kind for part in model.placed)
-    if design.point_count > _MOST_EXPLODED:
+    if model.design.point_count > _MOST_EXPLODED:
         model = _first_of(model, _EXCERPT)
     boxes = {kind: _bounds(model, kind) for kind in _LEVELS if any(p.kind == kind for p in model.placed)}
     low, high = np.min([low for low, _ in boxes.values()], axis=0), np.max([high for _, high in boxes.values()], axis=0)
@@ -136,8 +131,8 @@ def exploded_view(
         kinds = [kind for kind, own in _LEVELS.items() if own == level and counts[kind]]
         names.append(", ".join(f"{counts[kind]} {_PLURALS[kind]}" for kind in kinds))
         anchors.append((*start, step * level))
-    if design.point_count > _MOST_EXPLODED:
-        names.append(f"shown: {_EXCERPT} of {design.point_count} points")
+    if model.design.point_count > _MOST_EXPLODED:
+        names.append(f"shown: {_EXCERPT} of {model.design.point_count} points")
         anchors.append((*start, -step))
     draw_labels(plotter, anchors, names, 20, ("right", "center"))
     aim(plotter, (1.0, 0.25, slope) if tall else (0.25, -1.0, slope), left=_NAMES_LEFT)
@@ -179,9 +174,8 @@ def _exploded(width: float, depth: float, thick: float, layers: int, size: tuple
 
 
 def draw_point(
-    design: ArrayDesign,
+    array: ArrayDesign | ArrayModel,
     path: str | os.PathLike[str],
-    parts: PartSet | None = None,
     size: tuple[int, int] = (1600, 1000),
 ) -> Path:
     """Render the parts of one point pulled apart: shell and membrane, beside them the open mold.
@@ -189,7 +183,8 @@ def draw_point(
     A quarter of the shell and of the mold is cut away to show the cavity, a port and the groove. Arguments as
     for :func:`draw_array`; the shell is the first one of the design.
     """
-    parts = build_parts(design) if parts is None else parts
+    model = array_model(array)
+    design, parts = model.design, model.parts
     shell = next(name for name in parts if parts.kinds[name] == "shell")
     mold = parts["mold-base"].val().BoundingBox()
     cover = "mold-scraper" if design.mold.kind == "open-face" else "mold-lid"

@@ -164,11 +164,12 @@ def sealed_cup(facets: Tessellation, narrowest_hole: float, upside_down: bool = 
     largest, place = 0.0, None
     for layer in reversed(order) if upside_down else order:
         labels, count = ndimage.label(~solid[:, :, layer])
-        labels = groups.add(labels, count)
+        labels, shown = groups.add(labels, count)
         touching = (labels > 0) & (before > 0)
-        for first, second in np.unique(np.stack([labels[touching], before[touching]]), axis=1).T.tolist():
-            groups.join(first, second)
-        cells, root = groups.largest_closed(labels)
+        bound = shown.stop  # more than any group before: two numbers as one, which sorts much faster than pairs
+        for pair in np.unique(labels[touching] * bound + before[touching]).tolist():
+            groups.join(*divmod(pair, bound))
+        cells, root = groups.largest_closed(shown)
         if cells * step**3 > largest:
             i, j = np.argwhere(labels > 0)[np.flatnonzero([groups.root(k) == root for k in labels[labels > 0]])[0]]
             x, y, z = (low + (np.array([i - 1, j - 1, layer]) + 0.5) * step).tolist()
@@ -184,14 +185,14 @@ class _Groups:
         self._parent = [0]
         self._cells = [0]
 
-    def add(self, labels: NDArray[Any], count: int) -> NDArray[np.int64]:
-        """New groups for the labels of a layer; what touches its border, label of the corner, is outside."""
+    def add(self, labels: NDArray[Any], count: int) -> tuple[NDArray[np.int64], range]:
+        """New groups for the labels of a layer, in it and in all; what touches its border, as its corner, is outside."""
         shift = len(self._parent) - 1
         self._parent += range(shift + 1, shift + 1 + count)
         self._cells += np.bincount(labels.ravel(), minlength=count + 1)[1:].tolist()
         placed = np.where(labels > 0, labels.astype(np.int64) + shift, 0)
         self.join(int(placed[0, 0]), 0)
-        return placed
+        return placed, range(shift + 1, shift + 1 + count)
 
     def root(self, group: int) -> int:
         """The group that a group was joined to."""
@@ -207,9 +208,9 @@ class _Groups:
             self._parent[drop] = keep
             self._cells[keep] += self._cells[drop]
 
-    def largest_closed(self, labels: NDArray[np.int64]) -> tuple[int, int]:
+    def largest_closed(self, shown: range) -> tuple[int, int]:
         """Cells and root of the largest group that shows in a layer and is not outside."""
-        roots = {self.root(group) for group in np.unique(labels[labels > 0]).tolist()} - {0}
+        roots = {self.root(group) for group in shown} - {0}
         return max(((self._cells[root], root) for root in roots), default=(0, 0))
 
 

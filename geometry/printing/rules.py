@@ -66,10 +66,11 @@ def judge_printed(
         process: with its rules.
         parameters: what the part was generated from; gaps to what is put into it are judged where they are known.
     """
-    from geometry.printing.walls import narrowest_gap, thinnest_wall
+    from geometry.printing.walls import Faces, narrowest_gap, thinnest_wall
     from geometry.solids.measure import inner_voids, rounds
 
-    wall, gap = thinnest_wall(solid, facets), narrowest_gap(solid, facets)
+    faces = Faces(solid, facets)
+    wall, gap = thinnest_wall(faces), narrowest_gap(faces)
     findings = [_by_rule(name, "thinnest wall", wall.value, "mm", process.wall, wall.place)]
     round_ones = rounds(solid)
     holes = [one for one in round_ones if one.hollow]

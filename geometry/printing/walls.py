@@ -34,47 +34,55 @@ _CONTACT = 1e-6
 Pair = tuple[int, int]
 
 
-def thinnest_wall(solid: cq.Shape, facets: Tessellation) -> Spot:
-    """Smallest distance through the material between faces that face each other.
-
-    Rays go inwards from 40 places of every face. A first hit counts where its facet faces the start within 15
-    degrees. Of faces that share no corner and might be closer than that, the smallest distance is measured on the
-    solid; it counts where both faces look along it within 40 degrees. Infinite when nothing is opposed.
+class Faces:
+    """Faces of a part, made ready once for its walls and its gaps.
 
     Args:
         solid: the part, one valid solid.
         facets: of the solid; their ``faces`` count its faces.
     """
-    return _narrowest(solid, facets, -1.0)
+
+    def __init__(self, solid: cq.Shape, facets: Tessellation) -> None:
+        self.faces, self.skin, self.deviation = solid.Faces(), Skin(facets), facets.deviation
+        self.material = BRepClass3d_SolidClassifier(solid.wrapped)
+        self.joined = _joined(self.faces)
+        order = np.argsort(self.skin.faces, kind="stable")
+        ends = np.searchsorted(self.skin.faces[order], np.arange(1, len(self.faces)))
+        self.sides = [_Side(self.skin, own) for own in np.split(order, ends)]
+        self.locator = _locator(self.skin)
 
 
-def narrowest_gap(solid: cq.Shape, facets: Tessellation) -> Spot:
+def thinnest_wall(faces: Faces) -> Spot:
+    """Smallest distance through the material between faces that face each other.
+
+    Rays go inwards from 40 places of every face. A first hit counts where its facet faces the start within 15
+    degrees. Of faces that share no corner and might be closer than that, the smallest distance is measured on the
+    solid; it counts where both faces look along it within 40 degrees. Infinite when nothing is opposed.
+    """
+    return _narrowest(faces, -1.0)
+
+
+def narrowest_gap(faces: Faces) -> Spot:
     """Smallest distance through air between different faces that face each other, as :func:`thinnest_wall`.
 
     A bore faces only itself: it is a hole, not a gap.
     """
-    return _narrowest(solid, facets, 1.0)
+    return _narrowest(faces, 1.0)
 
 
-def _narrowest(solid: cq.Shape, facets: Tessellation, sense: float) -> Spot:
-    skin = Skin(facets)
-    seen = _seen(skin, sense)
+def _narrowest(part: Faces, sense: float) -> Spot:
+    seen = _seen(part, sense)
     bound = min((spot.value for spot in seen.values()), default=math.inf)
-    faces = solid.Faces()
-    joined = _joined(faces)
-    material = BRepClass3d_SolidClassifier(solid.wrapped)
-    order = np.argsort(skin.faces, kind="stable")
-    ends = np.searchsorted(skin.faces[order], np.arange(1, len(faces)))
-    sides = [_Side(skin, own) for own in np.split(order, ends)]
+    faces, sides = part.faces, part.sides
     best, measured = Spot(math.inf, None), set()
-    for apart, pair in _near(sides, bound + 2 * facets.deviation, facets.deviation):
-        if pair in joined:
+    for apart, pair in _near(sides, bound + 2 * part.deviation, part.deviation):
+        if pair in part.joined:
             continue
         if apart < best.value:
             first, second = pair
             if not sides[first].may_face(sides[second], sense):
                 continue
-            found = _between(material, faces[first], faces[second], sense, best.value)
+            found = _between(part.material, faces[first], faces[second], sense, best.value)
             if found is None:
                 continue  # where they are closest they do not face each other: what rays saw of them stands
             best = min(best, found, key=_value)
@@ -118,10 +126,10 @@ def _near(sides: list[_Side], within: float, margin: float) -> list[tuple[float,
 
 
 def _joined(faces: list[cq.Face]) -> set[Pair]:
-    """Pairs of faces that share a corner or an edge."""
+    """Pairs of faces that share a corner; those that share an edge share the corners at its ends."""
     owners: dict[Any, list[int]] = {}
     for index, face in enumerate(faces):
-        for corner in {*face.Vertices(), *face.Edges()}:
+        for corner in set(face.Vertices()):
             owners.setdefault(corner, []).append(index)
     return {pair for indices in owners.values() for pair in combinations(sorted(set(indices)), 2)}
 
@@ -154,10 +162,10 @@ def _cosine(degrees: float) -> float:
 
 
 # -- rays -----------------------------------------------------------------------------------------------------
-def _seen(skin: Skin, sense: float) -> dict[Pair, Spot]:
+def _seen(part: Faces, sense: float) -> dict[Pair, Spot]:
     """Faces that see each other along rays, first the one with the lower number, and the shortest of their rays."""
     random = np.random.default_rng(0)
-    locator = _locator(skin)
+    skin, locator = part.skin, part.locator
     reach = float(np.linalg.norm(np.ptp(skin.vertices, axis=0))) + 1.0
     shortest: dict[Pair, Spot] = {}
     t, sub, cell, hit, inner = mutable(0.0), mutable(0), mutable(0), [0.0] * 3, [0.0] * 3

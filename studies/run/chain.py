@@ -13,7 +13,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from geometry.design.array_design import ArrayDesign
-from geometry.layout.arrangement import lay_out
 from geometry.layout.overlaps import buildability_notes
 from geometry.layout.size import array_size
 from geometry.refusal import Refusal
@@ -27,7 +26,7 @@ from studies.run.result import RunResult
 
 if TYPE_CHECKING:
     from acoustic_fem import Library
-    from geometry.assembly.parts import PartSet
+    from geometry.assembly.model import ArrayModel
     from geometry.formats.part_files import ExportedFile
     from geometry.printing.report import PrintReport
     from localize import Evaluation, Localizer, TrainingPlan
@@ -80,7 +79,7 @@ def run_design(
     grid = np.asarray(FREQUENCY if frequency is None else frequency, np.float64)
 
     with show.stage("Parts") as report:
-        parts, files, printing, figures = _make_parts(design, folder, report)
+        model, files, printing, figures = _make_parts(design, folder, report)
     library, lumped, limits = _solved(design, grid, fidelity, folder, show)
     distances = separability(library.transfer_function)
     localizer, network, bayes = _judged_localizer(library, training, folder, show)
@@ -104,9 +103,10 @@ def run_design(
         training={**localizer.training, "plan": dict(localizer.plan)},
         localizer_provenance=localizer.provenance,
         printing=printing,
-        part_counts=parts.counts,
+        layout=model.layout,
+        part_counts=model.parts.counts,
         files=files,
-        layout_notes=buildability_notes(design, lay_out(design)),
+        layout_notes=buildability_notes(design, model.layout),
         validity=model_validity(design, library.medium, worst_heard(library.transfer_function, BAND[1])[0]),
         warnings=limits,
         figures=figures,
@@ -171,32 +171,35 @@ def _said_of_models(caught: list[warnings.WarningMessage], show: Display) -> tup
 # -- stages ------------------------------------------------------------------------------------------------
 def _make_parts(
     design: ArrayDesign, folder: Path, report: Report
-) -> tuple[PartSet, tuple[ExportedFile, ...], PrintReport, dict[str, Path]]:
-    from geometry import build_parts, export, print_report
+) -> tuple[ArrayModel, tuple[ExportedFile, ...], PrintReport, dict[str, Path]]:
+    from geometry import export, print_report
+    from geometry.assembly.model import array_model
+    from geometry.formats.part_files import tessellate_distinct
     from geometry.pictures.views import draw_array, draw_point
     from studies.output.figure_style import crop_picture
 
     report("CAD", 0.0)
-    parts = build_parts(design)
+    model = array_model(design)
     report("STL, STEP and 3MF", 0.2)
+    shapes = tessellate_distinct(model.parts)
     with replaced_folder(folder / "parts") as fresh:
-        written = export(parts, fresh)
+        written = export(model.parts, fresh, shapes=shapes)
     files = tuple(replace(file, path=folder / "parts" / file.path.name) for file in written)
     report("print rules", 0.5)
-    printing = print_report(parts, design=design)
+    printing = print_report(model.parts, design=design, shapes=shapes)
     report("pictures", 0.7)
     figures = {
-        "array": draw_array(design, folder / "figures" / "array.png", parts, size=(1600, _picture_height(design))),
-        "point": draw_point(design, folder / "figures" / "point.png", parts, size=POINT_PICTURE),
+        "array": draw_array(model, folder / "figures" / "array.png", size=(1600, _picture_height(model))),
+        "point": draw_point(model, folder / "figures" / "point.png", size=POINT_PICTURE),
     }
     for path in figures.values():
         crop_picture(path)
-    return parts, files, printing, figures
+    return model, files, printing, figures
 
 
-def _picture_height(design: ArrayDesign) -> int:
+def _picture_height(model: ArrayModel) -> int:
     """Pixels of a picture 1600 wide in which the array is as large as can be, with room for names."""
-    width, depth, _ = array_size(design)
+    width, depth, _ = array_size(model.design, model.layout)
     return int(np.clip(1600 * (0.15 + depth / width), 500, 1400))
 
 

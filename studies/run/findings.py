@@ -148,7 +148,7 @@ def agreement_sentence(result: RunResult) -> str:
 def key_figures(result: RunResult) -> list[KeyFigure]:
     """Lines of the table of key figures."""
     design, h = result.design, result.library.transfer_function
-    *sides, height = array_size(design)
+    *sides, height = array_size(design, result.layout)
     first, second = result.separability.equally_hard[0]
     level, phase, distance = result.separability.between(first, second)
     network, bayes = result.network, result.bayes

@@ -78,7 +78,7 @@ def export_parts(
 def _make(
     design: ArrayDesign, folder: Path, formats: Sequence[str], process: PrintProcess, report: Report
 ) -> MadeParts:
-    from geometry import build_parts, export, print_report
+    from geometry import export, print_report
     from geometry.assembly.bill import bill_of_materials, write_bill
     from geometry.assembly.fit import misfits
     from geometry.assembly.model import array_model
@@ -92,7 +92,8 @@ def _make(
     from geometry.printing.report_files import write_report
 
     report("drawing the parts", 0.0)
-    parts = build_parts(design)
+    model = array_model(design)
+    parts = model.parts
     shapes = tessellate_distinct(parts, progress=lambda part, done: report(part, 0.1 + 0.25 * done))
     files = export(parts, folder, formats, progress=lambda part, done: report(part, 0.1 + 0.25 * done), shapes=shapes)
     report("plates", 0.35)
@@ -102,24 +103,23 @@ def _make(
     )
     _, page = write_report(printing, folder, design.name, files)
     report("bill of materials", 0.65)
-    bill = bill_of_materials(design, parts)
+    bill = bill_of_materials(design, parts, layout=model.layout)
     write_bill(bill, folder)
     report("assembly.step", 0.68)
-    write_assembly_table(design, folder)
-    model = array_model(design, parts)
+    write_assembly_table(model, folder)
     write_step(model, folder / "assembly.step")
     report("fit", 0.75)
     in_the_way = misfits(model)
     report("array.glb", 0.78)
-    write_gltf(design, folder / "array.glb", parts)
+    write_gltf(model, folder / "array.glb")
     report("array.html", 0.82)
-    write_viewer(design, folder / "array.html", parts)
+    write_viewer(model, folder / "array.html")
     report("top-view.png", 0.87)
-    top_view(design, folder / "top-view.png", parts)
+    top_view(model, folder / "top-view.png")
     report("exploded-view.png", 0.91)
-    exploded_view(design, folder / "exploded-view.png", parts)
+    exploded_view(model, folder / "exploded-view.png")
     report("mold-section.png", 0.96)
-    mold_section(design, folder / "mold-section.png", parts)
+    mold_section(model, folder / "mold-section.png")
     report("done", 1.0)
     notes = buildability_notes(design, model.layout)
     return MadeParts(design, page, files, printing, bill, plates.too_large, notes, in_the_way)

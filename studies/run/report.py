@@ -13,7 +13,6 @@ import numpy as np
 
 import studies
 from geometry.files.writing import write_text
-from geometry.layout.arrangement import lay_out
 from geometry.layout.cutting import cutting_list
 from studies.metrics.pairs import BAND
 from studies.output.display import number
@@ -58,7 +57,7 @@ def render(result: RunResult) -> str:
         lstrip_blocks=True,
     )
     environment.filters["number"] = number
-    layout = lay_out(result.design)
+    layout = result.layout
     return environment.get_template("report.html").render(
         style=(resources.files(studies) / "templates" / "report.css").read_text(encoding="utf-8"),
         result=result,

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from geometry.design.array_design import ArrayDesign
+from geometry.layout.placement import ArrayLayout
 from studies.metrics.pairs import Disagreement
 from studies.metrics.separation import Separability
 from studies.run.check import Validity
@@ -49,6 +50,8 @@ class RunResult:
     """Provenance of the localizer."""
     printing: PrintReport
     """Report of the print rules on the parts."""
+    layout: ArrayLayout
+    """Where everything lies."""
     part_counts: Mapping[str, int]
     """Number of each part."""
     files: tuple[ExportedFile, ...]

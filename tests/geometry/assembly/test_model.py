@@ -235,7 +235,7 @@ def test_pictures_show_all_kinds_of_parts(view, tmp_path):
 
     from geometry.pictures import views
 
-    path = getattr(views, view)(geometry.prototype("array-2x6"), tmp_path / "view.png", size=(800, 500))
+    path = getattr(views, view)(put_together("array-2x6"), tmp_path / "view.png", size=(800, 500))
     red, green, blue = np.asarray(pv.read(path).active_scalars).reshape(-1, 3).astype(int).T
     assert len(red) == 800 * 500
     dark = (red < 90) & (abs(red - green) < 12) & (abs(green - blue) < 12)
@@ -253,7 +253,7 @@ def test_the_layers_of_an_exploded_view_lie_clear_of_each_other_and_fill_the_pic
 
     from geometry.pictures.views import exploded_view
 
-    image = pv.read(exploded_view(geometry.prototype(name), tmp_path / "view.png", size=(800, 500)))
+    image = pv.read(exploded_view(put_together(name), tmp_path / "view.png", size=(800, 500)))
     # Rows from the bottom of the picture.
     red, green, blue = np.moveaxis(np.asarray(image.active_scalars).reshape(500, 800, 3).astype(int), -1, 0)
     shells, springs = (blue > red + 10) & (blue > green), (red > blue + 60) & (green > blue + 40)
@@ -270,7 +270,7 @@ def test_the_gltf_model_is_in_metres_with_a_node_per_part(tmp_path):
     import trimesh
 
     model = put_together("array-2x6")
-    scene = trimesh.load_scene(write_gltf(model.design, tmp_path / "array.glb"))
+    scene = trimesh.load_scene(write_gltf(model, tmp_path / "array.glb"))
     assert set(scene.graph.nodes_geometry) == {part.label.replace(" ", "_") for part in model.placed}
     assert len(scene.geometry) == len(model.shapes)
     compound = assembly_of(model).toCompound().BoundingBox()
@@ -285,7 +285,7 @@ def test_the_gltf_model_is_in_metres_with_a_node_per_part(tmp_path):
 def test_the_page_holds_the_model_and_asks_for_nothing_else(tmp_path):
     import trimesh
 
-    page = write_viewer(put_together("array-2x6").design, tmp_path / "array.html").read_text(encoding="utf-8")
+    page = write_viewer(put_together("array-2x6"), tmp_path / "array.html").read_text(encoding="utf-8")
     assert not re.search(r"""(src|href)\s*=\s*["']|@import|import\s*\(|fetch\(["']http""", page.split("</script>")[-2])
     assert not re.search(r"""<(script|link|img|iframe)[^>]+(src|href)=""", page)
     content = re.search(r'base64_data\s*=\s*"([A-Za-z0-9+/=]+)"', page)

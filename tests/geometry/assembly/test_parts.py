@@ -12,6 +12,7 @@ from scipy.integrate import quad
 import geometry
 from geometry.air.cells import cell_catalogue
 from geometry.air.volume import air_volume
+from geometry.assembly.model import array_model
 from geometry.assembly.parts import PartSet, build_parts, part_counts, place_parts
 from geometry.design.design_file import read_design
 from geometry.formats.part_files import tessellate_distinct
@@ -281,7 +282,7 @@ def test_pictures_show_shells_and_membranes(view, array, parts, tmp_path):
 
     from geometry.pictures import views
 
-    path = getattr(views, view)(array, tmp_path / "view.png", parts, size=(640, 400))
+    path = getattr(views, view)(array_model(array, parts), tmp_path / "view.png", size=(640, 400))
     assert [p.name for p in tmp_path.iterdir()] == ["view.png"]
     pixels = np.asarray(pv.read(path).active_scalars).reshape(-1, 3).astype(int)
     red, green, blue = pixels.T

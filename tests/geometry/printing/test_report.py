@@ -17,7 +17,7 @@ from geometry.printing.pose import find_pose
 from geometry.printing.report import print_report
 from geometry.printing.report_files import write_report
 from geometry.printing.tolerance import acoustic_effects
-from geometry.printing.walls import narrowest_gap, thinnest_wall
+from geometry.printing.walls import Faces, narrowest_gap, thinnest_wall
 from geometry.solids.bodies import one_solid
 from geometry.solids.measure import genus, hole_diameters, inner_voids, pinched_edges, rounds, tessellate
 from geometry.solids.membrane import build_membrane
@@ -51,7 +51,7 @@ def facets_of(solid):
 
 
 def wall_of(solid):
-    return thinnest_wall(solid, facets_of(solid))
+    return thinnest_wall(Faces(solid, facets_of(solid)))
 
 
 def cut_box(*holes, size=(10, 10, 5)):
@@ -118,7 +118,7 @@ def test_a_tapered_fin_is_as_thin_as_its_tip():
 def test_a_tapered_slot_is_as_narrow_as_its_floor():
     slot = cq.Workplane("XZ").workplane(offset=-6).polyline([(-0.05, 0), (0.05, 0), (0.6, 2), (-0.6, 2)]).close()
     slotted = cq.Workplane().box(10, 10, 4).cut(slot.extrude(12)).val()
-    assert narrowest_gap(slotted, facets_of(slotted)).value == pytest.approx(0.1, abs=1e-9)
+    assert narrowest_gap(Faces(slotted, facets_of(slotted))).value == pytest.approx(0.1, abs=1e-9)
 
 
 def test_the_web_of_the_glove_is_found_and_a_thinner_one_fails():
@@ -139,11 +139,11 @@ def test_the_web_of_the_glove_is_found_and_a_thinner_one_fails():
 
 def test_a_slot_is_a_gap_and_a_bore_is_not():
     slotted = cut_box(((0.3, 8, 5), (5, 1, 2)))
-    found = narrowest_gap(slotted, facets_of(slotted))
+    found = narrowest_gap(Faces(slotted, facets_of(slotted)))
     assert found.value == pytest.approx(0.3, abs=1e-9)
     assert found.place[0] == pytest.approx(5.15)
     bored = cq.Solid.makeBox(10, 10, 5).cut(cq.Solid.makeCylinder(0.4, 5, cq.Vector(5, 5, 0)))
-    assert narrowest_gap(bored, facets_of(bored)).value == math.inf
+    assert narrowest_gap(Faces(bored, facets_of(bored))).value == math.inf
 
 
 @pytest.mark.parametrize(("angle", "share"), [(45, math.sin(math.radians(45))), (19, math.sin(math.radians(19)))])
