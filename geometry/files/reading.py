@@ -8,7 +8,10 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-_LARGEST_FILE = 1_000_000  # bytes; a design of a hundred lines has ten thousand
+from geometry.files.ordinary import read_bytes
+
+LARGEST_TEXT = 1_000_000
+"""Most bytes of a text; a design of a hundred lines has ten thousand."""
 
 
 def read_text(path: str | os.PathLike[str], what: str, refusal: Callable[[str], Exception]) -> str:
@@ -20,21 +23,12 @@ def read_text(path: str | os.PathLike[str], what: str, refusal: Callable[[str], 
         refusal: makes the error of a message.
 
     Raises:
-        Exception: by ``refusal``: no such file, a folder, too large, not in UTF-8, or not readable.
+        Exception: by ``refusal``: no ordinary file that can be read, too large, or not in UTF-8.
     """
-    path = Path(path)
     try:
-        if path.is_file() and path.stat().st_size > _LARGEST_FILE:
-            raise refusal(f"{path}: {path.stat().st_size} bytes must be at most {_LARGEST_FILE} for {what}")
-        return path.read_bytes().decode("utf-8-sig")
-    except FileNotFoundError:
-        raise refusal(f"{path}: no such file") from None
-    except IsADirectoryError:
-        raise refusal(f"{path}: is a folder, not {what}") from None
+        return read_bytes(path, what, refusal, LARGEST_TEXT).decode("utf-8-sig")
     except UnicodeDecodeError as error:
         raise refusal(f"{path}: byte {error.start} is not UTF-8; {what} is a text in UTF-8") from None
-    except OSError as error:
-        raise refusal(f"{path}: cannot be read: {error.strerror}") from None
 
 
 def read_toml(path: str | os.PathLike[str], what: str, refusal: Callable[[str], Exception]) -> dict[str, Any]:

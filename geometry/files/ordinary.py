@@ -1,0 +1,103 @@
+"""The one check of a file before it is read: an ordinary one, of at most so many bytes; and what libraries raise then.
+
+Whoever reads a file that a user names calls :func:`ordinary_file` or :func:`read_bytes` first: a pipe would be waited
+for without end, a device read without end, and a folder gives each library another error. What a library raises while
+it reads becomes a refusal in :func:`library_reads`.
+"""
+
+from __future__ import annotations
+
+import os
+import stat
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from geometry.refusal import Refusal
+
+_KINDS = {
+    stat.S_IFDIR: "a folder",
+    stat.S_IFIFO: "a pipe",
+    stat.S_IFSOCK: "a socket",
+    stat.S_IFCHR: "a device",
+    stat.S_IFBLK: "a device",
+}
+
+
+def ordinary_file(
+    path: str | os.PathLike[str], what: str, refusal: Callable[[str], Exception], largest: int | None = None
+) -> Path:
+    """The path of a file that is there, is ordinary, may be read, and is not too large.
+
+    Args:
+        path: the file.
+        what: such as ``a design file``, for messages.
+        refusal: makes the error of a message.
+        largest: most bytes that it may have; by default any number.
+
+    Raises:
+        Exception: by ``refusal``: no such file, a folder, pipe, socket or device, not readable, or too large.
+    """
+    path = Path(path)
+    try:
+        status = path.stat()
+        kind = _KINDS.get(stat.S_IFMT(status.st_mode))
+        if kind is not None:
+            raise refusal(f"{path}: is {kind}, not {what}")
+        if largest is not None and status.st_size > largest:
+            raise refusal(f"{path}: {status.st_size} bytes must be at most {largest} for {what}")
+        path.open("rb").close()
+    except OSError as error:
+        raise refusal(f"{path}: {_reason(error)}") from None
+    except Refusal:
+        raise
+    except ValueError:  # what Python says of a name with a NUL byte
+        raise refusal(f"{path}: no such file: its name holds a NUL byte") from None
+    return path
+
+
+def read_bytes(
+    path: str | os.PathLike[str], what: str, refusal: Callable[[str], Exception], largest: int | None = None
+) -> bytes:
+    """The content of a file; arguments as for :func:`ordinary_file`.
+
+    Raises:
+        Exception: by ``refusal``, as there.
+    """
+    path = ordinary_file(path, what, refusal, largest)
+    try:
+        with path.open("rb") as file:
+            # Some files of the system state no length: what is read is bounded too.
+            content = file.read() if largest is None else file.read(largest + 1)
+    except OSError as error:
+        raise refusal(f"{path}: {_reason(error)}") from None
+    if largest is not None and len(content) > largest:
+        raise refusal(f"{path}: must be at most {largest} bytes for {what}")
+    return content
+
+
+@contextmanager
+def library_reads(path: str | os.PathLike[str], what: str, refusal: Callable[[str], Exception]) -> Iterator[None]:
+    """Refuse a file by its name, whatever a library raises while it reads it; around its call and nothing of ours.
+
+    Args:
+        path: the file.
+        what: what it should be, such as ``a MAT file up to version 7``, for messages.
+        refusal: makes the error of a message.
+
+    Raises:
+        Exception: by ``refusal``; what is a refusal already passes.
+    """
+    try:
+        yield
+    except Refusal:
+        raise
+    except Exception as error:
+        said = str(error) or type(error).__name__
+        raise refusal(f"{path}: cut short or not {what}: {said}") from None
+
+
+def _reason(error: OSError) -> str:
+    if isinstance(error, FileNotFoundError):
+        return "no such file"
+    return f"cannot be read: {error.strerror or error}"
