@@ -13,6 +13,7 @@ from . import (
     sound as sound,
 )
 from .library.netcdf_file import LibraryError as LibraryError, load as load, save as save
-from .library.result import FIDELITIES as FIDELITIES, Library as Library
+from .library.result import Library as Library
 from .library.solving import solve as solve
+from .quantities.fidelity import FIDELITIES as FIDELITIES
 from .quantities.medium import Medium as Medium

@@ -20,11 +20,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from acoustic_fem.cell.condensed import AirModel, BodyFaces, Physics, condense
+from acoustic_fem.cell.condensed import AirModel, BodyFaces, condense
 from acoustic_fem.cell.solid import checked_physics
 from acoustic_fem.duct import plane_wave
 from acoustic_fem.duct.meshed_section import MeshedSection
 from acoustic_fem.quantities.checks import frequency_grid, in_range, positive
+from acoustic_fem.quantities.fidelity import Physics
 from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.units import metres
 from geometry.air.wound_tube import FIRST, LAST, Winding, swept_mesh

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Literal
 
 import numpy as np
 import scipy.sparse as sp
@@ -18,13 +17,13 @@ from acoustic_fem.fields.diffusion import DiffusionField, diffusion_field, field
 from acoustic_fem.fields.helmholtz import pressure_system
 from acoustic_fem.fields.navier_stokes import WallMotion, cell_system, compliance_mass
 from acoustic_fem.numerics.rational_sweep import ReducedModel, reduce_system, require_passive
+from acoustic_fem.quantities.fidelity import Physics
 from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.units import metres
 from geometry.air.mesh import SolidMesh
 from geometry.refusal import Refusal
 
 Array = NDArray[np.complex128]
-Physics = Literal["navier-stokes", "helmholtz"]
 
 _LENGTH = metres(1.0)  # meshes are in mm
 

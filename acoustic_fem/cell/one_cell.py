@@ -43,6 +43,10 @@ CELL_MODEL_VERSION = 8
 _MODELS = ("heat", "viscous", "flow")
 
 
+#: Shapes of cavities by the word that tells them in the text of a task.
+_SHAPES: dict[str, type[Box | Dome]] = {shape.__name__: shape for shape in (Box, Dome)}
+
+
 #: Arrays and plain values of a solved cell, as the cache keeps them.
 CellRecord: TypeAlias = tuple[dict[str, NDArray[Any]], dict[str, Any]]
 
@@ -110,7 +114,10 @@ class CellTask:
 
     def as_json(self) -> str:
         """The task as text, for another process."""
-        return json.dumps(asdict(self))
+        plain = asdict(self)
+        if self.cell.shape is not None:
+            plain["cell"]["shape"]["kind"] = type(self.cell.shape).__name__
+        return json.dumps(plain)
 
     @classmethod
     def from_json(cls, text: str) -> CellTask:
@@ -118,7 +125,7 @@ class CellTask:
         plain = json.loads(text)
         ports = tuple(CellPort(**port) for port in plain["cell"].pop("ports"))
         sizes = plain["cell"].pop("shape")
-        shape = None if sizes is None else Dome(**sizes) if "depth" in sizes else Box(**sizes)
+        shape = None if sizes is None else _SHAPES[sizes.pop("kind")](**sizes)
         return cls(
             cell=Cell(**plain["cell"], ports=ports, shape=shape),
             medium=Medium(**plain["medium"]),

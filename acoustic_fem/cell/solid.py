@@ -18,21 +18,19 @@ from numpy.typing import ArrayLike, NDArray
 from acoustic_fem.fields.element_sizes import mesh_sizes
 from acoustic_fem.numerics.refinement import BEST_ORDER, Refinement, refined
 from acoustic_fem.quantities.checks import frequency_grid, in_range, numbers, port_points
+from acoustic_fem.quantities.fidelity import PHYSICS, Physics
 from acoustic_fem.quantities.medium import Medium
 from geometry.refusal import Refusal
 
 if TYPE_CHECKING:
     import cadquery
 
-    from acoustic_fem.cell.condensed import AirModel, BodyFaces, CondensedBody, Physics
+    from acoustic_fem.cell.condensed import AirModel, BodyFaces, CondensedBody
     from acoustic_fem.fields.diffusion import DiffusionField
     from geometry.air.mesh import MeshSizes, Point, SolidMesh
 
 #: Called with what is being done and the fraction of it that is done.
 Progress: TypeAlias = Callable[[str, float], None]
-
-#: 3-D models: the one to trust, and the scalar one for straight ducts and cross-checks.
-PHYSICS = ("navier-stokes", "helmholtz")
 
 _ACCURACY_RANGE = (2e-4, 3e-3)
 _USUAL_FLOW_SCALE, _USUAL_HEAT_SCALE = 1.0, 0.7
@@ -263,10 +261,9 @@ def checked_physics(fidelity: str) -> Physics:
     Raises:
         Refusal: another name.
     """
-    if fidelity == "navier-stokes":
-        return "navier-stokes"
-    if fidelity == "helmholtz":
-        return "helmholtz"
+    for name in PHYSICS:
+        if fidelity == name:
+            return name
     raise Refusal(f"fidelity = {fidelity!r} must be one of {', '.join(PHYSICS)} for a 3-D cell")
 
 

@@ -15,7 +15,6 @@ from numpy.typing import NDArray
 
 from acoustic_fem.library.result import (
     DEVIATION,
-    FIDELITIES,
     MEASURED,
     OPTIONAL,
     VARIABLES,
@@ -23,6 +22,7 @@ from acoustic_fem.library.result import (
     library_from_arrays,
 )
 from acoustic_fem.quantities.checks import frequency_grid
+from acoustic_fem.quantities.fidelity import FIDELITIES
 from acoustic_fem.quantities.medium import Medium
 from geometry.design.design_file import read_design, write_design
 from geometry.files.writing import whole_file

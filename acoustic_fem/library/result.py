@@ -16,8 +16,6 @@ from acoustic_fem.quantities.medium import Medium
 from geometry.design.array_design import ArrayDesign
 from geometry.layout.placement import point_places
 
-#: What the air of a cell may be computed with; the last is the one to trust.
-FIDELITIES = ("lumped", "helmholtz", "navier-stokes")
 #: What stands in place of a fidelity in a library made from recordings (:mod:`acoustic_fem.calibration`).
 MEASURED = "measured"
 
@@ -81,7 +79,7 @@ class Library:
     design: ArrayDesign
     """The array."""
     fidelity: str
-    """How the cells were computed, one of :data:`FIDELITIES`, or :data:`MEASURED`."""
+    """How the cells were computed, one of :data:`acoustic_fem.FIDELITIES`, or :data:`MEASURED`."""
     medium: Medium
     """The air."""
     provenance: Mapping[str, Any]
@@ -147,7 +145,7 @@ def library_from_arrays(
         frequency: (n_freq,) float64, ascending, Hz.
         values: complex128 arrays by the names of :data:`VARIABLES`, shaped and in units as listed there; those of
             :data:`OPTIONAL` may be missing.
-        fidelity: how the cells were computed, one of :data:`FIDELITIES`, or :data:`MEASURED`.
+        fidelity: how the cells were computed, one of :data:`acoustic_fem.FIDELITIES`, or :data:`MEASURED`.
         medium: the air.
         provenance: what made the values.
         deviation: (n_point, n_microphone, n_freq) float64, Pa/Pa, that of the transfer function, where it was measured.

@@ -9,8 +9,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from acoustic_fem.library.provenance import library_provenance
-from acoustic_fem.library.result import FIDELITIES, Library, library_from_arrays
+from acoustic_fem.library.result import Library, library_from_arrays
 from acoustic_fem.quantities.checks import frequency_grid
+from acoustic_fem.quantities.fidelity import FIDELITIES
 from acoustic_fem.quantities.medium import Medium
 from geometry.air.cells import Cell, cell_catalogue
 from geometry.design.array_design import ArrayDesign

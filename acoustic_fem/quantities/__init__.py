@@ -1,4 +1,4 @@
-"""The gas, SI conversion, checks of numbers.
+"""The gas, SI conversion, checks of numbers, names of fidelities.
 
 Stands on: nothing.
 """

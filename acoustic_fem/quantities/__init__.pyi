@@ -6,5 +6,6 @@ from .checks import (
     positive as positive,
     stated_grid as stated_grid,
 )
+from .fidelity import FIDELITIES as FIDELITIES, Fidelity as Fidelity
 from .medium import Medium as Medium
 from .units import cubic_metres as cubic_metres, metres as metres, pascals as pascals

@@ -8,10 +8,11 @@ import cadquery as cq
 import numpy as np
 
 from acoustic_fem.cavity.closed_forms import closed_cylinder_compliance, closed_sphere_compliance
-from acoustic_fem.cell.condensed import AirModel, BodyFaces, Physics, condense
+from acoustic_fem.cell.condensed import AirModel, BodyFaces, condense
 from acoustic_fem.cell.solid import port_admittance
 from acoustic_fem.duct import plane_wave
 from acoustic_fem.fields.diffusion import diffusion_field, field_coefficients
+from acoustic_fem.quantities.fidelity import Physics
 from benchmarks.verification.report import Check, Level, Study, Subject
 from geometry.air.mesh import MeshSizes, SolidMesh, mesh_solid
 from tests.support.reference_data import AIR

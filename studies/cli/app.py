@@ -25,9 +25,9 @@ from studies.cli import (
     searches,
     sweeps,
 )
-from studies.cli.options import Fidelity, in_options
+from studies.cli.options import in_options
 
-__all__ = ["Fidelity", "app", "fail", "main"]
+__all__ = ["app", "fail", "main"]
 
 
 def pages_folder() -> Path:

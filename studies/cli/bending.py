@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from acoustic_fem.quantities.fidelity import Fidelity
 from studies.bending.rig import BendingRig
 from studies.bending.studying import bending_study
-from studies.cli.options import Fidelity, Frequencies, defaults_of, display_on_stderr, frequency_option, named
+from studies.cli.options import Frequencies, defaults_of, display_on_stderr, frequency_option, named
 from studies.cli.tables import show, table_of
 from studies.output.display import number
 from studies.output.frequencies import FREQUENCIES
@@ -18,7 +19,7 @@ from studies.output.frequencies import FREQUENCIES
 if TYPE_CHECKING:
     from studies.bending.solution import Bending
 
-_FIDELITY = Fidelity(defaults_of(bending_study)["fidelity"])
+_FIDELITY: Fidelity = defaults_of(bending_study)["fidelity"]
 _ANGLES = ",".join(f"{angle:g}" for angle in BendingRig.angles)
 
 
@@ -61,7 +62,7 @@ def bend(
     names = ("bore", "length", "diameter", "outside", "angles", "end", "fidelity")
     with named(frequency="--frequencies", **{name: f"--{name}" for name in names}), display_on_stderr() as display:
         rig = BendingRig(bore, length, diameter, outside, wound, end.value)
-        study = bending_study(out, rig, fidelity=fidelity.value, frequency=grid, display=display)
+        study = bending_study(out, rig, fidelity=fidelity, frequency=grid, display=display)
     _show_bending(study.result)
     for file in study.files:
         print(file)

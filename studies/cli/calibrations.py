@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from acoustic_fem.quantities.fidelity import Fidelity
 from studies.cli.options import (
-    Fidelity,
     Frequencies,
     LibraryFile,
     Noise,
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 #: s, from which on a delay that the fit found is told.
 _NOTED_DELAY = 3e-4
-_FIDELITY = Fidelity(defaults_of(calibrate_sensor)["fidelity"])
+_FIDELITY: Fidelity = defaults_of(calibrate_sensor)["fidelity"]
 _SEED = defaults_of(recalibrate_sensor)["seed"]
 
 
@@ -62,7 +62,7 @@ def calibrate(
     grid = frequency_option(frequencies)
     with named(frequency="--frequencies"), display_on_stderr() as display:
         found = calibrate_sensor(
-            recordings, out, fidelity=fidelity.value, frequency=grid, tolerances=tolerances, display=display
+            recordings, out, fidelity=fidelity, frequency=grid, tolerances=tolerances, display=display
         )
     calibration = found.calibration
     if calibration.findings:

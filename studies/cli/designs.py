@@ -7,14 +7,15 @@ from typing import Annotated
 
 import typer
 
+from acoustic_fem.quantities.fidelity import Fidelity
 from geometry.formats.names import FORMATS
 from geometry.refusal import Refusal
-from studies.cli.options import Design, Fidelity, Frequencies, defaults_of, display_on_stderr, frequency_option, named
+from studies.cli.options import Design, Frequencies, defaults_of, display_on_stderr, frequency_option, named
 from studies.cli.tables import show, show_check, show_fields, show_findings, show_library, show_parts, table_of
 from studies.output.frequencies import FREQUENCIES
 from studies.run.libraries import solve_library
 
-_FIDELITY = Fidelity(defaults_of(solve_library)["fidelity"])
+_FIDELITY: Fidelity = defaults_of(solve_library)["fidelity"]
 
 
 def prototypes(
@@ -127,7 +128,7 @@ def solve(
     from geometry import resolve_design
 
     with display_on_stderr() as display, named(frequency="--frequencies"):
-        library = solve_library(resolve_design(design), out, fidelity=fidelity.value, frequency=grid, display=display)
+        library = solve_library(resolve_design(design), out, fidelity=fidelity, frequency=grid, display=display)
     show_library(out, library)
 
 

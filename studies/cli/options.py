@@ -7,7 +7,6 @@ import re
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -17,14 +16,6 @@ from geometry.refusal import Refusal
 
 if TYPE_CHECKING:
     from studies.output.display import Display
-
-
-class Fidelity(StrEnum):
-    """What the air of a cell is computed with."""
-
-    lumped = "lumped"
-    helmholtz = "helmholtz"
-    navier_stokes = "navier-stokes"
 
 
 Design = Annotated[

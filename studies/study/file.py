@@ -11,13 +11,14 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict, Field
 
+from acoustic_fem.quantities.fidelity import Fidelity
 from geometry import ArrayDesign, DesignError, load_design
 from geometry.design.design_file import prototype, prototype_names, value_of
 from geometry.files.reading import parse_toml, read_text
 from geometry.refusal import Refusal
 from geometry.stated.fields import UnknownField, check_value, field_named, model_of
 from studies.study.constraints import parse_constraint
-from studies.study.study import Fidelity, Parameter, Sampling, Study, StudyError
+from studies.study.study import Parameter, Sampling, Study, StudyError
 
 #: Most cases of one study; a store of more should be several.
 LARGEST = 10_000_000

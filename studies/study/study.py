@@ -10,12 +10,12 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from acoustic_fem.quantities.fidelity import Fidelity
 from geometry import ArrayDesign
 from geometry.design.design_file import write_design
 from geometry.refusal import Refusal
 from studies.study.constraints import Constraint
 
-Fidelity = Literal["lumped", "helmholtz", "navier-stokes"]
 Sampling = Literal["grid", "latin-hypercube", "sobol", "random"]
 
 

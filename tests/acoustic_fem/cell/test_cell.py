@@ -1,5 +1,6 @@
 """3-D cells against the reference cell, exact ducts, limits and symmetries."""
 
+import dataclasses
 import errno
 import os
 
@@ -12,7 +13,7 @@ from reference_data import AIR, column
 from acoustic_fem.cavity.closed_forms import closed_cylinder_compliance
 from acoustic_fem.cell.design_cells import solve_cells
 from acoustic_fem.cell.lumped import lumped_admittance
-from acoustic_fem.cell.one_cell import CellError, CellFault
+from acoustic_fem.cell.one_cell import CellError, CellFault, CellTask
 from acoustic_fem.cell.solid import port_admittance, solve_solid
 from acoustic_fem.duct import plane_wave
 from acoustic_fem.numerics import disk_cache
@@ -20,6 +21,7 @@ from acoustic_fem.numerics.linear_solver import LinearSolverError
 from geometry.air.cells import Cell
 from geometry.air.mesh import MeshError
 from geometry.air.mirror_symmetry import mirror_half
+from geometry.stated.cavity_shapes import Box, Dome
 from geometry.stated.ports import CellPort
 
 STRAIGHT = Cell("resonator", 6.0, 2.5, 1.25, (CellPort(0.0, 0.5), CellPort(180.0, 0.5)), 6.0, 0.0)
@@ -229,6 +231,12 @@ def test_a_cell_that_cannot_be_drawn_is_named(count, monkeypatch, tmp_path):
     ]
     with pytest.raises(CellError, match=r"resonator [34] x 2 mm .* overlapping ports"):
         solve_cells(cells, [10.0], AIR)
+
+
+@pytest.mark.parametrize("shape", [None, Box(4.0, 3.0, 0.5, 0.5), Dome(0.8)], ids=["cylinder", "box", "dome"])
+def test_a_task_comes_back_from_the_text_that_another_process_is_given(shape):
+    task = CellTask(dataclasses.replace(STRAIGHT, shape=shape), AIR, (1.0, 100.0), "navier-stokes")
+    assert CellTask.from_json(task.as_json()) == task
 
 
 def test_box_with_corners_keeps_its_whole_isothermal_compliance():

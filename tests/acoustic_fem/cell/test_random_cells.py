@@ -9,11 +9,11 @@ from hypothesis import Phase, given, settings, strategies as st
 from reference_data import AIR
 
 from acoustic_fem.cell.condensed import AirModel, BodyFaces, condense
-from acoustic_fem.cell.solid import PHYSICS
 from acoustic_fem.duct.plane_wave import port_admittance as duct_admittance
 from acoustic_fem.fields.element_sizes import mesh_sizes
 from acoustic_fem.fields.navier_stokes import WallMotion
 from acoustic_fem.numerics.rational_sweep import passivity_margin
+from acoustic_fem.quantities.fidelity import PHYSICS
 from geometry.air.mesh import InvertedElementsError, mesh_solid
 
 BAND = (0.1, 200.0)

@@ -101,8 +101,11 @@ def test_help_loads_nothing_heavy() -> None:
     assert "Usage" in told.stdout
 
 
-def test_the_fidelities_of_the_command_are_those_of_the_library() -> None:
-    assert [fidelity.value for fidelity in app.Fidelity] == list(acoustic_fem.FIDELITIES)
+def test_the_fidelities_of_the_command_are_those_of_the_library(command: Command, tmp_path: Path) -> None:
+    told = command("solve", "array-2x6", "--out", str(tmp_path / "library.nc"), "--fidelity", "exact")
+    assert told.code == 2
+    offered = " ".join(told.err.replace("│", " ").split())
+    assert ", ".join(map(repr, acoustic_fem.FIDELITIES)) in offered
 
 
 # -- verbs ------------------------------------------------------------------------------------------------

@@ -1,0 +1,11 @@
+"""The names of fidelities, apart from what computes them: whoever only names them loads nothing."""
+
+from typing import Literal, get_args
+
+#: 3-D models: the one to trust, and the scalar one for straight ducts and cross-checks.
+Physics = Literal["navier-stokes", "helmholtz"]
+PHYSICS: tuple[Physics, ...] = get_args(Physics)
+
+#: What the cells of an array may be computed with, from the fastest to the one to trust.
+Fidelity = Literal["lumped", "helmholtz", "navier-stokes"]
+FIDELITIES: tuple[Fidelity, ...] = get_args(Fidelity)
