@@ -2,10 +2,46 @@
 
 from __future__ import annotations
 
+import unicodedata
+
+_LONGEST_WORD = 300
+_LONGEST_LINE = 2000
+#: Categories of what shows nothing and turns, breaks or ends a line: controls, marks of direction, lone surrogates.
+_UNSEEN = {"Cc", "Cf", "Cs", "Zl", "Zp"}
+
 
 class Refusal(ValueError):
     """Input that cannot be taken, or a result that cannot be had from it; the message is one line for a user.
 
     Every error that the project raises on purpose derives from it, in all four packages: the command line prints
     such an error as one line and lets everything else through as a mistake of the program, with its traceback.
+    Whatever the message quotes, its text is that of :func:`in_one_line`.
     """
+
+    def __str__(self) -> str:
+        return in_one_line(super().__str__())
+
+
+def in_one_line(text: str) -> str:
+    r"""A text as one line of at most 2000 characters, whatever names and values stand in it.
+
+    White space becomes a blank and what cannot be seen its escape, such as ``\u202e``; words above 300 characters,
+    and what is then still too long, lose their middle.
+    """
+    return _without_middle(" ".join(map(_word, text.split())), _LONGEST_LINE)
+
+
+def _word(text: str) -> str:
+    text = _without_middle(text, _LONGEST_WORD)
+    seen = (
+        letter.encode("unicode_escape").decode("ascii") if unicodedata.category(letter) in _UNSEEN else letter
+        for letter in text
+    )
+    return _without_middle("".join(seen), _LONGEST_WORD)
+
+
+def _without_middle(text: str, longest: int) -> str:
+    if len(text) <= longest:
+        return text
+    kept = (longest - 5) // 3
+    return f"{text[: longest - 5 - kept].rstrip()} ... {text[-kept:].lstrip()}"

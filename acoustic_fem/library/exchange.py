@@ -14,8 +14,7 @@ import csv
 import io
 import json
 import os
-import zipfile
-import zlib
+from array import array
 from pathlib import Path
 from typing import Any
 
@@ -35,6 +34,10 @@ from acoustic_fem.library.result import DEVIATION, VARIABLES, Library
 from acoustic_fem.quantities.units import metres
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import read_design
+from geometry.files.arrays import read_npz
+from geometry.files.ordinary import MOST_NUMBERS, ordinary_file
+from geometry.files.reading import parse_json
+from geometry.files.tables import read_csv
 from geometry.files.writing import whole_file
 from geometry.layout.arrangement import lay_out
 from geometry.layout.placement import point_places
@@ -70,14 +73,13 @@ def load_exchanged(path: str | os.PathLike[str]) -> Library:
     suffix = _suffix(path)
     if suffix == ".nc":
         return load_netcdf(path)
-    if not path.is_file():
-        raise LibraryError(f"{path}: {'is a folder, not a library' if path.is_dir() else 'no such file'}")
+    read = {".sofa": _read_sofa, ".npz": _read_npz, ".csv": _read_csv}[suffix]
     try:
-        return library_of({".sofa": _read_sofa, ".npz": _read_npz, ".csv": _read_csv}[suffix](path))
+        return library_of(read(ordinary_file(path, "a library", LibraryError)))
     except LibraryError:
         raise
-    except ValueError as error:
-        raise LibraryError(f"{path}: {' '.join(str(error).split())}") from None
+    except Refusal as error:
+        raise LibraryError(f"{path}: {error}") from None
 
 
 def _suffix(path: Path) -> str:
@@ -105,6 +107,8 @@ def _dataset(
     if missing:
         raise Refusal(f"was not written by this program: it has no {missing[0]}")
     design = read_design(attributes["design_toml"], "design_toml")
+    if frequency.ndim != 1 or frequency.dtype.kind not in "fiu":
+        raise Refusal(f"frequency is {frequency.dtype} of shape {frequency.shape}; it must be numbers in one row")
     lines, places = zip(*point_places(design), strict=True)
     coordinates: dict[str, tuple[str, Any]] = {
         "point": ("point", list(range(1, len(lines) + 1))),
@@ -211,11 +215,7 @@ def _write_npz(library: Library, path: Path) -> None:
 
 
 def _read_npz(path: Path) -> xr.Dataset:
-    try:
-        with np.load(path, allow_pickle=False) as content:
-            arrays = {name: content[name] for name in content.files}
-    except (zipfile.BadZipFile, zlib.error, EOFError, OSError, ValueError) as error:
-        raise LibraryError(f"{path}: is no NPZ file or is cut short ({' '.join(str(error).split())})") from None
+    arrays = read_npz(path, "an NPZ file", LibraryError)
     if "frequency" not in arrays:
         raise Refusal("was not written by this program: it has no frequency")
     attributes = {name: str(arrays[name]) for name in ATTRIBUTES if name in arrays}
@@ -242,30 +242,32 @@ def _write_csv(library: Library, path: Path) -> None:
 
 
 def _read_csv(path: Path) -> xr.Dataset:
-    try:
-        lines = path.read_text(encoding="utf-8").splitlines()
-    except UnicodeDecodeError:
-        raise LibraryError(f"{path}: is not a CSV file in UTF-8") from None
+    table = read_csv(path, "a CSV file", LibraryError)
     attributes: dict[str, Any] = {}
-    while lines and lines[0].startswith("# "):
-        name, _, text = lines.pop(0)[2:].partition(": ")
-        attributes[name] = json.loads(text)
-    try:
-        head, *rows = list(csv.reader(lines)) or [[]]
-    except csv.Error as error:
-        raise LibraryError(f"{path}: is not a CSV file: {error}") from None
-    order, names = ("point", "microphone", "frequency"), head[3:]
+    for remark in table.remarks:
+        name, _, text = remark.partition(": ")
+        attributes[name] = parse_json(text, name, Refusal)
+    order, names = ("point", "microphone", "frequency"), table.head[3:]
     known = [name for name, dimensions in _variables().items() if "microphone_2" not in dimensions]
-    if tuple(head[:3]) != order or not set(names) <= set(known):
-        raise Refusal(f"its columns are {', '.join(head) or 'none'}; they must be {', '.join((*order, *known))}")
-    short = [number for number, row in enumerate(rows) if len(row) != len(head)]
-    if short:
-        raise Refusal(f"row {short[0] + 1} has {len(rows[short[0]])} values, must have {len(head)}; cut short?")
-    points, microphones = (list(dict.fromkeys(row[k] for row in rows)) for k in (0, 1))
-    shape = (len(points), len(microphones), -1)
-    if not rows or len(rows) % (len(points) * len(microphones)):
+    if table.head[:3] != order or not set(names) <= set(known) or len(set(names)) < len(names):
+        raise Refusal(f"its columns are {', '.join(table.head) or 'none'}; they must be {', '.join((*order, *known))}")
+    points: dict[str, None] = {}
+    microphones: dict[str, None] = {}
+    numbers = array("d")
+    for count, row in enumerate(table.rows, 1):
+        if len(row) != len(table.head):
+            raise Refusal(f"row {count} has {len(row)} values, must have {len(table.head)}; cut short?")
+        points[row[0]] = microphones[row[1]] = None
+        try:
+            numbers.extend(map(float, row[2:]))
+        except ValueError as error:
+            raise Refusal(f"row {count}: {error}") from None
+        if len(numbers) > MOST_NUMBERS:
+            raise Refusal(f"holds more than {MOST_NUMBERS} numbers; it must hold at most as many")
+    rows = np.frombuffer(numbers).reshape(-1, len(names) + 1)
+    if not len(rows) or len(rows) % (len(points) * len(microphones)):
         raise Refusal(f"has {len(rows)} rows, not a multiple of its points and microphones; cut short?")
-    values = np.array([[float(text) for text in row[2:]] for row in rows]).T.reshape(len(names) + 1, *shape)
+    values = rows.T.reshape(len(names) + 1, len(points), len(microphones), -1)
     dimensions = _variables()
     # what does not depend on the microphone stands in the rows of each
     variables = {

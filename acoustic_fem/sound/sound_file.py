@@ -2,20 +2,20 @@
 
 from __future__ import annotations
 
-import csv
 import os
-import struct
 import warnings
-import zipfile
-import zlib
-from collections.abc import Mapping, Sequence
+from array import array
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
+from geometry.files.arrays import read_mat, read_npz
+from geometry.files.ordinary import LARGEST_DATA, MOST_NUMBERS, library_reads, ordinary_file
+from geometry.files.tables import read_csv
 from geometry.refusal import Refusal
 
 Array = NDArray[np.float64]
@@ -23,6 +23,7 @@ Array = NDArray[np.float64]
 FORMATS = (".wav", ".csv", ".npz", ".mat")
 #: What a file may hold beside its channels.
 TIME, RATE = "time", "sample_rate"
+_MOST_CHUNKS = 1000
 #: Name of a matrix of all channels, (channel, sample).
 MATRIX = "signals"
 
@@ -58,23 +59,21 @@ def read_sound(path: str | os.PathLike[str], default_rate: float | None = None) 
         default_rate: Hz, of files without ``time`` or ``sample_rate``; by default these are refused.
 
     Raises:
-        SoundFileError: no such file, another suffix, cut short, or a content that is not of this kind.
+        SoundFileError: no such file, another suffix, cut short, a content that is not of this kind, above 512 MiB, or
+            above 2^26 samples in a channel, or in all where the file holds more than integers.
     """
     path = Path(path)
     suffix = path.suffix.lower()
     if suffix not in FORMATS:
         raise SoundFileError(f"{path}: its name must end with {', '.join(FORMATS[:-1])} or {FORMATS[-1]}")
-    if not path.is_file():
-        raise SoundFileError(f"{path}: {'is a folder' if path.is_dir() else 'no such file'}")
-    try:
-        if suffix == ".wav":
-            sound = read_wav(path)
-        elif suffix == ".csv":
-            sound = _read_csv(path, default_rate)
-        else:
-            sound = _of_arrays(path, _read_npz(path) if suffix == ".npz" else _read_mat(path), default_rate)
-    except OSError as error:
-        raise SoundFileError(f"{path}: cannot be read: {error.strerror or error}") from None
+    if suffix == ".wav":
+        sound = read_wav(path)
+    elif suffix == ".csv":
+        sound = _read_csv(path, default_rate)
+    elif suffix == ".npz":
+        sound = _of_arrays(path, read_npz(path, "an NPZ file of numbers", SoundFileError), default_rate)
+    else:
+        sound = _of_arrays(path, read_mat(path, "a MAT file up to version 7", SoundFileError), default_rate)
     if not (np.isfinite(sound.rate) and sound.rate > 0):
         raise SoundFileError(f"{path}: sample rate = {sound.rate:g} Hz must be finite and above 0")
     return sound
@@ -106,64 +105,112 @@ def write_wav(path: str | os.PathLike[str], samples: Array, rate: int, bits: int
         scipy.io.wavfile.write(beside, rate, levels.T.astype(np.int16 if bits == 16 else np.int32))
 
 
+class _WavChannels(Mapping[str, Array]):
+    """Channels of a WAV file as its integers, each made to fractions of full scale when it is asked for.
+
+    Args:
+        samples: (n_sample, n_channel), as the file holds them.
+    """
+
+    def __init__(self, samples: NDArray[Any]) -> None:
+        self._samples = samples
+
+    def __getitem__(self, name: str) -> Array:
+        if name not in list(self):
+            raise KeyError(name)
+        column = self._samples[:, int(name) - 1]
+        if column.dtype == np.uint8:
+            return (column.astype(np.float64) - 128) / 128
+        if column.dtype.kind == "i":
+            return np.asarray(column / (float(np.iinfo(column.dtype).max) + 1))
+        return column.astype(np.float64)
+
+    def __iter__(self) -> Iterator[str]:
+        return map(str, range(1, len(self) + 1))
+
+    def __len__(self) -> int:
+        return self._samples.shape[1]
+
+
 def read_wav(path: Path) -> Sound:
     """Read a WAV file as :func:`read_sound` does, whatever its suffix."""
     import scipy.io.wavfile
 
-    with path.open("rb") as file:
-        head = file.read(8)
-    if len(head) < 8 or head[:4] not in (b"RIFF", b"RIFX", b"RF64"):
-        raise SoundFileError(f"{path}: cut short or not a WAV file")
-    stated = struct.unpack(">I" if head[:4] == b"RIFX" else "<I", head[4:])[0]
-    if head[:4] != b"RF64" and path.stat().st_size < stated + 8:
-        raise SoundFileError(f"{path}: cut short: it has {path.stat().st_size} of {stated + 8} bytes")
-    try:
-        with warnings.catch_warnings():
-            # recorders add chunks of their own; what they hold is no sound
-            warnings.filterwarnings("ignore", category=scipy.io.wavfile.WavFileWarning)
-            rate, samples = scipy.io.wavfile.read(path)
-    except (ValueError, struct.error, EOFError) as error:
-        raise SoundFileError(f"{path}: cut short or not a WAV file: {error}") from None
-    columns = samples.reshape(len(samples), -1).T
+    path = ordinary_file(path, "a WAV file", SoundFileError, LARGEST_DATA)
+    _check_chunks(path)
+    with library_reads(path, "a WAV file", SoundFileError), warnings.catch_warnings():
+        # recorders add chunks of their own; what they hold is no sound
+        warnings.filterwarnings("ignore", category=scipy.io.wavfile.WavFileWarning)
+        rate, samples = scipy.io.wavfile.read(path)
+    if len(samples) > MOST_NUMBERS:
+        raise SoundFileError(f"{path}: has {len(samples)} samples per channel, must have at most {MOST_NUMBERS}")
+    samples = samples.reshape(len(samples), -1)
     full_scale = None
     if samples.dtype == np.uint8:
-        columns, full_scale = (columns.astype(np.float64) - 128) / 128, 127 / 128
+        full_scale = 127 / 128
     elif samples.dtype.kind == "i":
         # SciPy holds 24 bits in the upper ones of 32
         step = 256 if samples.dtype == np.int32 and not (samples & 0xFF).any() else 1
         scale = float(np.iinfo(samples.dtype).max) + 1
-        columns, full_scale = columns / scale, (scale - step) / scale
-    channels = {str(number): column.astype(np.float64) for number, column in enumerate(columns, 1)}
-    return Sound(channels, float(rate), full_scale, numbered=True)
+        full_scale = (scale - step) / scale
+    return Sound(_WavChannels(samples), float(rate), full_scale, numbered=True)
+
+
+def _check_chunks(path: Path) -> None:
+    """Refuse a WAV file whose chunks, as it states them, are not all there, or hold no samples."""
+    size = path.stat().st_size
+    with path.open("rb") as file:
+        head = file.read(36)
+        if len(head) < 12 or head[:4] not in (b"RIFF", b"RIFX", b"RF64"):
+            raise SoundFileError(f"{path}: cut short or not a WAV file")
+        order: Literal["big", "little"] = "big" if head[:4] == b"RIFX" else "little"
+        large = head[:4] == b"RF64"  # it states its length, and that of its samples, in 64 bits of another place
+        end = int.from_bytes(head[20:28] if large else head[4:8], order) + 8
+        if end > size:
+            raise SoundFileError(f"{path}: cut short: it has {size} of {end} bytes")
+        kinds: list[bytes] = []
+        place = 12
+        while place + 8 <= end and len(kinds) < _MOST_CHUNKS:
+            file.seek(place)
+            kinds.append(file.read(4))
+            length = head[28:36] if large and kinds[-1] == b"data" else file.read(4)
+            place += 8 + int.from_bytes(length, order)
+            if place > size:
+                raise SoundFileError(f"{path}: cut short: it has {size} of {place} bytes")
+            place += place % 2
+    if len(kinds) == _MOST_CHUNKS or b"fmt " not in kinds or b"data" not in kinds:
+        raise SoundFileError(f"{path}: cut short or not a WAV file: it states no samples")
 
 
 def _read_csv(path: Path, default_rate: float | None) -> Sound:
-    with path.open(encoding="utf-8-sig", newline="") as file:
-        try:
-            head, *rows = [row for row in csv.reader(file) if row]
-        except (ValueError, csv.Error):
-            raise SoundFileError(f"{path}: is empty or not a CSV file") from None
-    if len(head) == 1 and ";" in head[0]:
+    table = read_csv(path, "a CSV file", SoundFileError)
+    if table.remarks or not table.head:
+        raise SoundFileError(f"{path}: is empty or not a CSV file")
+    if len(table.head) == 1 and ";" in table.head[0]:
         raise SoundFileError(f"{path}: is separated by semicolons; it must be by commas, with points for decimals")
-    names = [name.strip() for name in head]
+    names = [name.strip() for name in table.head]
     channels = [name for name in names if name != TIME]
     if len(set(names)) < len(names) or not channels or (default_rate is None and TIME not in names):
         rule = f"{TIME} and one per channel" if default_rate is None else f"one per channel and, if any, {TIME}"
         raise SoundFileError(f"{path}: its columns are {', '.join(names)}; they must be {rule}, each once")
-    for number, row in enumerate(rows, 2):
+    values = array("d")
+    for number, row in enumerate(table.rows, 2):
         if len(row) != len(names):
             raise SoundFileError(f"{path}: line {number} has {len(row)} values, must have {len(names)}; cut short?")
-    try:
-        table = np.array(rows, dtype=np.float64).reshape(len(rows), len(names))
-    except ValueError as error:
-        raise SoundFileError(f"{path}: {error}") from None
-    if len(table) < 2:
-        raise SoundFileError(f"{path}: has {len(table)} samples, must have at least 2")
+        try:
+            values.extend(map(float, row))
+        except ValueError as error:
+            raise SoundFileError(f"{path}: line {number}: {error}") from None
+        if len(values) > MOST_NUMBERS:
+            raise SoundFileError(f"{path}: holds more than {MOST_NUMBERS} numbers; it must hold at most as many")
+    columns = np.frombuffer(values).reshape(-1, len(names))
+    if len(columns) < 2:
+        raise SoundFileError(f"{path}: has {len(columns)} samples, must have at least 2")
     if default_rate is not None and TIME not in names:
         rate = default_rate
     else:
-        rate = _rate_of(path, table[:, names.index(TIME)])
-    return Sound({name: table[:, names.index(name)] for name in channels}, rate)
+        rate = _rate_of(path, columns[:, names.index(TIME)])
+    return Sound({name: columns[:, names.index(name)] for name in channels}, rate)
 
 
 def _rate_of(path: Path, time: Array) -> float:
@@ -174,25 +221,6 @@ def _rate_of(path: Path, time: Array) -> float:
         line = int(uneven[0]) + 3 if len(uneven) else 3
         raise SoundFileError(f"{path}: {TIME} must rise in even steps; it does not at line {line}")
     return 1 / step
-
-
-def _read_npz(path: Path) -> dict[str, NDArray[Any]]:
-    try:
-        with np.load(path, allow_pickle=False) as content:
-            return {name: content[name] for name in content.files}
-    except (zipfile.BadZipFile, zlib.error, EOFError, TypeError, ValueError) as error:
-        raise SoundFileError(f"{path}: cut short or not an NPZ file of numbers: {error}") from None
-
-
-def _read_mat(path: Path) -> dict[str, NDArray[Any]]:
-    import scipy.io
-    from scipy.io.matlab import MatReadError
-
-    try:
-        content = scipy.io.loadmat(path)
-    except (MatReadError, NotImplementedError, ValueError, TypeError, zlib.error, EOFError, struct.error) as error:
-        raise SoundFileError(f"{path}: cut short or not a MAT file up to version 7: {error}") from None
-    return {name: values for name, values in content.items() if not name.startswith("__")}
 
 
 def _of_arrays(path: Path, arrays: Mapping[str, NDArray[Any]], default_rate: float | None) -> Sound:

@@ -1,4 +1,4 @@
-"""Text in, whole files out (written beside, then renamed); the one reader of TOML.
+"""Files in, checked before they are read, one reader per kind; whole files out (written beside, then renamed).
 
 Stands on: nothing.
 """

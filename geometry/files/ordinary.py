@@ -15,6 +15,11 @@ from pathlib import Path
 
 from geometry.refusal import Refusal
 
+LARGEST_DATA = 2**29
+"""Most bytes of a file of numbers or sound: eight channels of 16 bits at 48 kHz for eleven minutes."""
+MOST_NUMBERS = 2**26
+"""Most numbers that are taken from a file at once: half a gigabyte of them."""
+
 _KINDS = {
     stat.S_IFDIR: "a folder",
     stat.S_IFIFO: "a pipe",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import tomllib
 from collections.abc import Callable
@@ -12,6 +13,7 @@ from geometry.files.ordinary import read_bytes
 
 LARGEST_TEXT = 1_000_000
 """Most bytes of a text; a design of a hundred lines has ten thousand."""
+_DEEPEST = 32  # levels of lists and tables in a file; designs and studies have five
 
 
 def read_text(path: str | os.PathLike[str], what: str, refusal: Callable[[str], Exception]) -> str:
@@ -52,8 +54,44 @@ def parse_toml(text: str, source: str, refusal: Callable[[str], Exception]) -> d
         Exception: by ``refusal``: it is not TOML.
     """
     try:
-        return tomllib.loads(text)
+        table = tomllib.loads(text)
     except RecursionError:
         raise refusal(f"{source}: is not TOML that can be read: lists or tables lie too deep in it") from None
     except ValueError as error:  # TOMLDecodeError, and numbers with more digits than Python reads
         raise refusal(f"{source}: is not TOML: {error}") from None
+    _check_plain(table, source, refusal)
+    return table
+
+
+def parse_json(text: str | bytes, source: str, refusal: Callable[[str], Exception]) -> Any:
+    """What a JSON text states; arguments as for :func:`parse_toml`.
+
+    Raises:
+        Exception: by ``refusal``: it is not JSON.
+    """
+    try:
+        value = json.loads(text)
+    except RecursionError:
+        raise refusal(f"{source}: is not JSON that can be read: lists or tables lie too deep in it") from None
+    except ValueError as error:  # JSONDecodeError, numbers with too many digits, and bytes that are no UTF-8
+        raise refusal(f"{source}: is not JSON: {error}") from None
+    _check_plain(value, source, refusal)
+    return value
+
+
+def _check_plain(value: Any, source: str, refusal: Callable[[str], Exception]) -> None:
+    """Refuse what no file of ours can mean and no code of ours should meet: depth without end, integers without."""
+    level = [value]
+    for _ in range(_DEEPEST):
+        if not level:
+            return
+        level = [
+            inner
+            for each in level
+            if isinstance(each, dict | list)
+            for inner in (each.values() if isinstance(each, dict) else each)
+        ]
+        for each in level:
+            if isinstance(each, int) and not -(2**63) <= each < 2**63:
+                raise refusal(f"{source}: an integer in it has more than 64 bits")
+    raise refusal(f"{source}: lists or tables lie deeper in it than {_DEEPEST} levels")

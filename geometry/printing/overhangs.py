@@ -186,7 +186,7 @@ class _Groups:
         self._cells = [0]
 
     def add(self, labels: NDArray[Any], count: int) -> tuple[NDArray[np.int64], range]:
-        """New groups for the labels of a layer, in it and in all; what touches its border, as its corner, is outside."""
+        """New groups for the labels of a layer, in it and in all; what touches its border or corner is outside."""
         shift = len(self._parent) - 1
         self._parent += range(shift + 1, shift + 1 + count)
         self._cells += np.bincount(labels.ravel(), minlength=count + 1)[1:].tolist()

@@ -14,7 +14,7 @@ from typing import Annotated, NoReturn, TextIO
 
 import typer
 
-from geometry.refusal import Refusal
+from geometry.refusal import Refusal, in_one_line
 from studies.cli import (
     bending,
     calibrations,
@@ -101,7 +101,7 @@ def _stop(*_: object) -> NoReturn:
 
 def fail(message: str, code: int = 1) -> NoReturn:
     """End with one line on stderr."""
-    print("acoustic-fem: " + " ".join(message.split()), file=sys.stderr)
+    print(f"acoustic-fem: {in_one_line(message)}", file=sys.stderr)
     sys.exit(code)
 
 
@@ -113,7 +113,7 @@ def _show_warning(
     file: TextIO | None = None,
     line: str | None = None,
 ) -> None:
-    print(f"note: {message}", file=sys.stderr)
+    print(f"note: {in_one_line(str(message))}", file=sys.stderr)
 
 
 def _print_version(wanted: bool) -> None:

@@ -8,6 +8,8 @@ from time import perf_counter
 from types import TracebackType
 from typing import TYPE_CHECKING, Self, TextIO
 
+from geometry.refusal import in_one_line
+
 if TYPE_CHECKING:
     from rich.progress import Progress
 
@@ -80,6 +82,7 @@ class Display:
 
     def note(self, text: str) -> None:
         """Write a line that stays."""
+        text = in_one_line(text)
         if self._bars is not None:
             self._bars.console.print(text, markup=False, highlight=False)
         elif self._stream is not None:
@@ -100,7 +103,7 @@ class Display:
         if self._bars is not None:
             bars = self._bars
             task = bars.add_task(name, total=1.0, message="")
-            yield lambda message, fraction: bars.update(task, completed=fraction, message=message)
+            yield lambda message, fraction: bars.update(task, completed=fraction, message=in_one_line(message))
             bars.update(task, completed=1.0, message="")
             bars.stop_task(task)
             return

@@ -9,7 +9,7 @@ import pytest
 
 from acoustic_fem.calibration.manifest import ManifestError, read_manifest
 from geometry import DesignError, load_design
-from geometry.files.reading import parse_toml, read_toml
+from geometry.files.reading import parse_json, parse_toml, read_toml
 from geometry.refusal import Refusal
 from geometry.stated.print_processes import find_process
 from localize.recordings.touch_manifest import TouchManifestError, read_touch_manifest
@@ -35,6 +35,9 @@ BROKEN = {
     "twice": (b"a = 1\na = 2\n", "is not TOML: Cannot overwrite a value"),
     "deep": (b"a = " + b"[" * 100_000, "is not TOML that can be read: lists or tables lie too deep in it"),
     "a number without end": (b"a = " + b"1" * 5000, "is not TOML: Exceeds the limit"),
+    "a number of 5000 hexadecimal digits": (b"a = 0x" + b"f" * 5000, "an integer in it has more than 64 bits"),
+    "a number of 65 bits": (b"a = [[9223372036854775808]]", "an integer in it has more than 64 bits"),
+    "names without end": (b".".join([b"a"] * 5000) + b" = 1", "lists or tables lie deeper in it than 32 levels"),
     "large": (b"#" * 1_000_001, "1000001 bytes must be at most 1000000"),
 }
 
@@ -64,6 +67,24 @@ def test_a_byte_order_mark_is_no_part_of_the_text(tmp_path: Path) -> None:
     path = tmp_path / "marked.toml"
     path.write_bytes(b"\xef\xbb\xbfa = 1\n")
     assert read_toml(path, "a file", Refusal) == {"a": 1} == parse_toml("a = 1", "text", Refusal)
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("[" * 100_000, "is not JSON that can be read: lists or tables lie too deep in it"),
+        ("[" * 40 + "]" * 40, "lists or tables lie deeper in it than 32 levels"),
+        ("1" * 5000, "is not JSON: Exceeds the limit"),
+        ('{"a": 1e', "is not JSON: "),
+        (b"\xff\xfe\xfd", "is not JSON: "),
+        ('{"a": -9223372036854775809}', "an integer in it has more than 64 bits"),
+    ],
+)
+def test_what_is_no_json_is_refused_in_one_line(text: str | bytes, message: str) -> None:
+    with pytest.raises(Refusal) as refused:
+        parse_json(text, "a.json", Refusal)
+    assert str(refused.value).startswith(f"a.json: {message}")
+    assert parse_json('{"a": [1, null, 9223372036854775807]}', "a.json", Refusal) == {"a": [1, None, 2**63 - 1]}
 
 
 def test_nothing_else_reads_toml() -> None:

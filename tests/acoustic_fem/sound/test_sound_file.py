@@ -1,0 +1,141 @@
+"""Recordings as files: what a file states and does not hold is refused, and none takes more memory than is stated."""
+
+from __future__ import annotations
+
+import struct
+from pathlib import Path
+
+import numpy as np
+import pytest
+import scipy.io
+import scipy.io.wavfile
+
+from acoustic_fem.sound.sound_file import SoundFileError, read_sound, read_wav, write_wav
+
+SAMPLES = np.random.default_rng(0).uniform(-0.5, 0.5, (2, 50))
+
+
+def wav(path: Path, bits: int = 16) -> bytes:
+    """The bytes of a sound file of two channels; its samples begin at 44."""
+    write_wav(path, SAMPLES, 1000, bits)
+    return path.read_bytes()
+
+
+def with_field(content: bytes, place: int, kind: str, value: int) -> bytes:
+    size = struct.calcsize(kind)
+    return content[:place] + struct.pack(kind, value) + content[place + size :]
+
+
+#: Where a field lies, how it is packed, and what else is put there.
+FALSE_FIELDS = {
+    "a length of 4 GB": (4, "<I", 2**32 - 9, "cut short: it has 244 of 4294967295 bytes"),
+    "a length of nothing": (4, "<I", 4, "it states no samples"),
+    "no channels": (22, "<H", 0, "not a WAV file: ."),
+    "block align 0": (32, "<H", 0, "not a WAV file: ."),
+    "block align 40000": (32, "<H", 40_000, "not a WAV file: ."),
+    "rate 0": (24, "<I", 0, "not a WAV file: ."),
+    "a format of its own": (20, "<H", 85, "not a WAV file: ."),
+    "samples of 4 GB": (40, "<I", 2**32 - 1, "cut short: it has 244 of 4294967339 bytes"),
+    "a head of 4 GB": (16, "<I", 2**32 - 1, "cut short: it has 244 of 4294967315 bytes"),
+}
+
+
+@pytest.mark.parametrize("fault", FALSE_FIELDS)
+def test_a_wav_file_that_states_what_it_does_not_hold_is_refused(fault: str, tmp_path: Path) -> None:
+    place, kind, value, message = FALSE_FIELDS[fault]
+    path = tmp_path / "given.wav"
+    path.write_bytes(with_field(wav(path), place, kind, value))
+    with pytest.raises(SoundFileError, match=message) as refused:
+        read_wav(path)
+    assert str(refused.value).startswith(f"{path}: ")
+
+
+def test_a_wav_file_of_chunks_without_end_is_refused_at_once(tmp_path: Path) -> None:
+    path = tmp_path / "given.wav"
+    with path.open("wb") as file:
+        file.write(b"RIFF" + struct.pack("<I", 400_000_000 - 8) + b"WAVE")
+        file.truncate(400_000_000)  # all zeros: fifty million chunks of no length
+    with pytest.raises(SoundFileError, match="it states no samples"):
+        read_wav(path)
+
+
+def test_a_wav_file_of_four_gigabytes_is_refused_by_a_stated_bound(tmp_path: Path) -> None:
+    path = tmp_path / "given.wav"
+    with path.open("wb") as file:
+        file.write(with_field(with_field(wav(tmp_path / "small.wav"), 4, "<I", 2**32 - 9), 40, "<I", 2**32 - 45))
+        file.truncate(2**32 - 1)
+    with pytest.raises(SoundFileError, match=r"4294967295 bytes must be at most 536870912 for a WAV file$"):
+        read_sound(path)
+
+
+def test_a_channel_beyond_the_bound_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    wav(tmp_path / "given.wav")
+    for most in (50, 49):
+        monkeypatch.setattr("acoustic_fem.sound.sound_file.MOST_NUMBERS", most)
+        if most == 50:
+            assert len(read_wav(tmp_path / "given.wav").channels["2"]) == 50
+    with pytest.raises(SoundFileError, match="has 50 samples per channel, must have at most 49"):
+        read_wav(tmp_path / "given.wav")
+
+
+def test_channels_of_every_format_are_fractions_of_full_scale(tmp_path: Path) -> None:
+    path = tmp_path / "given.wav"
+    for bits in (16, 24, 32):
+        wav(path, bits)
+        sound = read_wav(path)
+        assert (list(sound.channels), len(sound.channels), "3" in sound.channels) == (["1", "2"], 2, False)
+        found = np.stack(list(sound.channels.values()))
+        assert found.dtype == np.float64
+        np.testing.assert_allclose(found, SAMPLES, atol=2.0**-bits)
+        assert sound.full_scale == 1 - 2.0 ** (1 - bits)
+    scipy.io.wavfile.write(path, 1000, np.array([[0, 128], [255, 64]], np.uint8))
+    np.testing.assert_array_equal(np.stack(list(read_wav(path).channels.values())), [[-1, 127 / 128], [0, -0.5]])
+    scipy.io.wavfile.write(path, 1000, SAMPLES[0].astype(np.float32))
+    np.testing.assert_array_equal(read_wav(path).channels["1"], SAMPLES[0].astype(np.float32))
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("", "is empty or not a CSV file"),
+        ("time,A\n0,1\n0.1\n", "line 3 has 1 values, must have 2; cut short?"),
+        ("time,A\n0,1\n0.1,x\n", "line 3: could not convert string to float: 'x'"),
+        ("time,A\n0,1\n", "has 1 samples, must have at least 2"),
+        ("time;A\n0;1\n", "is separated by semicolons"),
+    ],
+)
+def test_a_csv_file_that_is_no_recording_is_refused_with_the_line(text: str, message: str, tmp_path: Path) -> None:
+    (tmp_path / "given.csv").write_text(text)
+    with pytest.raises(SoundFileError) as refused:
+        read_sound(tmp_path / "given.csv")
+    assert str(refused.value) == f"{tmp_path / 'given.csv'}: {message}" or message in str(refused.value)
+
+
+def test_a_table_beyond_the_bound_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("acoustic_fem.sound.sound_file.MOST_NUMBERS", 4)
+    (tmp_path / "given.csv").write_text("time,A\n0,1\n1,2\n2,3\n")
+    with pytest.raises(SoundFileError, match="holds more than 4 numbers"):
+        read_sound(tmp_path / "given.csv")
+
+
+@pytest.mark.parametrize("suffix", [".wav", ".csv", ".npz", ".mat"])
+def test_a_recording_cut_anywhere_is_refused_by_its_name(suffix: str, tmp_path: Path) -> None:
+    path = tmp_path / f"given{suffix}"
+    if suffix == ".wav":
+        wav(path)
+    elif suffix == ".csv":
+        path.write_text("time,A\n" + "".join(f"{k / 100},{k}\n" for k in range(30)))
+    elif suffix == ".npz":
+        np.savez(path, sample_rate=1000.0, A=SAMPLES[0])
+    else:
+        scipy.io.savemat(path, {"sample_rate": 1000.0, "A": SAMPLES[0]}, do_compression=True)
+    whole = path.read_bytes()
+    said = []
+    for size in range(0, len(whole), max(1, len(whole) // 40)):
+        path.write_bytes(whole[:size])
+        try:
+            read_sound(path)
+        except SoundFileError as error:
+            said.append(str(error))
+    assert len(said) >= (2 if suffix == ".csv" else 40)
+    assert all(line.startswith(f"{path}: ") for line in said)

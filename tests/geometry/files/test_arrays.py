@@ -1,0 +1,134 @@
+"""NPZ and MAT files: what they claim is refused before anything is allocated for it, whatever they claim."""
+
+from __future__ import annotations
+
+import io
+import struct
+import tracemalloc
+import zipfile
+import zlib
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+import scipy.io
+import scipy.sparse
+from numpy.typing import NDArray
+
+from geometry.files.arrays import read_mat, read_npz
+from geometry.refusal import Refusal
+
+ARRAYS = {"a": np.arange(6.0).reshape(2, 3), "rate": np.array(1000), "text": np.array("as it is")}
+
+
+def member(shape: str, dtype: str = "<f8") -> bytes:
+    """An array's file of a header that claims a shape, and eight bytes."""
+    header = f"{{'descr': '{dtype}', 'fortran_order': False, 'shape': {shape}, }}\n".encode()
+    return b"\x93NUMPY\x01\x00" + struct.pack("<H", len(header)) + header + bytes(8)
+
+
+def archive(content: bytes) -> bytes:
+    made = io.BytesIO()
+    with zipfile.ZipFile(made, "w", zipfile.ZIP_DEFLATED) as file:
+        file.writestr("a.npy", content)
+    return made.getvalue()
+
+
+def altered(place: int, value: int) -> bytes:
+    """An archive in whose two headers a field is another; places are those of the local header."""
+    whole = bytearray(archive(member("(1,)")))
+    central = whole.index(b"PK\x01\x02")
+    whole[place : place + 2] = whole[central + place + 2 : central + place + 4] = struct.pack("<H", value)
+    return bytes(whole)
+
+
+def save_mat(path: Path, **arrays: NDArray[Any]) -> None:
+    scipy.io.savemat(path, arrays)
+
+
+HOSTILE: dict[str, tuple[Callable[[], bytes], str]] = {
+    "8 PB": (lambda: archive(member("(1000000, 1000000, 1000)")), "a.npy claims the shape"),
+    "a shape below zero": (lambda: archive(member("(-1, -1)")), "a.npy claims the shape"),
+    "a scalar of gigabytes": (lambda: archive(member("()", "<U500000000")), "a.npy claims the shape"),
+    "objects": (lambda: archive(member("(1,)", "|O")), "Object arrays cannot be loaded"),
+    "a deep header": (lambda: archive(member("(" * 2000)), "cut short or not an NPZ file: "),
+    "another version": (lambda: archive(member("(1,)").replace(b"\x01\x00", b"\x09\x00", 1)), "(9, 0)"),
+    "encrypted": (lambda: altered(6, 1), "encrypted"),
+    "unknown compression": (lambda: altered(8, 77), "compression"),
+    "no archive": (lambda: b"neither sound nor numbers", "not a zip file"),
+    "nothing": (lambda: b"", "not a zip file"),
+}
+
+
+@pytest.mark.parametrize("kind", HOSTILE)
+def test_an_npz_file_that_claims_what_it_does_not_hold_is_refused(kind: str, tmp_path: Path) -> None:
+    make, message = HOSTILE[kind]
+    path = tmp_path / "given.npz"
+    path.write_bytes(make())
+    tracemalloc.start()
+    try:
+        with pytest.raises(Refusal) as refused:
+            read_npz(path, "an NPZ file", Refusal)
+        _, most = tracemalloc.get_traced_memory()
+    finally:
+        tracemalloc.stop()
+    assert str(refused.value).startswith(f"{path}: ")
+    assert message in str(refused.value)
+    assert most < 10_000_000
+
+
+def test_numbers_beyond_the_bound_are_refused_before_they_are_unpacked(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("geometry.files.arrays.MOST_NUMBERS", 100)
+    for read, name, save in ((read_npz, "a.npz", np.savez_compressed), (read_mat, "a.mat", save_mat)):
+        path = tmp_path / name
+        save(path, a=np.zeros(40, np.int8), b=np.zeros(60))
+        assert read(path, "a file", Refusal)["a"].size == 40
+        save(path, a=np.zeros(41, np.int8), b=np.zeros(60))
+        with pytest.raises(Refusal, match=r"claims to hold 101 numbers; a file must hold at most 100$"):
+            read(path, "a file", Refusal)
+
+
+def test_a_mat_file_that_unpacks_to_more_than_the_bound_is_refused(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("geometry.files.arrays.MOST_NUMBERS", 1000)
+    path = tmp_path / "given.mat"
+    packed = zlib.compress(bytes(10_000_000))
+    head = b"MATLAB 5.0".ljust(124) + b"\x00\x01IM"
+    path.write_bytes(head + struct.pack("<II", 15, len(packed)) + packed)
+    with pytest.raises(Refusal, match=r"claims to hold \d+ numbers; a file must hold at most 1000$"):
+        read_mat(path, "a file", Refusal)
+
+
+@pytest.mark.parametrize("size", [0, 3, 100, 127, 130, 200])
+def test_a_mat_file_of_a_few_bytes_is_refused(size: int, tmp_path: Path) -> None:
+    path = tmp_path / "given.mat"
+    scipy.io.savemat(path, {"a": np.ones(30)})
+    path.write_bytes(path.read_bytes()[:size])
+    with pytest.raises(Refusal, match=r"given\.mat: cut short or not a MAT file: ."):
+        read_mat(path, "a MAT file", Refusal)
+
+
+def test_a_sparse_matrix_is_refused_by_name(tmp_path: Path) -> None:
+    path = tmp_path / "given.mat"
+    scipy.io.savemat(path, {"a": np.ones(3), "thin": scipy.sparse.coo_array(([1.0], ([0], [0])), (10**6, 10**6))})
+    with pytest.raises(Refusal, match=r"given\.mat: thin is a sparse matrix"):
+        read_mat(path, "a MAT file", Refusal)
+
+
+def test_what_was_saved_is_read(tmp_path: Path) -> None:
+    np.savez(tmp_path / "plain.npz", **ARRAYS)  # type: ignore[arg-type]
+    np.savez_compressed(tmp_path / "packed.npz", **ARRAYS)  # type: ignore[arg-type]
+    for name in ("plain.npz", "packed.npz"):
+        found = read_npz(tmp_path / name, "a file", Refusal)
+        assert list(found) == list(ARRAYS)
+        for key, values in ARRAYS.items():
+            np.testing.assert_array_equal(found[key], values)
+            assert found[key].dtype == values.dtype
+    for version in ("4", "5"):
+        scipy.io.savemat(tmp_path / "m.mat", {"a": ARRAYS["a"]}, format=version, do_compression=version == "5")
+        np.testing.assert_array_equal(read_mat(tmp_path / "m.mat", "a file", Refusal)["a"], ARRAYS["a"])

@@ -1,0 +1,45 @@
+"""A refusal is one line of bounded length, whatever the names and values in it."""
+
+from __future__ import annotations
+
+import pickle
+import unicodedata
+
+import pytest
+from hypothesis import given, strategies as st
+
+from geometry.refusal import Refusal, in_one_line
+from geometry.stated.fields import DesignError
+
+
+@given(st.text(max_size=200), st.sampled_from([1, 10, 10_000]))
+def test_any_text_is_one_line_of_bounded_length(text: str, times: int) -> None:
+    line = in_one_line(text * times)
+    assert len(line) <= 2000
+    assert len(line.splitlines()) <= 1
+    assert not {unicodedata.category(letter) for letter in line} & {"Cc", "Cf", "Cs", "Zl", "Zp"}
+    assert in_one_line(line) == line
+
+
+def test_a_message_that_is_one_line_stays_as_it_is() -> None:
+    message = "mine.toml: tube.length = 0 mm must be above 0 mm; \N{GREEK SMALL LETTER OMEGA}, \N{MINUS SIGN}1"
+    assert str(Refusal(message)) == message
+
+
+@pytest.mark.parametrize(
+    ("text", "line"),
+    [
+        ("a\nb\t c", "a b c"),
+        ("\x1b[31mred\x00", "\\x1b[31mred\\x00"),
+        ("file\u202egnp.exe", "file\\u202egnp.exe"),
+        ("one\u2028two \udcff", "one two \\udcff"),
+        ("x" * 10_000 + " must be short", "x" * 197 + " ... " + "x" * 98 + " must be short"),
+    ],
+)
+def test_what_breaks_or_turns_a_line_is_shown_as_what_it_is(text: str, line: str) -> None:
+    assert in_one_line(text) == line
+    assert str(Refusal(text)) == str(pickle.loads(pickle.dumps(Refusal(text)))) == line
+
+
+def test_errors_of_designs_are_such_lines_too() -> None:
+    assert str(DesignError("a\nb", "c")) == "a b (and 1 more problem)"
