@@ -11,5 +11,9 @@ from .result_table import (
     table_of_search as table_of_search,
     table_of_sweep as table_of_sweep,
 )
-from .search_files import check_printed as check_printed, read_search as read_search, save_search as save_search
+from .search_files import (
+    read_search as read_search,
+    save_search as save_search,
+    unprintable_designs as unprintable_designs,
+)
 from .searching import Search as Search, optimize as optimize

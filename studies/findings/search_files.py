@@ -5,15 +5,15 @@ from __future__ import annotations
 import csv
 import io
 from collections.abc import Callable
-from dataclasses import replace
 from pathlib import Path
 
 from geometry import ArrayDesign, save_design
+from geometry.files.reading import read_text
 from geometry.files.writing import write_text
 from geometry.printing.report import PrintReport
 from studies.optimization.printable import worst_accepted
 from studies.optimization.problem import Optimization
-from studies.optimization.search import Candidate, OptimizationResult, ranked
+from studies.optimization.search import Candidate, OptimizationResult, without
 
 #: The study, its base and the best design, beside the journal of the trials.
 _STUDY, _BASE, _BEST = "study.toml", "base.toml", "best.toml"
@@ -21,10 +21,10 @@ _STUDY, _BASE, _BEST = "study.toml", "base.toml", "best.toml"
 LARGEST_FRONT = 10
 
 
-def check_printed(
+def unprintable_designs(
     problem: Optimization, result: OptimizationResult, progress: Callable[[str, float], None] | None = None
-) -> OptimizationResult:
-    """Result whose best designs, their parts drawn, keep the print rules; those that fail leave the front.
+) -> dict[int, str]:
+    """Designs that would be among the best but whose drawn parts fail the print rules: reasons by number.
 
     With ``printable = "base"`` or "advised" only the fields are held to more than the rules' least: what is measured
     on the drawn parts must not fail, and with "advised" must not be at risk.
@@ -33,26 +33,18 @@ def check_printed(
 
     report = progress or (lambda message, fraction: None)
     verdicts: dict[int, str] = {}
-    reasons = dict(result.refused)
+    failed: dict[int, str] = {}
     front = result.front
-    while True:
-        for each in front[:LARGEST_FRONT]:
-            if each.number in verdicts:
-                continue
+    while unknown := [each for each in front[:LARGEST_FRONT] if each.number not in verdicts]:
+        for each in unknown:
             report(f"design {each.number}", min(len(verdicts) / LARGEST_FRONT, 1.0))
             design = problem.study.base.with_values(each.values)
             printing = print_report(build_parts(design), design.printing.process)
             passes = printing.verdict in worst_accepted(problem.rules.demand)
             verdicts[each.number] = "" if passes else _failure(printing)
         failed = {number: why for number, why in verdicts.items() if why}
-        if not any(each.number in failed for each in front):
-            break
-        front = ranked(problem, [each for each in result.candidates if each.number not in failed])
-    for why in failed.values():
-        reasons[why] = reasons.get(why, 0) + 1
-    kept = tuple(each for each in result.candidates if each.number not in failed)
-    refused = tuple(sorted(reasons.items(), key=lambda pair: (-pair[1], pair[0])))
-    return replace(result, candidates=kept, front=front, refused=refused)
+        front = without(problem, result, failed).front
+    return failed
 
 
 def _failure(printing: PrintReport) -> str:
@@ -96,15 +88,16 @@ def read_search(out: Path) -> tuple[Optimization, OptimizationResult]:
         StudyError: the folder is not that of a finished search.
     """
     from geometry import load_design
+    from studies.optimization.journal import journal_exists
     from studies.optimization.problem import read_optimization
-    from studies.optimization.search import found_so_far, journal_exists
+    from studies.optimization.search import found_so_far
     from studies.study.study import StudyError
 
     if not journal_exists(out) or not all((out / name).is_file() for name in (_STUDY, _BASE, _BEST)):
         raise StudyError(
             f"{out}: is neither the results of a sweep (a .zarr folder) nor the folder of a finished search"
         )
-    text = (out / _STUDY).read_text(encoding="utf-8")
+    text = read_text(out / _STUDY, "the study of a search", StudyError)
     problem = read_optimization(text, str(out / _STUDY), out, load_design(out / _BASE))
     return problem, found_so_far(problem, out)
 

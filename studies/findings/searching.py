@@ -51,9 +51,10 @@ def optimize(
         Refusal: a study that cannot be read, a folder with files of others or of another search, or no design that
             keeps the limits and can be printed.
     """
-    from studies.findings.search_files import check_printed, save_search
+    from studies.findings.search_files import save_search, unprintable_designs
+    from studies.optimization.journal import journal_exists, seal
     from studies.optimization.problem import Optimization, load_optimization
-    from studies.optimization.search import journal_exists, search_designs
+    from studies.optimization.search import search_designs, without
 
     folder, show = Path(out), display or Display()
     problem = study if isinstance(study, Optimization) else load_optimization(study)
@@ -69,7 +70,9 @@ def optimize(
             f"({'; '.join(map(str, problem.limits)) or 'none'}): widen the parameters, or loosen them"
         )
     with show.stage("Parts") as report:
-        result = check_printed(problem, result, report)
+        failed = unprintable_designs(problem, result, report)
+        seal(folder, failed)  # whoever reads the search later must not take them back
+        result = without(problem, result, failed)
     if not result.front:
         raise Refusal(f"{problem.study.name}: of no design of the front do the drawn parts pass the print rules")
     return Search(problem, result, tuple(save_search(problem, result, folder)))

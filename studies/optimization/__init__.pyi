@@ -1,3 +1,4 @@
+from .journal import journal_exists as journal_exists
 from .printable import worst_accepted as worst_accepted
 from .problem import (
     Optimization as Optimization,
@@ -8,7 +9,6 @@ from .search import (
     Candidate as Candidate,
     OptimizationResult as OptimizationResult,
     found_so_far as found_so_far,
-    journal_exists as journal_exists,
     pareto_front as pareto_front,
     ranked as ranked,
     search_designs as search_designs,

@@ -7,17 +7,17 @@ that cannot be built, printed or laid out is refused before anything is computed
 from __future__ import annotations
 
 import math
-import os
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 from geometry import ArrayDesign, DesignError
+from studies.optimization.journal import opened, read_only, read_seal, seal
 from studies.optimization.problem import Optimization, searched_range
 from studies.study.failure_reasons import by_kind
 from studies.study.study import Parameter, StudyError
@@ -29,8 +29,6 @@ if TYPE_CHECKING:
 
     from studies.sweep.workers import Workers
 
-JOURNAL = "trials.journal"
-"""Name of the file of the trials in the folder of an optimisation."""
 _PART = 16
 """Designs of a batch that one worker takes at a time."""
 _DIGITS = 4
@@ -87,7 +85,7 @@ def search_designs(
     """
     report = progress or (lambda message, fraction: None)
     with _quiet(), open_workers(workers, scheduler) as team:
-        journal = _opened(problem, out)
+        journal = opened(out, _directions(problem), _identity(problem))
         search = _in_memory(journal, problem)
         done = len(search.trials)
         while done < problem.trials:
@@ -97,9 +95,26 @@ def search_designs(
             _run_batch(search, problem, count, team)
             trials = search.get_trials(deepcopy=False)
             journal.add_trials(trials[len(journal.get_trials(deepcopy=False)) :])
+            seal(out)
             done += count
             report(f"{done} designs", done / problem.trials)
         return _result(search, problem)
+
+
+def without(problem: Optimization, result: OptimizationResult, failed: Mapping[int, str]) -> OptimizationResult:
+    """Result without some candidates, which count among the refused.
+
+    Args:
+        problem: what is wanted.
+        result: of a search.
+        failed: reasons by the numbers of the candidates.
+    """
+    reasons = dict(result.refused)
+    for why in failed.values():
+        reasons[why] = reasons.get(why, 0) + 1
+    kept = tuple(each for each in result.candidates if each.number not in failed)
+    refused = tuple(sorted(reasons.items(), key=lambda pair: (-pair[1], pair[0])))
+    return replace(result, candidates=kept, front=ranked(problem, kept), refused=refused)
 
 
 def refusal_of(problem: Optimization, values: dict[str, Any]) -> tuple[ArrayDesign | None, str]:
@@ -151,45 +166,17 @@ def ranked(problem: Optimization, candidates: Sequence[Candidate]) -> tuple[Cand
 
 # -- trials -----------------------------------------------------------------------------------------
 def found_so_far(problem: Optimization, out: Path) -> OptimizationResult:
-    """Result as far as the journal in a folder holds it; nothing is computed but the base.
+    """Result as far as the journal in a folder holds it; nothing is computed but the base, nothing written.
 
     Raises:
-        StudyError: the folder holds the journal of another problem.
+        StudyError: the journal is damaged, or of another problem.
     """
-    with _quiet():
-        return _result(_opened(problem, out), problem)
+    with _quiet(), read_only(out, _directions(problem), _identity(problem)) as journal:
+        return without(problem, _result(journal, problem), read_seal(out).unprintable)
 
 
-def _opened(problem: Optimization, out: Path) -> optuna.Study:
-    """The trials on disk."""
-    import optuna
-    from optuna.storages.journal import JournalFileBackend
-
-    _without_torn_line(out / JOURNAL)
-    search = optuna.create_study(
-        storage=optuna.storages.JournalStorage(JournalFileBackend(str(out / JOURNAL))),
-        study_name="acoustic-fem",
-        directions=[objective.direction for objective in problem.objectives],
-        load_if_exists=True,
-    )
-    of_whom = search.user_attrs.get("problem")
-    if of_whom is None:
-        search.set_user_attr("problem", _identity(problem))
-    elif of_whom != _identity(problem):
-        raise StudyError(
-            f"{out / JOURNAL}: holds the trials of another problem; give a new folder, or the file it was begun with "
-            "(only optimize.trials may change)"
-        )
-    return search
-
-
-def _without_torn_line(journal: Path) -> None:
-    """Cut off a line that a kill left half written."""
-    if journal.is_file():
-        whole = journal.read_bytes().rfind(b"\n") + 1
-        if whole < journal.stat().st_size:
-            with journal.open("r+b") as file:
-                file.truncate(whole)
+def _directions(problem: Optimization) -> list[Literal["minimize", "maximize"]]:
+    return [objective.direction for objective in problem.objectives]
 
 
 def _in_memory(journal: optuna.Study, problem: Optimization) -> optuna.Study:
@@ -199,7 +186,7 @@ def _in_memory(journal: optuna.Study, problem: Optimization) -> optuna.Study:
     """
     import optuna
 
-    search = optuna.create_study(directions=[objective.direction for objective in problem.objectives])
+    search = optuna.create_study(directions=_directions(problem))
     trials = journal.get_trials(deepcopy=False)
     whole = len(trials) if len(trials) >= problem.trials else len(trials) // problem.batch * problem.batch
     search.add_trials(trials[:whole])
@@ -339,8 +326,3 @@ def _quiet() -> Iterator[None]:
         yield
     finally:
         optuna.logging.set_verbosity(before)
-
-
-def journal_exists(out: Path) -> bool:
-    """Whether a folder holds trials."""
-    return os.path.isfile(out / JOURNAL)

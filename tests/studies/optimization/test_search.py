@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -18,10 +19,10 @@ from geometry.design.design_file import load_design
 from geometry.layout.arrangement import lay_out
 from geometry.layout.overlaps import buildability_notes
 from studies.findings.search_files import read_search, save_search
+from studies.optimization.journal import JOURNAL, seal
 from studies.optimization.printable import Demand, PrintDemand, measures
 from studies.optimization.problem import Limit, Optimization, read_optimization
 from studies.optimization.search import (
-    JOURNAL,
     Candidate,
     OptimizationResult,
     pareto_front,
@@ -151,6 +152,47 @@ def test_what_is_on_disk_is_what_was_found(problem: Optimization, found: Optimiz
     command = [sys.executable, "-m", "studies.cli", "best", str(folder), str(number), "--out", str(out)]
     subprocess.run(command, cwd=Path(__file__).parents[3], check=True, capture_output=True)
     assert load_design(out).tube == problem.study.base.with_values(found.front[-1].values).tube
+
+
+@pytest.mark.parametrize("damage", ["a bit", "its end", "the seal"])
+def test_a_damaged_search_is_refused_by_name_and_reading_writes_nothing(
+    damage: str, problem: Optimization, found: OptimizationResult, folder: Path, tmp_path: Path
+) -> None:
+    broken = tmp_path / "search"
+    shutil.copytree(folder, broken)
+    save_search(problem, found, broken)
+    read_search(broken)
+    journal = bytearray((broken / JOURNAL).read_bytes())
+    place = journal.rfind(b'"value":0.') + len(b'"value":0.')
+    match damage:
+        case "a bit":
+            journal[place] = ord("1") if journal[place] != ord("1") else ord("2")
+            (broken / JOURNAL).write_bytes(journal)
+        case "its end":
+            (broken / JOURNAL).write_bytes(journal[:-200])
+        case _:
+            (broken / "trials.json").write_text('{"bytes": "many"}')
+    before = {path: path.read_bytes() for path in broken.rglob("*") if path.is_file()}
+    with pytest.raises(
+        StudyError, match="trials.journal: is damaged" if damage != "the seal" else "trials.json: bytes"
+    ):
+        read_search(broken)
+    with pytest.raises(StudyError):
+        search_designs(problem, broken)
+    assert {path: path.read_bytes() for path in broken.rglob("*") if path.is_file()} == before
+
+
+def test_designs_whose_parts_failed_stay_out(
+    problem: Optimization, found: OptimizationResult, folder: Path, tmp_path: Path
+) -> None:
+    again = tmp_path / "search"
+    shutil.copytree(folder, again)
+    save_search(problem, found, again)
+    first = found.front[0].number
+    seal(again, {first: "drawn and measured: thinnest wall"})
+    _, read = read_search(again)
+    assert first not in {each.number for each in read.candidates}
+    assert dict(read.refused)["drawn and measured: thinnest wall"] == 1
 
 
 def test_a_folder_of_another_search_is_refused(found: OptimizationResult, folder: Path) -> None:

@@ -1,0 +1,150 @@
+"""The trials of a search on disk: a journal of Optuna's, and a seal that tells whether it is still what was written."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+import zlib
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal
+
+from pydantic import BaseModel, ConfigDict, NonNegativeInt, ValidationError
+
+from geometry.files.ordinary import read_bytes
+from geometry.files.reading import read_text
+from geometry.files.writing import write_text
+from studies.study.study import StudyError
+
+if TYPE_CHECKING:
+    import optuna
+
+JOURNAL = "trials.journal"
+"""Name of the file of the trials in the folder of an optimisation."""
+_SEAL = "trials.json"
+_LARGEST = 2_000_000_000
+"""Most bytes of a journal; a trial has about a thousand."""
+
+
+Directions = Sequence[Literal["minimize", "maximize"]]
+
+
+class Seal(BaseModel):
+    """What a journal held when a batch was complete, and which of its designs turned out not to be printable."""
+
+    model_config = ConfigDict(extra="forbid", strict=True)
+
+    bytes: NonNegativeInt
+    """Length of the journal then."""
+    crc32: NonNegativeInt
+    """Checksum of so many bytes."""
+    unprintable: dict[int, str] = {}
+    """Reasons of designs that left the front when their parts were drawn, by their numbers."""
+
+
+def journal_exists(out: Path) -> bool:
+    """Whether a folder holds trials."""
+    return os.path.isfile(out / JOURNAL)
+
+
+def opened(out: Path, directions: Directions, identity: dict[str, Any]) -> optuna.Study:
+    """The trials of a folder, to be continued; a line that a kill left half written is cut off.
+
+    Args:
+        out: the folder; it must exist.
+        directions: ``maximize`` or ``minimize`` of each objective.
+        identity: what must agree for trials to belong to one search, as JSON keeps it.
+
+    Raises:
+        StudyError: the journal is damaged, or holds the trials of another problem.
+    """
+    path = out / JOURNAL
+    if path.is_file():
+        read_seal(out)
+        whole = path.read_bytes().rfind(b"\n") + 1
+        if whole < path.stat().st_size:
+            with path.open("r+b") as file:
+                file.truncate(whole)
+    search = _study(path, directions)
+    of_whom = search.user_attrs.get("problem")
+    if of_whom is None:
+        search.set_user_attr("problem", identity)
+        seal(out)
+    else:
+        _check_owner(path, of_whom, identity)
+    return search
+
+
+@contextmanager
+def read_only(out: Path, directions: Directions, identity: dict[str, Any]) -> Iterator[optuna.Study]:
+    """The trials of a folder, which stays as it is; arguments and errors as for :func:`opened`."""
+    held = _checked(out)
+    with tempfile.TemporaryDirectory() as folder:
+        copy = Path(folder) / JOURNAL
+        copy.write_bytes(held[: held.rfind(b"\n") + 1])
+        search = _study(copy, directions)
+        _check_owner(out / JOURNAL, search.user_attrs.get("problem"), identity)
+        yield search
+
+
+def seal(out: Path, unprintable: dict[int, str] | None = None) -> None:
+    """Note what the journal holds now; what was known to be unprintable stays so unless said anew."""
+    held = (out / JOURNAL).read_bytes()
+    known = read_seal(out).unprintable if unprintable is None and (out / _SEAL).is_file() else unprintable or {}
+    write_text(out / _SEAL, Seal(bytes=len(held), crc32=zlib.crc32(held), unprintable=known).model_dump_json(indent=1))
+
+
+def read_seal(out: Path) -> Seal:
+    """The seal of a folder's journal, which agrees with it; an empty one where there is none.
+
+    Raises:
+        StudyError: the seal cannot be read, or the journal is not what was sealed.
+    """
+    path = out / _SEAL
+    if not path.is_file():
+        return Seal(bytes=0, crc32=0)
+    try:
+        found = Seal.model_validate_json(read_text(path, "the seal of a search", StudyError))
+    except ValidationError as error:
+        where = ".".join(map(str, error.errors()[0]["loc"])) or "all of it"
+        raise StudyError(f"{path}: {where}: {error.errors()[0]['msg']}; search anew in a new folder") from None
+    held = read_bytes(out / JOURNAL, "the journal of a search", StudyError, _LARGEST)
+    if len(held) < found.bytes or zlib.crc32(held[: found.bytes]) != found.crc32:
+        raise StudyError(
+            f"{out / JOURNAL}: is damaged: its checksum is not that of what was written; search anew in a new folder"
+        )
+    return found
+
+
+def _checked(out: Path) -> bytes:
+    read_seal(out)
+    return read_bytes(out / JOURNAL, "the journal of a search", StudyError, _LARGEST)
+
+
+def _study(path: Path, directions: Directions) -> optuna.Study:
+    """Optuna's study of a journal.
+
+    Raises:
+        StudyError: a line of it is none of a journal.
+    """
+    import optuna
+    from optuna.storages.journal import JournalFileBackend
+
+    try:
+        return optuna.create_study(
+            storage=optuna.storages.JournalStorage(JournalFileBackend(str(path))),
+            study_name="acoustic-fem",
+            directions=directions,
+            load_if_exists=True,
+        )
+    except (ValueError, KeyError, TypeError, AttributeError) as error:  # lines of others, beyond what was sealed
+        raise StudyError(f"{JOURNAL}: is no journal of a search: {type(error).__name__}: {error}") from None
+
+
+def _check_owner(path: Path, of_whom: object, identity: dict[str, Any]) -> None:
+    if of_whom != identity:
+        raise StudyError(
+            f"{path}: holds the trials of another problem; give a new folder, or the file it was begun with "
+            "(only optimize.trials may change)"
+        )
