@@ -9,12 +9,11 @@
 
 from __future__ import annotations
 
-import contextlib
 import csv
-import io
 import json
 import os
 from array import array
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
@@ -22,15 +21,19 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
+from acoustic_fem.library.checksums import CHECKSUMS
 from acoustic_fem.library.netcdf_file import (
     ATTRIBUTES,
     LibraryError,
     dataset_of,
-    library_of,
+    library_in,
     load as load_netcdf,
+    real_variables,
     save as save_netcdf,
+    with_checksums,
 )
-from acoustic_fem.library.result import DEVIATION, VARIABLES, Library
+from acoustic_fem.library.result import Library
+from acoustic_fem.library.sealed_netcdf import read_netcdf, seal
 from acoustic_fem.quantities.units import metres
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import read_design
@@ -44,7 +47,8 @@ from geometry.layout.placement import point_places
 from geometry.refusal import Refusal
 
 FORMATS = (".nc", ".sofa", ".npz", ".csv")
-_DEVIATION = "transfer_function_deviation"
+#: Texts that a file may hold; those without checksums are of older versions.
+_TEXTS = (*ATTRIBUTES, CHECKSUMS)
 #: Dimension of a library -> letter of SOFA's: emitters, receivers, frequencies.
 _LETTERS = {"point": "E", "microphone": "R", "microphone_2": "R", "frequency": "N"}
 
@@ -73,13 +77,14 @@ def load_exchanged(path: str | os.PathLike[str]) -> Library:
     suffix = _suffix(path)
     if suffix == ".nc":
         return load_netcdf(path)
-    read = {".sofa": _read_sofa, ".npz": _read_npz, ".csv": _read_csv}[suffix]
+    ordinary_file(path, "a library", LibraryError)
     try:
-        return library_of(read(ordinary_file(path, "a library", LibraryError)))
+        dataset = {".sofa": _read_sofa, ".npz": _read_npz, ".csv": _read_csv}[suffix](path)
     except LibraryError:
         raise
     except Refusal as error:
         raise LibraryError(f"{path}: {error}") from None
+    return library_in(path, dataset)
 
 
 def _suffix(path: Path) -> str:
@@ -87,12 +92,6 @@ def _suffix(path: Path) -> str:
     if suffix not in FORMATS:
         raise LibraryError(f"{path}: its name must end with {', '.join(FORMATS[:-1])} or {FORMATS[-1]}")
     return suffix
-
-
-def _variables() -> dict[str, tuple[str, ...]]:
-    """Names of the real variables that a file may hold, and their dimensions."""
-    parts = {f"{name}_{part}": row[0] for name, row in VARIABLES.items() for part in ("real", "imag")}
-    return {**parts, _DEVIATION: DEVIATION[0]}
 
 
 def _dataset(
@@ -103,10 +102,7 @@ def _dataset(
     Raises:
         Refusal: an attribute is missing or the design is not valid.
     """
-    missing = [name for name in ATTRIBUTES if not isinstance(attributes.get(name), str)]
-    if missing:
-        raise Refusal(f"was not written by this program: it has no {missing[0]}")
-    design = read_design(attributes["design_toml"], "design_toml")
+    design = _design(attributes)
     if frequency.ndim != 1 or frequency.dtype.kind not in "fiu":
         raise Refusal(f"frequency is {frequency.dtype} of shape {frequency.shape}; it must be numbers in one row")
     lines, places = zip(*point_places(design), strict=True)
@@ -119,12 +115,19 @@ def _dataset(
         "frequency": ("frequency", frequency),
     }
     sizes = {name: len(values) for name, (_, values) in coordinates.items()}
-    dimensions = _variables()
+    dimensions = real_variables()
     for name, values in variables.items():
         shape = tuple(sizes[dimension] for dimension in dimensions[name])
         if values.shape != shape:
             raise Refusal(f"{name} has shape {values.shape}; it must be {shape} for its design and frequencies")
     return xr.Dataset({name: (dimensions[name], values) for name, values in variables.items()}, coordinates, attributes)
+
+
+def _design(attributes: dict[str, Any]) -> ArrayDesign:
+    missing = [name for name in ATTRIBUTES if not isinstance(attributes.get(name), str)]
+    if missing:
+        raise Refusal(f"was not written by this program: it has no {missing[0]}")
+    return read_design(attributes["design_toml"], "design_toml")
 
 
 # -- SOFA -----------------------------------------------------------------------------------------------------------
@@ -142,7 +145,7 @@ def _write_sofa(library: Library, path: Path) -> None:
     sofa.EmitterPosition, sofa.ReceiverPosition = emitters, receivers
     sofa.GLOBAL_Title = library.design.name
     sofa.GLOBAL_Comment = "emitters: sensing points; receivers: microphones; exp(+j omega t)"
-    for name, dimensions in _variables().items():
+    for name, dimensions in real_variables().items():
         if name not in dataset:
             continue
         values = dataset[name].transpose(*dimensions)
@@ -155,10 +158,11 @@ def _write_sofa(library: Library, path: Path) -> None:
         else:
             letters = "".join(_LETTERS[dimension] for dimension in dimensions)
             sofa.add_variable(_sofa_name(name), values.values, "double", letters)
-    for name in ATTRIBUTES:
+    for name in _TEXTS:
         sofa.add_attribute(f"GLOBAL_{_sofa_name(name)}", dataset.attrs[name])
     with whole_file(path) as beside:
         sofar.write_sofa(str(beside), sofa)
+        seal(beside)
 
 
 def _places(design: ArrayDesign) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -171,31 +175,30 @@ def _places(design: ArrayDesign) -> tuple[NDArray[np.float64], NDArray[np.float6
 
 
 def _read_sofa(path: Path) -> xr.Dataset:
-    import sofar
-
-    try:
-        with contextlib.redirect_stdout(io.StringIO()):
-            sofa = sofar.read_sofa(str(path), verify=False, verbose=False)
-    except (OSError, ValueError, KeyError, RuntimeError) as error:
-        raise LibraryError(f"{path}: is no SOFA file or is cut short ({' '.join(str(error).split())})") from None
-    if getattr(sofa, "GLOBAL_SOFAConventions", None) != "GeneralTF-E":
+    texts, arrays = read_netcdf(path, "a library in SOFA", LibraryError, _sofa_content)
+    if texts.get("SOFAConventions") != "GeneralTF-E":
         raise LibraryError(f"{path}: is SOFA of another convention than GeneralTF-E")
-    attributes = {name: getattr(sofa, f"GLOBAL_{_sofa_name(name)}", None) for name in ATTRIBUTES}
-    frequency = np.atleast_1d(np.asarray(sofa.N, np.float64))
+    attributes = {name: texts[_sofa_name(name)] for name in _TEXTS if _sofa_name(name) in texts}
+    frequency = arrays.pop("N", np.empty(0))
     variables = {}
-    for name, dimensions in _variables().items():
-        own = f"Data_{name.rsplit('_', 1)[1].capitalize()}" if name in _DATA else _sofa_name(name)
-        if not hasattr(sofa, own):
+    for name, dimensions in real_variables().items():
+        own = f"Data.{name.rsplit('_', 1)[1].capitalize()}" if name in _DATA else _sofa_name(name)
+        if own not in arrays:
             continue
-        values = np.asarray(getattr(sofa, own), np.float64)
+        values = arrays[own]
+        if values.dtype.kind != "f":
+            raise Refusal(f"{own} holds {values.dtype}, not floating-point numbers")
         if set(dimensions) == {"point", "microphone", "frequency"}:
-            # SOFA has four dimensions here; readers drop trailing ones of length 1
-            count = len(np.atleast_2d(sofa.ReceiverPosition))
-            values = values.reshape(count, len(frequency), -1).transpose(2, 0, 1)
-        elif dimensions == ("point", "frequency"):
-            values = values.reshape(-1, len(frequency))
+            if values.ndim != 4 or len(values) != 1:
+                raise Refusal(f"{own} has shape {values.shape}; it must be (1, receivers, frequencies, emitters)")
+            values = values[0].transpose(2, 0, 1)
         variables[name] = values
     return _dataset(attributes, frequency, variables)
+
+
+def _sofa_content(file: Any) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
+    texts = {name: file.getncattr(name) for name in file.ncattrs()}
+    return texts, {name: np.asarray(one[...]) for name, one in file.variables.items()}
 
 
 _DATA = ("transfer_function_real", "transfer_function_imag")
@@ -206,10 +209,10 @@ def _write_npz(library: Library, path: Path) -> None:
     dataset = dataset_of(library)
     arrays: dict[str, Any] = {
         name: dataset[name].transpose(*dimensions).values
-        for name, dimensions in _variables().items()
+        for name, dimensions in real_variables().items()
         if name in dataset
     }
-    arrays |= {name: np.array(dataset.attrs[name]) for name in ATTRIBUTES} | {"frequency": library.frequency}
+    arrays |= {name: np.array(dataset.attrs[name]) for name in _TEXTS} | {"frequency": library.frequency}
     with whole_file(path) as beside:
         np.savez(beside, **arrays)
 
@@ -218,25 +221,28 @@ def _read_npz(path: Path) -> xr.Dataset:
     arrays = read_npz(path, "an NPZ file", LibraryError)
     if "frequency" not in arrays:
         raise Refusal("was not written by this program: it has no frequency")
-    attributes = {name: str(arrays[name]) for name in ATTRIBUTES if name in arrays}
-    variables = {name: arrays[name] for name in _variables() if name in arrays}
+    attributes = {name: str(arrays[name]) for name in _TEXTS if name in arrays}
+    variables = {name: arrays[name] for name in real_variables() if name in arrays}
     return _dataset(attributes, arrays["frequency"], variables)
 
 
 # -- CSV ------------------------------------------------------------------------------------------------------------
+#: The first columns, and the order of the rows.
+_ORDER = ("point", "microphone", "frequency")
+
+
 def _write_csv(library: Library, path: Path) -> None:
     dataset = dataset_of(library)
-    order = ("point", "microphone", "frequency")
-    rows = dataset.drop_vars(["line", "place"]).drop_dims("microphone_2", errors="ignore")
-    names = [name for name in _variables() if name in rows]
+    rows = with_checksums(dataset.drop_vars(["line", "place"]).drop_dims("microphone_2", errors="ignore"))
+    names = [name for name in real_variables() if name in rows]
     table = xr.broadcast(*(rows[name] for name in names))
-    columns = [values.transpose(*order).values.ravel() for values in table]
-    places = [values.ravel() for values in np.meshgrid(*(rows[name].values for name in order), indexing="ij")]
+    columns = [values.transpose(*_ORDER).values.ravel() for values in table]
+    places = [values.ravel() for values in np.meshgrid(*(rows[name].values for name in _ORDER), indexing="ij")]
     with whole_file(path) as beside, beside.open("w", encoding="utf-8", newline="") as file:
-        for name in ATTRIBUTES:
-            file.write(f"# {name}: {json.dumps(dataset.attrs[name])}\n")
+        for name in _TEXTS:
+            file.write(f"# {name}: {json.dumps(rows.attrs[name])}\n")
         writer = csv.writer(file, lineterminator="\n")
-        writer.writerow([*order, *names])
+        writer.writerow([*_ORDER, *names])
         # tolist() gives Python's numbers, whose texts read back as the same number
         writer.writerows(zip(*(values.tolist() for values in (*places, *columns)), strict=True))
 
@@ -247,31 +253,56 @@ def _read_csv(path: Path) -> xr.Dataset:
     for remark in table.remarks:
         name, _, text = remark.partition(": ")
         attributes[name] = parse_json(text, name, Refusal)
-    order, names = ("point", "microphone", "frequency"), table.head[3:]
-    known = [name for name, dimensions in _variables().items() if "microphone_2" not in dimensions]
-    if table.head[:3] != order or not set(names) <= set(known) or len(set(names)) < len(names):
-        raise Refusal(f"its columns are {', '.join(table.head) or 'none'}; they must be {', '.join((*order, *known))}")
-    points: dict[str, None] = {}
-    microphones: dict[str, None] = {}
-    numbers = array("d")
-    for count, row in enumerate(table.rows, 1):
-        if len(row) != len(table.head):
-            raise Refusal(f"row {count} has {len(row)} values, must have {len(table.head)}; cut short?")
-        points[row[0]] = microphones[row[1]] = None
+    names = table.head[3:]
+    known = [name for name, dimensions in real_variables().items() if "microphone_2" not in dimensions]
+    if table.head[:3] != _ORDER or not set(names) <= set(known) or len(set(names)) < len(names):
+        raise Refusal(f"its columns are {', '.join(table.head) or 'none'}; they must be {', '.join((*_ORDER, *known))}")
+    design, width = _design(attributes), len(table.head)
+    places = [(str(point + 1), name) for point in range(design.point_count) for name in design.microphones]
+    columns = _csv_numbers(table.rows, width, places).reshape(
+        design.point_count, len(design.microphones), -1, width - 2
+    )
+    # what does not depend on the microphone stands in the rows of each
+    dimensions = real_variables()
+    variables = {
+        name: columns[..., k] if "microphone" in dimensions[name] else columns[:, 0, :, k]
+        for k, name in enumerate(names, 1)
+    }
+    return _dataset(attributes, columns[0, 0, :, 0], variables)
+
+
+def _csv_numbers(rows: Iterable[list[str]], width: int, places: list[tuple[str, str]]) -> NDArray[np.float64]:
+    """Numbers of all rows, their frequency first; (n_place n_freq, width - 2) float64.
+
+    Args:
+        rows: texts of all rows.
+        width: of each.
+        places: point and microphone, in the order in which they stand; all have the frequencies of the first.
+
+    Raises:
+        Refusal: a row that is not the one that stands there, or no number.
+    """
+    numbers, done, count = array("d"), 0, 0
+    for done, row in enumerate(rows, 1):
+        if len(row) != width:
+            raise Refusal(f"row {done} has {len(row)} values, must have {width}; cut short?")
         try:
             numbers.extend(map(float, row[2:]))
         except ValueError as error:
-            raise Refusal(f"row {count}: {error}") from None
+            raise Refusal(f"row {done}: {error}") from None
         if len(numbers) > MOST_NUMBERS:
             raise Refusal(f"holds more than {MOST_NUMBERS} numbers; it must hold at most as many")
-    rows = np.frombuffer(numbers).reshape(-1, len(names) + 1)
-    if not len(rows) or len(rows) % (len(points) * len(microphones)):
-        raise Refusal(f"has {len(rows)} rows, not a multiple of its points and microphones; cut short?")
-    values = rows.T.reshape(len(names) + 1, len(points), len(microphones), -1)
-    dimensions = _variables()
-    # what does not depend on the microphone stands in the rows of each
-    variables = {
-        name: column if "microphone" in dimensions[name] else column[:, 0]
-        for name, column in zip(names, values[1:], strict=True)
-    }
-    return _dataset(attributes, values[0][0, 0], variables)
+        if count == done - 1 and tuple(row[:2]) == places[0]:
+            count = done
+            continue
+        place, k = divmod(done - 1, count or 1)
+        wanted = places[min(place, len(places) - 1)]
+        frequency = numbers[k * (width - 2)]
+        if tuple(row[:2]) != wanted or float(row[2]) != frequency or place >= len(places):
+            raise Refusal(
+                f"row {done} is of point {row[0]}, microphone {row[1]}, {row[2]} Hz; it must be of point {wanted[0]}, "
+                f"microphone {wanted[1]}, {frequency:g} Hz as in its design: rows keep their order"
+            )
+    if not count or done != count * len(places):
+        raise Refusal(f"has {done} rows; its design has {len(places)} points by microphones, each with {count} rows")
+    return np.frombuffer(numbers).reshape(-1, width - 2)

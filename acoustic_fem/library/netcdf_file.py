@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import warnings
 from collections.abc import Iterable
 from dataclasses import asdict, fields
 from pathlib import Path
@@ -13,6 +14,8 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
+from acoustic_fem.library.checksums import CHECKSUMS, NoChecksumWarning, check_checksums, checksums
+from acoustic_fem.library.physics import check_physics
 from acoustic_fem.library.result import (
     DEVIATION,
     MEASURED,
@@ -21,6 +24,7 @@ from acoustic_fem.library.result import (
     Library,
     library_from_arrays,
 )
+from acoustic_fem.library.sealed_netcdf import read_netcdf, seal
 from acoustic_fem.quantities.checks import frequency_grid
 from acoustic_fem.quantities.fidelity import FIDELITIES
 from acoustic_fem.quantities.medium import Medium
@@ -54,9 +58,11 @@ def save(library: Library, path: str | os.PathLike[str]) -> None:
     """
     path = Path(path)
     dataset = dataset_of(library, (*VARIABLES, "force_response"))
+    checked: dict[Any, dict[str, Any]] = {name: {"fletcher32": True} for name in dataset.data_vars}
     try:
         with whole_file(path) as beside:
-            dataset.to_netcdf(beside, engine="netcdf4", format="NETCDF4")
+            dataset.to_netcdf(beside, engine="netcdf4", format="NETCDF4", encoding=checked)
+            seal(beside)
     except OSError as error:
         raise LibraryError(f"{path}: cannot be written: {error.strerror or error}") from None
 
@@ -73,7 +79,7 @@ def dataset_of(library: Library, names: Iterable[str] = tuple(VARIABLES)) -> xr.
             variables[f"{name}_{part}"] = values.assign_attrs(attributes)
     if library.transfer_function_deviation is not None:
         variables[_DEVIATION] = library.transfer_function_deviation
-    return xr.Dataset(
+    dataset = xr.Dataset(
         variables,
         attrs={
             "Conventions": "CF-1.11",
@@ -86,41 +92,74 @@ def dataset_of(library: Library, names: Iterable[str] = tuple(VARIABLES)) -> xr.
             "provenance": json.dumps(dict(library.provenance)),
         },
     )
+    return with_checksums(dataset)
+
+
+def with_checksums(dataset: xr.Dataset) -> xr.Dataset:
+    """A library as files hold it, with a hash of each of the members that it has."""
+    return dataset.assign_attrs({CHECKSUMS: checksums(dataset, ATTRIBUTES, _hashed())})
+
+
+def real_variables() -> dict[str, tuple[str, ...]]:
+    """Names of the real variables that a file may hold, and their dimensions."""
+    parts = {f"{name}_{part}": row[0] for name, row in VARIABLES.items() for part in ("real", "imag")}
+    return {**parts, _DEVIATION: DEVIATION[0]}
+
+
+def _hashed() -> dict[str, tuple[str, ...]]:
+    return {"frequency": ("frequency",), **real_variables()}
 
 
 def load(path: str | os.PathLike[str]) -> Library:
     """Read a library that :func:`save` wrote; every number is the one that was saved.
 
-    The arrays are compared with the design in the file: another number of points, other microphones or values
-    that are not finite are refused.
+    The arrays are compared with the design in the file and with what was written: another number of points, other
+    microphones, values that are not finite or that no sensor has, and damage of any kind are refused.
 
     Raises:
-        LibraryError: no such file, cut short, not a library, or altered; names the attribute or variable.
+        LibraryError: no such file, cut short, damaged, not a library, or altered; names the attribute or variable.
     """
     path = Path(path)
-    if not path.is_file():
-        raise LibraryError(f"{path}: {'is a folder, not a library' if path.is_dir() else 'no such file'}")
-    try:
-        with xr.open_dataset(path, engine="netcdf4", decode_times=False, mask_and_scale=False) as opened:
-            dataset = opened.load()
-    except Exception as error:  # foreign and damaged files make netCDF4 and xarray raise all kinds
-        raise LibraryError(f"{path}: is no netCDF file or is cut short ({_one_line(error)})") from None
+    dataset = read_netcdf(path, "a library in netCDF", LibraryError, _dataset)
     if dataset.attrs.get("title") != _TITLE:
         raise LibraryError(f"{path}: is a netCDF file but no library (title is not {_TITLE!r})")
     if dataset.attrs.get("layout_version") != _LAYOUT_VERSION:
         found = dataset.attrs.get("layout_version")
-        raise LibraryError(f"{path}: layout_version = {found} must be {_LAYOUT_VERSION}")
+        raise LibraryError(
+            f"{path}: layout_version = {found} must be {_LAYOUT_VERSION}; a later version of this program writes others"
+        )
+    return library_in(path, dataset)
+
+
+def _dataset(file: Any) -> xr.Dataset:
+    store = xr.backends.NetCDF4DataStore(file)
+    return xr.open_dataset(store, decode_times=False, mask_and_scale=False).load()
+
+
+def library_in(path: Path, dataset: xr.Dataset) -> Library:
+    """The library that a file holds; one without checksums is told of.
+
+    Raises:
+        LibraryError: as :func:`library_of`.
+    """
     try:
-        return library_of(dataset)
+        library = library_of(dataset)
     except Refusal as error:
         raise LibraryError(f"{path}: {_one_line(error)}") from None
+    if CHECKSUMS not in dataset.attrs:
+        warnings.warn(
+            f"{path}: has no checksums, damage to it cannot be noticed; convert it to have them",
+            NoChecksumWarning,
+            stacklevel=1,  # once per file, whoever reads it
+        )
+    return library
 
 
 def library_of(dataset: xr.Dataset) -> Library:
     """The library in a data set.
 
     Raises:
-        Refusal: an attribute or variable is not that of a library; says which.
+        Refusal: an attribute or variable is not that of a library, not what was written, or no sensor's; says which.
     """
     absent = {name for name in OPTIONAL if f"{name}_real" not in dataset and f"{name}_imag" not in dataset}
     present = [name for name in VARIABLES if name not in absent]
@@ -145,7 +184,7 @@ def library_of(dataset: xr.Dataset) -> Library:
         ("microphone", list(design.microphones)),
     ):
         _check_coordinate(dataset[name], expected)
-    return library_from_arrays(
+    library = library_from_arrays(
         design,
         _frequency(dataset["frequency"]),
         {name: _complex(dataset, name) for name in present},
@@ -154,6 +193,9 @@ def library_of(dataset: xr.Dataset) -> Library:
         _json_object(dataset.attrs["provenance"], "provenance"),
         _deviation(dataset) if _DEVIATION in dataset else None,
     )
+    check_checksums(dataset, ATTRIBUTES, _hashed())
+    check_physics(library)
+    return library
 
 
 def _check_coordinate(found: xr.DataArray, expected: list[int] | list[str]) -> None:

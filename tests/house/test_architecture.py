@@ -219,7 +219,6 @@ USED_THROUGH_OTHERS = {
     "lxml",  # trimesh reads 3MF with it
     "meshio",  # skfem.io and pyvista read and write meshes with it
     "onnxscript",  # torch writes ONNX files with it
-    "netCDF4",  # the engine with which xarray writes netCDF-4
 }
 #: Modules that come with a requirement under another name.
 COMES_WITH = {

@@ -1,0 +1,111 @@
+"""What every library obeys, whoever made it; what no physics makes is refused with what is wrong with it.
+
+Noise breaks none of it: of a measured library the impedances are those of the library known before, and the source
+response is their product with what was measured. Whether a measured transfer function itself could be that of a passive
+sensor is not asked.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import xarray as xr
+from numpy.typing import NDArray
+
+from acoustic_fem.library.result import MEASURED, Library
+from geometry.refusal import Refusal
+
+#: Part of the size of impedances by which resistances may be negative, and impedances unequal, from rounding: cells
+#: in 3-D are symmetric and passive to 1e-9.
+_ROUNDING = 1e-6
+
+
+def check_physics(library: Library) -> None:
+    """Refuse a library that no sensor has.
+
+    - Something is heard of every point, and what is heard changes with the frequency.
+    - The source response is the transfer function times the point impedance.
+    - Impedances take power and give none: resistances are not negative, and, where nothing was measured, the square of
+      that between a point and a microphone is at most the product of their own (the real part of an impedance matrix
+      is positive semidefinite).
+    - Impedances between microphones are reciprocal.
+
+    Raises:
+        Refusal: names the variable and the place.
+    """
+    _check_heard(library.transfer_function)
+    _check_product(library)
+    _check_passive("point_impedance", library.point_impedance, library.point_impedance.values)
+    if library.microphone_impedance is not None:
+        _check_microphones(library.microphone_impedance)
+        if library.fidelity != MEASURED:
+            _check_shared(library, library.microphone_impedance)
+
+
+def _check_heard(transfer_function: xr.DataArray) -> None:
+    h = transfer_function.values
+    silent = np.flatnonzero(~np.any(h, axis=(1, 2)))
+    if len(silent) == len(h):
+        raise Refusal("variable transfer_function is zero everywhere; no sensor is silent")
+    if len(silent):
+        point = transfer_function["point"].values[silent[0]]
+        raise Refusal(f"variable transfer_function is zero at point {point} everywhere; no point is silent")
+    if h.shape[2] > 1 and (h == h[..., :1]).all():
+        raise Refusal("variable transfer_function is the same at all frequencies; that of no sensor is")
+
+
+def _check_product(library: Library) -> None:
+    h = library.transfer_function
+    with np.errstate(over="ignore", invalid="ignore"):
+        product = h.values * library.point_impedance.values[:, None]
+        # what is next to nothing has lost digits
+        near = np.abs(library.source_response.values - product) <= 1e-5 * np.abs(product) + 1e-280
+    wrong = ~(near & np.isfinite(product))
+    if wrong.any():
+        raise Refusal(
+            f"variable source_response is not transfer_function times point_impedance at {_place(h, wrong)}; "
+            "one of the three was changed"
+        )
+
+
+def _check_passive(name: str, array: xr.DataArray, values: NDArray[np.complex128]) -> None:
+    wrong = values.real < -_ROUNDING * np.abs(values)
+    if wrong.any():
+        found = values.real[tuple(np.argwhere(wrong)[0])]
+        raise Refusal(
+            f"variable {name}_real = {found:g} Pa s/m^3 at {_place(array, wrong)} must be positive: "
+            "what is passive gives no power"
+        )
+    if (values == 0).any():
+        raise Refusal(f"variable {name} is zero at {_place(array, values == 0)}; nothing yields without end")
+
+
+def _check_microphones(impedance: xr.DataArray) -> None:
+    z = impedance.values
+    own = np.einsum("iif->if", z)
+    _check_passive("microphone_impedance", impedance.isel(microphone_2=0), own)
+    size = np.sqrt(np.abs(own))
+    wrong = np.abs(z - z.swapaxes(0, 1)) > _ROUNDING * size[:, None] * size[None]
+    if wrong.any():
+        raise Refusal(
+            f"variable microphone_impedance is not reciprocal at {_place(impedance, wrong)}: "
+            "exchanging its microphones must change nothing"
+        )
+
+
+def _check_shared(library: Library, microphone_impedance: xr.DataArray) -> None:
+    source, point = library.source_response, library.point_impedance.values[:, None]
+    own = np.einsum("iif->if", microphone_impedance.values)[None]
+    with np.errstate(over="ignore", invalid="ignore"):
+        room = point.real * own.real + _ROUNDING * np.abs(point) * np.abs(own)
+        wrong = ~(source.values.real**2 <= room)
+    if wrong.any():
+        raise Refusal(
+            f"variable source_response is not passive at {_place(source, wrong)}: its resistance must be at most the "
+            "root of those of point_impedance and microphone_impedance"
+        )
+
+
+def _place(array: xr.DataArray, wrong: NDArray[np.bool_]) -> str:
+    """The first place at which something is wrong, in words."""
+    at = {str(name): array[name].values[k] for name, k in zip(array.dims, np.argwhere(wrong)[0], strict=True)}
+    return ", ".join(f"{value:g} Hz" if name == "frequency" else f"{name} {value}" for name, value in at.items())
