@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -12,11 +13,12 @@ from numpy.typing import NDArray
 from geometry.assembly.model import ArrayModel, plane_of
 from geometry.assembly.parts import Kind, PlacedPart
 from geometry.refusal import Refusal
+from geometry.stated.ports import ANGLE_STEP
 
 if TYPE_CHECKING:
     import cadquery as cq
 
-#: Common volumes below this are contact, mm^3: rounding the directions of ports to 0.1 degrees makes 1e-5.
+#: Common volumes below this are contact, mm^3; of a tube and the lip that it stops on see :func:`_wedge`.
 CONTACT_VOLUME = 1e-4
 #: A hole belongs to a tube where their axes are within this angle (sine) and distance (mm).
 _SAME_DIRECTION, _SAME_AXIS = 0.01, 0.1
@@ -78,15 +80,20 @@ class PortFit:
 def interferences(model: ArrayModel) -> tuple[Interference, ...]:
     """Every pair of placed parts whose solids share more than :data:`CONTACT_VOLUME`.
 
+    Tubes and the parts they end in may share what the rounding of ports makes of their contact.
+
     Boxes only sieve the pairs, solids decide; pairs that lie to each other as one before are not computed again.
     """
     found = []
     shared: dict[object, float] = {}
+    joined, wedge = _joined(model), _wedge(model)
     for i, j in _near(model, 0.0):
         key, other = _relative(model, i, j)
         if key not in shared:
             shared[key] = model.shapes[model.placed[i].part].intersect(other()).Volume()
-        if shared[key] > CONTACT_VOLUME:
+        groups = model.placed[i].group, model.placed[j].group
+        ends_in = groups[0] != groups[1] and frozenset(groups) in joined
+        if shared[key] > CONTACT_VOLUME + (wedge if ends_in else 0.0):
             found.append(Interference(model.placed[i].label, model.placed[j].label, shared[key]))
     return tuple(found)
 
@@ -177,6 +184,12 @@ def _relative(model: ArrayModel, i: int, j: int) -> tuple[object, _Placed]:
     matrix: NDArray[np.float64] = np.linalg.solve(first.matrix, second.matrix).astype(np.float64)
     key = (first.part, second.part, tuple((np.round(matrix[:3], 5) + 0.0).ravel().tolist()))
     return key, _Placed(model.shapes[second.part], matrix)
+
+
+def _wedge(model: ArrayModel) -> float:
+    """Volume that the widest tube shares with the lip that it stops on, mm^3, whose direction is rounded."""
+    radius = max((tube.tube.outer_diameter / 2 for tube in model.layout.tubes), default=0.0)
+    return 2 / 3 * radius**3 * math.tan(math.radians(ANGLE_STEP / 2))
 
 
 @dataclass(frozen=True)

@@ -6,11 +6,12 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from geometry.stated.cavity_shapes import WIDEST_BOX, Box, Dome
+from geometry.stated.parts import SOCKET_COVER
 
 if TYPE_CHECKING:
     from geometry.stated.array import StatedArray
     from geometry.stated.making import Printing
-    from geometry.stated.parts import Membrane, Resonator, Shell
+    from geometry.stated.parts import Membrane, Microphone, Resonator, Shell
 
 #: Material on either side of a glue groove, mm.
 _GROOVE_EDGE = 0.15
@@ -146,6 +147,22 @@ def feature_problems(
                 f"resonator.port_height = {height:g} mm must be at least {hole:g} mm, so that the tubes pass over "
                 "the feet (shell.feet)"
             )
+
+
+def seat_underside(microphone: Microphone, hole: float) -> float:
+    """Height above the floor of a chamber at which the seat of its board begins to widen the housing, mm.
+
+    Args:
+        microphone: the microphone.
+        hole: radius of the widest socket, mm; one that grazed the underside would leave a wall of no thickness.
+    """
+    top = microphone.chamber_height
+    gasket = microphone.gasket_depth if microphone.gasket_width is not None else 0.0
+    underside = max(top - microphone.wall_thickness - gasket, 0.0)
+    for edge in (top / 2 + hole, top / 2 - hole):
+        if abs(underside - edge) < SOCKET_COVER:
+            underside = max(edge - SOCKET_COVER, 0.0)
+    return underside
 
 
 def ledge_height(resonator: Resonator, membrane: Membrane, printing: Printing) -> float:

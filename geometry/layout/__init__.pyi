@@ -5,7 +5,13 @@ from .cutting import (
     cutting_list as cutting_list,
     spring_length as spring_length,
 )
-from .overlaps import buildability_notes as buildability_notes
+from .mending import mend_of as mend_of, refuse_unbuildable as refuse_unbuildable
+from .overlaps import (
+    OverlapError as OverlapError,
+    buildability_notes as buildability_notes,
+    refuse_overlaps as refuse_overlaps,
+    schematic_notes as schematic_notes,
+)
 from .placement import (
     ArrayLayout as ArrayLayout,
     MicrophonePlacement as MicrophonePlacement,

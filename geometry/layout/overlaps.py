@@ -1,23 +1,50 @@
-"""What of a layout cannot be built as drawn: shells, housings and tubes that get into each other's way."""
+"""What of a layout cannot be built: shells, housings and tubes that get into each other's way, tubes bent too far."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from geometry.design.array_design import ArrayDesign
-from geometry.layout.placement import ArrayLayout, TubePlacement
+from geometry.layout.arrangement import lay_out
+from geometry.layout.bodies import Array, Prism, depth, prisms
+from geometry.layout.placement import ArrayLayout, TubePlacement, point_ports
+from geometry.layout.straight_rows import is_wide_apart
 from geometry.plan.routing import path_length, resampled, tightest_bend
+from geometry.stated.cavity_shapes import wall_distance
+from geometry.stated.fields import DesignError
+from geometry.stated.ports import ANGLE_STEP, in_common_rotation, web_problem
 
 #: Overlaps below this are contact, mm.
-_CONTACT = 1e-3
+_CONTACT = 1e-4
 #: Bends closer to their limit than this (relative) keep it.
 _ROUNDING = 1e-6
-#: Points per rim of a body that is tilted against another.
-_RIM = 180
+#: Steps along a tube in its outside diameters, and into how many each is divided where a body is near.
+_STEP, _FINE = 0.2, 64
+
+
+class OverlapError(DesignError):
+    """A design that cannot be built; :attr:`problems` has every line of :func:`overlaps`."""
+
+
+def refuse_overlaps(design: ArrayDesign, layout: ArrayLayout | None = None) -> None:
+    """Refuse a design that cannot be built as it is laid out.
+
+    Args:
+        design: the array.
+        layout: where its parts lie, where it is known already.
+
+    Raises:
+        OverlapError: see :func:`overlaps`.
+    """
+    if is_wide_apart(design):
+        return
+    found = overlaps(design, lay_out(design) if layout is None else layout)
+    if found:
+        raise OverlapError(f"{design.name}: cannot be built: {found[0]}", *found[1:])
 
 
 def buildability_notes(design: ArrayDesign, layout: ArrayLayout) -> tuple[str, ...]:
@@ -28,32 +55,13 @@ def buildability_notes(design: ArrayDesign, layout: ArrayLayout) -> tuple[str, .
         layout: where its parts lie.
 
     Returns:
-        Microphones drawn schematically, then every overlap of shells, housings and tubes and every bend that is too
-        tight, by name and size.
+        Microphones drawn schematically, then :func:`overlaps`.
     """
-    return (*_schematic_notes(design, layout), *overlaps(design, layout))
+    return (*schematic_notes(design, layout), *overlaps(design, layout))
 
 
-def overlaps(design: ArrayDesign, layout: ArrayLayout) -> list[str]:
-    """Name and measure every overlap of a layout.
-
-    Checked in space: bodies (shells and microphone housings, as upright cylinders) against bodies, tubes against
-    the bodies they do not end in, tubes against tubes outside the stop shoulders of their ports, and the bend of
-    tubes. Tubes that are drawn schematically are left out: their way is not real.
-    """
-    bodies = _Bodies(design, layout)
-    tubes = [tube for tube in layout.tubes if not tube.schematic]
-    lip = design.printing.port_lip
-    samples = [resampled(tube.course, 0.2 * tube.tube.outer_diameter, min(lip, tube.tube.length / 4)) for tube in tubes]
-    return [
-        *_bodies_in_bodies(bodies),
-        *_tubes_in_bodies(design, layout, bodies, tubes, samples),
-        *_tubes_in_tubes(tubes, samples),
-        *_tight_bends(tubes),
-    ]
-
-
-def _schematic_notes(design: ArrayDesign, layout: ArrayLayout) -> list[str]:
+def schematic_notes(design: ArrayDesign, layout: ArrayLayout) -> tuple[str, ...]:
+    """Sentences on the microphones whose tubes are drawn for the eye only: what is studied, not what overlaps."""
     notes = []
     for microphone in layout.microphones:
         drawn = []
@@ -68,111 +76,183 @@ def _schematic_notes(design: ArrayDesign, layout: ArrayLayout) -> list[str]:
     if notes:
         count = sum(tube.schematic for tube in layout.tubes)
         notes.insert(0, f"simulated study: not buildable as drawn; {count} microphone tubes are drawn schematically")
-    return notes
+    return tuple(notes)
+
+
+def overlaps(design: ArrayDesign, layout: ArrayLayout) -> tuple[str, ...]:
+    """Name and measure everything of a layout that cannot be built.
+
+    Checked in space: bodies (shells with their feet, housings with the seats of their boards) against bodies, tubes
+    against bodies and against each other outside the walls they end in, the bend of tubes, and the walls between the
+    ports of a shell. Tubes that are drawn schematically are left out: their way is not real.
+    """
+    bodies = _Bodies(design, layout)
+    tubes = [_Tube(design, placed, bodies) for placed in layout.tubes if not placed.schematic]
+    return (
+        *_bodies_in_bodies(bodies),
+        *_tubes_in_bodies(bodies, tubes),
+        *_tubes_in_tubes(tubes),
+        *_tight_bends(tubes),
+        *_thin_webs(design, layout),
+    )
 
 
 class _Bodies:
-    """Shells and microphone housings as cylinders: names, frames, radii (n,) and heights of both ends (n, 2), mm."""
+    """Bodies by number: their names, the prisms they consist of, and a tree of where these stand."""
 
     def __init__(self, design: ArrayDesign, layout: ArrayLayout) -> None:
-        resonator, microphone = design.resonator, design.microphone
-        shell = (-resonator.floor_thickness, resonator.cavity_height)
-        floor = resonator.port_axis_height - microphone.chamber_height / 2
-        top = floor + microphone.chamber_height + microphone.sound_hole_length + microphone.package_height
-        housing = (floor - microphone.wall_thickness, top)
-        across = max(microphone.chamber_diameter, *microphone.board_size) / 2 + microphone.wall_thickness
-        placed = [(f"shell {p.number}", layout.frame(p), resonator.outer_diameter / 2, shell) for p in layout.points]
-        placed += [(f"microphone {m.name}", layout.frame(m), across, housing) for m in layout.microphones]
-        self.names = [name for name, _, _, _ in placed]
-        self.frames = [frame for _, frame, _, _ in placed]
-        self.radii = np.array([radius for _, _, radius, _ in placed])
-        self.heights = np.array([heights for _, _, _, heights in placed])
-        self.tree = cKDTree(np.array([frame.origin for frame in self.frames]))
-        self.reach = float(np.hypot(self.radii, np.abs(self.heights).max(axis=1)).max())
-
-    def depth(self, i: int, j: int) -> float:
-        """How far two bodies are in each other, mm; negative where they are not."""
-        if math.isclose(float(np.dot(self.frames[i].axes[2], self.frames[j].axes[2])), 1.0, abs_tol=1e-12):
-            x, y, _ = self.frames[j].seen(np.array([self.frames[i].origin]))[0]
-            return float(self.radii[i] + self.radii[j] - math.hypot(x, y))
-        return max(self._rims_inside(i, j), self._rims_inside(j, i))
-
-    def _rims_inside(self, i: int, j: int) -> float:
-        """How deep the rims of body i are inside body j, mm."""
-        turns = np.linspace(0, 2 * np.pi, _RIM, endpoint=False)
-        rim = self.radii[i] * np.column_stack([np.cos(turns), np.sin(turns)])
-        own = np.vstack([np.column_stack([rim, np.full(_RIM, z)]) for z in self.heights[i]])
-        in_space = own @ np.asarray(self.frames[i].axes) + np.asarray(self.frames[i].origin)
-        x, y, z = self.frames[j].seen(in_space).T
-        low, high = self.heights[j]
-        return float(np.minimum(np.minimum(self.radii[j] - np.hypot(x, y), z - low), high - z).max())
-
-    def gap(self, body: int, path: NDArray[np.float64]) -> float:
-        """Distance of a body from the nearest of points (n, 3) in space, mm; negative inside."""
-        x, y, z = self.frames[body].seen(path).T
-        low, high = self.heights[body]
-        beside, above = np.hypot(x, y) - self.radii[body], np.maximum(low - z, z - high)
-        outside = np.hypot(np.maximum(beside, 0), np.maximum(above, 0))
-        # In plan the way out of a body is sideways, although its lid or floor may be nearer.
-        return float(np.where(above > 0, outside, beside).min())
+        self.names = [f"shell {p.number}" for p in layout.points] + [f"microphone {m.name}" for m in layout.microphones]
+        self.point_at = {(p.line, p.place): k for k, p in enumerate(layout.points)}
+        self.microphone_at = {m.name: len(layout.points) + k for k, m in enumerate(layout.microphones)}
+        self.prisms = list(prisms(design, layout))
+        self.reach = np.array([prism.reach for prism in self.prisms])
+        self.origins = np.array([prism.frame.origin for prism in self.prisms])
+        self.tree = cKDTree(self.origins)
 
 
-def _bodies_in_bodies(bodies: _Bodies) -> list[str]:
-    notes = []
-    for i, j in sorted(bodies.tree.query_pairs(2 * bodies.reach)):
-        depth = bodies.depth(i, j)
-        if depth > _CONTACT:
-            notes.append(f"{bodies.names[i]} overlaps {bodies.names[j]} by {depth:.2g} mm")
-    return notes
+class _Tube:
+    """A tube where it is outside the walls that it ends in.
+
+    Its way is a polyline; between its points an arc lies a little further out, by which the tube counts as thicker.
+    """
+
+    def __init__(self, design: ArrayDesign, placed: TubePlacement, bodies: _Bodies) -> None:
+        self.placed, self.label = placed, placed.label
+        line, tube = design.lines[placed.line], placed.tube
+        shell, chamber = design.resonator.wall_thickness, design.microphone.wall_thickness
+        first, last = placed.segment == 0, placed.segment == line.points
+        self.ends = (
+            bodies.microphone_at[line.between[0]] if first else bodies.point_at[placed.line, placed.segment - 1],
+            bodies.microphone_at[line.between[1]] if last else bodies.point_at[placed.line, placed.segment],
+        )
+        walls = (chamber if first else shell, chamber if last else shell)
+        self.bend = tightest_bend(placed.course)
+        self.step = _STEP * tube.outer_diameter
+        chord = float(np.linalg.norm(np.diff(placed.course[1:-1], axis=0), axis=1).max(initial=0.0))
+        sag = 0.0 if math.isinf(self.bend) else (chord**2 + self.step**2) / (8 * self.bend)
+        self.radius = tube.outer_diameter / 2 + sag
+        self.points = resampled(placed.course, self.step, walls)
+        self.gap = design.printing.glue_gap
+
+    def beside(self, prism: Prism) -> Array:
+        """Its points, (n, 3) float64, mm, that could get in the way of a prism.
+
+        Of a body that it ends in, those that have left its wall by more than the tube is wide; of the seat on a
+        chamber, those that are no longer in its socket.
+        """
+        if not prism.is_trunk or prism.body not in self.ends:
+            return self.points
+        outwards = self.points if prism.body == self.ends[0] else self.points[::-1]
+        if len(prism.corners) == 1:
+            return outwards[1 + math.ceil(2 * self.radius / self.step) :]
+        along = outwards[1] - outwards[0]
+        off = np.cross(outwards - outwards[0], along) / np.linalg.norm(along)
+        return outwards[np.linalg.norm(off, axis=1) > self.gap]
 
 
-def _tubes_in_bodies(
-    design: ArrayDesign,
-    layout: ArrayLayout,
-    bodies: _Bodies,
-    tubes: list[TubePlacement],
-    samples: list[NDArray[np.float64]],
-) -> list[str]:
-    point_at = {(p.line, p.place): k for k, p in enumerate(layout.points)}
-    microphone_at = {m.name: len(layout.points) + k for k, m in enumerate(layout.microphones)}
-    notes = []
-    for tube, path in zip(tubes, samples, strict=True):
-        line = design.lines[tube.line]
-        before = microphone_at[line.between[0]] if tube.segment == 0 else point_at[tube.line, tube.segment - 1]
-        last = tube.segment == line.points
-        after = microphone_at[line.between[1]] if last else point_at[tube.line, tube.segment]
-        half = tube.tube.outer_diameter / 2
-        near = np.concatenate(bodies.tree.query_ball_point(path, bodies.reach + half)).astype(int)
-        for body in sorted(set(near.tolist()) - {before, after}):
-            gap = bodies.gap(body, path) - half
-            if gap < -_CONTACT:
-                notes.append(f"{tube.label} passes {-gap:.2g} mm inside {bodies.names[body]}")
-    return notes
-
-
-def _tubes_in_tubes(tubes: list[TubePlacement], samples: list[NDArray[np.float64]]) -> list[str]:
-    if not tubes:
-        return []
-    owner = np.repeat(np.arange(len(tubes)), [len(path) for path in samples])
-    outer = np.array([tube.tube.outer_diameter for tube in tubes])
-    points = np.vstack(samples)
-    pairs = cKDTree(points).query_pairs(outer.max(), output_type="ndarray")
-    pairs = pairs[owner[pairs[:, 0]] != owner[pairs[:, 1]]]
-    apart = np.linalg.norm(points[pairs[:, 0]] - points[pairs[:, 1]], axis=1)
-    depth = (outer[owner[pairs[:, 0]]] + outer[owner[pairs[:, 1]]]) / 2 - apart
+def _bodies_in_bodies(bodies: _Bodies) -> Iterator[str]:
     worst: dict[tuple[int, int], float] = {}
-    for (i, j), d in zip(np.sort(owner[pairs], axis=1).tolist(), depth.tolist(), strict=True):
-        if d > max(_CONTACT, worst.get((i, j), 0.0)):
-            worst[i, j] = d
-    return [f"{tubes[i].label} overlaps {tubes[j].label} by {d:.2g} mm" for (i, j), d in sorted(worst.items())]
+    for i, j in sorted(bodies.tree.query_pairs(2 * float(bodies.reach.max()))):
+        first, second = bodies.prisms[i], bodies.prisms[j]
+        apart = float(np.linalg.norm(bodies.origins[i] - bodies.origins[j]))
+        if first.body == second.body or apart > first.reach + second.reach:
+            continue
+        deep, pair = depth(first, second), (first.body, second.body)
+        if deep > max(_CONTACT, worst.get(pair, 0.0)):
+            worst[pair] = deep
+    for (i, j), deep in worst.items():
+        yield f"{bodies.names[i]} overlaps {bodies.names[j]} by {deep:.2g} mm"
 
 
-def _tight_bends(tubes: list[TubePlacement]) -> list[str]:
-    notes = []
+def _tubes_in_bodies(bodies: _Bodies, tubes: list[_Tube]) -> Iterator[str]:
+    widest = float(bodies.reach.max())
     for tube in tubes:
-        radius, smallest = tightest_bend(tube.course), tube.tube.smallest_bend_radius
-        if radius < smallest * (1 - _ROUNDING):
-            notes.append(
-                f"{tube.label} bends to a radius of {radius:.2g} mm, below the {smallest:.3g} mm that it may be bent to"
+        worst: dict[int, float] = {}
+        near = np.concatenate(bodies.tree.query_ball_point(tube.points, widest + tube.radius)).astype(int)
+        for number in sorted(set(near.tolist())):
+            prism = bodies.prisms[number]
+            deep = tube.radius - _least_gap(prism, tube.beside(prism), tube.radius, tube.step)
+            if deep > max(_CONTACT, worst.get(prism.body, 0.0)):
+                worst[prism.body] = deep
+        for body, deep in worst.items():
+            yield f"{tube.label} passes {deep:.2g} mm inside {bodies.names[body]}"
+
+
+def _least_gap(prism: Prism, points: Array, radius: float, step: float) -> float:
+    """Distance of a prism from a polyline (n, 3), mm; exact only where it is below the radius."""
+    if not len(points):
+        return math.inf
+    gaps = prism.gaps(points)
+    nearest = int(np.argmin(gaps))
+    if gaps[nearest] > radius + step:
+        return float(gaps[nearest])
+    around = points[max(nearest - 1, 0) : nearest + 2]
+    at = np.linspace(0, len(around) - 1, 2 * _FINE + 1)
+    fine = np.column_stack([np.interp(at, np.arange(len(around)), around[:, k]) for k in range(3)])
+    return float(prism.gaps(fine).min())
+
+
+def _tubes_in_tubes(tubes: list[_Tube]) -> Iterator[str]:
+    if len(tubes) < 2:
+        return
+    owner = np.repeat(np.arange(len(tubes)), [len(tube.points) - 1 for tube in tubes])
+    starts = np.vstack([tube.points[:-1] for tube in tubes])
+    ways = np.vstack([np.diff(tube.points, axis=0) for tube in tubes])
+    radius, step = (np.array([getattr(tube, name) for tube in tubes]) for name in ("radius", "step"))
+    pairs = cKDTree(starts).query_pairs(2 * (radius + step).max(), output_type="ndarray")
+    pairs = pairs[owner[pairs[:, 0]] != owner[pairs[:, 1]]]
+    i, j = pairs.T
+    deep = radius[owner[i]] + radius[owner[j]] - _apart(starts[i], ways[i], starts[j], ways[j])
+    worst: dict[tuple[int, int], float] = {}
+    for (a, b), d in zip(np.sort(owner[pairs], axis=1).tolist(), deep.tolist(), strict=True):
+        if d > max(_CONTACT, worst.get((a, b), 0.0)):
+            worst[a, b] = d
+    for (a, b), d in sorted(worst.items()):
+        yield f"{tubes[a].label} overlaps {tubes[b].label} by {d:.2g} mm"
+
+
+def _apart(first: Array, along: Array, second: Array, across: Array) -> Array:
+    """Distances of straight pieces that begin at places (n, 3) and go ways (n, 3), (n,) float64, mm.
+
+    The nearest places of the lines through both, cut to the pieces one after the other (Ericson, Real-Time Collision
+    Detection, 2005, section 5.1.9).
+    """
+    off = first - second
+
+    def dot(a: Array, b: Array) -> Array:
+        return np.einsum("nk,nk->n", a, b)
+
+    aa, bb, ab, ao, bo = dot(along, along), dot(across, across), dot(along, across), dot(along, off), dot(across, off)
+    square = aa * bb - ab**2
+    flat = square <= 1e-12 * aa * bb
+    s = np.where(flat, 0.0, np.clip((ab * bo - ao * bb) / np.where(flat, 1.0, square), 0, 1))
+    t = np.clip((ab * s + bo) / bb, 0, 1)
+    s = np.clip((ab * t - ao) / aa, 0, 1)
+    return np.asarray(np.linalg.norm(off + s[:, None] * along - t[:, None] * across, axis=1))
+
+
+def _tight_bends(tubes: list[_Tube]) -> Iterator[str]:
+    for tube in tubes:
+        # Below its own radius a tube would bend into itself, whatever is said of it.
+        smallest = max(tube.placed.tube.smallest_bend_radius, tube.placed.tube.outer_diameter / 2)
+        if tube.bend < smallest * (1 - _ROUNDING):
+            yield (
+                f"{tube.label} bends to a radius of {tube.bend:.2g} mm, below the {smallest:.3g} mm that it may be "
+                "bent to"
             )
-    return notes
+
+
+def _thin_webs(design: ArrayDesign, layout: ArrayLayout) -> Iterator[str]:
+    """Ports of a shell that leave no wall between them, as :func:`geometry.solids.shell.build_shell` refuses them."""
+    resonator, printing = design.resonator, design.printing
+    radius, height = resonator.cavity_diameter / 2, resonator.port_axis_height
+    known: dict[object, str] = {}
+    for point in layout.points:
+        first, second = ports = in_common_rotation(point_ports(design, point), ANGLE_STEP)[0]
+        if ports not in known:
+            mouths = [wall_distance(resonator.cavity_shape, radius, height, port.angle) for port in ports]
+            known[ports] = web_problem(
+                (first, second), (mouths[0], mouths[1]), radius + printing.port_lip, printing.glue_gap
+            )
+        if known[ports]:
+            yield f"shell {point.number}: {known[ports]}"

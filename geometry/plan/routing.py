@@ -182,18 +182,18 @@ def trimmed(path: NDArray[np.float64], length: float) -> NDArray[np.float64]:
     return ends
 
 
-def resampled(path: NDArray[np.float64], step: float, trim: float = 0.0) -> NDArray[np.float64]:
+def resampled(path: NDArray[np.float64], step: float, trim: tuple[float, float] = (0.0, 0.0)) -> NDArray[np.float64]:
     """Points of a polyline no further apart than a step.
 
     Args:
         path: (n, 2) or (n, 3) float64, mm.
         step: largest distance along the polyline, mm.
-        trim: length left out at each end, mm.
+        trim: lengths left out at both ends, mm.
 
     Returns:
         (m, 2) or (m, 3) float64, mm.
     """
     at = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(path, axis=0), axis=1))])
-    count = max(2, math.ceil((at[-1] - 2 * trim) / step) + 1)
-    where = np.linspace(trim, at[-1] - trim, count)
+    count = max(2, math.ceil((at[-1] - sum(trim)) / step) + 1)
+    where = np.linspace(trim[0], at[-1] - trim[1], count)
     return np.column_stack([np.interp(where, at, path[:, k]) for k in range(path.shape[1])])

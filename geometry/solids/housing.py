@@ -7,11 +7,12 @@ from itertools import combinations
 
 import cadquery as cq
 
+from geometry.design.shell_rules import seat_underside
 from geometry.refusal import Refusal
 from geometry.solids.bodies import cylinder, one_solid
 from geometry.solids.shell import cut_ports, refuse_thin_web
 from geometry.stated.making import Printing
-from geometry.stated.parts import BOARD_SEAL, SEAT_SLOT, SOCKET_COVER, Microphone
+from geometry.stated.parts import BOARD_SEAL, SEAT_SLOT, Microphone
 from geometry.stated.ports import Port
 
 
@@ -33,14 +34,8 @@ def build_housing(microphone: Microphone, printing: Printing, ports: Sequence[Po
     length, width = (side + 2 * microphone.board_gap for side in microphone.board_size)
     height = microphone.sound_hole_length + microphone.package_height
     outside = (length + 2 * wall, width + 2 * wall)
-    gasket = microphone.gasket_depth if microphone.gasket_width is not None else 0.0
-    underside = max(top - wall - gasket, 0.0)
     hole = max(port.tube_diameter for port in ports) / 2 + printing.glue_gap
-    for edge in (top / 2 + hole, top / 2 - hole):
-        # A socket that grazes the underside would leave a wall of no thickness.
-        if abs(underside - edge) < SOCKET_COVER:
-            underside = max(edge - SOCKET_COVER, 0.0)
-    head = _box(*outside, underside, top + height)
+    head = _box(*outside, seat_underside(microphone, hole), top + height)
     slot = _box(length, SEAT_SLOT * width, top, top + height).moved(cq.Location(cq.Vector(-length / 2, 0, 0)))
     solid = cylinder(radius + wall, -wall, top).fuse(head)
     solid = solid.cut(_box(length, width, top, top + height), slot, cylinder(radius, 0, top))

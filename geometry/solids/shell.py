@@ -15,7 +15,7 @@ from geometry.solids.shell_features import add_feet, add_label, cut_groove
 from geometry.stated.cavity_shapes import draw_cavity, wall_distance
 from geometry.stated.making import Printing
 from geometry.stated.parts import SOCKET_COVER, Membrane, Resonator, Shell
-from geometry.stated.ports import Port, port_web
+from geometry.stated.ports import Port, web_problem
 
 #: Most ports of a shell.
 MOST_PORTS = 6
@@ -115,23 +115,16 @@ def check_ports(resonator: Resonator, printing: Printing, ports: Sequence[Port])
 def refuse_thin_web(
     name: str, ports: Sequence[Port], mouths: Sequence[float], shoulder: float, glue_gap: float, rise: float = 0.0
 ) -> None:
-    """Refuse two ports that leave less than :data:`geometry.design.rules.SOCKET_COVER` of wall between them.
+    """Refuse two ports that leave too little wall between them.
 
-    Args: see :func:`geometry.stated.ports.port_web`; ``name`` is that of the part.
+    Args: see :func:`geometry.stated.ports.web_problem`; ``name`` is that of the part.
 
     Raises:
         Refusal: they do.
     """
-    first, second = ports
-    wall = port_web((first, second), (mouths[0], mouths[1]), shoulder, glue_gap, rise)
-    where = f"{name}: the ports at {first.angle:g} and {second.angle:g} deg"
-    if wall <= 0:
-        raise Refusal(f"{where} overlap")
-    if wall < SOCKET_COVER - 1e-9:
-        raise Refusal(
-            f"{where} leave a wall of {wall:.3g} mm between them; it must be at least {SOCKET_COVER:g} mm: turn them "
-            "apart, or widen the cavity or printing.port_lip"
-        )
+    problem = web_problem((ports[0], ports[1]), (mouths[0], mouths[1]), shoulder, glue_gap, rise)
+    if problem:
+        raise Refusal(f"{name}: {problem}")
 
 
 def port_height(port: Port, resonator: Resonator) -> float:

@@ -8,7 +8,7 @@ from dataclasses import dataclass, fields, replace
 from itertools import product
 
 from geometry.stated.cavity_shapes import web
-from geometry.stated.parts import STUB_LENGTH_IN_RADII
+from geometry.stated.parts import SOCKET_COVER, STUB_LENGTH_IN_RADII
 
 #: Angles closer than this are one cell and one printed part, degrees.
 ANGLE_STEP = 0.1
@@ -65,6 +65,25 @@ def port_web(
         holes.append(((begin, bore), (shoulder, port.tube_diameter / 2 + glue_gap)))
     turn = ports[0].angle - ports[1].angle
     return min(web(first, second, turn, rise) for first, second in product(*holes))
+
+
+def web_problem(
+    ports: tuple[Port, Port], mouths: tuple[float, float], shoulder: float, glue_gap: float, rise: float = 0.0
+) -> str:
+    """Why two ports of a housing do not leave enough wall between them; empty where they do.
+
+    Args: see :func:`port_web`.
+    """
+    wall = port_web(ports, mouths, shoulder, glue_gap, rise)
+    where = f"the ports at {ports[0].angle:g} and {ports[1].angle:g} deg"
+    if wall <= 0:
+        return f"{where} overlap"
+    if wall < SOCKET_COVER - 1e-9:
+        return (
+            f"{where} leave a wall of {wall:.3g} mm between them; it must be at least {SOCKET_COVER:g} mm: turn them "
+            "apart, or widen the cavity or printing.port_lip"
+        )
+    return ""
 
 
 def in_common_rotation(ports: Sequence[Port], step: float) -> tuple[tuple[Port, ...], float]:

@@ -15,6 +15,7 @@ from studies.cli.tables import show, show_check, show_fields, show_findings, sho
 from studies.output.frequencies import FREQUENCIES
 from studies.run.libraries import solve_library
 
+AllowOverlaps = Annotated[bool, typer.Option("--allow-overlaps", help="Go on also where parts overlap.")]
 _FIDELITY: Fidelity = defaults_of(solve_library)["fidelity"]
 
 
@@ -56,8 +57,8 @@ def check(
 ) -> None:
     """Validate a design: counts, wiring, distinct cells, layout, printing, validity of the models, attenuation.
 
-    Exit code 1 where the design is not valid or a print rule fails. Takes a few seconds: parts are drawn and
-    measured, nothing is solved in 3-D.
+    Exit code 1 where the design is not valid, parts are in each other's way, or a print rule fails. Takes a few
+    seconds: parts are drawn and measured, nothing is solved in 3-D.
 
     Example: [bold]acoustic-fem check mine.toml[/bold]
     """
@@ -146,6 +147,7 @@ def parts(
             show_default=False,
         ),
     ] = None,
+    allow_overlaps: AllowOverlaps = False,
 ) -> None:
     """Everything to print, cast, cut, buy and assemble, with pictures, and what the print rules say.
 
@@ -162,7 +164,14 @@ def parts(
     from studies.run.part_folder import export_parts
 
     with display_on_stderr() as display:
-        made = export_parts(resolve_design(design), out, formats=formats, process=process, display=display)
+        made = export_parts(
+            resolve_design(design),
+            out,
+            formats=formats,
+            process=process,
+            allow_overlaps=allow_overlaps,
+            display=display,
+        )
     show_parts(made)
     show_findings(made.printing)
     print(made.report)
@@ -174,6 +183,7 @@ def run(
         Path,
         typer.Option(help="A new or empty folder, or one of an earlier run, which is replaced.", show_default=False),
     ],
+    allow_overlaps: AllowOverlaps = False,
 ) -> None:
     """Everything for one design: parts, transfer functions, localizer, figures, and report.html.
 
@@ -189,6 +199,6 @@ def run(
     resolved = resolve_design(design)
     check_points(resolved, design)  # which names the file
     with display_on_stderr() as display:
-        result = run_design(resolved, out, display=display)
+        result = run_design(resolved, out, allow_overlaps=allow_overlaps, display=display)
     print(verdict(result))
     print(f"{out / 'report.html'}")

@@ -55,7 +55,7 @@ def show_fields() -> None:
 def show_check(found: DesignCheck) -> None:
     """All findings on a design."""
     wiring, name = found.wiring, found.design.name
-    print(f"{name}: a valid design")
+    print(f"{name}: a valid design" if not (found.overlaps or found.misfits) else f"{name}: cannot be built")
     length, width, height = max(found.size[:2]), min(found.size[:2]), found.size[2]
     print(f"{length:.1f} x {width:.1f} x {height:.1f} mm")
     table = table_of("wiring", "", numbers=(1,))
@@ -80,7 +80,7 @@ def show_check(found: DesignCheck) -> None:
     for part, count in found.part_counts.items():
         table.add_row(part, str(count))
     show(table)
-    _show_notes(found.notes, found.misfits)
+    _show_notes((*found.notes, *found.overlaps), found.misfits)
     table = table_of("estimated attenuation", "level (dB)", "", numbers=(1,))
     for frequency, level, point in found.attenuation:
         table.add_row(f"{frequency:g} Hz", f"{level:.1f}", f"point {point} at its second-loudest microphone")

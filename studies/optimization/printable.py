@@ -11,8 +11,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from geometry import ArrayDesign
-from geometry.layout.arrangement import lay_out
-from geometry.layout.overlaps import buildability_notes
+from geometry.layout.overlaps import OverlapError, refuse_overlaps
 from geometry.stated.parts import Tube
 from geometry.stated.print_processes import PrintProcess, Rule, process_of
 
@@ -92,13 +91,12 @@ class PrintDemand:
     Args:
         base: the design that is varied: it names the process, and is what designs are compared with where the demand
             is "base".
-        demand: see :data:`Demand`. What is wrong with the layout of the base itself is accepted with "base".
+        demand: see :data:`Demand`. Parts in each other's way are refused whatever is demanded.
     """
 
     def __init__(self, base: ArrayDesign, demand: Demand) -> None:
         self.demand: Demand = demand
         self._in_base = {measure.name: measure for measure in measures(base)}
-        self._accepted = frozenset(buildability_notes(base, lay_out(base))) if demand == "base" else frozenset()
 
     def least_value(self, name: str) -> float | None:
         """Smallest value of a field that is allowed, mm; None where no rule judges that field alone."""
@@ -112,7 +110,12 @@ class PrintDemand:
             limit = self._limit(measure)
             if measure.value < limit - _ROUNDING:
                 reasons.append(f"{measure.name} = {measure.value:.4g} mm must be at least {limit:.4g} mm to be printed")
-        return reasons or [note for note in buildability_notes(design, lay_out(design)) if note not in self._accepted]
+        if not reasons:
+            try:
+                refuse_overlaps(design)
+            except OverlapError as error:
+                reasons = list(error.problems)
+        return reasons
 
     def _limit(self, measure: Measure) -> float:
         """With "base" the advised value, or that of the base where it is below; never less than the rule's least."""

@@ -13,6 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from geometry.design.array_design import ArrayDesign
+from geometry.layout.arrangement import lay_out
+from geometry.layout.mending import refuse_unbuildable
 from geometry.layout.overlaps import buildability_notes
 from geometry.layout.size import array_size
 from geometry.refusal import Refusal
@@ -22,12 +24,14 @@ from studies.output.display import Display, Report
 from studies.output.folders import claim_folder, replaced_folder
 from studies.run.check import model_validity
 from studies.run.findings import AGREEMENT, write_results
+from studies.run.part_folder import ALL_THE_SAME
 from studies.run.result import RunResult
 
 if TYPE_CHECKING:
     from acoustic_fem import Library
     from geometry.assembly.model import ArrayModel
     from geometry.formats.part_files import ExportedFile
+    from geometry.layout.placement import ArrayLayout
     from geometry.printing.report import PrintReport
     from localize import Evaluation, Localizer, TrainingPlan
 
@@ -50,6 +54,7 @@ def run_design(
     fidelity: str = "navier-stokes",
     frequency: NDArray[np.float64] | None = None,
     training: TrainingPlan | None = None,
+    allow_overlaps: bool = False,
 ) -> RunResult:
     """Result of the whole chain for one design, written into a folder with ``report.html``.
 
@@ -64,9 +69,11 @@ def run_design(
         frequency: (n_freq,) float64, Hz, covering 1 to 100 Hz; by default 1, 2, ..., 500 Hz.
         training: how to train the localizer; by default :func:`training_plan`, with which the same design gives the
             same report whatever else the machine does. The localizer is judged with the noise it was trained with.
+        allow_overlaps: go on also where parts are in each other's way; the report then says which.
 
     Raises:
-        Refusal: the folder holds something else, or the design cannot be built, solved or decoded.
+        Refusal: parts are in each other's way, the folder holds something else, or the design cannot be built, solved
+            or decoded.
         OSError: the folder cannot be written.
     """
     from geometry.design.design_file import write_design
@@ -74,12 +81,15 @@ def run_design(
 
     show = display or Display()
     check_points(design)
+    layout = lay_out(design)
+    if not allow_overlaps:
+        refuse_unbuildable(design, layout, ALL_THE_SAME)
     folder = claim_folder(out, write_design(design.completed()))
     training = training or training_plan(design.point_count)
     grid = np.asarray(FREQUENCY if frequency is None else frequency, np.float64)
 
     with show.stage("Parts") as report:
-        model, files, printing, figures = _make_parts(design, folder, report)
+        model, files, printing, figures = _make_parts(design, layout, folder, report)
     library, lumped, limits = _solved(design, grid, fidelity, folder, show)
     distances = separability(library.transfer_function)
     localizer, network, bayes = _judged_localizer(library, training, folder, show)
@@ -170,7 +180,7 @@ def _said_of_models(caught: list[warnings.WarningMessage], show: Display) -> tup
 
 # -- stages ------------------------------------------------------------------------------------------------
 def _make_parts(
-    design: ArrayDesign, folder: Path, report: Report
+    design: ArrayDesign, layout: ArrayLayout, folder: Path, report: Report
 ) -> tuple[ArrayModel, tuple[ExportedFile, ...], PrintReport, dict[str, Path]]:
     from geometry import export, print_report
     from geometry.assembly.model import array_model
@@ -179,7 +189,7 @@ def _make_parts(
     from studies.output.figure_style import crop_picture
 
     report("CAD", 0.0)
-    model = array_model(design)
+    model = array_model(design, layout=layout)
     report("STL, STEP and 3MF", 0.2)
     shapes = tessellate_distinct(model.parts)
     with replaced_folder(folder / "parts") as fresh:

@@ -14,7 +14,8 @@ from typing import TYPE_CHECKING, Any, Literal
 from geometry.air.cells import Cell, cell_catalogue
 from geometry.design.array_design import ArrayDesign
 from geometry.layout.arrangement import lay_out
-from geometry.layout.overlaps import buildability_notes
+from geometry.layout.mending import mend_of
+from geometry.layout.overlaps import overlaps, schematic_notes
 from geometry.layout.placement import ArrayLayout
 from geometry.layout.size import array_size
 from geometry.plan.topology import WiringCounts, wiring_counts
@@ -76,7 +77,11 @@ class DesignCheck:
     cells: tuple[tuple[Cell, int], ...]
     """Distinct cells and how many places of the array each fills."""
     notes: tuple[str, ...]
-    """Notes on what is drawn but could not be built as drawn."""
+    """Notes on microphones whose tubes are drawn for the eye only."""
+    overlaps: tuple[str, ...]
+    """Lines on what of the layout cannot be built: parts in each other's way, tubes bent too far."""
+    mend: str
+    """Change that would mend the overlaps; empty where there is none, or none is known."""
     part_counts: Mapping[str, int]
     """Number of each part."""
     misfits: tuple[str, ...]
@@ -108,10 +113,12 @@ class DesignCheck:
     @property
     def objection(self) -> str | None:
         """Why the array cannot be made, in one line; None where it can."""
-        if not self.failures:
-            return None
-        more = len(self.failures) - 1
-        return f"{self.design.name}: cannot be printed: {self.failures[0]}" + (f" (and {more} more)" if more else "")
+        for what, lines in (("built", (*self.overlaps, *self.misfits)), ("printed", self.failures)):
+            if lines:
+                more = f" (and {len(lines) - 1} more)" if len(lines) > 1 else ""
+                mend = f"; {self.mend}" if self.mend else ""
+                return f"{self.design.name}: cannot be {what}: {lines[0]}{more}{mend}"
+        return None
 
     def to_dict(self) -> dict[str, Any]:
         """Findings as JSON can hold them."""
@@ -121,6 +128,8 @@ class DesignCheck:
             "size_mm": list(self.size),
             "cells": [{"cell": cell.label, "places": count} for cell, count in self.cells],
             "layout_notes": list(self.notes),
+            "overlaps": list(self.overlaps),
+            "mend": self.mend,
             "fidelities": list(self.fidelities),
             "parts": dict(self.part_counts),
             "misfits": list(self.misfits),
@@ -164,6 +173,7 @@ def _judged(design: ArrayDesign, report: Report) -> DesignCheck:
 
     report("layout", 0.0)
     layout = lay_out(design)
+    found = overlaps(design, layout)
     report("attenuation", 0.1)
     with warnings.catch_warnings():
         # the same limits are listed under validity
@@ -186,7 +196,9 @@ def _judged(design: ArrayDesign, report: Report) -> DesignCheck:
         wiring=wiring_counts(len(design.microphones), [line.points for line in design.lines]),
         size=array_size(design, layout),
         cells=cell_uses(design, layout),
-        notes=buildability_notes(design, layout),
+        notes=schematic_notes(design, layout),
+        overlaps=found,
+        mend=mend_of(design) if found else "",
         part_counts=parts.counts,
         misfits=in_the_way,
         printing=printing,

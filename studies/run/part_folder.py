@@ -9,16 +9,23 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from geometry.formats.names import FORMATS
+from geometry.layout.arrangement import lay_out
+from geometry.layout.mending import refuse_unbuildable
 from geometry.layout.overlaps import buildability_notes
+from geometry.refusal import Refusal
 from geometry.stated.print_processes import PrintProcess, find_process, process_of
 from studies.output.display import Display, Report
 from studies.output.folders import check_folder, replaced_files
 
 if TYPE_CHECKING:
     from geometry.assembly.bill import Bill
+    from geometry.assembly.model import ArrayModel
     from geometry.design.array_design import ArrayDesign
     from geometry.formats.part_files import ExportedFile
     from geometry.printing.report import PrintReport
+
+#: How what cannot be built is drawn, for those who read why it is refused.
+ALL_THE_SAME = "`allow_overlaps` draws it all the same"
 
 
 @dataclass(frozen=True)
@@ -49,6 +56,7 @@ def export_parts(
     *,
     formats: Sequence[str] = FORMATS,
     process: PrintProcess | str | os.PathLike[str] | None = None,
+    allow_overlaps: bool = False,
     display: Display | None = None,
 ) -> MadeParts:
     """Parts of a design, drawn, exported and judged, and the array put together, all of it or nothing.
@@ -59,29 +67,45 @@ def export_parts(
             of others stay, but for those of the same name.
         formats: of the files of each part.
         process: whose rules are applied: a name or a ``.toml`` file; by default that of the design.
+        allow_overlaps: draw also what cannot be built; what is in the way of what is then noted.
         display: shows what is being made.
 
     Raises:
-        Refusal: a part cannot be built or written, an unknown process or format, or the folder's list of files names
-            what is none of its own.
+        Refusal: parts are in each other's way, a part cannot be built or written, an unknown process or format, or the
+            folder's list of files names what is none of its own.
         OSError: the folder cannot be written.
     """
+    from geometry.assembly.fit import misfits
+    from geometry.assembly.model import array_model
+
     folder = Path(out)
     check_folder(folder)
     rules = process_of(design.printing) if process is None else find_process(process)
+    layout = lay_out(design)
+    if not allow_overlaps:
+        refuse_unbuildable(design, layout, ALL_THE_SAME)
     with (display or Display()).stage("Parts") as report, replaced_files(folder) as fresh:
-        made = _make(design, fresh, formats, rules, report)
+        report("drawing the parts", 0.0)
+        model = array_model(design, layout=layout)
+        report("fit", 0.05)
+        in_the_way = misfits(model)
+        if in_the_way and not allow_overlaps:
+            raise Refusal(f"{design.name}: cannot be built: {in_the_way[0]}; {ALL_THE_SAME}")
+        made = _make(model, fresh, formats, rules, in_the_way, report)
     files = tuple(replace(file, path=folder / file.path.name) for file in made.files)
     return replace(made, report=folder / made.report.name, files=files)
 
 
 def _make(
-    design: ArrayDesign, folder: Path, formats: Sequence[str], process: PrintProcess, report: Report
+    model: ArrayModel,
+    folder: Path,
+    formats: Sequence[str],
+    process: PrintProcess,
+    in_the_way: tuple[str, ...],
+    report: Report,
 ) -> MadeParts:
     from geometry import export, print_report
     from geometry.assembly.bill import bill_of_materials, write_bill
-    from geometry.assembly.fit import misfits
-    from geometry.assembly.model import array_model
     from geometry.assembly.table import write_assembly_table
     from geometry.formats.part_files import tessellate_distinct
     from geometry.formats.step_assembly import write_step
@@ -91,9 +115,7 @@ def _make(
     from geometry.printing.plates import export_plates
     from geometry.printing.report_files import write_report
 
-    report("drawing the parts", 0.0)
-    model = array_model(design)
-    parts = model.parts
+    design, parts = model.design, model.parts
     shapes = tessellate_distinct(parts, progress=lambda part, done: report(part, 0.1 + 0.25 * done))
     files = export(parts, folder, formats, progress=lambda part, done: report(part, 0.1 + 0.25 * done), shapes=shapes)
     report("plates", 0.35)
@@ -108,8 +130,6 @@ def _make(
     report("assembly.step", 0.68)
     write_assembly_table(model, folder)
     write_step(model, folder / "assembly.step")
-    report("fit", 0.75)
-    in_the_way = misfits(model)
     report("array.glb", 0.78)
     write_gltf(model, folder / "array.glb")
     report("array.html", 0.82)

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from geometry import ArrayDesign, DesignError
 from geometry.design.design_file import value_of
+from geometry.layout.overlaps import refuse_overlaps
 from geometry.refusal import Refusal
 from studies.study.constraints import Constraint
 from studies.study.study import Study
@@ -51,6 +52,16 @@ class Cases:
             DesignError: its values do not go together.
         """
         return self.base.with_values(self.case(number))
+
+    def buildable(self, number: int) -> ArrayDesign:
+        """Design of one case, laid out and found to be buildable.
+
+        Raises:
+            DesignError: its values do not go together, or its parts are in each other's way.
+        """
+        design = self.design(number)
+        refuse_overlaps(design)
+        return design
 
     def part(self, first: int, stop: int) -> Cases:
         """Cases from ``first`` to before ``stop``."""

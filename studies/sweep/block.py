@@ -136,7 +136,7 @@ def solve_block(
         designs: dict[int, ArrayDesign] = {}
         for number in range(len(cases)):
             try:
-                designs[number] = cases.design(number)
+                designs[number] = cases.buildable(number)
             except DesignError as error:
                 block.fail(number, _reason(error))
         for numbers, responses in _responses(job, designs, cells, block):

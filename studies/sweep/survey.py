@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from acoustic_fem.membrane.disc import design_shape
 from acoustic_fem.membrane.elasticity import DiscShape
 from geometry import ArrayDesign, DesignError
+from geometry.layout.overlaps import refuse_overlaps
 from geometry.refusal import Refusal
 from studies.study.cases import Cases, cases_of
 from studies.study.study import Study, StudyError
@@ -62,6 +63,8 @@ def surveyed(study: Study, every: bool = False) -> Survey:
         try:
             if isinstance(design, DesignError):
                 raise design
+            if every or solid:
+                refuse_overlaps(design)
             if solid:
                 own = tuple(known.setdefault(key, key) for key in cells_of(design))
             if not valid:
@@ -75,7 +78,7 @@ def surveyed(study: Study, every: bool = False) -> Survey:
     cases = cases_of(study, look if every or membranes or solid else None)
     for number in range(min(len(cases), _LOOKED_AT) if not (valid or refused) else 0):
         try:
-            valid.append(cases.design(number))
+            valid.append(cases.buildable(number))
             break
         except DesignError:
             continue

@@ -41,7 +41,7 @@ seed = 3
 metrics = ["distance_mean"]
 
 [parameters]
-"tube.length" = { from = 2.4, to = 6.0 }
+"tube.length" = { from = 2.4, to = 5.0 }
 "tube.inner_diameter" = { from = 0.05, to = 0.3 }
 "resonator.cavity_height" = { from = 1.1, to = 2.2 }
 

@@ -1,18 +1,26 @@
 """What is said of a design before it is solved: the parts as drawn go together, or what is in the way is named."""
 
+import pytest
+
 from geometry import prototype
 from geometry.refusal import Refusal
 from studies.cli.tables import show_check
+from studies.run.chain import run_design
 from studies.run.check import check_design
+from studies.run.part_folder import export_parts
+
+NARROW = {"layout": {"kind": "cylinder", "columns": 6, "diameter": 9.0}, "lines.0.points": 4}
 
 
 def test_parts_in_each_others_way_are_named_by_check(capsys):
-    narrow = {"layout": {"kind": "cylinder", "columns": 6, "diameter": 9.0}, "lines.0.points": 4}
-    found = check_design(prototype("array-2x6").with_values(narrow))
+    found = check_design(prototype("array-2x6").with_values(NARROW))
     assert any(line.startswith("shell 1 and shell 4 are in each other's way: they share ") for line in found.misfits)
     assert found.to_dict()["misfits"] == list(found.misfits)
+    assert found.objection.startswith("array-2x6: cannot be built: shell 1 overlaps shell 4 by ")
+    assert "; mend: layout.diameter of " in found.objection
     show_check(found)
     printed = capsys.readouterr().out
+    assert printed.startswith("array-2x6: cannot be built")
     assert f"note: {found.misfits[0]}" in printed
     assert printed.count(" are in each other's way") == min(len(found.misfits), 10)
 
@@ -25,3 +33,24 @@ def test_a_tube_that_cannot_be_drawn_is_a_misfit_not_the_end_of_the_check(monkey
     assert check_design(prototype("line-2")).misfits == (
         "sheath 0.44x0.9-1: bends to a radius of 0.4 mm, below its own 0.45 mm",
     )
+
+
+@pytest.mark.parametrize("call", [export_parts, run_design])
+def test_parts_in_each_others_way_are_refused_before_anything_is_drawn_unless_they_are_allowed(
+    call, tmp_path, monkeypatch
+):
+    narrow = prototype("array-2x6").with_values(NARROW)
+    out = tmp_path / "out"
+    with pytest.raises(Refusal, match=r"shell 1 overlaps shell 4 .*; mend: .*; `allow_overlaps` draws it all the same"):
+        call(narrow, out)
+    assert not out.exists()
+
+    class Drawn(Exception):
+        pass
+
+    def draw(*_, **__):
+        raise Drawn
+
+    monkeypatch.setattr("geometry.assembly.model.array_model", draw)
+    with pytest.raises(Drawn):
+        call(narrow, out, allow_overlaps=True)
