@@ -21,9 +21,9 @@ FIGURE, NUMBERS, RESULT = "bending.png", "bending.csv", "bending.json"
 def save_bending(result: Bending, folder: Path) -> tuple[Path, ...]:
     """Write ``bending.png``, ``bending.csv`` and ``bending.json``; earlier ones are replaced. Their paths."""
     folder.mkdir(parents=True, exist_ok=True)
+    write_json(folder / RESULT, bending_dict(result))  # first: by it a folder is known
     figure = draw_bending(result, folder / FIGURE)
     write_text(folder / NUMBERS, bending_csv(result))
-    write_json(folder / RESULT, bending_dict(result))
     return figure, folder / NUMBERS, folder / RESULT
 
 

@@ -49,9 +49,10 @@ def bending_study(
         Refusal: a folder that cannot be written, or a bad frequency or fidelity, before any work.
     """
     folder = Path(out)
-    check_folder(folder)
-    from studies.bending.files import save_bending
+    from studies.bending.files import RESULT, save_bending
     from studies.bending.solution import solve_bending
+
+    check_folder(folder, "bend", RESULT)
 
     with (display or Display()).stage("Bending") as report:
         result = solve_bending(rig or BendingRig(), stated_frequencies(frequency), fidelity, report)

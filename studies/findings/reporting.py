@@ -65,7 +65,7 @@ def sweep_report(
     from studies.findings.page import write_sweep_report
 
     path = Path(out)
-    check_new_file(path)
+    check_new_file(path, ".html")
     table = read_results(results)
     with (display or Display()).stage("Report"):
         write_sweep_report(table, path, f"acoustic-fem best {results} {{number}} --out design-{{number}}.toml")
@@ -105,7 +105,7 @@ def save_best_design(results: str | os.PathLike[str], design: str | int, out: st
     from studies.findings.page import design_of
 
     path = Path(out)
-    check_new_file(path, kept="a design")
+    check_new_file(path, ".toml", kept="a design")
     table = read_results(results)
     rows = {table.label(row): row for row in range(len(table.number))}
     if str(design) not in rows:

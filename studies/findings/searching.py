@@ -52,15 +52,13 @@ def optimize(
             keeps the limits and can be printed.
     """
     from studies.findings.search_files import save_search, unprintable_designs
-    from studies.optimization.journal import journal_exists, seal
+    from studies.optimization.journal import JOURNAL, seal
     from studies.optimization.problem import Optimization, load_optimization
     from studies.optimization.search import search_designs, without
 
     folder, show = Path(out), display or Display()
     problem = study if isinstance(study, Optimization) else load_optimization(study)
-    check_folder(folder)
-    if folder.is_dir() and any(folder.iterdir()) and not journal_exists(folder):
-        raise Refusal(f"{folder}: holds files that no search made; `out` must be a new folder, or one of this search")
+    check_folder(folder, "search", JOURNAL)
     folder.mkdir(parents=True, exist_ok=True)
     with show.stage("Search") as report:
         result = search_designs(problem, folder, workers=workers, scheduler=scheduler, progress=report)

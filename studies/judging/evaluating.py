@@ -48,8 +48,10 @@ def evaluate_localizer(
             out of range.
     """
     folder = None if out is None else Path(out)
+    from studies.judging.report import JSON_FILE
+
     if folder is not None:
-        check_folder(folder)
+        check_folder(folder, "evaluate", JSON_FILE, reads=(model, library))
     import acoustic_fem
     from localize import BayesDecoder, OnnxLocalizer, evaluate, load_localizer
     from localize.evaluation.accuracy import check_evaluation

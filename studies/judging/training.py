@@ -54,7 +54,10 @@ def train_localizer(
             cannot be read.
     """
     folder = Path(out)
-    check_folder(folder)
+    checkpoint = folder / _CHECKPOINT
+    if (folder / "localizer.json").exists() and not checkpoint.exists():
+        raise Refusal(f"{folder}: holds a finished localizer; remove it, or choose another folder")
+    check_folder(folder, "train", _CHECKPOINT, reads=(library, recordings))
     import acoustic_fem
     from localize import TrainingPlan, evaluate, train
     from localize.signals.array_response import response_of
@@ -63,9 +66,6 @@ def train_localizer(
     plan = plan or TrainingPlan(microphone_noise="design")
     response = response_of(acoustic_fem.load(library))
     folder.mkdir(parents=True, exist_ok=True)
-    checkpoint = folder / _CHECKPOINT
-    if (folder / "localizer.json").exists() and not checkpoint.exists():
-        raise Refusal(f"{folder}: holds a finished localizer; remove it, or choose another folder")
     with (display or Display()).stage("Localizer") as report:
         report("training", 0.0)
         localizer = train(

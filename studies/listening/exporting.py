@@ -43,7 +43,7 @@ def export_decoder(
         Refusal: a file that cannot be written or read, or a noise or sound for a trained localizer.
     """
     source, path = Path(model), Path(out)
-    check_new_file(path)
+    check_new_file(path, ".onnx", reads=(source,))
     if source.suffix == ".onnx":
         raise Refusal(f"{source}: is an ONNX file already; MODEL must be a localizer's folder or a library")
     from localize import BayesDecoder, export_onnx

@@ -137,14 +137,18 @@ def listen(
         Refusal: a file that cannot be written or read, options that do not go together, or no such sound card.
     """
     lines = None if out is None else Path(out)
-    check_new_file(lines)
-    listener, session = _opened(Path(model), source or LiveInput(), record, decoding or Decoding())
+    heard_from, given = source or LiveInput(), decoding or Decoding()
+    reads = (model, heard_from.replay, given.library)
+    check_new_file(lines, ".jsonl", reads=reads)
+    check_new_file(None if record is None else Path(record), ".wav", kept="a recording", option="record")
+    listener, session = _opened(Path(model), heard_from, record, given)
     counts = _Counts()
     with ExitStack() as stack:
         stack.enter_context(_nothing_freed())
         # Lines are written as they come, and stand in the file whenever the program ends.
         file = None
         if lines is not None:
+            lines.unlink(missing_ok=True)  # never through a link into a file of another name
             file = stack.enter_context(lines.open("w", encoding="utf-8", newline="\n", buffering=1))
         try:
             for heard in stack.enter_context(closing(listener.listen())):
@@ -167,12 +171,6 @@ def _opened(
     model: Path, source: LiveInput, record: str | os.PathLike[str] | None, decoding: Decoding
 ) -> tuple[LiveListener, LiveSession]:
     """What listens, and what is told of it; nothing is heard or written yet."""
-    recording = None if record is None else Path(record)
-    if recording is not None and source.replay is not None:
-        played = Path(source.replay)
-        if recording.exists() and played.exists() and recording.samefile(played):
-            raise Refusal(f"`record` {recording} is the file that `replay` plays")
-    check_new_file(recording, kept="a recording", option="record")
     from localize.live.listener import LiveListener
     from localize.live.recorder import LiveRecorder
     from localize.recordings.recording import check_full_scale
@@ -182,8 +180,8 @@ def _opened(
     samples = source.open(locator)
     stream = open_stream(model, locator, decoding, samples.limit)
     recorder = None
-    if recording is not None:
-        recorder = LiveRecorder(recording, samples.rate, len(locator.microphones), source.full_scale)
+    if record is not None:
+        recorder = LiveRecorder(Path(record), samples.rate, len(locator.microphones), source.full_scale)
     listener = LiveListener(samples, stream, recorder)
     return listener, LiveSession(listener, locator, recorder)
 

@@ -64,8 +64,8 @@ def locate_recording(
         Refusal: a file that cannot be written or read, or options that do not go together.
     """
     source, path = Path(model), None if out is None else Path(out)
-    check_new_file(path)
     given = decoding or Decoding()
+    check_new_file(path, ".jsonl", reads=(model, recording, given.library))
     if given.waveform and path is None:
         raise Refusal("`waveform` goes into the lines of `out`; give that too")
     from localize import read_recording, touches_of

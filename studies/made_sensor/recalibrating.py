@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from studies.output.display import Display
-from studies.output.folders import check_new_file, check_new_library
+from studies.output.folders import check_new_file
 
 if TYPE_CHECKING:
     import numpy as np
@@ -59,8 +59,7 @@ def recalibrate(
             or touches that do not speak for the sensor found.
     """
     path = Path(out)
-    check_new_library(path, (".nc",))
-    check_new_file(path, kept="a calibrated library")
+    check_new_file(path, ".nc", kept="a calibrated library")
     import numpy as np
     import torch
 

@@ -32,10 +32,13 @@ from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import write_design
 from geometry.files.writing import write_text
 from geometry.refusal import Refusal
+from studies.output.folders import check_folder, make_folder
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
+#: Marks a folder as one of recordings of a rig.
+RIG_MARK = ".acoustic-fem-rig"
 #: Band of the excitation, Hz.
 BAND = (0.8, 125.0)
 #: Hz, on which the hidden sensor is solved; between them it is interpolated.
@@ -185,7 +188,7 @@ class Rig:
         """Write a WAV recording of each point, the nominal design and a manifest.
 
         Args:
-            folder: made if it is not there.
+            folder: a new or empty one, or one that a rig recorded to.
             points: numbers, from 1.
             recorder: how.
 
@@ -193,12 +196,13 @@ class Rig:
             Path of the manifest.
 
         Raises:
-            Refusal: a point that the design does not have.
+            Refusal: a point that the design does not have, or a folder that holds recordings of others.
         """
         recorder = recorder or Recorder()
         for point in points:
             in_range("points", point, 1, self.design.point_count)
-        folder.mkdir(parents=True, exist_ok=True)
+        check_folder(folder, "rig", RIG_MARK)
+        make_folder(folder, "rig", RIG_MARK)
         write_text(folder / "design.toml", write_design(self.design))
         names = (REFERENCE, *self.design.microphones)
         scale = np.array([5 * recorder.full_scale, *[recorder.full_scale] * len(self.design.microphones)])

@@ -15,7 +15,8 @@ from acoustic_fem.quantities.checks import in_range
 from acoustic_fem.sound.sound_file import write_wav
 from geometry.files.writing import write_text
 from localize.recordings.touch_manifest import PARTS, Part
-from studies.made_sensor.rig import Recorder, Rig
+from studies.made_sensor.rig import RIG_MARK, Recorder, Rig
+from studies.output.folders import check_folder, make_folder
 
 Array = NDArray[np.float64]
 
@@ -47,7 +48,7 @@ def record_touches(
 
     Args:
         rig: the made sensor.
-        folder: made if it is not there.
+        folder: a new or empty one, or one that a rig recorded to.
         points: numbers, from 1.
         session: what is recorded.
         recorder: how; the lengths and levels of the touches are those of the session.
@@ -56,12 +57,13 @@ def record_touches(
         Path of the manifest.
 
     Raises:
-        Refusal: a point that the design does not have.
+        Refusal: a point that the design does not have, or a folder that holds recordings of others.
     """
     recorder = replace(recorder or Recorder(), seconds=session.seconds)
     for point in points:
         in_range("points", point, 1, rig.design.point_count)
-    folder.mkdir(parents=True, exist_ok=True)
+    check_folder(folder, "rig", RIG_MARK)
+    make_folder(folder, "rig", RIG_MARK)
     manifest = tomlkit.document()
     manifest["full_scale"] = recorder.full_scale
     entries = tomlkit.aot()

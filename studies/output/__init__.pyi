@@ -13,6 +13,7 @@ from .folders import (
     check_new_file as check_new_file,
     check_new_library as check_new_library,
     claim_folder as claim_folder,
+    make_folder as make_folder,
     replaced_files as replaced_files,
     replaced_folder as replaced_folder,
     write_json as write_json,

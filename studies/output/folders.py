@@ -1,15 +1,19 @@
 """Results on disk: a file is whole or not there, and nobody else's files are touched.
 
+Where a result may go is decided here for every call that takes an ``out``: a file that is read, was measured or is of
+another kind is never written over, and a folder that holds anything is written into only by what made it.
+
 A refusal names an argument other than its first word in backticks: the command line makes an option of it.
 """
 
 from __future__ import annotations
 
+import hashlib
 import json
 import os
 import shutil
 import tempfile
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -27,6 +31,10 @@ RESULTS = ("library.nc", "parts", "localizer", "figures")
 REPORT = ("report.html", "results.json")
 
 
+Files = Iterable[str | os.PathLike[str] | None]
+"""Files and folders that a call reads; None for one that is not given."""
+
+
 def claim_folder(out: str | os.PathLike[str], design: str) -> Path:
     """Folder of a run, made or taken over from an earlier one.
 
@@ -38,36 +46,47 @@ def claim_folder(out: str | os.PathLike[str], design: str) -> Path:
         design: the complete design file of the new run, which is written.
 
     Raises:
-        Refusal: it is a file, it holds what no run made, or it cannot be written.
+        Refusal: it is a file, it holds what no run made, its design was changed by hand or its library measured, or it
+            cannot be written.
     """
+    from acoustic_fem.library.result import MEASURED
+
     folder = Path(out)
-    check_folder(folder)
-    if folder.is_dir() and any(folder.iterdir()) and not (folder / MARK).is_file():
-        raise Refusal(
-            f"{folder}: holds files that no run of this program made; `out` must be a new or empty folder, or one of "
-            "an earlier run"
-        )
-    folder.mkdir(parents=True, exist_ok=True)
-    (folder / MARK).write_text("Made by acoustic-fem run, which replaces what lies here when it runs again.\n")
-    of_earlier = folder / DESIGN
-    same = of_earlier.is_file() and of_earlier.read_text(encoding="utf-8", errors="replace") == design
+    check_folder(folder, "run", MARK)
+    of_earlier, library, mark = folder / DESIGN, folder / RESULTS[0], folder / MARK
+    found = of_earlier.read_bytes() if of_earlier.is_file() else None
+    made = mark.read_text(encoding="utf-8", errors="replace").split() if mark.is_file() else []
+    digests = [word for word in made if len(word) == len(_digest(b""))]
+    if found is not None and digests and _digest(found) not in digests and found != design.encode():
+        raise Refusal(f"{of_earlier}: was changed since a run wrote it, and would be replaced; move it out of `out`")
+    if _fidelity(library) == MEASURED:
+        raise Refusal(f"{library}: exists, and a measured library is never overwritten; move it out of `out`")
+    # Both designs, for a run may be killed before the one takes the place of the other.
+    known = dict.fromkeys(_digest(text) for text in (found, design.encode()) if text is not None)
+    make_folder(folder, "run", MARK, known)
+    same = found == design.encode()
     for name in REPORT if same else (*REPORT, *RESULTS, DESIGN):
         _remove(folder / name)
     write_text(of_earlier, design)
     return folder
 
 
-def check_new_file(path: Path | None, kept: str | None = None, option: str = "out") -> None:
+def check_new_file(
+    path: Path | None, suffix: str = "", *, reads: Files = (), kept: str | None = None, option: str = "out"
+) -> None:
     """Refuse a file that cannot be written, before any work is done for it.
 
     Args:
         path: of the file; none is nothing to write.
+        suffix: such as ``.jsonl``: an earlier file with another end of its name is none of ours, and is kept.
+        reads: files that are read, whatever names they have there and here.
         kept: what it is, where such a file is never overwritten: a design that somebody may have changed, a library
             that nobody can compute again. By default an earlier file is replaced.
         option: name of the argument by which it was given.
 
     Raises:
-        Refusal: it is a folder, exists and is kept, or its own folder does not exist or cannot be written to.
+        Refusal: it is a folder, no ordinary file or one that is read, exists and is kept, or its own folder does not
+            exist or cannot be written to.
     """
     if path is None:
         return
@@ -75,47 +94,103 @@ def check_new_file(path: Path | None, kept: str | None = None, option: str = "ou
         raise Refusal(f"{path}: is a folder; `{option}` must be a file")
     if kept is not None and path.exists():
         raise Refusal(f"{path}: exists, and {kept} is never overwritten; name another file, or remove this one")
+    _check_not_read(path, reads, option)
+    if path.exists() and suffix not in ("", path.suffix.lower()):
+        raise Refusal(f"{path}: exists, and only a {suffix} file is replaced; name another file, or remove this one")
+    if path.exists() and not path.is_file():
+        raise Refusal(f"{path}: is no ordinary file; `{option}` must be one, or new")
     if not path.parent.is_dir():
         raise Refusal(f"{path}: `{option}` must lie in a folder that exists; there is no {path.parent}")
     _check_writable(path, path.parent, option)
 
 
-def check_new_library(path: Path, formats: Sequence[str]) -> None:
-    """Refuse the file of a library that cannot be written: what can be computed is replaced, what was measured is kept.
+def check_new_library(path: Path, formats: Sequence[str], reads: Files = ()) -> None:
+    """Refuse the file of a library that cannot be written: what can be computed is replaced, all else is kept.
 
     Args:
         path: of the file.
         formats: suffixes that its name may have.
+        reads: files that are read.
 
     Raises:
-        Refusal: another suffix, a measured library, or a file that cannot be written.
+        Refusal: another suffix, a measured library, a file that is read or no library, or one that cannot be written.
     """
-    if path.suffix.lower() not in formats and not path.is_dir():
-        raise Refusal(f"{path}: `out` must be a library, {' or '.join(formats)}")
-    check_new_file(path, kept="a measured library" if _is_measured(path) else None)
-
-
-def _is_measured(path: Path) -> bool:
-    from acoustic_fem.library.exchange import load_exchanged
-    from acoustic_fem.library.netcdf_file import LibraryError
     from acoustic_fem.library.result import MEASURED
 
+    if path.suffix.lower() not in formats and not path.is_dir():
+        raise Refusal(f"{path}: `out` must be a library, {' or '.join(formats)}")
+    check_new_file(path, reads=reads)
+    if path.exists():
+        fidelity = _fidelity(path)
+        if fidelity is None:
+            raise Refusal(f"{path}: exists, and is no library that can be read; name another file, or remove this one")
+        check_new_file(path, kept="a measured library" if fidelity == MEASURED else None)
+
+
+def _fidelity(path: Path) -> str | None:
+    """Fidelity of the library in a file; None where there is none that can be read."""
+    from acoustic_fem.library.exchange import load_exchanged
+    from acoustic_fem.library.netcdf_file import LibraryError
+
     try:
-        return load_exchanged(path).fidelity == MEASURED
-    except LibraryError:  # no file, or no library
-        return False
+        return load_exchanged(path).fidelity
+    except LibraryError:
+        return None
 
 
-def check_folder(path: Path) -> None:
-    """Refuse a folder that cannot be made, before any work is done for it.
+def check_folder(path: Path, maker: str | None = None, *marks: str, reads: Files = ()) -> None:
+    """Refuse a folder that cannot be made or written into, before any work is done for it.
+
+    Args:
+        path: the folder.
+        maker: verb that writes into it, and whose own earlier results may be there; None where the caller looks itself
+            at what the folder holds.
+        marks: files by one of which earlier results of the verb are known, which it writes before all others.
+        reads: files and folders that are read.
 
     Raises:
-        Refusal: it, or a folder on the way to it, is a file or cannot be written to.
+        Refusal: it, or a folder on the way to it, is a file or cannot be written to; it holds a file that is read, or
+            anything that no such call made.
     """
-    place = next(folder for folder in (path, *path.absolute().parents) if folder.exists())
+    place = next(folder for folder in (path, *path.absolute().parents) if folder.exists() or folder.is_symlink())
     if not place.is_dir():
-        raise Refusal(f"{path}: `out` must be a folder; {place} is a file")
+        raise Refusal(f"{path}: `out` must be a folder; {place} is a {'file' if place.exists() else 'link to nothing'}")
+    for read in reads:
+        if read is not None and Path(read).exists() and Path(read).resolve().is_relative_to(path.resolve()):
+            raise Refusal(f"{path}: holds {read}, which is read; `out` must be another folder")
+    is_own = maker is None or not path.is_dir() or any((path / mark).is_file() for mark in marks)
+    if not is_own and any(path.iterdir()):
+        raise Refusal(
+            f"{path}: holds files that no {maker} of this program made; `out` must be a new or empty folder, or one of "
+            f"an earlier {maker}"
+        )
     _check_writable(path, place, "out")
+
+
+def make_folder(path: Path, maker: str, mark: str, notes: Iterable[str] = ()) -> None:
+    """Make a folder that :func:`check_folder` has passed, with a mark, for what has no file that is always there.
+
+    Args:
+        path: the folder.
+        maker: what writes into it, and may do so again.
+        mark: name of the file.
+        notes: words that the mark shall hold too.
+    """
+    path.mkdir(parents=True, exist_ok=True)
+    text = f"Made by acoustic-fem {maker}, which replaces what lies here when it runs again.\n"
+    write_text(path / mark, text + "".join(f"{note}\n" for note in notes))
+
+
+def _check_not_read(path: Path, reads: Files, option: str) -> None:
+    """Refuse to write over what is read, whatever it is called: through links, and where case does not count."""
+    for read in reads:
+        if read is not None and path.exists() and Path(read).exists() and path.samefile(read):
+            same = "a file" if Path(read) == path else f"the same file as {read}"
+            raise Refusal(f"{path}: `{option}` is {same}, which is read; name another file")
+
+
+def _digest(content: bytes) -> str:
+    return hashlib.sha256(content).hexdigest()
 
 
 @contextmanager

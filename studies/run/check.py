@@ -157,7 +157,7 @@ def check_design(
             be written.
     """
     path = None if out is None else Path(out)
-    check_new_file(path)
+    check_new_file(path, ".json")
     with (display or Display()).stage("Check") as report:
         found = _judged(design, report)
     if path is not None:

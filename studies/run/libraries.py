@@ -63,7 +63,7 @@ def convert_library(library: str | os.PathLike[str], out: str | os.PathLike[str]
     from acoustic_fem.library.exchange import FORMATS, export, load_exchanged
 
     path = Path(out)
-    check_new_library(path, FORMATS)
+    check_new_library(path, FORMATS, reads=(library,))
     loaded = load_exchanged(Path(library))
     export(loaded, path)
     return loaded

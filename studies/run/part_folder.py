@@ -15,7 +15,7 @@ from geometry.layout.overlaps import buildability_notes
 from geometry.refusal import Refusal
 from geometry.stated.print_processes import PrintProcess, find_process, process_of
 from studies.output.display import Display, Report
-from studies.output.folders import check_folder, replaced_files
+from studies.output.folders import FILES, check_folder, replaced_files
 
 if TYPE_CHECKING:
     from geometry.assembly.bill import Bill
@@ -79,7 +79,8 @@ def export_parts(
     from geometry.assembly.model import array_model
 
     folder = Path(out)
-    check_folder(folder)
+    named = None if process is None or isinstance(process, PrintProcess) else process
+    check_folder(folder, "parts", FILES, reads=(named,))
     rules = process_of(design.printing) if process is None else find_process(process)
     layout = lay_out(design)
     if not allow_overlaps:

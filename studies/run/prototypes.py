@@ -22,6 +22,6 @@ def copy_prototype(name: str, out: str | os.PathLike[str]) -> Path:
     from geometry.files.writing import write_text
 
     path = Path(out)
-    check_new_file(path, kept="a design")
+    check_new_file(path, ".toml", kept="a design")
     write_text(path, prototype_text(name))
     return path

@@ -53,7 +53,7 @@ def wiring_table(
     """
     path = None if out is None else Path(out)
     found = wirings(microphones, points_per_line)
-    check_new_file(path)
+    check_new_file(path, ".png")
     if path is not None:
         draw_wirings(path, microphones, points_per_line)
     return found

@@ -11,11 +11,13 @@ from studies.output.figure_style import WIDTH, figure_in_style as new_figure, sa
 from studies.output.folders import write_json
 from studies.scatter.effects import ACCURACIES, ToleranceResult
 
+SUMMARY = "tolerance.json"
+
 
 def save_tolerance(result: ToleranceResult, folder: Path) -> tuple[Path, ...]:
     """Write tolerance.json and tolerance.png into a folder; their paths."""
     folder.mkdir(parents=True, exist_ok=True)
-    summary = folder / "tolerance.json"
+    summary = folder / SUMMARY
     write_json(summary, result.summary())
     return summary, draw_tolerance(result, folder / "tolerance.png")
 

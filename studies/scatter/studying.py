@@ -72,7 +72,7 @@ def tolerance_study(
     """
     folder, show = Path(out), display or Display()
     from studies.scatter.effects import scatter_effects
-    from studies.scatter.files import save_tolerance
+    from studies.scatter.files import SUMMARY, save_tolerance
     from studies.scatter.perturbed_library import MOST_SENSORS, write_perturbed_library
     from studies.scatter.tolerances import tolerances_of
 
@@ -80,7 +80,8 @@ def tolerance_study(
         raise Refusal(f"library = {library} must be from 0 to {MOST_SENSORS}")
     if seed < 0:
         raise Refusal(f"seed = {seed} must be 0 or above")
-    check_folder(folder)
+    workshop = tolerances if isinstance(tolerances, str | os.PathLike) else None
+    check_folder(folder, "tolerance", SUMMARY, reads=(workshop,))
     grid, scatter = stated_frequencies(frequency), tolerances_of(tolerances)
     store = folder / _LIBRARY
     if library and store.exists():

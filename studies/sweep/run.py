@@ -110,11 +110,11 @@ def _run_sweep(
     progress: Callable[[Progress], None] | None,
 ) -> Summary:
     started = perf_counter()
+    check_store(out)
     found = surveyed(study)
     cases, metrics = found.cases, metrics_named(study.metrics)
     job = Job(study.fidelity, study.frequency, study.metrics, study.transfer_functions)
     try_metrics(job, found, study)
-    check_store(out)
     with sole_writer(out) as log:  # from before the store is made: of two that begin at once, one does
         store = SweepStore.claim(out, study, cases, metrics)
         waiting = store.waiting()

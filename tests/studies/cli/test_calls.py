@@ -244,10 +244,10 @@ def test_scatter_and_bending_in_python_are_those_of_the_verbs(command: Callable[
     assert [path.name for path in study.files] == ["tolerance.json", "tolerance.png", "library.zarr"]
     assert text("verb/tolerance.json") == text("call/tolerance.json")
 
-    command("bend", "--out", "verb", "--angles", "0", "--frequencies", "1:100:3")
-    bent = studies.bending_study("call", studies.BendingRig(angles=(0.0,)), frequency="1:100:3")
+    command("bend", "--out", "bent", "--angles", "0", "--frequencies", "1:100:3")
+    bent = studies.bending_study("called", studies.BendingRig(angles=(0.0,)), frequency="1:100:3")
     assert [path.name for path in bent.files] == ["bending.png", "bending.csv", "bending.json"]
-    assert text("verb/bending.csv") == text("call/bending.csv")
+    assert text("bent/bending.csv") == text("called/bending.csv")
 
 
 def test_a_localizer_in_python_is_that_of_the_verbs(command: Callable[..., str], place: Path) -> None:

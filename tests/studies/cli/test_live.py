@@ -219,7 +219,10 @@ def test_lines_into_a_program_that_ends_are_no_error(folder):
         (("--replay", "{folder}/play.wav", "--channels", "left=1"), "--channels = left=1 must give left, right a num"),
         (("--replay", "{folder}/play.wav", "--full-scale", "0"), "--full-scale = 0.0 Pa must be finite and above 0"),
         (("--replay", "{folder}/model.onnx"), "cut short or not a WAV file"),
-        (("--replay", "{folder}/play.wav", "--record", "{folder}/play.wav"), "is the file that --replay plays"),
+        (
+            ("--replay", "{folder}/play.wav", "--record", "{folder}/play.wav"),
+            "play.wav: exists, and a recording is never overwritten",
+        ),
         (
             ("--replay", "{folder}/play.wav", "--record", "{folder}/model.onnx"),
             "exists, and a recording is never overwritten; name another file, or remove this one",

@@ -1,0 +1,204 @@
+"""No verb writes over a file that it reads or that is somebody's, nor into a folder that it did not make."""
+
+from __future__ import annotations
+
+import os
+import shutil
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from small_run import small_design
+from typer.main import get_command
+from typer.testing import CliRunner
+
+import acoustic_fem
+import geometry
+from studies.cli.app import app
+from studies.output.folders import MARK
+
+STUDY = """base = "array-2x6"
+fidelity = "lumped"
+frequencies = "1:100:12"
+metrics = ["distance_smallest"]
+[parameters]
+"tube.inner_diameter" = [0.3, 0.4]
+"""
+SEARCH = (
+    STUDY.replace("[0.3, 0.4]", "{from = 0.3, to = 0.5}")
+    + "[optimize]\nobjectives = [{metric = 'distance_smallest'}]\ntrials = 2\n"
+)
+#: Verb -> its words but for ``--out``, whose files are refused before they are read, and the suffix of its file.
+FILES = {
+    "prototypes": ("glove", ".toml"),
+    "check": ("row.toml", ".json"),
+    "wiring": ("2 3", ".png"),
+    "solve": ("row.toml", ".nc"),
+    "calibrate": ("touches.toml", ".nc"),
+    "recalibrate": ("library.nc take.wav", ".nc"),
+    "convert": ("library.nc", ".csv"),
+    "onnx": ("library.nc", ".onnx"),
+    "locate": ("library.nc take.wav", ".jsonl"),
+    "live": ("library.nc --replay take.wav", ".jsonl"),
+    "report": ("results.zarr", ".html"),
+    "best": ("results.zarr 0", ".toml"),
+}
+FOLDERS = {
+    "parts": "row.toml",
+    "run": "row.toml",
+    "train": "library.nc",
+    "evaluate": "localizer library.nc",
+    "bend": "",
+    "sweep": "study.toml",
+    "tolerance": "row.toml",
+    "optimize": "search.toml",
+}
+
+
+@pytest.fixture
+def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A folder in which somebody works: designs, a library, a recording, a localizer, notes."""
+    monkeypatch.chdir(tmp_path)
+    geometry.save_design(small_design(), "row.toml")
+    for name, text in (("study.toml", STUDY), ("search.toml", SEARCH), ("notes.txt", "mine"), ("touches.toml", "")):
+        Path(name).write_text(text, encoding="utf-8")
+    for name in ("take.wav", "take.csv", "library.nc"):
+        Path(name).write_bytes(b"what nobody can measure again")
+    for name in ("localizer", "results.zarr"):
+        Path(name).mkdir()
+        Path(name, "localizer.json").write_text("{}", encoding="utf-8")
+    return tmp_path
+
+
+@pytest.fixture
+def refused(place: Path) -> Callable[..., str]:
+    """Runs a verb that must be refused in one line and leave everything as it is; the line."""
+
+    def run(verb: str, *words: object) -> str:
+        before = content(place)
+        result = CliRunner().invoke(app, [verb, *map(str, words)])
+        assert isinstance(result.exception, geometry.Refusal), (verb, result.exception, result.output)
+        assert content(place) == before
+        line = str(result.exception)
+        assert "\n" not in line
+        return line
+
+    return run
+
+
+def content(folder: Path) -> dict[str, bytes | None]:
+    """All that lies in a folder."""
+    return {str(path): path.read_bytes() if path.is_file() else None for path in folder.rglob("*")}
+
+
+def test_the_tables_name_every_verb_that_writes() -> None:
+    verbs = get_command(app).commands  # type: ignore[attr-defined]
+    writes = {name for name, verb in verbs.items() if any("--out" in option.opts for option in verb.params)}
+    assert writes == {*FILES, *FOLDERS}
+
+
+@pytest.mark.parametrize("verb", FILES)
+def test_a_file_of_another_kind_is_never_written_over(refused: Callable[..., str], verb: str) -> None:
+    words, _ = FILES[verb]
+    for name in ("take.wav", "notes.txt", "library.nc", "take.csv", "row.toml"):
+        line = refused(verb, *words.split(), "--out", name)
+        assert line.startswith(name)
+        assert "`out` must be" in line or "exists, and" in line or "is read; name another" in line
+
+
+@pytest.mark.parametrize(
+    ("verb", "read"),
+    [(verb, word) for verb, (words, _) in FILES.items() for word in words.split() if "." in word and word[0] != "r"],
+)
+@pytest.mark.parametrize("link", [os.link, os.symlink, "other name"])
+def test_a_file_that_is_read_is_not_written_under_any_name(
+    refused: Callable[..., str], place: Path, verb: str, read: str, link: Callable[[str, str], None] | str
+) -> None:
+    words, suffix = FILES[verb]
+    out = f"other{suffix}"
+    if callable(link):
+        link(read, out)
+    else:
+        renamed = str(Path(read).with_suffix(suffix))
+        if renamed != read:
+            shutil.move(read, renamed)
+        words, out = words.replace(read, renamed), f"./../{place.name}/{renamed}"
+    line = refused(verb, *words.split(), "--out", out)
+    # what is never overwritten needs not be known to be read
+    assert "is read; name another file" in line or "never overwritten" in line
+
+
+def test_a_library_replaces_a_computed_one_and_nothing_else(refused: Callable[..., str], place: Path) -> None:
+    library = acoustic_fem.solve(small_design(), [10.0, 20.0], fidelity="lumped")
+    acoustic_fem.save(library, "good.nc")
+    shutil.copy("good.nc", "earlier.nc")
+    line = refused("convert", "good.nc", "--out", "take.csv")
+    assert line == "take.csv: exists, and is no library that can be read; name another file, or remove this one"
+    solve = ["solve", "row.toml", "--fidelity", "lumped", "--frequencies", "1:3:2", "--out"]
+    assert "no library that can be read" in refused(*solve, "library.nc")
+    assert CliRunner().invoke(app, [*solve, "earlier.nc"]).exit_code == 0
+    assert acoustic_fem.load("earlier.nc").frequency.tolist() == [1.0, 3.0]
+
+
+@pytest.mark.parametrize("verb", FOLDERS)
+def test_a_folder_with_files_of_others_is_left_alone(refused: Callable[..., str], place: Path, verb: str) -> None:
+    words = FOLDERS[verb].split()
+    Path("work").mkdir()
+    Path("work", "thesis.txt").write_text("all my work", encoding="utf-8")
+    Path("link").symlink_to("work")
+    Path("nothing").symlink_to("gone")
+    for out in ("work", "link", ".", f"../{place.name}", "localizer"):
+        line = refused(verb, *words, "--out", out)
+        assert line.startswith(f"{out.removeprefix('./')}: holds ")
+    assert "is a file" in refused(verb, *words, "--out", "take.wav")
+    assert "is a link to nothing" in refused(verb, *words, "--out", "nothing")
+
+
+@pytest.mark.parametrize(("verb", "mark"), [("train", "checkpoint.safetensors"), ("evaluate", "evaluation.json")])
+def test_a_folder_of_its_own_is_refused_while_it_holds_what_is_read(
+    refused: Callable[..., str], place: Path, verb: str, mark: str
+) -> None:
+    Path("own").mkdir()
+    Path("own", mark).write_text("", encoding="utf-8")
+    shutil.copy("library.nc", "own/library.nc")
+    words = FOLDERS[verb].replace("library.nc", "own/library.nc").split()
+    assert refused(verb, *words, "--out", "./own") == (
+        "own: holds own/library.nc, which is read; `out` must be another folder"
+    )
+
+
+def test_a_verb_comes_back_to_its_own_folder_and_to_no_other(refused: Callable[..., str], place: Path) -> None:
+    bend = ["bend", "--angles", "0", "--fidelity", "helmholtz", "--frequencies", "50:50:1", "--out", "bent"]
+    for _ in range(2):
+        result = CliRunner().invoke(app, bend)
+        assert result.exit_code == 0, result.output
+    for verb, words in FOLDERS.items():
+        if verb != "bend":
+            assert refused(verb, *words.split(), "--out", "bent").startswith("bent: holds ")
+
+
+def test_a_run_keeps_a_design_that_was_changed_by_hand_and_a_measured_library(
+    refused: Callable[..., str], place: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from dataclasses import replace
+
+    from acoustic_fem.library.result import MEASURED
+
+    def stopped(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("studies.run.chain._make_parts", stopped)
+    words = ["run", "row.toml", "--out", "demo"]
+    for _ in range(2):
+        assert CliRunner().invoke(app, words).exit_code == 130
+    design = Path("demo/design.toml")
+    text = design.read_text(encoding="utf-8")
+    design.write_text("# mine\n" + text, encoding="utf-8")
+    for source in ("row.toml", "demo/design.toml"):
+        line = refused("run", source, "--out", "demo")
+        assert line.startswith("demo/design.toml: was changed since a run wrote it")
+    design.write_text(text, encoding="utf-8")
+    library = acoustic_fem.solve(small_design(), [10.0, 20.0], fidelity="lumped")
+    acoustic_fem.save(replace(library, fidelity=MEASURED), "demo/library.nc")
+    assert "a measured library is never overwritten" in refused(*words)
+    assert (Path("demo") / MARK).is_file()
