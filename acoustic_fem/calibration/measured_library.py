@@ -183,13 +183,13 @@ def _point(
         RecordingFault: or SoundFileError, with the reason.
     """
     channels, rate, limits = read_point(manifest, number)
+    channels, rest = _together(channels, rate, manifest.started_late)
     check_signals(channels, rate, limits, float(frequency[-1]))
     samples = min(len(values) for values in channels.values())
     signals = np.stack([manifest.pascals[name] * values[:samples] for name, values in channels.items()])
     digest = hashlib.sha256(signals.tobytes()).hexdigest()
     signals, notes = _without_hum(signals, rate)
-    late = np.array([manifest.started_late[name] for name in channels])
-    turn = np.exp(-2j * np.pi * frequency * (late[1:] - late[0])[:, None])
+    turn = np.exp(-2j * np.pi * frequency * (rest[1:] - rest[0])[:, None])
     microphones = tuple(manifest.design.microphones)
     check_steady(signals, rate, frequency, microphones)
     found = transfer_estimate(signals[0], signals[1:], rate, frequency, manifest.estimator)
@@ -200,6 +200,28 @@ def _point(
     if weak:
         notes += (f"coherence of microphone {', '.join(weak)} is below 0.5 at half of the frequencies",)
     return whole, notes, digest
+
+
+def _together(
+    channels: dict[str, Array], rate: float, started_late: Mapping[str, float]
+) -> tuple[dict[str, Array], Array]:
+    """Channels from the moment at which the last recorder had started, to the nearest sample.
+
+    Returns:
+        The channels, and what is left of their lateness, (n_channel,) float64, s.
+
+    Raises:
+        RecordingFault: a recorder started when another had ended.
+    """
+    latest = max(started_late[name] for name in channels)
+    skipped = {name: round((latest - started_late[name]) * rate) for name in channels}
+    for name, values in channels.items():
+        if skipped[name] >= len(values):
+            raise RecordingFault(
+                f"started_late = {latest:g} s leaves nothing of channel {name}, which lasts {len(values) / rate:.3g} s"
+            )
+    rest = np.array([started_late[name] + skipped[name] / rate - latest for name in channels])
+    return {name: values[skipped[name] :] for name, values in channels.items()}, rest
 
 
 def read_point(manifest: Manifest, number: int) -> tuple[dict[str, Array], float, dict[str, float | None]]:

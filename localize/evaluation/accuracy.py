@@ -23,6 +23,8 @@ if TYPE_CHECKING:
     from acoustic_fem import Library
 
 
+MOST_TOUCHES = 1_000_000
+"""Most touches of a point that are judged."""
 RELIABILITY_BINS = 10
 """Number of equal ranges of the stated probability."""
 
@@ -239,8 +241,8 @@ def check_evaluation(
             f"the localizer is for {localizer.point_count} points and microphones {', '.join(localizer.microphones)}; "
             f"the library has {response.point_count} points and microphones {', '.join(response.microphones)}"
         )
-    if touches_per_point < 1:
-        raise Refusal(f"touches_per_point = {touches_per_point} must be at least 1")
+    if not 1 <= touches_per_point <= MOST_TOUCHES:
+        raise Refusal(f"touches_per_point = {touches_per_point} must be between 1 and {MOST_TOUCHES:,}")
     if not FRAME <= samples <= SAMPLE_LENGTH:
         raise Refusal(f"samples = {samples} must be between {FRAME} and {SAMPLE_LENGTH}")
     response.noise(microphone_noise)

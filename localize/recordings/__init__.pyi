@@ -1,7 +1,6 @@
 from .recording import (
     HIGHEST_RATE as HIGHEST_RATE,
     LOWEST_RATE as LOWEST_RATE,
-    check_full_scale as check_full_scale,
     read_recording as read_recording,
 )
 from .same_take import find_same_take as find_same_take

@@ -14,7 +14,7 @@ from acoustic_fem.sound.clipping import first_clipped
 from acoustic_fem.sound.sound_file import MATRIX, Sound, SoundFileError, read_sound
 from geometry.refusal import Refusal
 from localize.signals.frames import FRAME
-from localize.signals.resampling import at_one_kilohertz
+from localize.signals.resampling import at_one_kilohertz, check_full_scale
 from localize.signals.stimulus import SAMPLE_RATE
 
 LOWEST_RATE, HIGHEST_RATE = 250.0, 1e6
@@ -74,16 +74,6 @@ def read_recording(
         samples, limit = samples * scale, None if sound.full_scale is None else sound.full_scale * scale
     _check(path, samples, rate, microphones, limit)
     return Recording(at_one_kilohertz(samples, rate), rate)
-
-
-def check_full_scale(full_scale: float | None) -> None:
-    """Refuse a full scale that is no pressure.
-
-    Raises:
-        Refusal: it is not finite and positive.
-    """
-    if full_scale is not None and not 0 < full_scale < math.inf:
-        raise Refusal(f"full_scale = {full_scale} Pa must be finite and above 0")
 
 
 def _in_order(path: Path, sound: Sound, microphones: tuple[str, ...]) -> NDArray[np.float64]:

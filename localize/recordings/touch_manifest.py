@@ -28,6 +28,7 @@ from pydantic import BaseModel, ConfigDict, Field
 from geometry.files.reading import read_toml
 from geometry.refusal import Refusal
 from geometry.stated.fields import model_of
+from localize.signals.resampling import FULL_SCALES
 
 Part = Literal["random-1-100", "random-1-10", "friction", "taps"]
 PARTS: tuple[Part, ...] = ("random-1-100", "random-1-10", "friction", "taps")
@@ -52,7 +53,7 @@ class _File(BaseModel):
     model_config = ConfigDict(extra="forbid", strict=True)
 
     recordings: Annotated[tuple[_Recording, ...], Field(min_length=1, strict=False)]
-    full_scale: Annotated[float, Field(gt=0, allow_inf_nan=False)] = 1.0
+    full_scale: Annotated[float, Field(ge=FULL_SCALES[0], le=FULL_SCALES[1], allow_inf_nan=False)] = 1.0
 
 
 @dataclass(frozen=True)

@@ -152,8 +152,9 @@ class RecordedStimulus:
     """Content of the file at 1 kHz; (n_sample,) float32, Pa."""
 
     def __post_init__(self) -> None:
-        if not 0 < self.full_scale < math.inf:
-            raise Refusal(f"full_scale = {self.full_scale} Pa must be a finite number above zero")
+        from localize.signals.resampling import check_full_scale
+
+        check_full_scale(self.full_scale)
         pressure = self.full_scale * _read_wav(Path(self.path))
         object.__setattr__(self, "pressure", torch.from_numpy(pressure.astype(np.float32)))
 

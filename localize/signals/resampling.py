@@ -12,12 +12,15 @@ import numpy as np
 import scipy.signal
 from numpy.typing import NDArray
 
+from geometry.refusal import Refusal
 from localize.signals.stimulus import SAMPLE_RATE
 
 Array = NDArray[np.float64]
 
 HALF_LENGTH = 10
 """Length of the filter from its middle to its end, samples of the lower rate."""
+FULL_SCALES = (1e-12, 1e12)
+"""Least and most pressure, Pa, that the largest value of a recording can stand for."""
 LARGEST_DENOMINATOR = 10_000
 """Largest denominator of the ratio of the rates, which is rounded to it."""
 
@@ -154,3 +157,14 @@ class StreamResampler:
             made[channel.astype(np.int64), (number - first).astype(np.int64)] = value
             self._clipped = self._clipped[:, ~now]
         return made
+
+
+def check_full_scale(full_scale: float | None) -> None:
+    """Refuse a full scale that no recording has.
+
+    Raises:
+        Refusal: it is not a number within :data:`FULL_SCALES`.
+    """
+    least, most = FULL_SCALES
+    if full_scale is not None and not least <= full_scale <= most:
+        raise Refusal(f"full_scale = {full_scale} Pa must be between {least:g} and {most:g}")

@@ -173,7 +173,7 @@ def _opened(
     """What listens, and what is told of it; nothing is heard or written yet."""
     from localize.live.listener import LiveListener
     from localize.live.recorder import LiveRecorder
-    from localize.recordings.recording import check_full_scale
+    from localize.signals.resampling import check_full_scale
 
     check_full_scale(source.full_scale)
     locator = open_localizer(model, decoding.noise, decoding.ambient)

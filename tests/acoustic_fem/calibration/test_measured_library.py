@@ -11,6 +11,7 @@ import pytest
 import scipy.io
 import scipy.signal
 import tomlkit
+from scipy.io import wavfile
 
 import acoustic_fem
 import geometry
@@ -18,7 +19,7 @@ import localize
 import localize.signals.touch_generator
 from acoustic_fem.calibration.fitted_model import UpdatedModel
 from acoustic_fem.calibration.manifest import read_manifest
-from acoustic_fem.calibration.measured_library import Calibration, calibrate
+from acoustic_fem.calibration.measured_library import Calibration, CalibrationError, calibrate
 from acoustic_fem.calibration.model_updating import update
 from acoustic_fem.library.result import MEASURED, Library
 from acoustic_fem.sound.estimate import shortest_record, transfer_estimate
@@ -134,6 +135,28 @@ def test_other_rates_and_a_known_delay_change_nothing(model: Library, tmp_path: 
         assert np.median(np.abs(found.transfer_function / truth - 1)) < 0.01
 
 
+def test_a_recorder_that_started_seconds_late_is_brought_in_line(model: Library, tmp_path: Path) -> None:
+    rig = Rig(DESIGN, 3)
+    path = rig.record(tmp_path, [1], Recorder(seconds=30.0, late=0.0))
+    rate, whole = wavfile.read(tmp_path / "point-1.wav")
+    late = round(5.25 * rate)
+    wavfile.write(tmp_path / "cavity.wav", rate, whole[late:, 0])
+    for column, name in ((1, "A"), (2, "B")):
+        wavfile.write(tmp_path / f"{name}.wav", rate, whole[: len(whole) - late, column])
+    manifest = tomlkit.parse(path.read_text(encoding="utf-8"))
+    manifest["points"] = {"1": {"reference": "cavity.wav", "A": "A.wav", "B": "B.wav"}}
+    truth = rig.transfer_function(GRID)[0]
+    for seconds, reason in ((5.25, ""), (59.0, "started_late = 59 s leaves nothing of channel A, which lasts 24.8 s")):
+        manifest["started_late"] = {"reference": seconds}
+        path.write_text(tomlkit.dumps(manifest), encoding="utf-8")
+        if reason:
+            with pytest.raises(CalibrationError, match=reason):
+                measured(path, model)
+        else:
+            found = measured(path, model).estimates[1]
+            assert np.median(np.abs(found.transfer_function / truth - 1)) < 0.01
+
+
 def test_an_unknown_delay_is_noted_with_its_size(model: Library, tmp_path: Path) -> None:
     path = Rig(DESIGN, 3).record(tmp_path, [1], replace(SHORT, late=0.03))
     manifest = tomlkit.parse(path.read_text(encoding="utf-8"))
@@ -182,7 +205,7 @@ def test_a_library_from_some_points_is_the_fitted_sensor_at_all_of_them(tmp_path
     design = geometry.prototype("array-2x6")
     nominal = acoustic_fem.solve(design, GRID, "lumped")
     rig = Rig(design, 7402)
-    found = measured(rig.record(tmp_path, [2, 6, 11], Recorder(seconds=30.0)), nominal)
+    found = measured(rig.record(tmp_path, [2, 6, 11], Recorder(seconds=30.0, late=0.0)), nominal)
     fit = update(UpdatedModel(nominal), found.estimates)
     library = found.library(nominal, fit=fit)
     assert np.array_equal(library.transfer_function.values, fit.transfer_function)
