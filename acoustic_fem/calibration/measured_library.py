@@ -23,6 +23,7 @@ from acoustic_fem.calibration.recording_checks import (
 from acoustic_fem.library.result import Library, described, measured_library
 from acoustic_fem.sound.estimate import TransferEstimate, transfer_estimate
 from acoustic_fem.sound.sound_file import Sound, SoundFileError, read_sound
+from geometry.files.ordinary import MOST_NUMBERS
 from geometry.refusal import Refusal
 
 Array = NDArray[np.float64]
@@ -232,8 +233,8 @@ def read_point(manifest: Manifest, number: int) -> tuple[dict[str, Array], float
         None where there is none.
 
     Raises:
-        RecordingFault: a channel that is not there, a file of one channel given for two, or files of different rates
-            or lengths.
+        RecordingFault: a channel that is not there, a file of one channel given for two, files of different rates
+            or lengths, or above 2^26 samples in all.
         SoundFileError: a file that cannot be read.
     """
     files = manifest.points[number]
@@ -243,6 +244,9 @@ def read_point(manifest: Manifest, number: int) -> tuple[dict[str, Array], float
         given = [f"points.{number}.{name}" for name, one in files.items() if one == file]
         if alone and len(sound.channels) == 1 and len(given) > 1:
             raise RecordingFault(f"{' and '.join(given)} are {file.name}, which has one channel; each must be its own")
+    count = sum(sounds[file].length for file in files.values())
+    if count > MOST_NUMBERS:
+        raise RecordingFault(f"its channels have {count} samples in all, must have at most {MOST_NUMBERS}")
     channels = {
         name: _channel(file, sounds[file], name, manifest.channels[name], alone) for name, file in files.items()
     }

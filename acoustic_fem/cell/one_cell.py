@@ -148,7 +148,13 @@ def _stated(description: dict[str, Any]) -> dict[str, Any]:
 
 
 def solve_task(task: CellTask, report: Callable[[float], None]) -> CellRecord:
-    """Solve one cell."""
+    """Solve one cell.
+
+    Raises:
+        CellError: its air cannot be made or meshed, its solution misses the accuracy, or takes too much memory.
+    """
+    from OCP.Standard import Standard_Failure
+
     from acoustic_fem.cell.condensed import AirModel, BodyFaces
     from acoustic_fem.fields.navier_stokes import WallMotion
     from geometry.air.volume import MIRROR, OPENING, air_volume
@@ -168,7 +174,7 @@ def solve_task(task: CellTask, report: Callable[[float], None]) -> CellRecord:
             MeshGoal(DESIGN_ACCURACY, cell.smallest_extent, checked_band, _FIRST_SCALE),
             report,
         )
-    except (ValueError, RuntimeError, ArithmeticError, MemoryError) as error:
+    except (Refusal, Standard_Failure, MemoryError) as error:
         raise CellError(f"{cell.label}: {error or type(error).__name__}") from error
     body = solved.body
     arrays = {"energies": body.energies}

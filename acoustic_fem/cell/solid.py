@@ -9,7 +9,6 @@ import time
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from os import PathLike
-from pathlib import Path
 from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
@@ -20,6 +19,7 @@ from acoustic_fem.numerics.refinement import BEST_ORDER, Refinement, refined
 from acoustic_fem.quantities.checks import frequency_grid, in_range, numbers, port_points
 from acoustic_fem.quantities.fidelity import PHYSICS, Physics
 from acoustic_fem.quantities.medium import Medium
+from geometry.files.ordinary import LARGEST_DATA, library_reads, ordinary_file
 from geometry.refusal import Refusal
 
 if TYPE_CHECKING:
@@ -276,13 +276,9 @@ def as_shape(solid: cadquery.Shape | cadquery.Workplane | str | PathLike[str]) -
     import cadquery as cq
 
     if isinstance(solid, str | PathLike):
-        path = Path(solid)
-        if not path.is_file():
-            raise Refusal(f"solid = {str(path)!r} must be the path of a STEP file; there is no such file")
-        try:
+        path = ordinary_file(solid, "a STEP file", Refusal, LARGEST_DATA)
+        with library_reads(path, "a STEP file", Refusal):
             solid = cq.importers.importStep(str(path))
-        except Exception as error:
-            raise Refusal(f"{path}: no STEP file that can be read ({error})") from error
     shapes = solid.vals() if isinstance(solid, cq.Workplane) else [solid]
     if len(shapes) != 1 or not isinstance(shapes[0], cq.Shape):
         held = ", ".join(type(shape).__name__ for shape in shapes) or "nothing"

@@ -45,6 +45,11 @@ class Sound:
     numbered: bool = False
     """Whether the file names no channels: they are then called ``1``, ``2``, ..., as in a WAV file."""
 
+    @property
+    def length(self) -> int:
+        """Number of samples of every channel."""
+        return len(next(iter(self.channels.values())))
+
 
 def read_sound(path: str | os.PathLike[str], default_rate: float | None = None) -> Sound:
     """Read a recording as it is: nothing is scaled, filtered or resampled.

@@ -134,7 +134,7 @@ def resolve_design(argument: str | os.PathLike[str]) -> ArrayDesign:
     names = prototype_names()
     if text in names:
         return prototype(text)
-    if text.endswith(".toml") or Path(text).exists():
+    if text.endswith(".toml") or os.path.exists(text):
         return load_design(text)
     raise DesignError(f"{text}: neither a design file nor a prototype{nearest(text, names)}")
 

@@ -6,9 +6,10 @@ import math
 import os
 import zipfile
 import zlib
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from itertools import islice
 from pathlib import Path
-from typing import IO, Any
+from typing import IO, Any, Literal, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,6 +17,13 @@ from numpy.typing import NDArray
 from geometry.files.ordinary import LARGEST_DATA, MOST_NUMBERS, library_reads, ordinary_file
 
 _NUMBER = 8  # bytes of a float64
+_Order: TypeAlias = Literal["big", "little"]
+# Of MAT files: the kind of a packed variable, classes of arrays of numbers and letters, kinds of their parts, and the
+# mark of complex ones.
+_PACKED = 15
+_PLAIN = {4, *range(6, 16)}
+_KINDS = {*range(1, 8), 9, 12, 13, 16, 17, 18}
+_COMPLEX = 0x800
 
 
 def read_npz(path: str | os.PathLike[str], what: str, refusal: Callable[[str], Exception]) -> dict[str, NDArray[Any]]:
@@ -59,45 +67,76 @@ def _claimed(path: Path, info: zipfile.ZipInfo, member: IO[bytes], refusal: Call
 
 
 def read_mat(path: str | os.PathLike[str], what: str, refusal: Callable[[str], Exception]) -> dict[str, NDArray[Any]]:
-    """Variables of a MAT file up to version 7 by name, in the shape of what was saved; arguments and errors as for :func:`read_npz`.
+    """Variables of a MAT file up to version 7 by name, in the shape of what was saved.
+
+    What is no plain array, such as a structure or a sparse matrix, is passed over. Arguments are those of
+    :func:`read_npz`.
 
     Raises:
-        Exception: by ``refusal``: as there, or a variable that is no plain array.
+        Exception: by ``refusal``: no such file, not MAT, cut short, or of more than 2^26 numbers.
     """
     import scipy.io
 
     path = ordinary_file(path, what, refusal, LARGEST_DATA)
+    names = _plain_variables(path, what, refusal)
     with library_reads(path, what, refusal):
-        _check_inflated(path, refusal)
-        content = scipy.io.loadmat(path)
-    arrays = {name: values for name, values in content.items() if not name.startswith("__")}
-    for name, values in arrays.items():
-        if not isinstance(values, np.ndarray):
-            raise refusal(f"{path}: {name} is a sparse matrix, must be a plain one")
+        content = scipy.io.loadmat(path, variable_names=names)
+    arrays = {name: values for name, values in content.items() if isinstance(values, np.ndarray)}
     _check_size(path, sum(values.size for values in arrays.values()), refusal)
     return arrays
 
 
-def _check_inflated(path: Path, refusal: Callable[[str], Exception]) -> None:
-    """Refuse variables that become too large where they are unpacked; what is in them is left to the library."""
+def _plain_variables(path: Path, what: str, refusal: Callable[[str], Exception]) -> list[str] | None:
+    """Names of the arrays in a MAT file of version 5 to 7, all of whose parts are there; None of version 4.
+
+    SciPy 1.17 unpacks whatever is packed, and ends the whole program at parts of a kind that it does not know
+    (scipy/scipy#25349).
+    """
+    names = []
     with path.open("rb") as file:
         head = file.read(128)
-        order = {b"IM": "little", b"MI": "big"}.get(head[126:128])
-        if order is None:
-            return  # version 4, which packs nothing
-        total = 0
+        order: _Order | None = {b"IM": "little", b"MI": "big"}.get(head[126:128])  # type: ignore[assignment]
+        if order is None or 0 in head[:4]:
+            return None  # version 4, which packs nothing
         while len(tag := file.read(8)) == 8:
-            kind, size = (int.from_bytes(tag[k : k + 4], order) for k in (0, 4))  # type: ignore[arg-type]
-            packed = file.read(size)
-            if kind != 15:  # of a packed variable
-                continue
-            unpack = zlib.decompressobj()
-            while packed and not unpack.eof:
-                total += len(unpack.decompress(packed, 1 << 20))
-                packed = unpack.unconsumed_tail
-                _check_size(path, total // _NUMBER, refusal)
+            kind, size = (int.from_bytes(tag[place : place + 4], order) for place in (0, 4))
+            if file.tell() + size > path.stat().st_size:
+                raise refusal(f"{path}: cut short or not {what}: a variable claims {size} bytes")
+            content = file.read(size)
+            if kind == _PACKED:
+                with library_reads(path, what, refusal):
+                    content = zlib.decompressobj().decompress(content, _NUMBER * MOST_NUMBERS + 1)
+                _check_size(path, len(content) / _NUMBER, refusal)
+                content = content[8:]
+            parts = _parts(path, content, order, refusal)
+            head_parts = [bytes(part) for _, part in islice(parts, 3)]
+            if len(head_parts) < 3:
+                raise refusal(f"{path}: cut short or not {what}: a variable has no name")
+            flags, name = int.from_bytes(head_parts[0][:4], order), head_parts[2].decode("latin-1")
+            if flags & 0xFF in _PLAIN:
+                kinds = [kind for kind, _ in parts]
+                if len(kinds) != (2 if flags & _COMPLEX else 1) or not _KINDS.issuperset(kinds):
+                    raise refusal(f"{path}: cut short or not {what}: {name} is damaged")
+                names.append(name)
+    return names
 
 
-def _check_size(path: Path, numbers: int, refusal: Callable[[str], Exception]) -> None:
+def _parts(
+    path: Path, content: bytes, order: _Order, refusal: Callable[[str], Exception]
+) -> Iterator[tuple[int, memoryview]]:
+    """Kind and content of each part of a variable; small ones share eight bytes with their tag."""
+    view, place = memoryview(content), 0
+    while place + 8 <= len(view):
+        kind, size = (int.from_bytes(view[place + k : place + k + 4], order) for k in (0, 4))
+        begin = place + 8
+        if kind >> 16:
+            kind, size, begin = kind & 0xFFFF, kind >> 16, place + 4
+        if begin + size > len(view):
+            raise refusal(f"{path}: cut short: a part of a variable claims {size} bytes")
+        yield kind, view[begin : begin + size]
+        place = begin + size + -size % (4 if begin == place + 4 else 8)
+
+
+def _check_size(path: Path, numbers: float, refusal: Callable[[str], Exception]) -> None:
     if numbers > MOST_NUMBERS:
-        raise refusal(f"{path}: claims to hold {numbers} numbers; a file must hold at most {MOST_NUMBERS}")
+        raise refusal(f"{path}: claims to hold {numbers:.0f} numbers; a file must hold at most {MOST_NUMBERS}")

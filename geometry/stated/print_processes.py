@@ -181,7 +181,7 @@ def find_process(process: str | os.PathLike[str] | PrintProcess) -> PrintProcess
         raise Refusal(f"process = {str(process)!r} must be one of: {', '.join(PROCESSES)}; or a .toml file")
     given = read_toml(path, "a file of a process", Refusal)
     base = given.pop("base", "sla-resin")
-    if base not in PROCESSES:
+    if not isinstance(base, str) or base not in PROCESSES:
         raise Refusal(f"{path.name}: base = {base!r} must be one of: {', '.join(PROCESSES)}")
     words = {key: given.pop(key) for key in ("name", "title", "source") if key in given}
     for key, value in words.items():

@@ -19,6 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acoustic_fem.sound.sound_file import read_wav
+from geometry.files.ordinary import MOST_NUMBERS
 from geometry.refusal import Refusal
 from localize.recordings.recording import HIGHEST_RATE, LOWEST_RATE
 
@@ -155,7 +156,7 @@ class ReplaySource:
 
     Raises:
         SoundFileError: the file cannot be read.
-        SourceError: a channel that is not there, no samples, or a rate outside 250 Hz to 1 MHz.
+        SourceError: a channel that is not there, no samples or above 2^26, or a rate outside 250 Hz to 1 MHz.
     """
 
     def __init__(
@@ -166,18 +167,19 @@ class ReplaySource:
         channels: Mapping[str, int] | None = None,
     ) -> None:
         self._path = Path(path)
-        if not self._path.is_file():
-            raise SourceError(f"{self._path}: no such file")
         sound = read_wav(self._path)
-        own = list(sound.channels.values())
-        picked = checked_channels(microphones, channels, len(own), str(self._path))
+        picked = checked_channels(microphones, channels, len(sound.channels), str(self._path))
         if not LOWEST_RATE <= sound.rate <= HIGHEST_RATE:
             raise SourceError(
                 f"{self._path}: sample rate = {sound.rate:g} Hz must be between {LOWEST_RATE:g} and {HIGHEST_RATE:g} Hz"
             )
-        if not len(own[0]):
-            raise SourceError(f"{self._path}: holds no samples")
-        self._samples = np.stack([own[k] for k in picked]) * full_scale
+        count = sound.length
+        if not 0 < count * len(picked) <= MOST_NUMBERS:
+            raise SourceError(
+                f"{self._path}: has {count} samples of {len(picked)} microphones; "
+                f"what is played must have 1 to {MOST_NUMBERS} in all"
+            )
+        self._samples = np.stack([full_scale * sound.channels[str(k + 1)] for k in picked])
         self.rate = sound.rate
         self.limit = None if sound.full_scale is None else sound.full_scale * full_scale
         self._thread: Thread | None = None

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import os
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -67,17 +68,23 @@ def read_recording(
         sound = read_sound(path, default_rate=SAMPLE_RATE)
     except SoundFileError as error:
         raise RecordingError(str(error)) from None
-    samples, rate = _in_order(path, sound, microphones), sound.rate
-    limit = full_scale
+    names, rate = _in_order(path, sound, microphones), sound.rate
+    scale, limit = 1.0, full_scale
     if path.suffix.lower() == ".wav":
         scale = full_scale or 1.0
-        samples, limit = samples * scale, None if sound.full_scale is None else sound.full_scale * scale
-    _check(path, samples, rate, microphones, limit)
-    return Recording(at_one_kilohertz(samples, rate), rate)
+        limit = None if sound.full_scale is None else sound.full_scale * scale
+    _check_rate(path, rate)
+    signals = []
+    for microphone, name in zip(microphones, names, strict=True):
+        # One after the other: at the rate of a sound card all of them are ten times as large as the file.
+        channel = sound.channels[name] * scale
+        _check(path, channel, rate, microphone, limit)
+        signals.append(at_one_kilohertz(channel[None], rate)[0])
+    return Recording(np.stack(signals), rate)
 
 
-def _in_order(path: Path, sound: Sound, microphones: tuple[str, ...]) -> NDArray[np.float64]:
-    """(n_microphone, n_sample) in the order of the microphones."""
+def _in_order(path: Path, sound: Sound, microphones: tuple[str, ...]) -> Sequence[str]:
+    """Names of the channels in the order of the microphones."""
     names = list(sound.channels)
     wanted = ", ".join(microphones)
     if sound.numbered and len(names) != len(microphones):
@@ -85,30 +92,29 @@ def _in_order(path: Path, sound: Sound, microphones: tuple[str, ...]) -> NDArray
     if not sound.numbered and sorted(names) != sorted(microphones):
         rows = f", or be the rows of {MATRIX}" if path.suffix.lower() in (".npz", ".mat") else ""
         raise RecordingError(f"{path}: its channels are {', '.join(names)}; they must be {wanted}{rows}")
-    return np.stack([sound.channels[name] for name in (names if sound.numbered else microphones)])
+    return names if sound.numbered else microphones
 
 
-def _check(
-    path: Path, samples: NDArray[np.float64], rate: float, microphones: tuple[str, ...], limit: float | None
-) -> None:
+def _check_rate(path: Path, rate: float) -> None:
     if not LOWEST_RATE <= rate <= HIGHEST_RATE:
         raise RecordingError(
             f"{path}: sample rate = {rate:g} Hz must be between {LOWEST_RATE:g} and {HIGHEST_RATE:g} Hz"
         )
+
+
+def _check(path: Path, channel: NDArray[np.float64], rate: float, name: str, limit: float | None) -> None:
     least = math.ceil(FRAME * rate / SAMPLE_RATE)
-    if samples.shape[1] < least:
+    if len(channel) < least:
         raise RecordingError(
-            f"{path}: has {samples.shape[1]} samples, must have at least {least} "
-            f"({FRAME / SAMPLE_RATE:g} s at {rate:g} Hz)"
+            f"{path}: has {len(channel)} samples, must have at least {least} ({FRAME / SAMPLE_RATE:g} s at {rate:g} Hz)"
         )
-    for name, channel in zip(microphones, samples, strict=True):
-        bad = np.flatnonzero(~np.isfinite(channel))
-        if len(bad):
-            raise RecordingError(f"{path}: channel {name} is not finite at {bad[0] / rate:.3f} s")
-        if channel.max() == channel.min():
-            raise RecordingError(f"{path}: channel {name} is silent: its value never changes")
-        clipped = first_clipped(channel, limit)
-        if clipped is not None:
-            raise RecordingError(
-                f"{path}: channel {name} is clipped at {abs(channel[clipped]):.4g} Pa, first at {clipped / rate:.3f} s"
-            )
+    bad = np.flatnonzero(~np.isfinite(channel))
+    if len(bad):
+        raise RecordingError(f"{path}: channel {name} is not finite at {bad[0] / rate:.3f} s")
+    if channel.max() == channel.min():
+        raise RecordingError(f"{path}: channel {name} is silent: its value never changes")
+    clipped = first_clipped(channel, limit)
+    if clipped is not None:
+        raise RecordingError(
+            f"{path}: channel {name} is clipped at {abs(channel[clipped]):.4g} Pa, first at {clipped / rate:.3f} s"
+        )

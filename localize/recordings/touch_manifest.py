@@ -25,6 +25,7 @@ from typing import Annotated, Literal
 import numpy as np
 from pydantic import BaseModel, ConfigDict, Field
 
+from geometry.files.ordinary import LARGEST_DATA, read_bytes
 from geometry.files.reading import read_toml
 from geometry.refusal import Refusal
 from geometry.stated.fields import model_of
@@ -104,10 +105,9 @@ def read_touch_manifest(path: str | os.PathLike[str], points: int) -> TouchManif
             raise TouchManifestError(
                 f"{path}: recordings.{number}.point = {each.point} must be from 1 to {points}, the points of the array"
             )
-        try:
-            digest = hashlib.sha256((path.parent / each.file).read_bytes()).hexdigest()
-        except OSError as error:
-            raise TouchManifestError(f"{path.parent / each.file}: cannot be read: {error.strerror or error}") from None
+        digest = hashlib.sha256(
+            read_bytes(path.parent / each.file, "a recording", TouchManifestError, LARGEST_DATA)
+        ).hexdigest()
         if digest in seen:
             raise TouchManifestError(f"{path}: {each.file} is the same recording as {seen[digest]}")
         seen[digest] = each.file

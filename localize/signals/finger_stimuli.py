@@ -252,16 +252,13 @@ def _read_wav(path: Path) -> np.ndarray:
     from acoustic_fem.sound.sound_file import read_wav
     from localize.signals.resampling import at_one_kilohertz
 
-    try:
-        sound = read_wav(path)
-    except OSError as error:
-        raise Refusal(f"{path}: cannot be read: {error.strerror or error}") from None
+    sound = read_wav(path)
     if len(sound.channels) != 1:
         raise Refusal(f"{path}: has {len(sound.channels)} channels, must have one: the pressure in a cavity")
     (pressure,) = sound.channels.values()
     if not np.isfinite(pressure).all():
         raise Refusal(f"{path}: holds values that are not finite")
-    if not np.ptp(pressure) > 0:
+    if not len(pressure) or not np.ptp(pressure) > 0:
         raise Refusal(f"{path}: is silent: its value never changes")
     resampled = at_one_kilohertz(pressure[None], sound.rate)[0]
     if len(resampled) < SAMPLE_LENGTH:

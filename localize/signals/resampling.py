@@ -23,6 +23,7 @@ FULL_SCALES = (1e-12, 1e12)
 """Least and most pressure, Pa, that the largest value of a recording can stand for."""
 LARGEST_DENOMINATOR = 10_000
 """Largest denominator of the ratio of the rates, which is rounded to it."""
+_CHUNK = 1_000_000  # samples that are resampled at once
 
 
 def ratio_to_one_kilohertz(rate: float) -> tuple[int, int]:
@@ -51,7 +52,9 @@ def at_one_kilohertz(samples: Array, rate: float) -> Array:
         (n_channel, k) float64, in the unit of the samples.
     """
     resampler = StreamResampler(rate, len(samples))
-    return np.concatenate([resampler.push(samples), resampler.finish()], axis=1)
+    # In chunks, since the filter copies what it is given several times.
+    chunks = (samples[:, first : first + _CHUNK] for first in range(0, samples.shape[1], _CHUNK))
+    return np.concatenate([*map(resampler.push, chunks), resampler.finish()], axis=1)
 
 
 class StreamResampler:

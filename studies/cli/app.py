@@ -76,9 +76,15 @@ VERBS = (
 )
 
 
+_LONGEST_ARGUMENT = 4096  # no system has longer paths
+
+
 def main() -> NoReturn:
     """Run the command line: exit code 0; 1 with one line on stderr for bad input; 2 for a wrong command line."""
     warnings.showwarning = _show_warning
+    for argument in sys.argv[1:]:
+        if len(argument) > _LONGEST_ARGUMENT:
+            fail(f"{argument}: an argument of {len(argument)} characters must have at most {_LONGEST_ARGUMENT}", 2)
     signal.signal(signal.SIGTERM, _stop)
     try:
         app(prog_name="acoustic-fem")

@@ -18,6 +18,8 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
+from geometry.files.ordinary import read_bytes
+from geometry.files.reading import LARGEST_TEXT, read_text
 from geometry.files.writing import write_text
 from geometry.refusal import Refusal
 
@@ -54,7 +56,7 @@ def claim_folder(out: str | os.PathLike[str], design: str) -> Path:
     folder = Path(out)
     check_folder(folder, "run", MARK)
     of_earlier, library, mark = folder / DESIGN, folder / RESULTS[0], folder / MARK
-    found = of_earlier.read_bytes() if of_earlier.is_file() else None
+    found = read_bytes(of_earlier, "a design file", Refusal, LARGEST_TEXT) if of_earlier.is_file() else None
     made = mark.read_text(encoding="utf-8", errors="replace").split() if mark.is_file() else []
     digests = [word for word in made if len(word) == len(_digest(b""))]
     if found is not None and digests and _digest(found) not in digests and found != design.encode():
@@ -229,7 +231,7 @@ def replaced_files(folder: Path) -> Iterator[Path]:
         Refusal: the list names what is no file of the folder.
     """
     fresh, listed = folder / ".files.new", folder / FILES
-    earlier = set(listed.read_text(encoding="utf-8").splitlines()) if listed.is_file() else set()
+    earlier = set(read_text(listed, "a list of files", Refusal).splitlines()) if listed.exists() else set()
     for name in sorted(earlier):
         if name in ("", ".", "..") or Path(name).name != name:
             raise Refusal(f"{listed}: {name!r} must be the name of a file in {folder}; remove the list or mend it")

@@ -113,6 +113,9 @@ def read_tolerances(path: Path) -> tuple[Tolerance, ...]:
         deviation = given.get("deviation", known[quantity].deviation)
         if isinstance(deviation, bool) or not isinstance(deviation, (int, float)):
             raise Refusal(f"{path}: [{quantity}] deviation = {deviation!r} must be a number")
+        for field in ("kind", "source"):
+            if not isinstance(given.get(field, ""), str):
+                raise Refusal(f"{path}: [{quantity}] {field} = {given[field]!r} must be a text")
         try:
             known[quantity] = replace(known[quantity], **{"source": "of the file", **given})
         except Refusal as error:

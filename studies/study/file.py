@@ -15,7 +15,7 @@ from acoustic_fem.quantities.fidelity import Fidelity
 from geometry import ArrayDesign, DesignError, load_design
 from geometry.design.design_file import prototype, prototype_names, value_of
 from geometry.files.reading import parse_toml, read_text
-from geometry.refusal import Refusal
+from geometry.refusal import Refusal, in_one_line
 from geometry.stated.fields import UnknownField, check_value, field_named, model_of
 from studies.study.constraints import parse_constraint
 from studies.study.study import Parameter, Sampling, Study, StudyError
@@ -137,14 +137,14 @@ def study_of(
 
 def _named(source: str, error: Refusal) -> str:
     message = str(error)
-    return message if message.startswith(f"{source}: ") else f"{source}: {message}"
+    return message if message.startswith(in_one_line(f"{source}: ")) else f"{source}: {message}"
 
 
 def _base(name: str, folder: Path) -> ArrayDesign:
     if name in prototype_names():
         return prototype(name)
     path = folder / name
-    if not path.is_file():
+    if not os.path.exists(path):
         raise Refusal(
             f"base = {name!r} is neither a file in {folder} nor a prototype; known: {', '.join(prototype_names())}"
         )

@@ -326,7 +326,7 @@ def test_a_cell_that_cannot_be_read_is_said_and_solved_again(tmp_path, monkeypat
         ({"fidelity": "guess"}, "fidelity = 'guess' must be one of navier-stokes, helmholtz"),
         ({"ports": {}}, "ports must name at least one port"),
         ({"ports": {"a": (0, 0, 9)}}, "'a': .* lies on 0 faces"),
-        ({"solid": "missing.step"}, "'missing.step' must be the path of a STEP file"),
+        ({"solid": "missing.step"}, "missing.step: no such file"),
     ],
     ids=lambda value: "" if isinstance(value, str) else next(iter(value)),
 )

@@ -332,6 +332,7 @@ def test_a_process_file_starts_from_a_built_in_one(tmp_path):
     for text, message in (
         ("wall = 'thin'", r"my-printer.toml: wall = 'thin' must be a number above 0 mm"),
         ("base = 'sls'", r"my-printer.toml: base = 'sls' must be one of: sla-resin"),
+        ("base = ['fdm']", r"my-printer.toml: base = \['fdm'\] must be one of: sla-resin"),
         ("walls = 1.0", r"my-printer.toml: walls = 1 is not a field"),
         ("wall =", r"my-printer.toml: is not TOML"),
     ):

@@ -121,7 +121,7 @@ def test_formats_of_wav_files_have_the_same_scale(tmp_path):
 @pytest.mark.parametrize(
     ("kind", "message"),
     [
-        ("missing", r"missing\.wav: cannot be read: No such file"),
+        ("missing", r"missing\.wav: no such file"),
         ("text", "cut short or not a WAV file"),
         ("cut", "cut short: it has 30 of"),
         ("stereo", "has 2 channels, must have one"),

@@ -444,6 +444,9 @@ def places(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
     files |= {"out.nc": tmp_path / "out.nc", "none/out.nc": tmp_path / "none" / "out.nc", "folder": tmp_path}
     files["library.nc"] = result.folder / "library.nc"
     files["localizer"] = result.folder / "localizer"
+    files["pipe"] = tmp_path / "pipe"
+    for suffix in (".toml", ".wav"):
+        os.mkfifo(tmp_path / f"pipe{suffix}")
     for name in ("text.nc", "text.wav", "text.onnx"):
         files[name] = tmp_path / name
         files[name].write_text("neither sound nor numbers")
@@ -467,6 +470,17 @@ def places(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
     [
         ("check array-2x7", "neither a design file nor a prototype; did you mean 'array-2x6'?"),
         ("check <missing>.toml", "no such file"),
+        ("check <pipe>.toml", "pipe.toml: is a pipe, not a design file"),
+        ("solve <pipe>.toml --out <out.nc>", "pipe.toml: is a pipe, not a design file"),
+        ("parts array-2x6 --out <out.nc> --process <pipe>.toml", "pipe.toml: is a pipe, not a file of a process"),
+        ("locate <library.nc> <pipe>.wav", "pipe.wav: is a pipe, not a"),
+        ("live <library.nc> --replay <pipe>.wav", "pipe.wav: is a pipe, not a WAV file"),
+        ("sweep <pipe>.toml --out <out.nc>", "pipe.toml: is a pipe, not a study file"),
+        ("optimize <pipe>.toml --out <out.nc>", "pipe.toml: is a pipe, not a study file"),
+        ("calibrate <pipe>.toml --out <out.nc>", "pipe.toml: is a pipe, not a manifest"),
+        ("check /dev/zero", "/dev/zero: is a device, not a design file"),
+        ("check " + 4000 * "x" + ".toml", "cannot be read: File name too long"),
+        ("check a\u202eb.toml", "a\\u202eb.toml: no such file"),
         ("check <bad.toml>", "is not TOML"),
         ("check <wide.toml>", "resonator.cavity_diameter = 99 mm must be between 0.8 and 50 mm"),
         ("check array-2x6 --out <none/out.nc>", "must lie in a folder that exists"),
@@ -479,8 +493,8 @@ def places(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
         ("solve array-2x6 --out <out.nc> --frequencies 100:1:64", "--frequencies must ascend"),
         ("parts array-2x6 --out <text.nc>", "must be a folder"),
         ("train <missing> --out <out.nc>", "no such file"),
-        ("train <text.nc> --out <out.nc>", "is no netCDF file or is cut short"),
-        ("train <short.nc> --out <out.nc>", "is no netCDF file or is cut short"),
+        ("train <text.nc> --out <out.nc>", "cut short, damaged or not a library in netCDF"),
+        ("train <short.nc> --out <out.nc>", "cut short, damaged or not a library in netCDF"),
         ("train <narrow.nc> --out <out.nc>", "frequency runs from 1 to 80 Hz; it must cover 1 to 100 Hz"),
         ("train <library.nc> --out <out.nc> --seconds -1", "acoustic-fem: --seconds = -1.0 must be between"),
         ("train <library.nc> --out <out.nc> --epochs 0", "acoustic-fem: --epochs = 0 must be a whole number from 1"),
@@ -525,6 +539,7 @@ def test_bad_input_ends_in_one_line(command: Command, places: dict[str, Path], w
     assert told.err.splitlines()[-1] == lines[0]
     assert reason in lines[0]
     assert "Traceback" not in told.err
+    assert len(lines[0]) < 2100
     assert not [line for line in told.err.splitlines() if line.startswith(("Evaluation:", "Localizer:", "Parts:"))]
     assert not places["out.nc"].exists()
 
@@ -555,6 +570,13 @@ def test_a_wrong_command_line_ends_with_code_2(
     assert told.err
     assert "Traceback" not in told.err
     assert not list(tmp_path.iterdir())
+
+
+def test_an_argument_longer_than_any_path_is_refused_in_one_line(command: Command) -> None:
+    for words in (("check", "x" * 5000), ("solve", "array-2x6", "--fidelity", "x" * 5000)):
+        told = command(*words)
+        assert (told.code, told.err.count("\n")) == (2, 1)
+        assert "an argument of 5000 characters must have at most 4096" in told.err
 
 
 def test_a_mistake_of_the_program_keeps_its_traceback(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -171,6 +171,8 @@ def test_a_file_replaces_what_it_names(tmp_path: Path) -> None:
         ("[bore]\ndeviation = nan", "tolerance bore: deviation = nan mm must be between 0 and 5 mm"),
         ("[bore]\ndeviation = true", "deviation = True must be a number"),
         ('[bore]\nkind = "some"', "kind = 'some' must be absolute or relative"),
+        ("[bore]\nkind = []", "[bore] kind = [] must be a text"),
+        ("[bore]\nsource = 3", "[bore] source = 3 must be a text"),
         ('[modulus_of_part]\nkind = "absolute"', "modulus_of_part: kind must be relative"),
         ("[bore", "mine.toml:"),
         ("bore = 3", "[bore] must hold"),

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from geometry import DesignError, prototype, save_design
+from geometry.refusal import Refusal
 from studies.study.file import load_study, read_study
 from studies.study.study import StudyError
 
@@ -117,6 +118,22 @@ def test_parameters_that_go_together_must_have_equally_many_values() -> None:
 def test_a_parameter_given_twice_is_refused() -> None:
     with pytest.raises(StudyError, match=r"tube\.length must be given once"):
         read_study(study(parameters=PARAMETERS + '[[together]]\n"tube.length" = [9, 10]\n'))
+
+
+@pytest.mark.parametrize(
+    ("base", "message"),
+    [
+        ("x" * 300, "neither a file in .* nor a prototype"),
+        ("folder", "folder: is a folder, not a design file"),
+        ("/dev/zero", "/dev/zero: is a device, not a design file"),
+        ("a\\u0000b", "neither a file in .* nor a prototype"),
+    ],
+)
+def test_a_base_that_is_no_file_is_refused(base: str, message: str, tmp_path: Path) -> None:
+    (tmp_path / "folder").mkdir()
+    (tmp_path / "study.toml").write_text(f'base = "{base}"\nmetrics = ["distance_smallest"]\n')
+    with pytest.raises(Refusal, match=message):
+        load_study(tmp_path / "study.toml")
 
 
 def test_an_unknown_metric_or_base_is_refused_with_the_known_ones() -> None:
