@@ -13,10 +13,11 @@ import shutil
 from collections.abc import Callable, Sequence
 from dataclasses import asdict
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+from pydantic import BaseModel, ConfigDict, Field
 
 from acoustic_fem.batch.network import batch_transfer_function
 from acoustic_fem.batch.parameters import design_air
@@ -25,20 +26,32 @@ from acoustic_fem.quantities.checks import frequency_grid
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import read_design, write_design
 from geometry.refusal import Refusal
+from studies.output.checked_store import add_checksums, create_checked, read_store
 from studies.output.folders import check_folder
 from studies.scatter.tolerances import TOLERANCES, ScatteredDesign, Tolerance
 
 if TYPE_CHECKING:
     import zarr
 
-#: Layout of the store, and the attribute that marks one.
-FORMAT = 1
+#: Layout of the store, and the attribute that marks one; from 2 on there are checksums.
+FORMAT = 2
 MARK = "acoustic_fem_perturbed_library"
 #: Sensors per block.
 BLOCK = 64
 MOST_SENSORS = 1_000_000
 """Sensors that a store holds at most."""
 _DIMENSIONS = ("design", "point", "microphone", "frequency")
+_PARTS = ("transfer_function_real", "transfer_function_imag")
+#: Attributes that change no number.
+_DESCRIBED = ("title", "fidelity", "tolerances", "code_version", "created", "seed", "python", "libraries")
+
+
+class _About(BaseModel):
+    """Attributes of a store on which its numbers depend."""
+
+    model_config = ConfigDict(strict=True)
+    design: str
+    microphones: Annotated[list[str], Field(min_length=1)]
 
 
 def write_perturbed_library(
@@ -88,6 +101,7 @@ def write_perturbed_library(
             size = min(BLOCK, count - first)
             h = batch_transfer_function(scattered.sample(first, size, seed), scattered.topology, grid, air)
             parts[0][first : first + size], parts[1][first : first + size] = h.real, h.imag
+        add_checksums(beside)
         os.rename(beside, target)
     finally:
         shutil.rmtree(beside, ignore_errors=True)
@@ -118,11 +132,11 @@ def _new_store(
     _coordinate(group, "frequency", grid, "frequency", units="Hz")
     shape = (count, points, len(design.microphones), len(grid))
     real, imag = (
-        group.create_array(
-            f"transfer_function_{part}", shape=shape, dtype="float64", chunks=(min(BLOCK, count), *shape[1:]),
-            dimension_names=_DIMENSIONS, attributes={"units": "Pa/Pa", "long_name": f"transfer function, {part}"},
+        create_checked(
+            group, name, shape, "float64", (min(BLOCK, count), *shape[1:]), _DIMENSIONS,
+            {"units": "Pa/Pa", "long_name": f"transfer function, {name.rsplit('_', 1)[1]}"},
         )
-        for part in ("real", "imag")
+        for name in _PARTS
     )  # fmt: skip
     return real, imag
 
@@ -132,24 +146,23 @@ class PerturbedLibrary:
     :class:`localize.signals.touch_generator.TransferFunctionSource`.
 
     Raises:
-        Refusal: the path is no such store, or was written by a later version.
+        Refusal: the path is no such store, was written by a later version, or is damaged; names the member.
     """
 
     def __init__(self, path: str | os.PathLike[str]) -> None:
-        import zarr
-
         self.path = Path(path)
-        try:
-            group: Any = zarr.open_group(self.path, mode="r", zarr_format=3)
-            attributes: dict[str, Any] = dict(group.attrs)
-        except (OSError, ValueError, KeyError) as error:
-            raise Refusal(f"{self.path}: is not a library of perturbed transfer functions: {error}") from None
-        if attributes.get(MARK) != FORMAT:
-            raise Refusal(f"{self.path}: is not a library of perturbed transfer functions of format {FORMAT}")
-        self.attributes = attributes
+        what = "a library of perturbed transfer functions"
+        self._stored, about = read_store(self.path, what, MARK, FORMAT, _About, _DESCRIBED, Refusal)
+        self.attributes = self._stored.attributes
         #: (n_freq,) float64, Hz.
-        self.frequency: NDArray[np.float64] = np.asarray(group["frequency"][:], np.float64)
-        self._parts: tuple[Any, Any] = (group["transfer_function_real"], group["transfer_function_imag"])
+        self.frequency: NDArray[np.float64] = np.asarray(self._stored.fixed("frequency", "f"), np.float64)
+        self._parts: tuple[Any, Any] = (self._stored.array(_PARTS[0]), self._stored.array(_PARTS[1]))
+        for name, array in zip(_PARTS, self._parts, strict=True):
+            shape, wanted = tuple(array.shape), (len(about.microphones), len(self.frequency))
+            if shape[2:] != wanted or shape != self._parts[0].shape or array.chunks[1:] != shape[1:]:
+                raise Refusal(
+                    f"{self.path}: {name} has shape {shape}; it must be (sensors, points, {wanted[0]}, {wanted[1]})"
+                )
         self._block = int(self._parts[0].chunks[0])
         self._held: tuple[int, NDArray[np.complex128]] | None = None
 
@@ -179,7 +192,7 @@ class PerturbedLibrary:
             (count, n_point, n_microphone, n_freq) complex128, Pa/Pa.
 
         Raises:
-            Refusal: sensors that the store does not hold.
+            Refusal: sensors that the store does not hold, or a block that is damaged.
         """
         if not (first >= 0 and count >= 1 and first + count <= self.sensor_count):
             raise Refusal(
@@ -193,14 +206,16 @@ class PerturbedLibrary:
 
     def _read(self, block: int) -> NDArray[np.complex128]:
         if self._held is None or self._held[0] != block:
-            rows = slice(block * self._block, (block + 1) * self._block)
-            self._held = block, np.asarray(self._parts[0][rows]) + 1j * np.asarray(self._parts[1][rows])
+            self._held = block, self._part(0, block) + 1j * self._part(1, block)
         return self._held[1]
+
+    def _part(self, part: int, block: int) -> NDArray[np.float64]:
+        name, rows = _PARTS[part], slice(block * self._block, (block + 1) * self._block)
+        if not self._stored.has_chunk(name, block, len(_DIMENSIONS)):
+            raise Refusal(f"{self.path}: {name}: chunk {block} is missing")
+        return np.asarray(self._stored.part(self._parts[part], name, rows), np.float64)
 
 
 def _coordinate(group: Any, name: str, values: NDArray[Any], long_name: str, **attributes: str) -> None:
-    array = group.create_array(
-        name, shape=values.shape, dtype=str(values.dtype), chunks=values.shape, dimension_names=(name,),
-        attributes={"long_name": long_name, **attributes},
-    )  # fmt: skip
-    array[:] = values
+    about = {"long_name": long_name, **attributes}
+    create_checked(group, name, values.shape, str(values.dtype), values.shape, (name,), about)[:] = values

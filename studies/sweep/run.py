@@ -118,9 +118,9 @@ def _run_sweep(
     with sole_writer(out) as log:  # from before the store is made: of two that begin at once, one does
         store = SweepStore.claim(out, study, cases, metrics)
         waiting = store.waiting()
-        notes: dict[str, None] = {}
-        if store.attributes["code_version"] != versions(None, ())["code_version"]:
-            notes[f"begun by version {store.attributes['code_version']} of acoustic-fem"] = None
+        notes = dict.fromkeys(store.notes)
+        if store.attributes.get("code_version") != versions(None, ())["code_version"]:
+            notes[f"begun by version {store.attributes.get('code_version')} of acoustic-fem"] = None
         before = int((store.state != 0).sum())
         write_line(log, {"event": "start", **versions(study.seed, ()), "waiting_blocks": len(waiting)})
         cells: dict[CellKey, SolvedCell] = {}

@@ -3,6 +3,7 @@
 Variables are named as in the study: a parameter by its dotted name, a metric by its name; the attribute ``kind``
 says which is which. The state of a block is written last, each file beside and then renamed: what is marked as
 done is whole. Nothing in the store depends on the time, the number of workers or the order of the blocks.
+What is damaged is computed again by the next run of the study, and refused by whoever reads it before.
 """
 
 from __future__ import annotations
@@ -10,52 +11,39 @@ from __future__ import annotations
 import json
 import os
 import shutil
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import IO, TYPE_CHECKING, Any, Protocol
+from typing import IO, TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
+from pydantic import BaseModel, ConfigDict, Json, PositiveInt
+from xarray.backends import BackendArray
+from xarray.core.indexing import ExplicitIndexer, IndexingSupport, LazilyIndexedArray, explicit_indexing_adapter
 
-from acoustic_fem.library.provenance import versions
 from geometry import ArrayDesign
-from geometry.design.design_file import read_design, write_design
-from geometry.stated.fields import field_named
+from geometry.design.design_file import read_design
+from geometry.files.ordinary import library_reads
+from geometry.files.writing import write_text
+from studies.output.checked_store import METADATA, CheckedStore, read_store, take_checksums
 from studies.output.folders import check_folder
 from studies.study.cases import Cases
 from studies.study.failure_reasons import by_kind
+from studies.study.metric_registry import METRICS
 from studies.study.study import Study, StudyError
+from studies.sweep.new_store import FORMAT, MARK, WAITING, Labelled, create_store, fresh_store
 
 if TYPE_CHECKING:
     import xarray as xr
 
-#: Layout of the store.
-FORMAT = 1
-#: Values of ``state``.
-WAITING, DONE, FAILED = 0, 1, 2
-#: Versions that may change a result.
-_LIBRARIES = ("gmsh", "numpy", "scikit-fem", "scipy", "xarray", "zarr")
-#: Complex values of transfer functions worked on in one block, and most cases of one.
-_BLOCK_VALUES = 400_000
-_LARGEST_BLOCK = 1024
-
-
-class Labelled(Protocol):
-    """Metric, as far as the store needs to know it."""
-
-    @property
-    def name(self) -> str:
-        """Name of its variable."""
-
-    @property
-    def unit(self) -> str:
-        """Unit of its values, "1" for ratios."""
-
-    @property
-    def long_name(self) -> str:
-        """Title, a few words."""
+#: Values of ``state`` beside :data:`WAITING`.
+DONE, FAILED = 1, 2
+#: Damaged blocks that are told of one by one.
+_TOLD = 3
+TRANSFER_FUNCTIONS = ("transfer_function_real", "transfer_function_imag")
+"""Arrays of the transfer functions, where the study keeps them."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,42 +62,135 @@ class BlockResult:
     """Transfer functions, where the study keeps them; (n, n_point, n_microphone, n_freq) complex128, Pa/Pa."""
 
 
+class _About(BaseModel):
+    """Attributes of a store on which its results depend."""
+
+    model_config = ConfigDict(strict=True)
+    title: str = ""
+    description: str = ""
+    fidelity: str
+    study_content: Json[dict[str, Any]]
+    base_design: str
+    parameter_names: Json[list[str]]
+    metric_names: Json[list[str]]
+    block: PositiveInt
+
+
+#: Attributes of a store that change no result.
+_DESCRIBED = ("title", "description", "study", "left_out", "code_version", "seed", "python", "libraries")
+
+
+def _stored(path: Path) -> tuple[CheckedStore, _About]:
+    """What a store says of itself.
+
+    Raises:
+        StudyError: it is not the store of a sweep, or is damaged; names the member.
+    """
+    return read_store(path, "the results of a sweep", MARK, FORMAT, _About, _DESCRIBED, StudyError)
+
+
 class SweepStore:
     """Store that is being filled. Only one process may write to it."""
 
     def __init__(self, path: Path) -> None:
         """Open a store that exists; see :meth:`claim`."""
-        import zarr
-
         self.path = path
-        self._group = zarr.open_group(path, mode="r+", zarr_format=3, use_consolidated=False)
-        self._variables: dict[str, Any] = dict(self._group.arrays())
-        self.attributes: dict[str, Any] = dict(self._group.attrs)
+        self._stored, self._about = _stored(path)
+        self.attributes: dict[str, Any] = self._stored.attributes
+        content = self._about.study_content
+        transfer = TRANSFER_FUNCTIONS if content.get("transfer_functions") else ()
+        #: Arrays that are filled block by block, the state last, and how many axes they have.
+        self._filled = dict.fromkeys(self._about.metric_names, 1) | dict.fromkeys(transfer, 4)
+        self._filled |= {"reason": 1, "state": 1}
+        self._variables: dict[str, Any] = {}
+        self.notes: tuple[str, ...] = ()
 
     @classmethod
     def claim(cls, path: Path, study: Study, cases: Cases, metrics: Sequence[Labelled]) -> SweepStore:
         """Store with all parameters and nothing done, or the one of an earlier run of the same study.
 
-        The caller holds :func:`sole_writer`: whoever else writes to the store would lose what this removes.
+        Of the latter, what is damaged is restored from the study where it follows from that, and waits to be computed
+        again where it does not; :attr:`notes` says so. The caller holds :func:`sole_writer`: whoever else writes to the
+        store would lose what this removes.
 
         Raises:
-            StudyError: the path holds something else, or the store of another study.
+            StudyError: the path holds something else, the store of another study, or one that is damaged beyond that.
         """
         check_store(path)
-        if not is_sweep(path):
-            _create(path, study, cases, metrics)
+        if not (path / METADATA).exists():
+            create_store(path, study, cases, metrics)
         store = cls(path)
-        differs = _first_difference(json.loads(store.attributes["study_content"]), study.content())
+        differs = _first_difference(store._about.study_content, study.content())
         if differs:
             raise StudyError(f"{path}: holds the results of another study: {differs}; give another `out`, or remove it")
         for left in path.rglob("*.partial"):  # of a run that was killed while it wrote
             left.unlink()
+        store._restore(study, cases, metrics)
+        store._variables = {name: store._stored.array(name, writing=True) for name in store._filled}
+        store._forget_damaged()
         return store
+
+    def _restore(self, study: Study, cases: Cases, metrics: Sequence[Labelled]) -> None:
+        """Make anew what follows from the study alone: arrays that say what is computed, and what arrays are."""
+        wrong: dict[str, str] = {}
+        for name in ("case", "frequency", "microphone", "point", *self._about.parameter_names):
+            try:
+                self._stored.fixed(name)
+            except StudyError as error:
+                wrong[name] = str(error)
+        for name in self._filled:
+            try:
+                self._stored.array(name)
+            except StudyError as error:
+                wrong[name] = str(error)
+        if not wrong:
+            return
+        with fresh_store(self.path, study, cases, metrics) as fresh:
+            made, about = _stored(fresh)
+            if not self._stored.checked or about.block != self._about.block:
+                raise StudyError(f"{next(iter(wrong.values()))}; an older version wrote it: give another `out`")
+            for name in wrong:
+                if name not in self._filled:
+                    shutil.rmtree(self.path / name, ignore_errors=True)
+                    shutil.copytree(fresh / name, self.path / name)
+                (self.path / name).mkdir(exist_ok=True)
+                write_text(self.path / name / METADATA, (fresh / name / METADATA).read_text(encoding="utf-8"))
+            take_checksums(self.path, made, wrong)
+        self._stored, self._about = _stored(self.path)
+        self.notes += tuple(f"{reason}; restored from the study" for reason in wrong.values())
+
+    def _forget_damaged(self) -> None:
+        """Let blocks of which anything is damaged or missing wait to be computed again."""
+        count = self._variables["state"].shape[0]
+        notes = []
+        for block, first in enumerate(range(0, count, self.block)):
+            wrong = self._damage(block, slice(first, min(first + self.block, count)))
+            if wrong:
+                for name in ("state", *self._filled):  # first the state: from now on the block does not count
+                    self._stored.chunk_file(name, block, self._filled[name]).unlink(missing_ok=True)
+                last = min(first + self.block, count) - 1
+                notes.append(f"{wrong}; cases {first} to {last} are computed again")
+        more = (f"{self.path}: {len(notes) - _TOLD} more blocks are damaged and computed again",)
+        self.notes += tuple(notes[:_TOLD]) + more * (len(notes) > _TOLD)
+
+    def _damage(self, block: int, part: slice) -> str:
+        """What is wrong with a block that was done; empty where nothing is."""
+        try:
+            state = self._stored.part(self._variables["state"], "state", part)
+            if (state == WAITING).all():
+                return ""
+            for name, array in self._variables.items():
+                if not self._stored.has_chunk(name, block, self._filled[name]):
+                    return f"{self.path}: {name}: chunk {block} is missing"
+                self._stored.part(array, name, part)
+        except StudyError as error:
+            return str(error)
+        return ""
 
     @property
     def block(self) -> int:
         """Number of cases per block."""
-        return int(self.attributes["block"])
+        return self._about.block
 
     @property
     def state(self) -> NDArray[np.int8]:
@@ -127,10 +208,12 @@ class SweepStore:
         part = slice(result.first, result.first + len(result.state))
         for name, values in result.values.items():
             self._variables[name][part] = values
-        if result.transfer_function is not None:
-            points = slice(0, result.transfer_function.shape[1])
-            self._variables["transfer_function_real"][part, points] = result.transfer_function.real
-            self._variables["transfer_function_imag"][part, points] = result.transfer_function.imag
+        if TRANSFER_FUNCTIONS[0] in self._variables:
+            found = result.transfer_function
+            points = slice(0, None if found is None else found.shape[1])
+            both: tuple[Any, Any] = (np.nan, np.nan) if found is None else (found.real, found.imag)
+            for name, values in zip(TRANSFER_FUNCTIONS, both, strict=True):
+                self._variables[name][part, points] = values
         self._variables["reason"][part] = np.array(result.reason, dtype=object)
         self._variables["state"][part] = result.state  # last: from now on the block counts
 
@@ -144,12 +227,17 @@ def check_store(path: Path) -> None:
     """Refuse a path that no sweep may write to; nothing is touched.
 
     Raises:
-        StudyError: it holds what no sweep made.
+        StudyError: it holds what no sweep made, or a store that is damaged.
         Refusal: it cannot be written.
     """
     check_folder(path)
-    if not is_sweep(path) and path.is_dir() and any(path.iterdir()) and not is_sweep(path):  # or it came meanwhile
-        raise StudyError(f"{path}: holds what no sweep made; `out` must be new, or the results of the same study")
+    if path.is_dir() and any(path.iterdir()):
+        if not (path / METADATA).exists():
+            raise StudyError(
+                f"{path}: holds what no sweep made (it has no {METADATA}); `out` must be new, or the results of the "
+                "same study"
+            )
+        _stored(path)
 
 
 @contextmanager
@@ -175,30 +263,6 @@ def sole_writer(path: Path) -> Iterator[IO[str]]:
                 f"{log.name}: cannot be locked ({error.strerror}); `out` must be where files can"
             ) from None
         yield log
-
-
-def is_sweep(path: Path) -> bool:
-    """Whether a folder is the store of a sweep."""
-    try:
-        content = json.loads((path / "zarr.json").read_text(encoding="utf-8"))
-        return "acoustic_fem_sweep" in content["attributes"]
-    except (OSError, ValueError, KeyError, TypeError):
-        return False
-
-
-def block_size(study: Study, cases: Cases) -> int:
-    """Number of cases per block, by the study alone: enough to be fast, few enough for memory and for sharing."""
-    values = point_count(cases) * len(study.base.microphones) * len(study.frequency)
-    return max(1, min(_BLOCK_VALUES // values, -(-len(cases) // 16), _LARGEST_BLOCK))
-
-
-def point_count(cases: Cases) -> int:
-    """Largest number of points of any case."""
-    columns = dict(zip(cases.names, cases.columns, strict=True))
-    total = np.zeros(len(cases), dtype=np.int64)
-    for number, line in enumerate(cases.base.lines):
-        total += columns.get(f"lines.{number}.points", np.int64(line.points))
-    return int(total.max())
 
 
 # -- reading ----------------------------------------------------------------------------------------
@@ -240,104 +304,67 @@ class Sweep:
 
 
 def open_sweep(path: str | os.PathLike[str]) -> Sweep:
-    """Results of a study, opened, also while it runs; variables are read when they are used.
+    """Results of a study, opened, also while it runs; transfer functions are read when they are used.
 
     Raises:
-        StudyError: the folder is not the store of a sweep.
+        StudyError: the folder is not the store of a sweep, or is damaged; names the member, and what to do.
     """
     import xarray as xr
 
     path = Path(path)
-    if not is_sweep(path):
-        raise StudyError(f"{path}: is not the results of a sweep (a .zarr folder)")
-    dataset = xr.open_zarr(path, consolidated=False)
-
-    def of_kind(kind: str) -> tuple[str, ...]:
-        names = json.loads(dataset.attrs[f"{kind}_names"])
-        return tuple(str(name) for name in names)
-
-    return Sweep(
-        dataset,
-        read_design(dataset.attrs["base_design"], f"{path}: base design"),
-        of_kind("parameter"),
-        of_kind("metric"),
-    )
-
-
-# -- creating ---------------------------------------------------------------------------------------
-def _create(path: Path, study: Study, cases: Cases, metrics: Sequence[Labelled]) -> None:
-    """A store with all parameters and nothing done, built beside and then put in place."""
-    import zarr
-
-    beside = path.with_name(f".{path.name}.new")
-    shutil.rmtree(beside, ignore_errors=True)
-    made = versions(study.seed, _LIBRARIES)
-    del made["created"]  # in the log: the store of a study is the same whenever it is made
-    group = zarr.open_group(beside, mode="w", zarr_format=3)
-    block = block_size(study, cases)
-    group.attrs.update(
-        {
-            "acoustic_fem_sweep": FORMAT,
-            "title": study.name,
-            "description": study.description,
-            "fidelity": study.fidelity,
-            "study": study.text,
-            "study_content": json.dumps(study.content()),
-            "base_design": write_design(study.base.completed()),
-            "parameter_names": json.dumps(cases.names),
-            "metric_names": json.dumps([metric.name for metric in metrics]),
-            "block": block,
-            "left_out": cases.left_out,
-            **made,
-        }
-    )
-
-    def variable(name: str, dims: Sequence[str], values: NDArray[Any], **attributes: Any) -> None:
-        array = group.create_array(
-            name, shape=values.shape, dtype=_kind(values), chunks=values.shape, dimension_names=dims,
-            attributes=attributes,
-        )  # fmt: skip
-        array[:] = values
-
-    def along_cases(name: str, dtype: str, fill: float | str, dims: Iterable[str] = (), **attributes: Any) -> None:
-        more = {
-            "point": point_count(cases),
-            "microphone": len(study.base.microphones),
-            "frequency": len(study.frequency),
-        }
-        rest = [more[each] for each in dims]
-        group.create_array(
-            name, shape=(len(cases), *rest), chunks=(block, *rest), dtype=dtype, fill_value=fill,
-            dimension_names=("case", *dims), attributes=attributes,
-        )  # fmt: skip
-
-    variable("case", ("case",), np.arange(len(cases)), long_name="number of the case")
-    variable("frequency", ("frequency",), study.frequency, units="Hz", long_name="frequency")
-    variable("microphone", ("microphone",), np.array(study.base.microphones, dtype=object), long_name="microphone")
-    variable("point", ("point",), np.arange(1, point_count(cases) + 1), long_name="sensing point, from 1")
-    for name, column in zip(cases.names, cases.columns, strict=True):
-        field = field_named(ArrayDesign, name)
-        about = {"long_name": field.description, "units": field.unit or "1"} if field else {"units": "mm"}
-        variable(name, ("case",), column, kind="parameter", **about)
-    for metric in metrics:
-        along_cases(metric.name, "float64", np.nan, kind="metric", units=metric.unit, long_name=metric.long_name)
-    if study.transfer_functions:
-        for part in ("real", "imag"):
-            along_cases(
-                f"transfer_function_{part}", "float64", np.nan, ("point", "microphone", "frequency"),
-                units="Pa/Pa", long_name="pressure at the microphone per pressure in the touched cavity",
-            )  # fmt: skip
-    along_cases("state", "int8", WAITING, long_name="0 waiting, 1 done, 2 failed")
-    along_cases("reason", "string", "", long_name="why the case failed")
-    if path.exists():
-        path.rmdir()  # empty
-    os.replace(beside, path)
+    stored, about = _stored(path)
+    unknown = [name for name in about.metric_names if name not in METRICS]
+    if unknown:
+        raise StudyError(f"{path}: {METADATA}: attribute metric_names: {unknown[0]!r} is no metric of this version")
+    try:
+        # the state first: what is done then stays as it is
+        variables: dict[str, Any] = {"state": ("case", stored.small("state", "i"))}
+        done = np.flatnonzero([block.any() for block in np.split(variables["state"][1], _cuts(variables, about))])
+        for name, kind in (("case", "i"), ("frequency", "f"), ("microphone", "UO"), ("point", "i")):
+            variables[name] = (name, stored.fixed(name, kind))
+        variables |= {name: ("case", stored.fixed(name, "fiuUO")) for name in about.parameter_names}
+        variables |= {name: ("case", stored.small(name, "f")) for name in about.metric_names}
+        variables["reason"] = ("case", stored.small("reason", "UO"))
+        axes = dict.fromkeys([*about.metric_names, "reason"], 1)
+        if about.study_content.get("transfer_functions"):
+            for name in TRANSFER_FUNCTIONS:
+                lazy = LazilyIndexedArray(_Part(stored, name))
+                variables[name], axes[name] = (("case", "point", "microphone", "frequency"), lazy), 4
+        for name, dimensions in axes.items():
+            for block in done:
+                if not stored.has_chunk(name, int(block), dimensions):
+                    raise StudyError(f"{path}: {name}: chunk {block} is missing")
+    except StudyError as error:
+        raise StudyError(f"{error}; run the same sweep again, which computes again what is damaged") from None
+    attributes = {name: dict(stored.array(name).attrs) for name in variables}
+    with library_reads(path, "the results of a sweep", StudyError):
+        dataset = xr.Dataset(
+            {name: (*row, attributes[name]) for name, row in variables.items()}, attrs=stored.attributes
+        )
+    base = read_design(about.base_design, f"{path}: base design")
+    return Sweep(dataset, base, tuple(about.parameter_names), tuple(about.metric_names))
 
 
-def _kind(values: NDArray[Any]) -> str:
-    return "string" if values.dtype == object else str(values.dtype)
+def _cuts(variables: Mapping[str, Any], about: _About) -> range:
+    """Where the blocks after the first begin."""
+    return range(about.block, len(variables["state"][1]), about.block)
 
 
+class _Part(BackendArray):
+    """Transfer functions that are read where they are used, and refused where they are damaged."""
+
+    def __init__(self, stored: CheckedStore, name: str) -> None:
+        self._stored, self._name, self._array = stored, name, stored.array(name)
+        self.shape, self.dtype = self._array.shape, self._array.dtype
+
+    def __getitem__(self, key: ExplicitIndexer) -> NDArray[Any]:
+        return np.asarray(explicit_indexing_adapter(key, self.shape, IndexingSupport.BASIC, self._read))
+
+    def _read(self, part: Any) -> NDArray[Any]:
+        return self._stored.part(self._array, self._name, part)
+
+
+# -- studies ----------------------------------------------------------------------------------------
 def _first_difference(stored: Mapping[str, Any], wanted: Mapping[str, Any]) -> str:
     """In words, the first field in which two studies differ; empty where they do not."""
     wanted = json.loads(json.dumps(wanted))

@@ -2,20 +2,26 @@
 
 from __future__ import annotations
 
+import json
+import shutil
+import warnings
 from pathlib import Path
 
 import numpy as np
 import pytest
 import xarray as xr
 import zarr
+from damage import damaged
 
 import acoustic_fem
 import geometry
 import localize
 from acoustic_fem.batch.network import batch_transfer_function
 from acoustic_fem.batch.parameters import design_air
+from geometry.refusal import Refusal
 from localize.signals.array_response import response_of
 from localize.signals.touch_generator import TouchGenerator
+from studies.output.checked_store import StoreWarning
 from studies.scatter import perturbed_library
 from studies.scatter.perturbed_library import PerturbedLibrary, write_perturbed_library
 from studies.scatter.tolerances import ScatteredDesign
@@ -108,6 +114,66 @@ def test_bad_input_is_refused_by_name(store: PerturbedLibrary, tmp_path: Path) -
         PerturbedLibrary(tmp_path / "none.zarr")
     with pytest.raises(ValueError, match="sensors 149 to 150 must be of 0 to 149"):
         store.sensors(149, 2)
+
+
+def test_a_store_of_an_older_or_a_later_version_says_so(store: PerturbedLibrary, tmp_path: Path) -> None:
+    path = Path(shutil.copytree(store.path, tmp_path / "made.zarr"))
+    document = json.loads((path / "zarr.json").read_text())
+    document["attributes"]["acoustic_fem_perturbed_library"] = 3
+    (path / "zarr.json").write_text(json.dumps(document))
+    with pytest.raises(Refusal, match=r"made.zarr: is of format 3, which a later version wrote; this one"):
+        PerturbedLibrary(path)
+    del document["attributes"]["checksums"]
+    document["attributes"]["acoustic_fem_perturbed_library"] = 1
+    (path / "zarr.json").write_text(json.dumps(document))
+    with pytest.warns(StoreWarning, match=r"made.zarr: has no checksums, an older version wrote it"):
+        assert np.array_equal(PerturbedLibrary(path).sensors(0, 9), store.sensors(0, 9))
+    document["attributes"]["microphones"] = "AB"
+    (path / "zarr.json").write_text(json.dumps(document))
+    with (
+        pytest.warns(StoreWarning),
+        pytest.raises(Refusal, match=r"made.zarr: zarr.json: attribute microphones: Input should be a valid list"),
+    ):
+        PerturbedLibrary(path)
+
+
+def check_damage(store: PerturbedLibrary, folder: Path, count: int, seed: int) -> None:
+    path = Path(shutil.copytree(store.path, folder / "made.zarr"))
+    expected = store.sensors(0, store.sensor_count)
+    for member in (
+        "transfer_function_imag/c/1/0/0/0",
+        "frequency/c/0",
+        "frequency",
+        "transfer_function_real/zarr.json",
+    ):
+        lost = (path / member).rename(folder / "lost")
+        with pytest.raises(Refusal, match=f"made.zarr: {member.split('/')[0]}.* is missing"):
+            PerturbedLibrary(path).sensors(0, 128)
+        lost.rename(path / member)
+    refused = 0
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", StoreWarning)
+        for done in damaged(path, count, seed):
+            said = ""
+            try:
+                found = PerturbedLibrary(path)
+                assert np.array_equal(found.sensors(0, found.sensor_count), expected), done
+                assert (found.microphones, found.design) == (store.microphones, store.design), done
+                assert np.array_equal(found.frequency, store.frequency), done
+            except Refusal as error:
+                said = str(error)
+            assert not said or said.startswith(f"{path}: "), (done, said)
+            refused += bool(said)
+    assert refused > count / 3
+
+
+def test_a_damaged_store_is_refused_by_the_member_or_is_the_same(store: PerturbedLibrary, tmp_path: Path) -> None:
+    check_damage(store, tmp_path, 15, 1)
+
+
+@pytest.mark.slow
+def test_a_much_damaged_store_is_refused_or_is_the_same(store: PerturbedLibrary, tmp_path: Path) -> None:
+    check_damage(store, tmp_path, 300, 2)
 
 
 def test_a_source_of_one_sensor_gives_the_touches_of_its_library(library: acoustic_fem.Library) -> None:

@@ -29,12 +29,13 @@ from studies.study.failure_reasons import by_kind
 from studies.study.file import read_study
 from studies.study.metric_registry import METRICS
 from studies.study.study import Study, StudyError
-from studies.sweep import block, run, store
+from studies.sweep import block, new_store, run
+from studies.sweep.new_store import block_size
 from studies.sweep.one_design import design_metrics
 from studies.sweep.progress import Progress
 from studies.sweep.retries import ENDED_WORKERS
 from studies.sweep.run import Summary, run_sweep
-from studies.sweep.store import BlockResult, SweepStore, block_size, open_sweep
+from studies.sweep.store import BlockResult, SweepStore, open_sweep
 from studies.sweep.workers import Workers, open_workers
 
 METRICS_OF_STUDY = ("distance_smallest", "ipd_mean", "sensitivity_force", "volume")
@@ -423,7 +424,7 @@ def test_a_case_that_ends_workers_fails_alone(
 
     monkeypatch.setattr(run, "open_workers", fragile)
     monkeypatch.setattr(run, "disc_tables", lambda discs, solve: ())
-    monkeypatch.setattr(store, "block_size", lambda study, cases: 8)
+    monkeypatch.setattr(new_store, "block_size", lambda study, cases: 8)
     summary = run_sweep(study, tmp_path / "r.zarr", workers=2)
     whole, result = open_sweep(finished[0]), open_sweep(tmp_path / "r.zarr")
     assert summary.failures[ENDED_WORKERS] == sorted(deadly)
