@@ -1,4 +1,4 @@
-"""The one base class of what this project refuses: what a user can mend, or be told in one line."""
+"""The one base class of what this project refuses, what a user can mend, and the words of lines for users."""
 
 from __future__ import annotations
 
@@ -29,6 +29,22 @@ def in_one_line(text: str) -> str:
     and what is then still too long, lose their middle.
     """
     return _without_middle(" ".join(map(_word, text.split())), _LONGEST_LINE)
+
+
+def counted(count: int, noun: str) -> str:
+    """How many things there are, in words: ``1 touch``, ``2 touches``.
+
+    Args:
+        count: how many.
+        noun: one of them, such as ``point`` or ``distinct cell``: the last word takes the plural.
+    """
+    if count == 1:
+        return f"1 {noun}"
+    if noun.endswith(("s", "x", "ch", "sh")):
+        return f"{count} {noun}es"
+    if noun.endswith("y") and noun[-2] not in "aeiou":
+        return f"{count} {noun[:-1]}ies"
+    return f"{count} {noun}s"
 
 
 def _word(text: str) -> str:

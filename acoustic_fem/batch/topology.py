@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from geometry.design.array_design import ArrayDesign
-from geometry.refusal import Refusal
+from geometry.refusal import Refusal, counted
 from geometry.stated.parts import Tube
 
 
@@ -45,7 +45,7 @@ class Topology:
                 )
             if not line.points or len(line.tubes) != len(line.points) + 1:
                 raise Refusal(
-                    f"lines.{number} has {len(line.points)} points and {len(line.tubes)} tubes; "
+                    f"lines.{number} has {counted(len(line.points), 'point')} and {counted(len(line.tubes), 'tube')}; "
                     f"it must have at least one point and one tube more than points"
                 )
         for _ in self.lines:

@@ -24,7 +24,7 @@ from acoustic_fem.library.result import Library, described, measured_library
 from acoustic_fem.sound.estimate import TransferEstimate, transfer_estimate
 from acoustic_fem.sound.sound_file import Sound, SoundFileError, read_sound
 from geometry.files.ordinary import MOST_NUMBERS
-from geometry.refusal import Refusal
+from geometry.refusal import Refusal, counted
 
 Array = NDArray[np.float64]
 
@@ -296,8 +296,8 @@ def _check_model(model: Library, manifest: Manifest, frequency: Array) -> None:
     design = manifest.design
     if (model.design.point_count, model.design.microphones) != (design.point_count, design.microphones):
         raise Refusal(
-            f"model of {model.design.name} with {model.design.point_count} points must be of {design.name} with "
-            f"{design.point_count}"
+            f"model of {model.design.name} with {counted(model.design.point_count, 'point')} must be of "
+            f"{design.name} with {design.point_count}"
         )
     if not np.array_equal(model.frequency, frequency):
         raise Refusal("model must have the frequencies of the calibration")

@@ -44,7 +44,7 @@ from geometry.files.tables import read_csv
 from geometry.files.writing import whole_file
 from geometry.layout.arrangement import lay_out
 from geometry.layout.placement import point_places
-from geometry.refusal import Refusal
+from geometry.refusal import Refusal, counted
 
 FORMATS = (".nc", ".sofa", ".npz", ".csv")
 #: Texts that a file may hold; those without checksums are of older versions.
@@ -285,7 +285,7 @@ def _csv_numbers(rows: Iterable[list[str]], width: int, places: list[tuple[str, 
     numbers, done, count = array("d"), 0, 0
     for done, row in enumerate(rows, 1):
         if len(row) != width:
-            raise Refusal(f"row {done} has {len(row)} values, must have {width}; cut short?")
+            raise Refusal(f"row {done} has {counted(len(row), 'value')}, must have {width}; cut short?")
         try:
             numbers.extend(map(float, row[2:]))
         except ValueError as error:
@@ -304,5 +304,8 @@ def _csv_numbers(rows: Iterable[list[str]], width: int, places: list[tuple[str, 
                 f"microphone {wanted[1]}, {frequency:g} Hz as in its design: rows keep their order"
             )
     if not count or done != count * len(places):
-        raise Refusal(f"has {done} rows; its design has {len(places)} points by microphones, each with {count} rows")
+        raise Refusal(
+            f"has {counted(done, 'row')}; its design has {counted(len(places), 'point')} by microphones, each with "
+            f"{counted(count, 'row')}"
+        )
     return np.frombuffer(numbers).reshape(-1, width - 2)

@@ -31,7 +31,7 @@ from acoustic_fem.quantities.medium import Medium
 from geometry.design.design_file import read_design, write_design
 from geometry.files.writing import whole_file
 from geometry.layout.placement import point_places
-from geometry.refusal import Refusal
+from geometry.refusal import Refusal, counted
 
 #: Global attributes of every library file.
 _TITLE = "acoustic-fem library"
@@ -202,7 +202,7 @@ def _check_coordinate(found: xr.DataArray, expected: list[int] | list[str]) -> N
     """A coordinate must be what the design in the same file says."""
     values = found.values.ravel().tolist()
     if len(values) != len(expected):
-        raise Refusal(f"variable {found.name} has {len(values)} values, its design has {len(expected)}")
+        raise Refusal(f"variable {found.name} has {counted(len(values), 'value')}, its design has {len(expected)}")
     for index, (value, wanted) in enumerate(zip(values, expected, strict=True)):
         if value != wanted:
             raise Refusal(f"variable {found.name}[{index}] = {value!r} must be {wanted!r} as in its design")

@@ -23,7 +23,7 @@ from acoustic_fem.library.touch import TOUCHES
 from acoustic_fem.network.microphone import noise_density as own_noise_density, noise_density_behind_vent
 from acoustic_fem.quantities.checks import in_range, positive
 from acoustic_fem.quantities.medium import Medium
-from geometry.refusal import Refusal
+from geometry.refusal import Refusal, counted
 
 #: J/K, exact (SI 2019).
 BOLTZMANN = 1.380649e-23
@@ -313,8 +313,8 @@ def _integrated(density: xr.DataArray, band: tuple[float, float]) -> xr.DataArra
     inside = grid[(grid > low) & (grid < high)]
     if len(inside) < _FEWEST_FREQUENCIES:
         warnings.warn(
-            f"noise: only {len(inside)} frequencies of the library lie within {low:g} to {high:g} Hz; the integral "
-            f"over the band is rough",
+            f"noise: within {low:g} to {high:g} Hz the library has only {counted(len(inside), 'frequency')}; the "
+            "integral over the band is rough",
             stacklevel=3,
         )
     points = np.concatenate([[low], inside, [high]])

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from geometry.files.arrays import read_mat, read_npz
 from geometry.files.ordinary import LARGEST_DATA, MOST_NUMBERS, library_reads, ordinary_file
 from geometry.files.tables import read_csv
-from geometry.refusal import Refusal
+from geometry.refusal import Refusal, counted
 
 Array = NDArray[np.float64]
 
@@ -201,7 +201,9 @@ def _read_csv(path: Path, default_rate: float | None) -> Sound:
     values = array("d")
     for number, row in enumerate(table.rows, 2):
         if len(row) != len(names):
-            raise SoundFileError(f"{path}: line {number} has {len(row)} values, must have {len(names)}; cut short?")
+            raise SoundFileError(
+                f"{path}: line {number} has {counted(len(row), 'value')}, must have {len(names)}; cut short?"
+            )
         try:
             values.extend(map(float, row))
         except ValueError as error:
@@ -210,7 +212,7 @@ def _read_csv(path: Path, default_rate: float | None) -> Sound:
             raise SoundFileError(f"{path}: holds more than {MOST_NUMBERS} numbers; it must hold at most as many")
     columns = np.frombuffer(values).reshape(-1, len(names))
     if len(columns) < 2:
-        raise SoundFileError(f"{path}: has {len(columns)} samples, must have at least 2")
+        raise SoundFileError(f"{path}: has {counted(len(columns), 'sample')}, must have at least 2")
     if default_rate is not None and TIME not in names:
         rate = default_rate
     else:

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from geometry.air.curved_tetrahedra import SOLVER_RULE, VOLUME_RULE, curved_volume, jacobians, split_wall_corners
-from geometry.refusal import Refusal
+from geometry.refusal import Refusal, counted
 
 if TYPE_CHECKING:
     import cadquery
@@ -108,7 +108,7 @@ def mesh_solid(
     """
     solids = solid.Solids()
     if len(solids) != 1:
-        raise MeshError(f"the shape has {len(solids)} solids, it must be one")
+        raise MeshError(f"the shape has {counted(len(solids), 'solid')}, it must be one")
     named = {name: face_at(solids[0], name, point) for name, point in faces.items()}
     counts = Counter(face.hashCode() for face in named.values())
     shared = sorted(name for name, face in named.items() if counts[face.hashCode()] > 1)
@@ -163,7 +163,8 @@ def face_at(solid: cadquery.Solid, name: str, point: Point) -> cadquery.Face:
     hits = [face for face in solid.Faces() if face.distance(vertex) < 1e-6]
     if len(hits) != 1:
         raise MeshError(
-            f"port {name!r}: the point {tuple(point)} mm lies on {len(hits)} faces of the solid, it must be one"
+            f"port {name!r}: the point {tuple(point)} mm lies on {counted(len(hits), 'face')} of the solid, it must "
+            "be one"
         )
     if hits[0].geomType() != "PLANE":
         raise MeshError(f"port {name!r}: the face at {tuple(point)} mm is {hits[0].geomType()}, it must be flat")
@@ -225,7 +226,7 @@ def _matching_surface(name: str, face: cadquery.Face) -> int:
         and np.linalg.norm(np.array(gmsh.model.occ.getCenterOfMass(2, tag)) - centre) < 1e-5 * math.sqrt(area)
     ]
     if len(hits) != 1:
-        raise MeshError(f"port {name!r} matches {len(hits)} surfaces of the imported solid, it must be one")
+        raise MeshError(f"port {name!r} matches {counted(len(hits), 'surface')} of the imported solid, it must be one")
     return hits[0]
 
 

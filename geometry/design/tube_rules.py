@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from geometry.plan import hand, ring
+from geometry.refusal import counted
 from geometry.stated.parts import SOCKET_COVER
 
 if TYPE_CHECKING:
@@ -119,7 +120,7 @@ def microphone_socket_rules(design: StatedArray) -> Iterator[str]:
             if chamber.chamber_diameter < least - 1e-9:
                 yield (
                     f"microphone.chamber_diameter = {chamber.chamber_diameter:g} mm must be at least {least:.4g} mm "
-                    f"for the ports of the {len(ends)} lines that end at {name!r} to fit around it, "
+                    f"for the ports of the {counted(len(ends), 'line')} that end at {name!r} to fit around it, "
                     f"{apart:.4g} degrees apart with {SOCKET_COVER:g} mm of wall between them"
                 )
 

@@ -13,7 +13,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from geometry.refusal import Refusal
+from geometry.refusal import Refusal, counted
 
 LARGEST_DATA = 2**29
 """Most bytes of a file of numbers or sound: eight channels of 16 bits at 48 kHz for eleven minutes."""
@@ -50,7 +50,7 @@ def ordinary_file(
         if kind is not None:
             raise refusal(f"{path}: is {kind}, not {what}")
         if largest is not None and status.st_size > largest:
-            raise refusal(f"{path}: {status.st_size} bytes must be at most {largest} for {what}")
+            raise refusal(f"{path}: {counted(status.st_size, 'byte')} must be at most {largest} for {what}")
         path.open("rb").close()
     except OSError as error:
         raise refusal(f"{path}: {_reason(error)}") from None

@@ -17,7 +17,7 @@ from geometry.assembly.parts import part_set
 from geometry.files.writing import whole_file
 from geometry.formats.names import FORMATS
 from geometry.formats.three_mf import Body, read_3mf, write_3mf
-from geometry.refusal import Refusal
+from geometry.refusal import Refusal, counted
 
 if TYPE_CHECKING:
     import cadquery as cq
@@ -275,7 +275,7 @@ def _read_stl(path: Path) -> trimesh.Trimesh:
 def _read_only_body(path: Path, name: str) -> trimesh.Trimesh:
     bodies = read_3mf(path)
     if list(bodies) != [name]:
-        raise Refusal(f"{path.name}: holds {len(bodies)} bodies instead of {name} alone")
+        raise Refusal(f"{path.name}: holds {counted(len(bodies), 'body')} instead of {name} alone")
     return bodies[name]
 
 

@@ -14,6 +14,7 @@ from geometry.layout.bodies import Array, Prism, depth, prisms
 from geometry.layout.placement import ArrayLayout, TubePlacement, point_ports
 from geometry.layout.straight_rows import is_wide_apart
 from geometry.plan.routing import path_length, resampled, tightest_bend
+from geometry.refusal import counted
 from geometry.stated.cavity_shapes import wall_distance
 from geometry.stated.fields import DesignError
 from geometry.stated.ports import ANGLE_STEP, in_common_rotation, web_problem
@@ -71,7 +72,7 @@ def schematic_notes(design: ArrayDesign, layout: ArrayLayout) -> tuple[str, ...]
             if tube.schematic:
                 drawn.append(f"{tube.label} is {tube.tube.length:g} mm, drawn {path_length(tube.path):.1f} mm")
         if drawn:
-            ends = f"{len(microphone.ports)} line end" + ("s" if len(microphone.ports) > 1 else "")
+            ends = counted(len(microphone.ports), "line end")
             notes.append(f"microphone {microphone.name} joins {ends} and is drawn schematically: {'; '.join(drawn)}")
     if notes:
         count = sum(tube.schematic for tube in layout.tubes)

@@ -14,6 +14,7 @@ from geometry.assembly.model import LOOKS, ArrayModel, Kind, array_model
 from geometry.assembly.table import assembly_steps, assembly_text
 from geometry.design.array_design import ArrayDesign
 from geometry.files.writing import whole_file
+from geometry.refusal import counted
 
 if TYPE_CHECKING:
     import trimesh
@@ -71,7 +72,7 @@ def write_viewer(array: ArrayDesign | ArrayModel, path: str | os.PathLike[str]) 
     )
     panel = _PANEL.format(
         name=html.escape(design.name),
-        facts=html.escape(f"{design.point_count} points, {len(design.microphones)} microphones"),
+        facts=html.escape(f"{counted(design.point_count, 'point')}, {counted(len(design.microphones), 'microphone')}"),
         switches=switches,
         table=html.escape(assembly_text(design, assembly_steps(model))),
         labels=json.dumps(labels),

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from geometry.refusal import Refusal
+from geometry.refusal import Refusal, counted
 
 
 @dataclass(frozen=True)
@@ -44,7 +44,9 @@ def check_topology(microphones: Sequence[str], lines: Sequence[tuple[tuple[str, 
         raise Refusal(f"microphones = {names} must be different names; {duplicates[0]!r} appears twice")
     most = len(names) * (len(names) - 1) // 2
     if len(lines) > most:
-        raise Refusal(f"lines = {len(lines)} lines must be at most M(M-1)/2 = {most} for {len(names)} microphones")
+        raise Refusal(
+            f"lines = {len(lines)} lines must be at most M(M-1)/2 = {most} for {counted(len(names), 'microphone')}"
+        )
     pairs: dict[frozenset[str], int] = {}
     for index, ((first, second), _) in enumerate(lines):
         for name in (first, second):
@@ -98,8 +100,8 @@ def wiring_counts(microphones: int, points_per_line: Sequence[int]) -> WiringCou
     most = microphones * (microphones - 1) // 2
     if not microphones - 1 <= len(points_per_line) <= most:
         raise Refusal(
-            f"points_per_line has {len(points_per_line)} lines; it must have M-1 = {microphones - 1} to "
-            f"M(M-1)/2 = {most} for {microphones} microphones"
+            f"points_per_line has {counted(len(points_per_line), 'line')}; it must have M-1 = {microphones - 1} to "
+            f"M(M-1)/2 = {most} for {counted(microphones, 'microphone')}"
         )
     if min(points_per_line) < 1:
         raise Refusal(f"points_per_line = {list(points_per_line)} must be at least 1 each")

@@ -9,7 +9,7 @@ import cadquery as cq
 
 from geometry.design.shell_rules import cavity_problems, feature_problems, ledge_height
 from geometry.plan.routing import unit
-from geometry.refusal import Refusal
+from geometry.refusal import Refusal, counted
 from geometry.solids.bodies import cylinder, one_solid
 from geometry.solids.shell_features import add_feet, add_label, cut_groove
 from geometry.stated.cavity_shapes import draw_cavity, wall_distance
@@ -86,7 +86,7 @@ def check_ports(resonator: Resonator, printing: Printing, ports: Sequence[Port])
         Refusal: none or more than six, one that leaves the wall, or two that leave no wall between them.
     """
     if not 1 <= len(ports) <= MOST_PORTS:
-        raise Refusal(f"shell: has {len(ports)} ports; it must have 1 to {MOST_PORTS}")
+        raise Refusal(f"shell: has {counted(len(ports), 'port')}; it must have 1 to {MOST_PORTS}")
     radius, outer, lip = resonator.cavity_diameter / 2, resonator.outer_diameter / 2, printing.port_lip
     for port in ports:
         where = f"shell: the port at {port.angle:g} deg"

@@ -14,7 +14,7 @@ from pydantic import BaseModel, ConfigDict, Field, TypeAdapter, ValidationError
 from pydantic.fields import FieldInfo
 from pydantic_core import ErrorDetails, PydanticUndefined
 
-from geometry.refusal import Refusal
+from geometry.refusal import Refusal, counted
 
 _Stated = TypeVar("_Stated", bound=BaseModel)
 
@@ -35,7 +35,7 @@ class DesignError(Refusal):
         """Keep the problems; at least one."""
         self.problems = problems
         more = len(problems) - 1
-        super().__init__(problems[0] + (f" (and {more} more problem{'s' * (more > 1)})" if more else ""))
+        super().__init__(problems[0] + (f" (and {counted(more, 'more problem')})" if more else ""))
 
 
 class UnknownField(DesignError):

@@ -25,7 +25,7 @@ import scipy.signal
 from numpy.typing import ArrayLike, NDArray
 from torch import Tensor
 
-from geometry.refusal import Refusal
+from geometry.refusal import Refusal, counted
 from localize.decoders.frame_covariance import SOURCE_RMS, check_noise, source_density
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.frames import checked_signals
@@ -126,7 +126,7 @@ class Reconstructor:
         batch, _ = checked_signals(signals, self.microphones)
         count = batch.shape[-1]
         if count < self.window:
-            raise Refusal(f"signals have {count} samples, must have at least a window of {self.window}")
+            raise Refusal(f"signals have {counted(count, 'sample')}, must have at least a window of {self.window}")
         whole = scipy.signal.fftconvolve(batch.numpy(), taps[None], mode="valid", axes=2).sum(1)
         pressure = np.full((len(batch), count), np.nan)
         pressure[:, self.window - 1 - self.latency : count - self.latency] = whole

@@ -11,7 +11,7 @@ import numpy as np
 import scipy.stats
 from numpy.typing import ArrayLike, NDArray
 
-from geometry.refusal import Refusal
+from geometry.refusal import Refusal, counted
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.frames import FRAME
 from localize.signals.noise import NoiseChoice, NoiseSpectrum
@@ -238,8 +238,10 @@ def check_evaluation(
     """
     if tuple(localizer.microphones) != response.microphones or localizer.point_count != response.point_count:
         raise Refusal(
-            f"the localizer is for {localizer.point_count} points and microphones {', '.join(localizer.microphones)}; "
-            f"the library has {response.point_count} points and microphones {', '.join(response.microphones)}"
+            f"the localizer is for {counted(localizer.point_count, 'point')} and microphones "
+            f"{', '.join(localizer.microphones)}; "
+            f"the library has {counted(response.point_count, 'point')} and microphones "
+            f"{', '.join(response.microphones)}"
         )
     if not 1 <= touches_per_point <= MOST_TOUCHES:
         raise Refusal(f"touches_per_point = {touches_per_point} must be between 1 and {MOST_TOUCHES:,}")

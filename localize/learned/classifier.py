@@ -17,7 +17,7 @@ from typing import Any
 import torch
 from torch import Tensor, nn
 
-from geometry.refusal import Refusal
+from geometry.refusal import Refusal, counted
 from localize.learned.features import COLUMNS, FREQUENCIES, FeatureChoice, PairFeatures
 
 EXPANSION = 2
@@ -149,7 +149,8 @@ class TouchClassifier(nn.Module):
         self.features = PairFeatures(microphones, shape.features)
         if shape.maps != self.features.map_count:
             raise Refusal(
-                f"network: maps = {shape.maps} must be {self.features.map_count} for {microphones} microphones"
+                f"network: maps = {shape.maps} must be {self.features.map_count} for "
+                f"{counted(microphones, 'microphone')}"
             )
         # One mean and one scale per map and frequency, found from the training signals.
         self.register_buffer("mean", torch.zeros(1, shape.maps, FREQUENCIES, 1))

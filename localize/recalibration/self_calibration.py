@@ -19,7 +19,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from acoustic_fem.calibration.fitted_model import Posterior, Priors, UpdatedModel
 from acoustic_fem.library.result import Library, described, measured_library
-from geometry.refusal import Refusal
+from geometry.refusal import Refusal, counted
 from localize.decoders.judgement import ResidualTest
 from localize.recalibration.marginal_likelihood import MarginalLikelihood
 from localize.recalibration.objections import FALSE_ALARM, NEEDED, Objections, likeliest_order
@@ -180,7 +180,7 @@ def _usable(frames: Array, response: ArrayResponse, noise: float) -> Array:
         _check_copies(heard, number)
     if len(heard) < FEWEST:
         raise SelfCalibrationError(
-            f"{len(heard)} of {len(frames)} frames hold a touch; a calibration needs at least {FEWEST} "
+            f"{len(heard)} of {counted(len(frames), 'frame')} hold a touch; a calibration needs at least {FEWEST} "
             f"({FEWEST * FRAME / SAMPLE_RATE:g} s of touches)"
         )
     return heard
@@ -193,7 +193,7 @@ def _check_copies(frames: Array, number: NDArray[np.int64]) -> None:
     copies = np.flatnonzero(earlier != number)
     if len(copies):
         raise SelfCalibrationError(
-            f"{len(copies)} of {len(frames)} frames with a touch are copies of others, such as frame "
+            f"{len(copies)} of {counted(len(frames), 'frame')} with a touch are copies of others, such as frame "
             f"{number[copies[0]]} of frame {earlier[copies[0]]} (from 0): a copy of what the search saw judges "
             "nothing; give each touch once"
         )

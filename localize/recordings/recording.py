@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from acoustic_fem.sound.clipping import first_clipped
 from acoustic_fem.sound.sound_file import MATRIX, Sound, SoundFileError, read_sound
-from geometry.refusal import Refusal
+from geometry.refusal import Refusal, counted
 from localize.signals.frames import FRAME
 from localize.signals.resampling import at_one_kilohertz, check_full_scale
 from localize.signals.stimulus import SAMPLE_RATE
@@ -88,7 +88,7 @@ def _in_order(path: Path, sound: Sound, microphones: tuple[str, ...]) -> Sequenc
     names = list(sound.channels)
     wanted = ", ".join(microphones)
     if sound.numbered and len(names) != len(microphones):
-        raise RecordingError(f"{path}: has {len(names)} channels, must have {len(microphones)}: {wanted}")
+        raise RecordingError(f"{path}: has {counted(len(names), 'channel')}, must have {len(microphones)}: {wanted}")
     if not sound.numbered and sorted(names) != sorted(microphones):
         rows = f", or be the rows of {MATRIX}" if path.suffix.lower() in (".npz", ".mat") else ""
         raise RecordingError(f"{path}: its channels are {', '.join(names)}; they must be {wanted}{rows}")
@@ -106,7 +106,8 @@ def _check(path: Path, channel: NDArray[np.float64], rate: float, name: str, lim
     least = math.ceil(FRAME * rate / SAMPLE_RATE)
     if len(channel) < least:
         raise RecordingError(
-            f"{path}: has {len(channel)} samples, must have at least {least} ({FRAME / SAMPLE_RATE:g} s at {rate:g} Hz)"
+            f"{path}: has {counted(len(channel), 'sample')}, must have at least {least} "
+            f"({FRAME / SAMPLE_RATE:g} s at {rate:g} Hz)"
         )
     bad = np.flatnonzero(~np.isfinite(channel))
     if len(bad):

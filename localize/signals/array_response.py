@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
-from geometry.refusal import Refusal
+from geometry.refusal import Refusal, counted
 from localize.signals.noise import NoiseChoice, NoiseSpectrum, microphone_noise
 from localize.signals.stimulus import BAND
 
@@ -65,7 +65,8 @@ class ArrayResponse:
             raise Refusal(f"line and place must each have one value for each of the {len(h)} points")
         if len(h) < 2 or len(self.microphones) < 2:
             raise Refusal(
-                f"{len(h)} points and {len(self.microphones)} microphones: localizing needs at least 2 of each"
+                f"{counted(len(h), 'point')} and {counted(len(self.microphones), 'microphone')}: localizing needs at "
+                "least 2 of each"
             )
         if len(f) < 4 or f[0] <= 0 or np.any(np.diff(f) <= 0):
             raise Refusal("frequency must hold at least 4 increasing values above 0 Hz")

@@ -24,7 +24,7 @@ import numpy as np
 import torch
 from torch import Tensor
 
-from geometry.refusal import Refusal
+from geometry.refusal import Refusal, counted
 from localize.signals.frames import FRAME
 from localize.signals.random_streams import Purpose, between, choice, complex_normal, log_between, random_words, uniform
 from localize.signals.stimulus import (
@@ -254,7 +254,7 @@ def _read_wav(path: Path) -> np.ndarray:
 
     sound = read_wav(path)
     if len(sound.channels) != 1:
-        raise Refusal(f"{path}: has {len(sound.channels)} channels, must have one: the pressure in a cavity")
+        raise Refusal(f"{path}: has {counted(len(sound.channels), 'channel')}, must have one: the pressure in a cavity")
     (pressure,) = sound.channels.values()
     if not np.isfinite(pressure).all():
         raise Refusal(f"{path}: holds values that are not finite")

@@ -9,7 +9,7 @@ import torch
 from numpy.typing import ArrayLike
 from torch import Tensor
 
-from geometry.refusal import Refusal
+from geometry.refusal import Refusal, counted
 from localize.signals.stimulus import SAMPLE_RATE
 
 FRAME = 250
@@ -53,10 +53,12 @@ def checked_signals(signals: ArrayLike | Tensor, microphones: Sequence[str]) -> 
     batched = batch.ndim == 3
     batch = batch if batched else batch[None]
     if batch.shape[1] != len(microphones):
-        raise Refusal(f"signals have {batch.shape[1]} channels, must have {len(microphones)}: {', '.join(microphones)}")
+        raise Refusal(
+            f"signals have {counted(batch.shape[1], 'channel')}, must have {len(microphones)}: {', '.join(microphones)}"
+        )
     if batch.shape[2] < FRAME:
         raise Refusal(
-            f"signals have {batch.shape[2]} samples, must have at least {FRAME} "
+            f"signals have {counted(batch.shape[2], 'sample')}, must have at least {FRAME} "
             f"({FRAME / SAMPLE_RATE:g} s at {SAMPLE_RATE:g} Hz)"
         )
     for broken, what in (

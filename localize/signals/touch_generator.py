@@ -17,7 +17,7 @@ import torch
 from numpy.typing import NDArray
 from torch import Tensor
 
-from geometry.refusal import Refusal
+from geometry.refusal import Refusal, counted
 from localize.signals import disturbances, stimulus
 from localize.signals.array_response import (
     ArrayResponse,
@@ -217,6 +217,6 @@ def _check_source(source: TransferFunctionSource, response: ArrayResponse, senso
     expected = (response.point_count, len(response.microphones))
     if shape != expected:
         raise Refusal(
-            f"source: its sensors have {shape[0]} points and {shape[1]} microphones; the array has {expected[0]} and "
-            f"{expected[1]}"
+            f"source: its sensors have {counted(shape[0], 'point')} and {counted(shape[1], 'microphone')}; the array "
+            f"has {expected[0]} and {expected[1]}"
         )

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal, TypeAlias, get_args
 
-from geometry.refusal import Refusal
+from geometry.refusal import Refusal, counted
 
 if TYPE_CHECKING:
     from geometry.air.wound_tube import Winding
@@ -51,7 +51,7 @@ class BendingRig:
                 f"({self.diameter:g} mm)"
             )
         if not 1 <= len(self.angles) <= MOST_ANGLES:
-            raise Refusal(f"angles holds {len(self.angles)} values; it must hold 1 to {MOST_ANGLES}")
+            raise Refusal(f"angles holds {counted(len(self.angles), 'value')}; it must hold 1 to {MOST_ANGLES}")
         for angle in self.angles:
             in_range("angles", angle, 0.0, LARGEST_ANGLE, "degrees")
         if len(set(self.angles)) < len(self.angles):

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from acoustic_fem.quantities.fidelity import Fidelity
+from geometry.refusal import counted
 from studies.cli.options import (
     Frequencies,
     LibraryFile,
@@ -73,7 +74,10 @@ def calibrate(
     _print_fit(found)
     source = "of the design" if found.fit is not None and found.fit.objection else "fitted"
     rest = f", {len(calibration.missing)} {source}" if calibration.missing else ""
-    print(f"{out}: {len(calibration.estimates)} of {calibration.manifest.design.point_count} points measured{rest}")
+    print(
+        f"{out}: {len(calibration.estimates)} of {counted(calibration.manifest.design.point_count, 'point')} "
+        f"measured{rest}"
+    )
     print(found.figure)
 
 
@@ -84,8 +88,9 @@ def _print_fit(found: SensorCalibration) -> None:
         return
     determined = int((fit.eigenvalues >= 1).sum())
     print(
-        f"fit: chi-squared {fit.chi_squared:.0f} for {fit.residuals} residuals; {determined} of "
-        f"{len(fit.parameters)} combinations of parameters determined"
+        f"fit: {'does not agree' if fit.objection else 'agrees'} with the measurement, chi-squared "
+        f"{fit.chi_squared:.0f} for {fit.residuals} residuals; {determined} of {len(fit.parameters)} combinations of "
+        "parameters determined"
     )
     if fit.objection:
         print(
@@ -152,8 +157,8 @@ def recalibrate(
             library, recordings, out, full_scale=full_scale, noise=noise, seed=seed, display=display
         ).found
     print(
-        f"{out}: from {found.frames} frames with touches; {found.gain:.2f} +- {found.gain_error:.2f} nats per held-out "
-        f"frame likelier than with {library}, {100 * found.explained:.0f} % of them explained"
+        f"{out}: from {counted(found.frames, 'frame')} with touches; {found.gain:.2f} +- {found.gain_error:.2f} nats "
+        f"per held-out frame likelier than with {library}, {100 * found.explained:.0f} % of them explained"
     )
     if len(found.untouched):
         from localize.recalibration.objections import numbers

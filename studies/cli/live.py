@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Self
 
 import typer
 
+from geometry.refusal import counted
 from studies.cli.locating import ArrayLibrary, DecoderAmbient, DecoderNoise, RefusedShare
 from studies.cli.options import named
 from studies.cli.tables import show, table_of
@@ -160,7 +161,7 @@ def _print_summary(summary: LiveSummary) -> None:
     """On stderr, beside the lines of the events."""
     states = ", ".join(f"{count} {state}" for state, count in summary.states.items()) or "none"
     faults = ", ".join(f"{count} {kind}" for kind, count in summary.faults.items()) or "none"
-    lost = f" ({summary.samples_lost} samples)" if summary.samples_lost else ""
+    lost = f" ({counted(summary.samples_lost, 'sample')})" if summary.samples_lost else ""
     p50, p99 = (1e3 * summary.latencies.percentile(share) for share in (50, 99))
     for line in (
         f"listened for {summary.seconds:.1f} s; decisions: {states}",

@@ -7,6 +7,7 @@ from typing import Annotated
 
 import typer
 
+from geometry.refusal import counted
 from localize.learned.plan import TrainingPlan
 from studies.cli.options import LibraryFile, Noise, defaults_of, display_on_stderr, named
 from studies.cli.tables import show, table_of
@@ -84,7 +85,10 @@ def train(
         for part, found in localizer.training["held_out_recordings"].items():
             table.add_row(part, str(found["recordings"]), str(found["frames"]), f"{100 * found['right']:.1f}")
         show(table)
-    print(f"{out}: {localizer.training['epochs']} epochs{short}, {accuracy:.1%} of held-out touches named right")
+    print(
+        f"{out}: {counted(localizer.training['epochs'], 'epoch')}{short}, {accuracy:.1%} of held-out touches named "
+        "right"
+    )
 
 
 def evaluate(
@@ -123,3 +127,8 @@ def evaluate(
         wanted = (result.top1, result.top2, result.within_one, result.reliability.expected_error)
         table.add_row(title, *(f"{100 * share:.1f}" for share in wanted), confused)
     show(table)
+    if out is not None:
+        from studies.judging.report import FILES
+
+        for name in FILES:
+            print(out / name)

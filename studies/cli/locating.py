@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from geometry.refusal import counted
 from studies.cli.options import named
 from studies.cli.tables import show, table_of
 from studies.listening.exporting import export_decoder
@@ -70,7 +71,10 @@ def onnx(
     """
     with named(microphone_noise="--noise"):
         written = export_decoder(model, out, noise=noise, ambient=ambient)
-    print(f"{out}: {written.points} points, {len(written.microphones)} microphones, {out.stat().st_size / 1e6:.1f} MB")
+    print(
+        f"{out}: {counted(written.points, 'point')}, {counted(len(written.microphones), 'microphone')}, "
+        f"{out.stat().st_size / 1e6:.1f} MB"
+    )
 
 
 def locate(
@@ -124,7 +128,7 @@ def locate(
     told: dict[State, str] = {"sound": "sound alone", "other": "no single touch"}
     seconds = found.seconds_by_state
     others = "".join(f", {what} for {seconds[state]:.1f} s" for state, what in told.items() if state in seconds)
-    print(f"{recording}: {len(found.touches)} touches in {found.seconds:.1f} s{others}")
+    print(f"{recording}: {counted(len(found.touches), 'touch')} in {found.seconds:.1f} s{others}")
 
 
 def _show_touches(found: LocatedTouches) -> None:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from geometry.refusal import counted
 from studies.cli.options import (
     Design,
     Frequencies,
@@ -130,7 +131,7 @@ def optimize(
         found = search(study, out, workers=workers, scheduler=scheduler, display=display)
     result = found.result
     _show_front(found.problem, (result.base, *result.front[:_SHOWN]))
-    print(f"{len(result.candidates)} designs computed, {sum(count for _, count in result.refused)} refused, "
+    print(f"{counted(len(result.candidates), 'design')} computed, {sum(count for _, count in result.refused)} refused, "
           f"{len(result.front)} on the front")  # fmt: skip
     for file in found.files:
         print(file)

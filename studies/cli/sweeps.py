@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from geometry.refusal import counted
 from studies.cli.options import Scheduler, check_workers, defaults_of, display_on_stderr
 from studies.cli.tables import show, table_of
 from studies.findings.reporting import best_designs, save_best_design
@@ -75,7 +76,8 @@ def sweep(
     _print_summary(summary, out)
     if wrong := summary.program_errors:
         raise SweepError(
-            f"{out}: {len(wrong)} cases (the first is {min(wrong)}) failed by a mistake of the program, not by their "
+            f"{out}: {counted(len(wrong), 'case')} (the first is {min(wrong)}) failed by a mistake of the program, "
+            "not by their "
             "design; when it is mended compute the study into a new store"
         )
 
@@ -94,7 +96,7 @@ def report(
 
     with display_on_stderr() as display:
         table = sweep_report(results, out, display=display)
-    print(f"{out}: {len(table.number)} designs, {sum(count for _, count in table.failures)} failed, "
+    print(f"{out}: {counted(len(table.number), 'design')}, {sum(count for _, count in table.failures)} failed, "
           f"{table.waiting} not computed yet")  # fmt: skip
 
 
@@ -154,7 +156,7 @@ def _print_plan(plan: Plan, fidelity: str) -> None:
         _print_reasons(plan.refused)
     if fidelity != "lumped":
         print(f"distinct cells ({fidelity}): {plan.cells}, of which {plan.cells_cached} are in the cache")
-    print(f"expected time: {duration(plan.seconds)} with {plan.workers} worker{'s' * (plan.workers > 1)}")
+    print(f"expected time: {duration(plan.seconds)} with {counted(plan.workers, 'worker')}")
     print(f"expected memory: {size(plan.memory)}")
     print(f"store: at most {size(plan.storage)}")
 
@@ -163,17 +165,20 @@ def _print_reasons(reasons: dict[str, int]) -> None:
     for reason, count in list(reasons.items())[:_LISTED]:
         print(f"  {count} x {reason}")
     if len(reasons) > _LISTED:
-        print(f"  and {len(reasons) - _LISTED} more kinds of reasons")
+        print(f"  and {counted(len(reasons) - _LISTED, 'more kind')} of reasons")
 
 
 def _print_summary(summary: Summary, out: Path) -> None:
     earlier = summary.cases - summary.computed
     print(
-        f"{summary.cases} cases, {summary.computed} computed now in {duration(summary.seconds)}"
+        f"{counted(summary.cases, 'case')}, {summary.computed} computed now in {duration(summary.seconds)}"
         + (f", {earlier} by earlier runs" if earlier else "")
     )
     if summary.cells:
-        print(f"{summary.cells} distinct cells, {summary.cells_solved} solved in {duration(summary.cell_seconds)}")
+        print(
+            f"{counted(summary.cells, 'distinct cell')}, {summary.cells_solved} solved in "
+            f"{duration(summary.cell_seconds)}"
+        )
     failed = sum(len(numbers) for numbers in summary.failures.values())
     if failed:
         print(f"{failed} failed, of each kind the first:")

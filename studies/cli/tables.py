@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from geometry.refusal import counted
 from studies.output.display import number
 
 if TYPE_CHECKING:
@@ -103,7 +104,9 @@ def show_library(path: Path, library: Library) -> None:
     points, microphones, frequencies = (
         library.transfer_function.sizes[name] for name in ("point", "microphone", "frequency")
     )
-    print(f"{path}: {points} points, {microphones} microphones, {frequencies} frequencies")
+    print(
+        f"{path}: {counted(points, 'point')}, {counted(microphones, 'microphone')}, {counted(frequencies, 'frequency')}"
+    )
 
 
 def show_parts(made: MadeParts) -> None:
@@ -144,7 +147,7 @@ def _show_notes(notes: tuple[str, ...], misfits: tuple[str, ...]) -> None:
     for note in (*notes, *misfits[:_MISFITS]):
         print(f"note: {note}")
     if len(misfits) > _MISFITS:
-        print(f"note: {len(misfits) - _MISFITS} more parts do not go together")
+        print(f"note: parts that do not go together: {len(misfits) - _MISFITS} more")
 
 
 def show_findings(printing: PrintReport) -> None:

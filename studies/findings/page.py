@@ -18,6 +18,7 @@ import studies
 from geometry import ArrayDesign
 from geometry.design.design_file import value_of, write_design
 from geometry.files.writing import write_text
+from geometry.refusal import counted
 from studies.findings.result_table import Column, ResultTable, effect, pair_map
 from studies.output.display import number
 
@@ -53,6 +54,7 @@ def render_sweep(table: ResultTable, command: str) -> str:
         trim_blocks=True,
         lstrip_blocks=True,
     )
+    environment.filters["counted"] = counted
     best = _best(table)
     return environment.get_template("sweep_report.html").render(
         style=(resources.files(studies) / "templates" / "report.css").read_text(encoding="utf-8"),

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from geometry import ArrayDesign
-from geometry.refusal import Refusal
+from geometry.refusal import Refusal, counted
 from geometry.stated.fields import field_named
 from studies.optimization.search import pareto_front
 from studies.study.failure_reasons import by_kind
@@ -216,7 +216,7 @@ def table_of_sweep(sweep: Sweep) -> ResultTable:
     finite = np.all([np.isfinite(values) for values in columns.values()], axis=0)
     rows = np.flatnonzero(sweep.done & finite)
     if not len(rows):
-        raise Refusal(f"{data.attrs['title']}: none of {data.sizes['case']} cases is done")
+        raise Refusal(f"{data.attrs['title']}: none of {counted(data.sizes['case'], 'case')} is done")
     reasons = [(int(number), str(data["reason"].values[number])) for number in np.flatnonzero(sweep.failed)]
     reasons += [(int(number), "a metric is not finite") for number in np.flatnonzero(sweep.done & ~finite)]
     return ResultTable(
@@ -246,7 +246,7 @@ def table_of_search(problem: Optimization, result: OptimizationResult) -> Result
     """
     kept = [each for each in result.candidates if each.feasible]
     if not kept:
-        raise Refusal(f"{problem.study.name}: none of {len(result.candidates)} designs keeps the limits")
+        raise Refusal(f"{problem.study.name}: none of {counted(len(result.candidates), 'design')} keeps the limits")
     broken = len(result.candidates) - len(kept)
     limits = "; ".join(str(limit) for limit in problem.limits)
     failures = [*result.refused, *([(f"not {limits}", broken)] if broken else [])]

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from geometry.refusal import Refusal
+from geometry.refusal import Refusal, counted
 from studies.output.display import Display
 from studies.output.folders import check_folder
 
@@ -64,7 +64,7 @@ def optimize(
         result = search_designs(problem, folder, workers=workers, scheduler=scheduler, progress=report)
     if not result.front:
         raise Refusal(
-            f"{problem.study.name}: none of {problem.trials} designs keeps the limits "
+            f"{problem.study.name}: none of {counted(problem.trials, 'design')} keeps the limits "
             f"({'; '.join(map(str, problem.limits)) or 'none'}): widen the parameters, or loosen them"
         )
     with show.stage("Parts") as report:

@@ -10,13 +10,15 @@ from pathlib import Path
 
 import studies
 from geometry.files.writing import write_text
+from geometry.refusal import counted
 from studies.judging.figures import draw_conditions, draw_reliability
 from studies.judging.full_evaluation import SENSORS, FullEvaluation
 from studies.output.display import number
 from studies.output.figures import draw_confusion
 from studies.output.folders import write_json
 
-JSON_FILE, PAGE_FILE = "evaluation.json", "evaluation.html"
+#: What is written into a folder, the page for people first.
+FILES = PAGE_FILE, JSON_FILE = "evaluation.html", "evaluation.json"
 
 
 def write_evaluation(found: FullEvaluation, folder: Path) -> None:
@@ -39,7 +41,7 @@ def render(found: FullEvaluation) -> str:
         loader=PackageLoader("studies"), autoescape=True, undefined=StrictUndefined, trim_blocks=True,
         lstrip_blocks=True,
     )  # fmt: skip
-    environment.filters["number"] = number
+    environment.filters |= {"number": number, "counted": counted}
     return environment.get_template("evaluation_report.html").render(
         style=(resources.files(studies) / "templates" / "report.css").read_text(encoding="utf-8"),
         found=found,

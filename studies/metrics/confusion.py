@@ -309,7 +309,7 @@ def _check(h: Complex, grid: Array, touches: int) -> None:
         )
     for name, count in (("points", h.shape[1]), ("microphones", h.shape[2])):
         if count < 2:
-            raise Refusal(f"predicted confusion: {count} {name} must be at least 2")
+            raise Refusal(f"predicted confusion: {name} = {count} must be at least 2")
     check_grid(grid)
     if not np.all(np.isfinite(h)):
         raise Refusal("transfer_function must be finite")

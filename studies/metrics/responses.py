@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from geometry.refusal import Refusal
+from geometry.refusal import Refusal, counted
 
 if TYPE_CHECKING:
     from acoustic_fem import Library, Medium
@@ -66,7 +66,10 @@ class Responses:
         for name in ("designs", "medium"):
             given = getattr(self, name)
             if given is not None and len(given) != designs:
-                raise Refusal(f"{name} has {len(given)} entries; it must have one for each of {designs} designs")
+                raise Refusal(
+                    f"{name} has {counted(len(given), 'entry')}; it must have one for each of "
+                    f"{counted(designs, 'design')}"
+                )
 
     @property
     def design_count(self) -> int:

@@ -50,7 +50,7 @@ def pair_distances(responses: Responses, band: tuple[float, float] = BAND) -> Pa
         (f"frequencies between {band[0]:g} and {band[1]:g} Hz", int(inside.sum())),
     ):
         if count < 2:
-            raise Refusal(f"separability: {count} {name} must be at least 2")
+            raise Refusal(f"separability: {name} = {count} must be at least 2")
     pairs = list(combinations(range(microphones), 2))
     weight = trapezoidal_weights(responses.frequency[inside]) / len(pairs)
     log = np.log(responses.transfer_function[..., inside])

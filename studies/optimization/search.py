@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from geometry import ArrayDesign, DesignError
+from geometry.refusal import counted
 from studies.optimization.journal import opened, read_only, read_seal, seal
 from studies.optimization.problem import Optimization, searched_range
 from studies.study.failure_reasons import by_kind
@@ -97,7 +98,7 @@ def search_designs(
             journal.add_trials(trials[len(journal.get_trials(deepcopy=False)) :])
             seal(out)
             done += count
-            report(f"{done} designs", done / problem.trials)
+            report(counted(done, "design"), done / problem.trials)
         return _result(search, problem)
 
 

@@ -17,7 +17,7 @@ from geometry.layout.arrangement import lay_out
 from geometry.layout.mending import refuse_unbuildable
 from geometry.layout.overlaps import buildability_notes
 from geometry.layout.size import array_size
-from geometry.refusal import Refusal
+from geometry.refusal import Refusal, counted
 from studies.metrics.pairs import BAND, disagreement, worst_heard
 from studies.metrics.separation import Separability, separability
 from studies.output.display import Display, Report
@@ -159,10 +159,10 @@ def cell_lines(library: Library) -> list[str]:
         if "unknowns" not in cell:
             lines.append(f"{cell['cell']}: {cell['method']}")
         elif cell["cached"]:
-            lines.append(f"{cell['cell']}: from the cache ({cell['unknowns']} unknowns)")
+            lines.append(f"{cell['cell']}: from the cache ({counted(cell['unknowns'], 'unknown')})")
         else:
             lines.append(
-                f"{cell['cell']}: {cell['unknowns']} unknowns solved at {len(cell['sampled_frequencies'])} "
+                f"{cell['cell']}: {counted(cell['unknowns'], 'unknown')} solved at {len(cell['sampled_frequencies'])} "
                 f"frequencies in {cell['seconds']:.1f} s"
             )
     return lines

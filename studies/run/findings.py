@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from geometry.layout.size import array_size
+from geometry.refusal import counted
 from studies.metrics.pairs import BAND, attenuation, sensitivity, worst_heard
 from studies.output.display import number
 from studies.output.folders import write_json
@@ -43,8 +44,8 @@ def verdict(result: RunResult) -> str:
     design, network = result.design, result.network
     lines = len(design.lines)
     found = (
-        f"{design.point_count} points on {lines} line{'s' * (lines > 1)} between {len(design.microphones)} "
-        "microphones: "
+        f"{counted(design.point_count, 'point')} on {counted(lines, 'line')} between "
+        f"{counted(len(design.microphones), 'microphone')}: "
         f"the localizer names the right point for {_percent(network.top1)} of held-out touches "
         f"({_percent(network.top2)} within its first two), the training-free Bayes decoder for "
         f"{_percent(result.bayes.top1)}."
@@ -55,7 +56,7 @@ def verdict(result: RunResult) -> str:
     if others:
         more = len(others) - NAMED_PAIRS
         hardest += " (and equally " + ", ".join(f"{i} and {j}" for i, j in others[:NAMED_PAIRS])
-        hardest += f" and {more} more pair{'s' * (more > 1)})" if more > 0 else ")"
+        hardest += f" and {counted(more, 'more pair')})" if more > 0 else ")"
     hardest += f": {level:.2g} dB and {phase:.2g} degrees apart over {BAND[0]:g} to {BAND[1]:g} Hz."
     return f"{found} {hardest} {printing_sentence(result)}"
 
@@ -68,7 +69,7 @@ def printing_sentence(result: RunResult) -> str:
     if failing:
         return f"The parts cannot be printed as they are ({report.process.title}): see {', '.join(failing)}."
     if warned:
-        return f"The parts can be printed with care: {warned} measure{'s' * (warned > 1)} below the advised value."
+        return f"The parts can be printed with care: {counted(warned, 'measure')} between limit and advised value."
     return "The parts can be printed."
 
 
@@ -108,7 +109,7 @@ def noise_sentence(result: RunResult) -> str:
 def training_sentence(result: RunResult) -> str:
     """Sentences on how long the localizer was trained, and whether the time ran out."""
     training, planned = result.training, result.training["plan"]
-    text = f"The localizer was trained on {training['touches']} touches in {training['seconds']:.0f} s"
+    text = f"The localizer was trained on {counted(training['touches'], 'touch')} in {training['seconds']:.0f} s"
     if not training["cut_short"]:
         return text + "."
     touches = planned["epochs"] * planned["seconds_per_point"] * result.design.point_count
@@ -154,7 +155,7 @@ def key_figures(result: RunResult) -> list[KeyFigure]:
     network, bayes = result.network, result.bayes
     noise = f"touches of {network.samples / 1000:g} s, {network.noise_in_words}"
     figures = [
-        KeyFigure("points", f"{design.point_count}", f"{len(design.lines)} line{'s' * (len(design.lines) > 1)}"),
+        KeyFigure("points", f"{design.point_count}", counted(len(design.lines), "line")),
         KeyFigure("microphones", f"{len(design.microphones)}", design.microphone.model),
         KeyFigure(
             "size",

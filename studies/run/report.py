@@ -14,6 +14,7 @@ import numpy as np
 import studies
 from geometry.files.writing import write_text
 from geometry.layout.cutting import cutting_list
+from geometry.refusal import counted
 from studies.metrics.pairs import BAND
 from studies.output.display import number
 from studies.run.check import cell_uses
@@ -56,7 +57,7 @@ def render(result: RunResult) -> str:
         trim_blocks=True,
         lstrip_blocks=True,
     )
-    environment.filters["number"] = number
+    environment.filters |= {"number": number, "counted": counted}
     layout = result.layout
     return environment.get_template("report.html").render(
         style=(resources.files(studies) / "templates" / "report.css").read_text(encoding="utf-8"),

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from geometry import ArrayDesign, DesignError
 from geometry.design.design_file import value_of
 from geometry.layout.overlaps import refuse_overlaps
-from geometry.refusal import Refusal
+from geometry.refusal import Refusal, counted
 from studies.study.constraints import Constraint
 from studies.study.study import Study
 
@@ -101,7 +101,7 @@ def cases_of(study: Study, look: Look | None = None) -> Cases:
             look(count, case.design)
             count += 1
     if not kept.any():
-        raise Refusal(f"{study.name}: constraints leave none of {len(cases)} cases")
+        raise Refusal(f"{study.name}: constraints leave none of {counted(len(cases), 'case')}")
     return Cases(cases.base, cases.names, tuple(column[kept] for column in columns), int((~kept).sum()))
 
 

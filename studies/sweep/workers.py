@@ -9,7 +9,7 @@ from contextlib import contextmanager
 from typing import Any, Protocol
 
 from acoustic_fem.numerics.processors import cores
-from geometry.refusal import Refusal
+from geometry.refusal import Refusal, counted
 
 #: Tasks handed out per worker thread: one is computed while the next waits beside it.
 _AHEAD = 2
@@ -129,7 +129,7 @@ class _Dask:
             future.release()
             hand_out()
         if ended:
-            raise WorkersLost(f"{ended} task{'s' * (ended > 1)} ended several workers each, which may lack memory")
+            raise WorkersLost(f"{counted(ended, 'task')} ended several workers each, which may lack memory")
 
     def _next(self, finished: queue.SimpleQueue[Any]) -> Any:
         """The next future that is done, while there is anybody to work on it."""

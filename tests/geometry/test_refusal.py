@@ -8,7 +8,7 @@ import unicodedata
 import pytest
 from hypothesis import given, strategies as st
 
-from geometry.refusal import Refusal, in_one_line
+from geometry.refusal import Refusal, counted, in_one_line
 from geometry.stated.fields import DesignError
 
 
@@ -43,3 +43,18 @@ def test_what_breaks_or_turns_a_line_is_shown_as_what_it_is(text: str, line: str
 
 def test_errors_of_designs_are_such_lines_too() -> None:
     assert str(DesignError("a\nb", "c")) == "a b (and 1 more problem)"
+
+
+@pytest.mark.parametrize(
+    ("count", "noun", "words"),
+    [
+        (1, "touch", "1 touch"),
+        (2, "touch", "2 touches"),
+        (0, "point", "0 points"),
+        (3, "body", "3 bodies"),
+        (2, "array", "2 arrays"),
+        (1, "more problem", "1 more problem"),
+    ],
+)
+def test_one_of_a_thing_is_no_plural(count: int, noun: str, words: str) -> None:
+    assert counted(count, noun) == words

@@ -437,7 +437,7 @@ def test_air_that_does_not_fit_is_refused():
     [
         ((LineWiring(0, 2, (0, 0), (0,)),), r"lines\.0 joins microphones 0 and 2; must be two of 0 to 1"),
         ((LineWiring(1, 1, (0, 0), (0,)),), r"lines\.0 joins microphones 1 and 1"),
-        ((LineWiring(0, 1, (0,), (0,)),), r"lines\.0 has 1 points and 1 tubes"),
+        ((LineWiring(0, 1, (0,), (0,)),), r"lines\.0 has 1 point and 1 tube"),
         ((), r"microphone 1 is not joined to microphone 0"),
     ],
 )

@@ -259,5 +259,5 @@ def test_impedances_that_are_not_square_and_cold_networks_are_refused():
 
 
 def test_a_band_with_few_frequencies_brings_a_warning(library):
-    with pytest.warns(UserWarning, match="only 4 frequencies of the library lie within 10 to 15 Hz"):
+    with pytest.warns(UserWarning, match="within 10 to 15 Hz the library has only 4 frequencies;"):
         detection_limits(library, (10, 15))

@@ -98,9 +98,9 @@ def test_channels_of_every_format_are_fractions_of_full_scale(tmp_path: Path) ->
     ("text", "message"),
     [
         ("", "is empty or not a CSV file"),
-        ("time,A\n0,1\n0.1\n", "line 3 has 1 values, must have 2; cut short?"),
+        ("time,A\n0,1\n0.1\n", "line 3 has 1 value, must have 2; cut short?"),
         ("time,A\n0,1\n0.1,x\n", "line 3: could not convert string to float: 'x'"),
-        ("time,A\n0,1\n", "has 1 samples, must have at least 2"),
+        ("time,A\n0,1\n", "has 1 sample, must have at least 2"),
         ("time;A\n0;1\n", "is separated by semicolons"),
     ],
 )

@@ -32,7 +32,7 @@ def test_lines_of_different_lengths_count_by_their_mean() -> None:
         (0, [], "microphones = 0 must be at least 2"),
         (1, [5], "microphones = 1 must be at least 2"),
         (-2, [5], "microphones = -2 must be at least 2"),
-        (3, [5], r"points_per_line has 1 lines; it must have M-1 = 2 to M\(M-1\)/2 = 3 for 3 microphones"),
+        (3, [5], r"points_per_line has 1 line; it must have M-1 = 2 to M\(M-1\)/2 = 3 for 3 microphones"),
         (3, [5] * 10, "points_per_line has 10 lines"),
         (2, [0], r"points_per_line = \[0\] must be at least 1 each"),
     ],

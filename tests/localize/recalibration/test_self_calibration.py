@@ -270,7 +270,7 @@ def test_frames_that_cannot_be_used_are_refused() -> None:
     quiet[30:] *= 1e-6
     with pytest.raises(ValueError, match="of 120 frames hold a touch"):
         self_calibrate(nominal(), quiet)
-    with pytest.raises(ValueError, match="have 1 channels, must have 2"):
+    with pytest.raises(ValueError, match="have 1 channel, must have 2"):
         self_calibrate(nominal(), frames[:, :1])
     with pytest.raises(ValueError, match=r"must be \(n, n_microphone, 250\)"):
         self_calibrate(nominal(), np.pad(frames, ((0, 0), (0, 0), (0, 50))))

@@ -121,7 +121,7 @@ def test_values_that_are_not_finite_are_refused_by_point_microphone_and_frequenc
         (lambda r: {"transfer_function": r.transfer_function[..., :-1]}, r"must be \(n_point, n_microphone, n_freq\)"),
         (
             lambda r: {"transfer_function": r.transfer_function[:1], "line": r.line[:1], "place": r.place[:1]},
-            "1 points",
+            "1 point and",
         ),
         (lambda r: {"line": r.line[:2]}, "one value for each of the 3 points"),
         (lambda r: {"frequency": r.frequency[::-1]}, "increasing"),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -13,6 +14,7 @@ import acoustic_fem
 import geometry
 from acoustic_fem.library.result import MEASURED
 from geometry.design.design_file import write_design
+from studies.cli import calibrations
 from studies.cli.app import app
 from studies.cli.options import in_options
 from studies.made_sensor.rig import Recorder, Rig
@@ -38,9 +40,20 @@ def test_the_verb_writes_library_and_figure_and_names_what_it_left_out(tmp_path:
     assert "left out" in result.output
     assert "cut short" in result.output
     assert "1 of 4 points measured, 3 fitted" in result.output
+    assert "fit: agrees with the measurement, chi-squared" in result.output
     assert re.search(r"to expect: \d+\.\d % of touches named right, \d+\.\d % in the worst of 20", result.output)
     assert (tmp_path / "made.png").stat().st_size > 10_000
     assert acoustic_fem.load(out).fidelity == MEASURED
+
+
+def test_a_fit_that_is_not_used_is_said_not_to_agree(capsys: pytest.CaptureFixture[str]) -> None:
+    fit = SimpleNamespace(
+        eigenvalues=np.array([2.0, 0.5]), chi_squared=900.0, residuals=768, parameters=(0, 0), objection="it is not",
+        worst_point=1,
+    )  # fmt: skip
+    calibrations._print_fit(SimpleNamespace(fit=fit, calibration=SimpleNamespace(missing=(2,))))
+    told = capsys.readouterr().out
+    assert told.startswith("fit: does not agree with the measurement, chi-squared 900 for 768 residuals; 1 of 2 ")
 
 
 @pytest.mark.parametrize(

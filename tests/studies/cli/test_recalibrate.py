@@ -51,7 +51,7 @@ def test_the_command_writes_nothing_when_it_refuses(
     for frames, reason in (
         (own, "which is as good"),
         (own[:30], "30 of 30 frames hold a touch"),
-        (own[:, :1], "has 1 channels"),
+        (own[:, :1], "has 1 channel"),
     ):
         file = recording(tmp_path / "touches.npz", frames)
         assert run(monkeypatch, last, file, "--out", out) == 1

@@ -132,8 +132,8 @@ def test_noise_may_differ_from_design_to_design() -> None:
     ("arguments", "message"),
     [
         ({"transfer_function": line(3)[0]}, "must be (n_design, n_point, n_microphone, 40)"),
-        ({"transfer_function": line(3)[:, :1]}, "1 points must be at least 2"),
-        ({"transfer_function": line(3)[:, :, :1]}, "1 microphones must be at least 2"),
+        ({"transfer_function": line(3)[:, :1]}, "points = 1 must be at least 2"),
+        ({"transfer_function": line(3)[:, :, :1]}, "microphones = 1 must be at least 2"),
         ({"transfer_function": line(3) * np.nan}, "must be finite"),
         ({"frequency": np.linspace(2, 100, 40)}, "frequency runs from 2 to 100 Hz"),
         ({"noise": 0.0}, "noise must be finite and above 0"),

@@ -121,7 +121,7 @@ def test_the_hardest_pair_comes_first_and_its_equals_are_named() -> None:
 
 @pytest.mark.parametrize(
     ("shape", "name"),
-    [((1, 2, 5), "1 points"), ((3, 1, 5), "1 microphones"), ((3, 2, 1), "1 frequencies between 1 and 100 Hz")],
+    [((1, 2, 5), "points = 1"), ((3, 1, 5), "microphones = 1"), ((3, 2, 1), "frequencies between 1 and 100 Hz = 1")],
 )
 def test_too_little_to_compare_is_refused(shape: tuple[int, int, int], name: str) -> None:
     with pytest.raises(ValueError, match=name):
