@@ -9,6 +9,7 @@ import signal
 import sys
 import sysconfig
 import warnings
+from io import TextIOWrapper
 from pathlib import Path
 from typing import Annotated, NoReturn, TextIO
 
@@ -82,6 +83,8 @@ _LONGEST_ARGUMENT = 4096  # no system has longer paths
 def main() -> NoReturn:
     """Run the command line: exit code 0; 1 with one line on stderr for bad input; 2 for a wrong command line."""
     warnings.showwarning = _show_warning
+    if isinstance(sys.stdout, TextIOWrapper):
+        sys.stdout.reconfigure(errors="backslashreplace")  # names of files may be no text
     for argument in sys.argv[1:]:
         if len(argument) > _LONGEST_ARGUMENT:
             fail(f"{argument}: an argument of {len(argument)} characters must have at most {_LONGEST_ARGUMENT}", 2)

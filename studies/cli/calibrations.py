@@ -19,7 +19,7 @@ from studies.cli.options import (
     frequency_option,
     named,
 )
-from studies.cli.tables import show, show_library, table_of
+from studies.cli.tables import show, show_library, table_of, tell
 from studies.made_sensor.calibrating import MANIFEST, calibrate_sensor
 from studies.made_sensor.recalibrating import recalibrate as recalibrate_sensor
 from studies.output.frequencies import FREQUENCIES
@@ -74,7 +74,7 @@ def calibrate(
     _print_fit(found)
     source = "of the design" if found.fit is not None and found.fit.objection else "fitted"
     rest = f", {len(calibration.missing)} {source}" if calibration.missing else ""
-    print(
+    tell(
         f"{out}: {len(calibration.estimates)} of {counted(calibration.manifest.design.point_count, 'point')} "
         f"measured{rest}"
     )

@@ -10,7 +10,7 @@ import typer
 from geometry.refusal import counted
 from localize.learned.plan import TrainingPlan
 from studies.cli.options import LibraryFile, Noise, defaults_of, display_on_stderr, named
-from studies.cli.tables import show, table_of
+from studies.cli.tables import show, table_of, tell
 from studies.judging.evaluating import evaluate_localizer
 from studies.judging.training import train_localizer
 
@@ -85,7 +85,7 @@ def train(
         for part, found in localizer.training["held_out_recordings"].items():
             table.add_row(part, str(found["recordings"]), str(found["frames"]), f"{100 * found['right']:.1f}")
         show(table)
-    print(
+    tell(
         f"{out}: {counted(localizer.training['epochs'], 'epoch')}{short}, {accuracy:.1%} of held-out touches named "
         "right"
     )

@@ -9,7 +9,7 @@ import typer
 
 from geometry.refusal import counted
 from studies.cli.options import named
-from studies.cli.tables import show, table_of
+from studies.cli.tables import show, table_of, tell
 from studies.listening.exporting import export_decoder
 from studies.listening.opening import Decoding
 from studies.listening.recorded import locate_recording
@@ -71,7 +71,7 @@ def onnx(
     """
     with named(microphone_noise="--noise"):
         written = export_decoder(model, out, noise=noise, ambient=ambient)
-    print(
+    tell(
         f"{out}: {counted(written.points, 'point')}, {counted(len(written.microphones), 'microphone')}, "
         f"{out.stat().st_size / 1e6:.1f} MB"
     )
@@ -128,7 +128,7 @@ def locate(
     told: dict[State, str] = {"sound": "sound alone", "other": "no single touch"}
     seconds = found.seconds_by_state
     others = "".join(f", {what} for {seconds[state]:.1f} s" for state, what in told.items() if state in seconds)
-    print(f"{recording}: {counted(len(found.touches), 'touch')} in {found.seconds:.1f} s{others}")
+    tell(f"{recording}: {counted(len(found.touches), 'touch')} in {found.seconds:.1f} s{others}")
 
 
 def _show_touches(found: LocatedTouches) -> None:

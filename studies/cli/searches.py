@@ -21,7 +21,7 @@ from studies.cli.options import (
     frequency_option,
     named,
 )
-from studies.cli.tables import show, table_of
+from studies.cli.tables import show, table_of, tell
 from studies.output.display import number
 from studies.output.frequencies import FREQUENCIES
 from studies.scatter.studying import tolerance_study
@@ -104,7 +104,7 @@ def _show_scatter(study: ToleranceStudy) -> None:
             shares = (index.total, index.error, other.total, other.error)
             table.add_row(index.quantity.replace("_", " "), *(number(share, 2) for share in shares))
         show(table)
-    print(f"{study.design.name} as designed: {number(100 * result.nominal_accuracy, 1)} %; noise: {result.noise}")
+    tell(f"{study.design.name} as designed: {number(100 * result.nominal_accuracy, 1)} %; noise: {result.noise}")
 
 
 def optimize(

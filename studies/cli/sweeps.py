@@ -10,7 +10,7 @@ import typer
 
 from geometry.refusal import counted
 from studies.cli.options import Scheduler, check_workers, defaults_of, display_on_stderr
-from studies.cli.tables import show, table_of
+from studies.cli.tables import show, table_of, tell
 from studies.findings.reporting import best_designs, save_best_design
 from studies.output.display import duration, number
 
@@ -96,8 +96,10 @@ def report(
 
     with display_on_stderr() as display:
         table = sweep_report(results, out, display=display)
-    print(f"{out}: {counted(len(table.number), 'design')}, {sum(count for _, count in table.failures)} failed, "
-          f"{table.waiting} not computed yet")  # fmt: skip
+    tell(
+        f"{out}: {counted(len(table.number), 'design')}, {sum(count for _, count in table.failures)} failed, "
+        f"{table.waiting} not computed yet"
+    )
 
 
 def best(

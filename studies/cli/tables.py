@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from geometry.refusal import counted
+from geometry.refusal import counted, in_one_line
 from studies.output.display import number
 
 if TYPE_CHECKING:
@@ -29,6 +29,11 @@ def table_of(*columns: str, numbers: tuple[int, ...] = ()) -> Table:
     for index, column in enumerate(columns):
         table.add_column(column, justify="right" if index in numbers else "left", no_wrap=index == 0)
     return table
+
+
+def tell(text: str) -> None:
+    """Print one line on stdout, whatever names stand in it."""
+    print(in_one_line(text))
 
 
 def show(table: Table) -> None:
@@ -75,7 +80,7 @@ def show_check(found: DesignCheck) -> None:
         table.add_row(cell.label, str(places))
     show(table)
     for line in found.fidelities:
-        print(line)
+        tell(line)
     print()
     table = table_of("part", "count", numbers=(1,))
     for part, count in found.part_counts.items():
@@ -104,7 +109,7 @@ def show_library(path: Path, library: Library) -> None:
     points, microphones, frequencies = (
         library.transfer_function.sizes[name] for name in ("point", "microphone", "frequency")
     )
-    print(
+    tell(
         f"{path}: {counted(points, 'point')}, {counted(microphones, 'microphone')}, {counted(frequencies, 'frequency')}"
     )
 
@@ -138,21 +143,21 @@ def show_parts(made: MadeParts) -> None:
     )
     print("which part goes to which point, and which tube between: assembly.txt")
     for name in made.too_large:
-        print(f"note: {name} is too large for the plate of {made.printing.process.name} and lies on none")
+        tell(f"note: {name} is too large for the plate of {made.printing.process.name} and lies on none")
     _show_notes(made.notes, made.misfits)
 
 
 def _show_notes(notes: tuple[str, ...], misfits: tuple[str, ...]) -> None:
     """What could not be built as drawn, and the first of what does not go together."""
     for note in (*notes, *misfits[:_MISFITS]):
-        print(f"note: {note}")
+        tell(f"note: {note}")
     if len(misfits) > _MISFITS:
         print(f"note: parts that do not go together: {len(misfits) - _MISFITS} more")
 
 
 def show_findings(printing: PrintReport) -> None:
     """The print verdict and what leads to it."""
-    print(f"printing, {printing.process.title}: {printing.verdict}")
+    tell(f"printing, {printing.process.title}: {printing.verdict}")
     if printing.problems:
         table = table_of("part", "measure", "value", "must be", "place (mm)", "verdict", numbers=(2, 3, 4))
         for finding in printing.problems:

@@ -504,7 +504,7 @@ def places(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
         ("train <library.nc> --out <out.nc> --network big", "acoustic-fem: --network = 'big' must be one of: patches"),
         ("evaluate <missing> <library.nc>", "localizer.json: cannot be read: No such file or directory"),
         ("evaluate <localizer> <glove.nc>", "the localizer is for 3 points and microphones A, B; the library has 15"),
-        ("evaluate <localizer> <library.nc> --touches 0", "acoustic-fem: --touches = 0 must be at least 1"),
+        ("evaluate <localizer> <library.nc> --touches 0", "--touches = 0 must be between 1 and 1,000,000"),
         ("evaluate <localizer> <library.nc> --noise -1", "acoustic-fem: --noise = -1.0 must be"),
         ("evaluate <localizer> <library.nc> --noise 11", "acoustic-fem: --noise = 11.0 Pa must be between 1e-9 and 10"),
         ("onnx <missing> --out <out.nc>", "localizer.json: cannot be read: No such file or directory"),
@@ -514,7 +514,7 @@ def places(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
         ("locate <missing> <text.wav>", "localizer.json: cannot be read"),
         ("locate <localizer> <text.wav>", "text.wav: cut short or not a WAV file"),
         ("locate <localizer> <text.nc>", "its name must end with .wav, .csv, .npz or .mat"),
-        ("locate <localizer> <text.wav> --full-scale 0", "--full-scale = 0.0 Pa must be finite and above 0"),
+        ("locate <localizer> <text.wav> --full-scale 0", "--full-scale = 0.0 Pa must be between 1e-12 and 1e+12"),
         ("locate <localizer> <text.wav> --noise 1e-3", "--noise = 0.001 is for a library"),
         ("locate <localizer> <text.wav> --library <library.nc>", "is for --waveform, --ambient and --refuse"),
         ("locate <localizer> <text.wav> --ambient 60", "--ambient needs the library of the array"),
@@ -571,6 +571,18 @@ def test_a_wrong_command_line_ends_with_code_2(
     assert told.err
     assert "Traceback" not in told.err
     assert not list(tmp_path.iterdir())
+
+
+def test_names_that_break_or_turn_a_line_are_shown_escaped(command: Command, places: dict[str, Path]) -> None:
+    folder = places["folder"] / "a\nb\u202ec\udcff"
+    folder.mkdir(exist_ok=True)
+    scipy.io.wavfile.write(folder / "r.wav", 1000, np.random.default_rng(0).uniform(-1, 1, (500, 2)).astype(np.float32))
+    told = command("locate", places["library.nc"], folder / "r.wav")
+    assert (told.code, "a b\\u202ec\\udcff/r.wav: " in told.out.splitlines()[-1]) == (0, True), told
+    told = command("locate", places["library.nc"], folder / "none.wav")
+    assert (told.code, told.err.splitlines()[-1].endswith("a b\\u202ec\\udcff/none.wav: no such file")) == (1, True), (
+        told
+    )
 
 
 def test_an_argument_longer_than_any_path_is_refused_in_one_line(command: Command) -> None:
