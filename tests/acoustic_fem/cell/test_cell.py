@@ -13,7 +13,7 @@ from reference_data import AIR, column
 from acoustic_fem.cavity.closed_forms import closed_cylinder_compliance
 from acoustic_fem.cell.design_cells import solve_cells
 from acoustic_fem.cell.lumped import lumped_admittance
-from acoustic_fem.cell.one_cell import CellError, CellFault, CellTask
+from acoustic_fem.cell.one_cell import CellError, CellFault, CellTask, solve_task
 from acoustic_fem.cell.solid import port_admittance, solve_solid
 from acoustic_fem.duct import plane_wave
 from acoustic_fem.numerics import disk_cache
@@ -21,6 +21,7 @@ from acoustic_fem.numerics.linear_solver import LinearSolverError
 from geometry.air.cells import Cell
 from geometry.air.mesh import MeshError
 from geometry.air.mirror_symmetry import mirror_half
+from geometry.refusal import Refusal
 from geometry.stated.cavity_shapes import Box, Dome
 from geometry.stated.ports import CellPort
 
@@ -231,6 +232,22 @@ def test_a_cell_that_cannot_be_drawn_is_named(count, monkeypatch, tmp_path):
     ]
     with pytest.raises(CellError, match=r"resonator [34] x 2 mm .* overlapping ports"):
         solve_cells(cells, [10.0], AIR)
+
+
+def test_only_what_the_kernel_or_the_memory_refuses_is_a_cell_without_solution(monkeypatch):
+    from OCP.Standard import Standard_Failure
+
+    task = CellTask(STRAIGHT, AIR, (1.0, 100.0), "navier-stokes")
+    raised: list[Exception] = [Standard_Failure("no solid"), MemoryError(), Refusal("too thin")]
+    mistakes: list[Exception] = [ValueError("shapes differ"), RuntimeError("broken"), ZeroDivisionError(), KeyError()]
+    for error in (*raised, *mistakes):
+
+        def fails(_: object, error: Exception = error) -> None:
+            raise error
+
+        monkeypatch.setattr("geometry.air.volume.air_volume", fails)
+        with pytest.raises(CellError if error in raised else type(error)):
+            solve_task(task, lambda fraction: None)
 
 
 @pytest.mark.parametrize("shape", [None, Box(4.0, 3.0, 0.5, 0.5), Dome(0.8)], ids=["cylinder", "box", "dome"])
