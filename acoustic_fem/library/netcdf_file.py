@@ -7,6 +7,7 @@ import os
 import warnings
 from collections.abc import Iterable
 from dataclasses import asdict, fields
+from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
@@ -147,12 +148,14 @@ def library_in(path: Path, dataset: xr.Dataset) -> Library:
     except Refusal as error:
         raise LibraryError(f"{path}: {_one_line(error)}") from None
     if CHECKSUMS not in dataset.attrs:
-        warnings.warn(
-            f"{path}: has no checksums, damage to it cannot be noticed; convert it to have them",
-            NoChecksumWarning,
-            stacklevel=1,  # once per file, whoever reads it
-        )
+        _tell(f"{path}: has no checksums, damage to it cannot be noticed; convert it to have them")
     return library
+
+
+@lru_cache(maxsize=1000)
+def _tell(note: str) -> None:
+    """Warn once, however often a file is read."""
+    warnings.warn(note, NoChecksumWarning, stacklevel=1)
 
 
 def library_of(dataset: xr.Dataset) -> Library:

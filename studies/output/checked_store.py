@@ -12,6 +12,7 @@ import json
 import warnings
 from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from pathlib import Path
 from typing import Any, Literal, TypeVar
 
@@ -305,5 +306,7 @@ class _Broken(Exception):
     """Why an array cannot be taken."""
 
 
+@lru_cache(maxsize=1000)
 def _tell(note: str) -> None:
-    warnings.warn(note, StoreWarning, stacklevel=1)  # once, whoever reads
+    """Warn once, however often a store is opened."""
+    warnings.warn(note, StoreWarning, stacklevel=1)

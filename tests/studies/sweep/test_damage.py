@@ -213,7 +213,8 @@ def test_damage_that_changes_no_result_is_told(
     with pytest.warns(StoreWarning) as told:
         assert_same_results(open_sweep(store), open_sweep(finished))
     assert any(str(each.message).startswith(f"{store}: {note}") for each in told)
-    with pytest.warns(StoreWarning):
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", StoreWarning)  # told once
         assert run_sweep(study, store, workers=1).computed == 0
 
 
