@@ -17,6 +17,9 @@ from acoustic_fem.quantities.checks import frequency_grid
 from acoustic_fem.quantities.medium import Medium
 from geometry.air.cells import Cell
 
+#: Processor time of a cell that is not in the cache, s: array-2x6 at either fidelity, starts of processes included.
+SECONDS_PER_CELL = 13.0
+
 
 def solve_cells(
     cells: Sequence[Cell],
@@ -41,7 +44,7 @@ def solve_cells(
         frequency: (n_freq,) Hz, ascending, 1e-3 to 2000.
         medium: the gas.
         fidelity: ``"navier-stokes"`` or ``"helmholtz"``.
-        progress: called with the label of a cell and the fraction done of all.
+        progress: called with the label of a cell, its number among them, and the fraction done of all.
         apart: solve a single cell in a process of its own, too: what stops that one does not stop the caller,
             and the caller's other threads go on.
 
@@ -64,7 +67,8 @@ def solve_cells(
         done[task] = fraction
         if progress is not None:
             origin = "" if task in missing else " (from the cache)"
-            progress(task.cell.label + origin, sum(done.values()) / len(tasks))
+            count = f"{tasks.index(task) + 1} of {len(tasks)}: "
+            progress(count + task.cell.label + origin, sum(done.values()) / len(tasks))
 
     def keep(task: CellTask, record: CellRecord) -> None:
         records[task] = record

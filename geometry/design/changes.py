@@ -28,21 +28,38 @@ def changed(data: Mapping[str, Any], values: Mapping[str, Any], name: str) -> di
     return copy
 
 
-def _set(data: Any, name: str, value: Any, source: str) -> None:
-    """Put a value at a dotted name of a design as lists and dictionaries."""
-    *way, last = name.split(".")
+def check_name(data: Any, name: str, source: str) -> None:
+    """Refuse a dotted name at which nothing can be set.
+
+    Args:
+        data: the design as :func:`as_lists` gives it.
+        name: for example ``lines.0.points``.
+        source: name of the design, for messages.
+
+    Raises:
+        UnknownField: no such field; the message lists those that can be set.
+    """
+    steps = name.split(".")
     place = data
-    for depth, step in enumerate([*way, last]):
+    for depth, step in enumerate(steps):
         if place is None:
             raise UnknownField(
-                f"{source}: {'.'.join(way[:depth])} is not given; give the whole table, not {name} alone"
+                f"{source}: {'.'.join(steps[:depth])} is not given; give the whole table, not {name} alone"
             )
-        free = way[:depth] == ["materials"]  # the one table whose keys are the user's own
+        free = steps[:depth] == ["materials"]  # the one table whose keys are the user's own
         known = keys_of(place)
-        if step not in known and not (free and step == last):
-            raise UnknownField(f"{source}: {name} = {value!r} is not a field of this design{nearest(step, known)}")
-        if depth < len(way):
-            place = place[int(step)] if isinstance(place, list) else place[step]
+        if step not in known and not (free and depth == len(steps) - 1):
+            raise UnknownField(f"{source}: {name} is not a field of this design{nearest(step, known)}")
+        place = place[int(step)] if isinstance(place, list) else place.get(step)
+
+
+def _set(data: Any, name: str, value: Any, source: str) -> None:
+    """Put a value at a dotted name of a design as lists and dictionaries."""
+    check_name(data, name, source)
+    *way, last = name.split(".")
+    place = data
+    for step in way:
+        place = place[int(step)] if isinstance(place, list) else place[step]
     if isinstance(place, list):
         place[int(last)] = value
         return

@@ -117,12 +117,13 @@ def names_of(model: type[BaseModel]) -> list[str]:
 
 
 def nearest(word: str, known: Sequence[str]) -> str:
-    """``; did you mean ...?`` where a known word is near, else the known words."""
+    """``; did you mean ...?`` where a known word is near, else the known words, those most like it first."""
     close = difflib.get_close_matches(word.lower(), [name.lower() for name in known], n=1, cutoff=0.6)
     for name in known:
         if close and name.lower() == close[0]:
             return f"; did you mean {name!r}?"
-    return f"; known: {', '.join(known)}"
+    likeness = {name: difflib.SequenceMatcher(None, word.lower(), name.lower()).ratio() for name in known}
+    return f"; known: {', '.join(sorted(known, key=lambda name: -likeness[name]))}" if known else ""
 
 
 def error_from_validation(

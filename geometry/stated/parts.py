@@ -218,6 +218,11 @@ class Tube(Section):
         return self.inner_diameter + 2 * self.wire_diameter
 
     @property
+    def sheath_wall(self) -> float:
+        """Wall of the sheath around the coil spring, mm."""
+        return (self.outer_diameter - self.spring_outer_diameter) / 2
+
+    @property
     def smallest_bend_radius(self) -> float:
         """Smallest radius to which its axis may be bent, mm.
 

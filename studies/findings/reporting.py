@@ -37,12 +37,14 @@ def read_results(results: str | os.PathLike[str]) -> ResultTable:
         Refusal: it is neither, or holds no design that was computed.
     """
     from studies.findings.result_table import table_of_search, table_of_sweep
-    from studies.findings.search_files import read_search
-    from studies.sweep.store import open_sweep
 
     place = Path(results)
     if place.is_dir() and not (place / "zarr.json").exists():
+        from studies.findings.search_files import read_search
+
         return table_of_search(*read_search(place))
+    from studies.sweep.store import open_sweep
+
     return table_of_sweep(open_sweep(place))
 
 
@@ -63,11 +65,13 @@ def sweep_report(
         Refusal: as :func:`read_results`, or a file that cannot be written.
     """
     from studies.findings.page import write_sweep_report
+    from studies.findings.result_table import with_base_metrics
 
     path = Path(out)
     check_new_file(path, ".html")
     table = read_results(results)
     with (display or Display()).stage("Report"):
+        table = with_base_metrics(table)
         write_sweep_report(table, path, f"acoustic-fem best {results} {{number}} --out design-{{number}}.toml")
     return table
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import combinations
 from typing import TYPE_CHECKING, Any
 
@@ -13,7 +13,6 @@ from numpy.typing import NDArray
 from geometry import ArrayDesign
 from geometry.refusal import Refusal, counted
 from geometry.stated.fields import field_named
-from studies.optimization.search import pareto_front
 from studies.study.failure_reasons import by_kind
 from studies.study.metric_registry import METRICS
 
@@ -190,6 +189,8 @@ def fast_front(values: Values) -> NDArray[np.bool_]:
         (n,) bool.
     """
     if values.shape[1] != 2:
+        from studies.optimization.search import pareto_front
+
         return pareto_front(values)
     order = np.lexsort((-values[:, 1], -values[:, 0]))
     best = np.maximum.accumulate(values[order, 1])
@@ -234,7 +235,7 @@ def table_of_sweep(sweep: Sweep) -> ResultTable:
         metrics=tuple(_metric(name, values[rows]) for name, values in columns.items()),
         failures=tuple((reason, len(numbers)) for reason, numbers in by_kind(reasons).items()),
         waiting=int((~sweep.done & ~sweep.failed).sum()),
-        base_metrics=_base_metrics(sweep) if data.attrs["fidelity"] == "lumped" else {},
+        base_metrics={},
     )
 
 
@@ -287,12 +288,14 @@ def _parameter(name: str, values: NDArray[Any], unit: str) -> Column:
         return Column(name, name, "", np.array([labels.index(text) for text in texts], dtype=np.float64), labels)
 
 
-def _base_metrics(sweep: Sweep) -> dict[str, float]:
-    """Figures of the base of a lumped sweep, which is rarely among its cases."""
+def with_base_metrics(table: ResultTable) -> ResultTable:
+    """The table with the figures of the base of a lumped sweep, which is rarely among its cases: it is solved."""
+    if table.base_metrics or table.fidelity != "lumped":
+        return table
     import acoustic_fem
 
-    library = acoustic_fem.solve(sweep.base, np.asarray(sweep.dataset["frequency"].values, np.float64), "lumped")
-    return {name: METRICS[name].of_library(library) for name in sweep.metrics}
+    library = acoustic_fem.solve(table.base, table.frequency, "lumped")
+    return replace(table, base_metrics={each.name: METRICS[each.name].of_library(library) for each in table.metrics})
 
 
 def _metric(name: str, values: Values) -> Column:

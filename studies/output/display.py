@@ -107,12 +107,12 @@ class Display:
             bars.update(task, completed=1.0, message="")
             bars.stop_task(task)
             return
-        last = ""
+        told = {"", "done"}
 
         def report(message: str, fraction: float) -> None:
-            nonlocal last
-            if message not in (last, "done"):
+            # What goes on side by side reports by turns: every line is told once.
+            if message not in told:
                 self.note(f"{name}: {message}")
-            last = message
+            told.add(message)
 
         yield report

@@ -33,8 +33,6 @@ if TYPE_CHECKING:
 ATTENUATION_AT = (1.0, 10.0, 100.0)
 #: Weakest sinusoid of the paper's stimuli, Pa, and length of the localizer's frames, s.
 WEAKEST_SINUSOID, FRAME_SECONDS = 0.02, 0.25
-#: Time of one 3-D cell on two cores, s.
-SECONDS_PER_CELL = 8.0
 #: Largest difference of lumped from Navier-Stokes transfer functions as `run` measured it: percent, degrees.
 LUMPED_IS_OFF = (("array-2x6", 0.3, 0.2), ("large-area-64", 1.1, 0.44))
 #: The same for the scalar model, which is wrong where a tube opens into a cavity.
@@ -209,6 +207,8 @@ def _judged(design: ArrayDesign, report: Report) -> DesignCheck:
 
 def fidelity_lines(cells: int) -> tuple[str, ...]:
     """Lines on what each fidelity costs for so many distinct cells, and how far lumped was found from the default."""
+    from acoustic_fem.cell.design_cells import SECONDS_PER_CELL
+
     lumped, helmholtz = (
         "; ".join(f"{percent:g} % and {degrees:g} degrees on {name}" for name, percent, degrees in measured)
         for measured in (LUMPED_IS_OFF, HELMHOLTZ_IS_OFF)
@@ -217,8 +217,8 @@ def fidelity_lines(cells: int) -> tuple[str, ...]:
     return (
         f"lumped: milliseconds; from navier-stokes, {BAND[0]:g} to {BAND[1]:g} Hz, it was at most {lumped}",
         f"helmholtz, a cross-check: as long as navier-stokes; from it at most {helmholtz}",
-        f"navier-stokes, the default: about {SECONDS_PER_CELL:g} s per distinct cell, here {cells}: {seconds:g} s; "
-        "then from the cache",
+        f"navier-stokes, the default: about {SECONDS_PER_CELL:g} s of one processor per distinct cell, here {cells}: "
+        f"{seconds:g} s; then from the cache",
     )
 
 

@@ -7,7 +7,7 @@ from time import process_time
 
 import numpy as np
 
-from acoustic_fem.cell.design_cells import is_cached
+from acoustic_fem.cell.design_cells import SECONDS_PER_CELL, is_cached
 from acoustic_fem.membrane.disc import design_disc
 from acoustic_fem.membrane.disc_table import disc_count
 from acoustic_fem.membrane.elasticity import DiscShape
@@ -16,9 +16,7 @@ from studies.study.cases import Cases
 from studies.study.study import Study
 from studies.sweep.block import FAILURES, CellKey, Job, solve_block
 
-#: Processor time of one cell that is not in the cache, s: array-2x6, the start of its process included.
-SECONDS_PER_CELL = {"helmholtz": 6.0, "navier-stokes": 15.0}
-#: Of one membrane.
+#: Processor time of one membrane, s.
 _SECONDS_PER_DISC = 0.22
 #: Time until workers of this machine compute: processes are started and modules loaded, and ended afterwards.
 START_UP = 10.0
@@ -54,7 +52,7 @@ def seconds_of(
     missing = sum(not is_cached(cell, study.frequency, air, study.fidelity) for cell, air in cells)
     return (
         _seconds_per_case(study, cases, numbers) * len(numbers)
-        + SECONDS_PER_CELL.get(study.fidelity, 0.0) * missing
+        + SECONDS_PER_CELL * missing
         + _SECONDS_PER_DISC * disc_count(discs)
     )
 

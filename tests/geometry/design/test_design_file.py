@@ -104,7 +104,7 @@ MISSING_OR_UNKNOWN = [
     ("tube.spring_diameter", 3.0, "tube.spring_diameter = 3 is not a field of a design; did you mean"),
     ("lines.0.pionts", 3, "lines.0.pionts = 3 is not a field of a design; did you mean 'points'?"),
     ("resonators", {}, "resonators = {} is not a field of a design; did you mean 'resonator'?"),
-    ("colour", "red", "colour = 'red' is not a field of a design; known: name,"),
+    ("colour", "red", "colour = 'red' is not a field of a design; known: layout,"),
     (
         "materials.soft.youngs_modulus",
         1.0,
@@ -470,13 +470,14 @@ def test_an_optional_field_goes_back_to_its_default() -> None:
         ("lines.7.points", "is not a field of this design; known: 0"),
         ("lines.x", "is not a field of this design; known: 0"),
         ("tube.length.x", "is not a field of this design"),
-        ("", "is not a field of this design; known: name"),
+        ("tube.bore", "is not a field of this design; known: outer_diameter, bend_radius, "),
+        ("x", "is not a field of this design; known: "),
     ],
 )
 def test_a_change_of_an_unknown_field_is_refused_with_a_suggestion(name: str, rest: str) -> None:
     with pytest.raises(DesignError) as caught:
         geometry.prototype("array-2x6").with_values({name: 1.0})
-    assert str(caught.value).startswith(f"array-2x6: {name} = 1.0 {rest}")
+    assert str(caught.value).startswith(f"array-2x6: {name} {rest}")
 
 
 def test_a_field_of_a_table_that_is_not_given_asks_for_the_whole_table() -> None:

@@ -15,7 +15,8 @@ import pytest
 from geometry import load_design
 from studies.cli.app import main
 from studies.findings.page import LARGEST_CLOUD, render_sweep
-from studies.findings.result_table import Column, ResultTable, effect, table_of_sweep
+from studies.findings.reporting import best_designs
+from studies.findings.result_table import Column, ResultTable, effect, table_of_sweep, with_base_metrics
 from studies.sweep.store import open_sweep
 
 ROOT = Path(__file__).parents[3]
@@ -51,7 +52,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="module")
 def table(folder: Path) -> ResultTable:
-    return table_of_sweep(open_sweep(folder / "results.zarr"))
+    return with_base_metrics(table_of_sweep(open_sweep(folder / "results.zarr")))
 
 
 @pytest.fixture(scope="module")
@@ -145,3 +146,8 @@ def test_of_many_designs_the_best_and_the_fronts_are_drawn(table: ResultTable) -
     assert len(drawn) == LARGEST_CLOUD
     assert set(large.fronts().tolist()) <= drawn
     assert {number for numbers in data["best"].values() for number in numbers} <= drawn
+
+
+def test_the_best_designs_are_listed_without_solving_the_base(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("acoustic_fem.solve", lambda *_, **__: pytest.fail("the base is solved for the page alone"))
+    assert len(best_designs(folder / "results.zarr", count=3).rows) == 3

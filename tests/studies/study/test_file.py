@@ -96,6 +96,7 @@ def test_a_wrong_field_is_refused_by_name(head: str, message: str) -> None:
         ('"tube.inner_diameter" = {from = 0.3, to = 0.4, count = 1}', "count = 1 must be a whole number between 2"),
         ('"tube.inner_diamete" = [0.4]', "did you mean 'inner_diameter'?"),
         ('"tube" = [0.4]', "give the fields in it"),
+        ('"resonator.cavity_volume" = [70.0]', "resonator.cavity_volume is not a field of this design"),
         ('"lines.3.points" = [3]', "lines.3.points is not a field of this design"),
         ('"lines.0.points" = {from = 2.5, to = 4}', "from = 2.5 must be a whole number"),
         ('"lines.0.tube.length" = [3.0]', "lines.0.tube is not given"),
