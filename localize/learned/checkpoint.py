@@ -1,12 +1,13 @@
 """The state of a training in one file, from which it goes on to the very same weights.
 
 One safetensors file, written beside and renamed: whatever stops the process, the file on disk is a whole one, the last
-or the one before it. Its metadata hold, as JSON, the progress and what the training is of; a file of another training
-is refused.
+or the one before it. Its metadata hold, as JSON, the progress and what the training is of, and a checksum of all; a
+file of another training, and a damaged one, is refused.
 """
 
 from __future__ import annotations
 
+import hashlib
 import json
 import os
 from collections.abc import Mapping
@@ -17,11 +18,14 @@ from typing import Any
 import torch
 from torch import Tensor, nn
 
+from geometry.files.ordinary import library_reads, read_bytes
+from geometry.files.reading import parse_json
 from geometry.files.writing import whole_file
 from geometry.refusal import Refusal
+from localize.learned.description import LARGEST_MODEL, TrainingState, described, is_sealed, sealed
 from localize.signals.touch_generator import TouchGenerator
 
-FORMAT = "acoustic-fem checkpoint 1"
+FORMAT = "acoustic-fem checkpoint 2"
 _MOMENTS = ("step", "exp_avg", "exp_avg_sq")
 """Of AdamW, per parameter."""
 
@@ -83,12 +87,13 @@ class Checkpoint:
         tensors = {f"network.{name}": value for name, value in network.state_dict().items()}
         for number, state in optimizer.state_dict()["state"].items():
             tensors |= {f"optimizer.{number}.{name}": state[name] for name in _MOMENTS}
+        tensors = {name: value.cpu().contiguous() for name, value in tensors.items()}
         metadata = {
             "format": FORMAT,
             "identity": json.dumps(self.identity),
             "progress": json.dumps(vars(progress)),
         }
-        content = save({name: value.cpu().contiguous() for name, value in tensors.items()}, metadata)
+        content = save(tensors, sealed(metadata, _content(tensors)))
         with whole_file(self.path) as beside:
             beside.write_bytes(content)
 
@@ -98,21 +103,22 @@ class Checkpoint:
         Raises:
             CheckpointError: the file is damaged, no checkpoint, or that of another training.
         """
-        from safetensors import SafetensorError, safe_open
+        from safetensors.torch import load
 
         if not self.path.exists():
             return None
-        try:
-            with safe_open(self.path, "pt") as file:
-                metadata = file.metadata() or {}
-                names = file.keys()
-                tensors = {name: file.get_tensor(name) for name in names}
-        except (SafetensorError, OSError) as error:
-            raise CheckpointError(f"{self.path}: damaged or no checkpoint ({error}); remove it to train anew") from None
-        if metadata.get("format") != FORMAT:
-            raise CheckpointError(f"{self.path}: is no checkpoint; remove it to train anew")
-        identity, progress = json.loads(metadata["identity"]), Progress(**json.loads(metadata["progress"]))
-        self._compare(identity)
+        anew = "remove it to train anew"
+        held = read_bytes(self.path, "a checkpoint", CheckpointError, LARGEST_MODEL)
+        with library_reads(self.path, f"a checkpoint; {anew}", CheckpointError):
+            tensors = load(held)
+        said = _metadata(held)
+        if said.get("format") != FORMAT:
+            raise CheckpointError(f"{self.path}: is no checkpoint of this version; {anew}")
+        if not is_sealed(said, _content(tensors)):
+            raise CheckpointError(f"{self.path}: is damaged: its checksum is not that of what it holds; {anew}")
+        progress = parse_json(said["progress"], str(self.path), CheckpointError)
+        described(TrainingState, said["progress"], f"{self.path}: progress", CheckpointError)
+        self._compare(parse_json(said["identity"], str(self.path), CheckpointError))
         network.load_state_dict(_with_prefix(tensors, "network."))
         parameters = optimizer.param_groups[0]["params"]
         state = {
@@ -124,7 +130,7 @@ class Checkpoint:
             if f"optimizer.{number}.step" in tensors
         }  # fmt: skip
         optimizer.load_state_dict({**optimizer.state_dict(), "state": state})
-        return progress
+        return Progress(**progress)
 
     def remove(self) -> None:
         """Delete the file: the training is done and its result is safe."""
@@ -137,6 +143,22 @@ class Checkpoint:
                 readable = name != "transfer_function"
                 what = f"{name} was {other}, is {mine}" if readable else f"{name} has changed"
                 raise CheckpointError(f"{self.path}: is of another training: {what}; remove it to train anew")
+
+
+def _metadata(held: bytes) -> dict[str, Any]:
+    """Texts beside the tensors of a file that was read: after eight bytes with its length stands a table as JSON."""
+    length = int.from_bytes(held[:8], "little")
+    return dict(json.loads(held[8 : 8 + length]).get("__metadata__", {}))
+
+
+def _content(tensors: Mapping[str, Tensor]) -> bytes:
+    """Digest of tensors, each with its name, type and shape."""
+    digest = hashlib.sha256()
+    for name in sorted(tensors):
+        value = tensors[name].contiguous()
+        digest.update(f"{name} {value.dtype} {tuple(value.shape)}\n".encode())
+        digest.update(value.numpy().tobytes())
+    return digest.digest()
 
 
 def _with_prefix(tensors: Mapping[str, Tensor], prefix: str) -> dict[str, Tensor]:

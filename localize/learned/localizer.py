@@ -15,9 +15,20 @@ import torch
 from numpy.typing import ArrayLike, NDArray
 from torch import Tensor
 
+from geometry.files.ordinary import library_reads, read_bytes
+from geometry.files.reading import parse_json
 from geometry.files.writing import whole_file, write_text
 from geometry.refusal import Refusal
 from localize.learned.classifier import NetworkShape, TouchClassifier
+from localize.learned.description import (
+    LARGEST_DESCRIPTION,
+    LARGEST_MODEL,
+    LocalizerDescription,
+    check_format,
+    described,
+    is_sealed,
+    sealed,
+)
 from localize.signals.frames import checked_signals, combined_probability, cut_frames
 from localize.signals.threads import one_thread
 
@@ -115,7 +126,7 @@ class Localizer:
         }
         with whole_file(folder / description["weights"]) as beside:
             beside.write_bytes(weights)
-        write_text(folder / DESCRIPTION_FILE, json.dumps(description, indent=1))
+        write_text(folder / DESCRIPTION_FILE, json.dumps(sealed(description), indent=1))
         for old in folder.glob("weights-*.safetensors"):
             if old.name != description["weights"]:
                 old.unlink()
@@ -125,47 +136,64 @@ def load_localizer(folder: str | os.PathLike[str]) -> Localizer:
     """Localizer that :meth:`Localizer.save` wrote, read back; it gives the same probabilities, bit for bit.
 
     Raises:
-        LocalizerError: a file is missing, cut short, or not of a localizer.
+        LocalizerError: a file is missing, cut short, changed, too large or not of a localizer, or a value in it is not
+            allowed.
     """
-    from safetensors import SafetensorError
     from safetensors.torch import load
 
     path = Path(folder) / DESCRIPTION_FILE
-    try:
-        text = path.read_bytes()
-    except OSError as error:
-        raise LocalizerError(f"{path}: cannot be read: {error.strerror or error}") from None
-    try:
-        description = json.loads(text)
-    except ValueError:
-        raise LocalizerError(f"{path}: cut short or not JSON") from None
-    if not isinstance(description, dict) or description.get("format") != FORMAT:
-        raise LocalizerError(f"{path}: not a localizer: its format is not {FORMAT!r}")
-    if description.get("version") != VERSION:
-        raise LocalizerError(f"{path}: version = {description.get('version')} must be {VERSION}")
-    try:
-        weights_path = path.parent / Path(description["weights"]).name
-        digest = description["weights_sha256"]
-        network = description["network"]
-        shape = NetworkShape(**{**network, "depths": tuple(network["depths"]), "patch": tuple(network["patch"])})
-        microphones = tuple(str(name) for name in description["microphones"])
-        classifier = TouchClassifier(len(microphones), shape)
-        line, place = (np.asarray(description[name], np.int64) for name in ("line", "place"))
-        if line.shape != (shape.points,) or place.shape != (shape.points,):
-            raise Refusal(f"line and place must hold {shape.points} values")
-        rest = {name: description[name] for name in ("design", "plan", "training", "provenance")}
-    except (KeyError, TypeError, ValueError) as error:
-        reason = f"{error} is missing" if isinstance(error, KeyError) else str(error)
-        raise LocalizerError(f"{path}: {reason}") from None
-    try:
-        weights = weights_path.read_bytes()
-    except OSError as error:
-        raise LocalizerError(f"{weights_path}: cannot be read: {error.strerror or error}") from None
-    if hashlib.sha256(weights).hexdigest() != digest:
+    text = read_bytes(path, "a localizer's description", LocalizerError, LARGEST_DESCRIPTION)
+    values = parse_json(text, str(path), LocalizerError)
+    check_format(values, FORMAT, VERSION, path, LocalizerError)
+    said = described(LocalizerDescription, text, path, LocalizerError)
+    if not is_sealed(values):
+        raise LocalizerError(f"{path}: changed or damaged: its checksum is not that of what it says")
+    weights_path = path.parent / said.weights
+    weights = read_bytes(weights_path, "the weights of a localizer", LocalizerError, LARGEST_MODEL)
+    if hashlib.sha256(weights).hexdigest() != said.weights_sha256:
         raise LocalizerError(f"{weights_path}: cut short or changed: its checksum is not the one in {path.name}")
+    with library_reads(weights_path, "the weights of a localizer", LocalizerError):
+        tensors = load(weights)
+    network = said.network
     try:
-        classifier.load_state_dict(load(weights))
-    except (SafetensorError, RuntimeError) as error:
-        raise LocalizerError(f"{weights_path}: does not fit the network of {path.name}: {error}") from None
+        shape = NetworkShape(
+            **{**network.model_dump(), "depths": tuple(network.depths), "patch": (network.patch[0], network.patch[1])}
+        )
+        classifier = _classifier(len(said.microphones), shape, tensors)
+    except Refusal as error:
+        raise LocalizerError(f"{path}: {error}") from None
     classifier.eval()
-    return Localizer(classifier=classifier, shape=shape, microphones=microphones, line=line, place=place, **rest)
+    return Localizer(
+        classifier=classifier,
+        shape=shape,
+        design=said.design,
+        microphones=tuple(said.microphones),
+        line=np.asarray(said.line, np.int64),
+        place=np.asarray(said.place, np.int64),
+        plan=values["plan"],
+        training=values["training"],
+        provenance=said.provenance,
+    )
+
+
+def _classifier(microphones: int, shape: NetworkShape, weights: Mapping[str, Tensor]) -> TouchClassifier:
+    """Network with weights that fit it; it is laid out without memory first, so that it never takes more than they do.
+
+    Raises:
+        Refusal: other weights than the network has, or some that are not finite.
+    """
+    with torch.device("meta"):
+        wanted = TouchClassifier(microphones, shape).state_dict()
+    for name in sorted({*wanted, *weights}):
+        if name not in wanted or name not in weights:
+            raise Refusal(
+                f"the weights do not fit the network: {name} is {'none of it' if name in weights else 'missing'}"
+            )
+        mine, other = ((tuple(each[name].shape), each[name].dtype) for each in (wanted, weights))
+        if mine != other:
+            raise Refusal(f"the weights do not fit the network: {name} is {other}, must be {mine}")
+        if not torch.isfinite(weights[name]).all():
+            raise Refusal(f"the weights hold a value of {name} that is not finite")
+    classifier = TouchClassifier(microphones, shape)
+    classifier.load_state_dict(dict(weights))
+    return classifier

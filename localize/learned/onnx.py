@@ -19,7 +19,6 @@ import json
 import logging
 import os
 import warnings
-from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -29,8 +28,21 @@ from numpy.typing import ArrayLike, NDArray
 from torch import Tensor, nn
 
 from acoustic_fem.library.provenance import versions
+from geometry.files.ordinary import library_reads, read_bytes
+from geometry.files.reading import parse_json
 from geometry.files.writing import whole_file
+from geometry.refusal import Refusal
 from localize.decoders.bayes import SCREEN_ERROR, SURE, TEMPERATURE, BayesDecoder, DecoderTables
+from localize.learned.description import (
+    LARGEST_MODEL,
+    GraphDescription,
+    check_format,
+    described,
+    is_sealed,
+    sealed,
+)
+from localize.learned.foreign_graph import ForeignGraph
+from localize.learned.graph_check import BATCH, INPUT, OUTPUTS, check_interface, doubt
 from localize.learned.localizer import Localizer, LocalizerError
 from localize.signals.frames import FRAME, checked_signals, combined_probability, cut_frames
 from localize.signals.stimulus import SAMPLE_RATE
@@ -43,8 +55,6 @@ VERSION = 1
 KEY = "acoustic-fem"
 """Key of the JSON text among the metadata of a file."""
 OPSET = 20
-BATCH = 64
-"""Number of frames that are decoded at once."""
 
 
 def export_onnx(localizer: Localizer | BayesDecoder, path: str | os.PathLike[str]) -> None:
@@ -57,8 +67,9 @@ def export_onnx(localizer: Localizer | BayesDecoder, path: str | os.PathLike[str
     graph = _NetworkGraph(localizer) if isinstance(localizer, Localizer) else DecoderGraph(localizer)
     model = _translated(graph.eval(), len(localizer.microphones))
     model.producer_name = "acoustic-fem"
+    del model.metadata_props[:]
     entry = model.metadata_props.add()
-    entry.key, entry.value = KEY, json.dumps(_description(localizer))
+    entry.key, entry.value = KEY, json.dumps(sealed(_description(localizer), _bare(model)))
     with whole_file(Path(path)) as beside:
         beside.write_bytes(model.SerializeToString())
 
@@ -67,34 +78,46 @@ class OnnxLocalizer:
     """Localizer read from an ONNX file, run by ONNX Runtime on one thread.
 
     Args:
-        path: a file that :func:`export_onnx` wrote.
+        path: a file that :func:`export_onnx` wrote. Another graph that says the same of itself runs in a process of its
+            own, with limits of time and memory.
 
     Raises:
-        LocalizerError: the file cannot be read, is cut short, or is not of a localizer.
+        LocalizerError: the file cannot be read, is cut short, changed or not of a localizer, or its graph cannot be
+            run.
     """
 
     def __init__(self, path: str | os.PathLike[str]) -> None:
-        import onnxruntime
-        from onnxruntime.capi import onnxruntime_pybind11_state as reasons
+        import onnx
 
-        options = onnxruntime.SessionOptions()
-        options.intra_op_num_threads = options.inter_op_num_threads = 1
-        options.log_severity_level = 3
+        content = read_bytes(path, "the graph of a localizer", LocalizerError, LARGEST_MODEL)
+        with library_reads(path, "an ONNX file", LocalizerError):
+            model = onnx.load_model_from_string(content)
+        if not model.HasField("graph"):
+            raise LocalizerError(f"{path}: cut short or not an ONNX file: it holds no graph")
+        said = _read_description(model, path)
+        self.description: dict[str, Any] = said.model_dump()
+        self.design, self.kind, self.microphones = said.design, str(said.kind), tuple(said.microphones)
+        self.line = np.asarray(said.line, np.int64)
+        self.place = np.asarray(said.place, np.int64)
+        self.noise_rms = said.noise_rms
         try:
-            content = Path(path).read_bytes()
-        except OSError as error:
-            raise LocalizerError(f"{path}: cannot be read: {error.strerror or error}") from None
-        try:
-            self._session = onnxruntime.InferenceSession(content, options, providers=["CPUExecutionProvider"])
-        except (reasons.InvalidProtobuf, reasons.InvalidGraph, reasons.Fail, reasons.InvalidArgument):
-            raise LocalizerError(f"{path}: cut short or not an ONNX file") from None
-        self.description = _checked_description(self._session.get_modelmeta().custom_metadata_map, path)
-        self.design = str(self.description["design"])
-        self.kind = str(self.description["kind"])
-        self.microphones = tuple(str(name) for name in self.description["microphones"])
-        self.line = np.asarray(self.description["line"], np.int64)
-        self.place = np.asarray(self.description["place"], np.int64)
-        self.noise_rms = float(self.description["noise_rms"])
+            check_interface(model, len(self.microphones), self.point_count)
+        except Refusal as error:
+            raise LocalizerError(f"{path}: {error}") from None
+        self._path = path
+        self._graph = ForeignGraph(content, str(path), LocalizerError) if doubt(model) else _OwnGraph(content, path)
+        self._try()
+
+    def _try(self) -> None:
+        """Refuse a graph that gives no probabilities of a frame."""
+        shape = (2, len(self.microphones), FRAME)
+        score = self._graph.run(np.random.default_rng(0).standard_normal(shape).astype(np.float32))
+        total = np.exp(score.astype(np.float64)).sum(-1)
+        if score.shape != (2, self.point_count) or not np.allclose(total, 1.0, atol=1e-3):
+            raise LocalizerError(
+                f"{self._path}: its graph gives values {score.shape} of two frames, must give logarithms of "
+                f"probabilities of {self.point_count} points"
+            )
 
     @property
     def point_count(self) -> int:
@@ -116,13 +139,29 @@ class OnnxLocalizer:
         batch, batched = checked_signals(signals, self.microphones)
         frames = cut_frames(batch.to(torch.float32))
         flat = frames.flatten(0, 1).numpy()
-        score = np.concatenate([self._run(flat[k : k + BATCH]) for k in range(0, len(flat), BATCH)])
+        score = np.concatenate([self._graph.run(flat[k : k + BATCH]) for k in range(0, len(flat), BATCH)])
         per_frame = torch.from_numpy(score).double().unflatten(0, frames.shape[:2])
         probability = combined_probability(per_frame).numpy()
         return probability if batched else probability[0]
 
-    def _run(self, frames: NDArray[np.float32]) -> NDArray[np.float32]:
-        (score,) = self._session.run(["log_probability"], {"frames": np.ascontiguousarray(frames)})
+
+class _OwnGraph:
+    """Graph that is known to end in little time and memory, run in this process."""
+
+    def __init__(self, content: bytes, path: str | os.PathLike[str]) -> None:
+        import onnxruntime
+
+        options = onnxruntime.SessionOptions()
+        options.intra_op_num_threads = options.inter_op_num_threads = 1
+        options.log_severity_level = 4
+        self._path = path
+        with library_reads(path, "the graph of a localizer", LocalizerError):
+            self._session = onnxruntime.InferenceSession(content, options, providers=["CPUExecutionProvider"])
+
+    def run(self, frames: NDArray[np.float32]) -> NDArray[np.float32]:
+        """(n, n_microphone, 250) Pa to log probabilities (n, n_point)."""
+        with library_reads(self._path, "the graph of a localizer", LocalizerError):
+            (score,) = self._session.run([OUTPUTS[1]], {INPUT: np.ascontiguousarray(frames)})
         return np.asarray(score)
 
 
@@ -275,10 +314,23 @@ def _description(localizer: Localizer | BayesDecoder) -> dict[str, Any]:
     }
 
 
-def _checked_description(metadata: Mapping[str, str], path: str | os.PathLike[str]) -> dict[str, Any]:
-    description = json.loads(metadata.get(KEY, "null"))
-    if not isinstance(description, dict) or description.get("format") != FORMAT:
-        raise LocalizerError(f"{path}: not a localizer: its metadata have no {KEY!r} of format {FORMAT!r}")
-    if description.get("version") != VERSION:
-        raise LocalizerError(f"{path}: version = {description.get('version')} must be {VERSION}")
-    return description
+def _read_description(model: ModelProto, path: str | os.PathLike[str]) -> GraphDescription:
+    """What a graph says of itself; where it says what its checksum is, it must be that."""
+    texts = [entry.value for entry in model.metadata_props if entry.key == KEY]
+    if len(texts) != 1:
+        raise LocalizerError(f"{path}: not a localizer: its metadata have no {KEY!r}, or more than one")
+    source = f"{path}: {KEY}"
+    values = parse_json(texts[0], source, LocalizerError)
+    check_format(values, FORMAT, VERSION, source, LocalizerError)
+    said = described(GraphDescription, texts[0], source, LocalizerError)
+    if said.sha256 is not None and not is_sealed(values, _bare(model)):
+        raise LocalizerError(f"{path}: changed or damaged: its checksum is not that of what it holds")
+    return said
+
+
+def _bare(model: ModelProto) -> bytes:
+    """All of a graph but its metadata."""
+    bare = type(model)()
+    bare.CopyFrom(model)
+    del bare.metadata_props[:]
+    return bare.SerializeToString(deterministic=True)

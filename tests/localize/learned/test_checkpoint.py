@@ -18,6 +18,7 @@ from rc_line import rc_line
 import localize
 from localize.learned import training
 from localize.learned.checkpoint import CheckpointError
+from localize.learned.description import sealed
 
 PLAN = localize.TrainingPlan(seconds_per_point=24, epochs=4, batch=16, seed=3)
 
@@ -80,6 +81,7 @@ import sys
 import time
 sys.path.insert(0, "tests/support")
 import localize
+from localize.learned.description import sealed
 from localize.learned import training
 from rc_line import rc_line
 training.SAVE_EVERY = 0.0
@@ -132,6 +134,23 @@ def cut_short(path):
     path.write_bytes(path.read_bytes()[:-100])
 
 
+def flipped(path):
+    content = bytearray(path.read_bytes())
+    content[-1000] ^= 1
+    path.write_bytes(content)
+
+
+def negative(path):
+    from safetensors.torch import load, save
+
+    from localize.learned.checkpoint import _content, _metadata
+
+    tensors, said = load(path.read_bytes()), _metadata(path.read_bytes())
+    del said["sha256"]
+    said["progress"] = json.dumps({**json.loads(said["progress"]), "step": -3})
+    path.write_bytes(save(tensors, sealed(said, _content(tensors))))
+
+
 def foreign(path):
     from safetensors.torch import save_file
 
@@ -141,8 +160,10 @@ def foreign(path):
 @pytest.mark.parametrize(
     ("damage", "message"),
     [
-        (cut_short, "damaged or no checkpoint"),
-        (lambda path: path.write_text("{}"), "damaged or no checkpoint"),
+        (cut_short, "cut short or not a checkpoint"),
+        (lambda path: path.write_text("{}"), "cut short or not a checkpoint"),
+        (flipped, "is damaged: its checksum is not that of what it holds"),
+        (negative, r"progress: step = -3 is refused"),
         (foreign, "is no checkpoint"),
     ],
 )

@@ -1,5 +1,6 @@
 """The network learns an easy array within seconds, repeats itself, survives its file and refuses bad input."""
 
+import copy
 import importlib.metadata
 import json
 import os
@@ -15,6 +16,7 @@ from safetensors.torch import save_file
 import localize
 from localize.learned import training
 from localize.learned.classifier import NetworkShape, TouchClassifier
+from localize.learned.description import sealed
 from localize.learned.features import map_count
 from localize.learned.training import soft_labels
 from localize.signals import stimulus
@@ -296,27 +298,96 @@ def foreign_weights(folder):
 
     path = next(folder.glob("*.safetensors"))
     save_file({"other": torch.zeros(3)}, path)
-    described(folder, weights_sha256=hashlib.sha256(path.read_bytes()).hexdigest())
+    path = folder / "localizer.json"
+    description = json.loads(path.read_text())
+    description["weights_sha256"] = hashlib.sha256((folder / description["weights"]).read_bytes()).hexdigest()
+    del description["sha256"]
+    path.write_text(json.dumps(sealed(description)))
 
 
 @pytest.mark.parametrize(
     ("damage", "message"),
     [
-        (lambda f: (f / "localizer.json").unlink(), r"localizer\.json: cannot be read: No such file"),
-        (lambda f: cut(f / "localizer.json"), r"localizer\.json: cut short or not JSON"),
+        (lambda f: (f / "localizer.json").unlink(), r"localizer\.json: no such file"),
+        (lambda f: cut(f / "localizer.json"), r"localizer\.json: is not JSON"),
         (lambda f: (f / "localizer.json").write_text("[1]"), "not a localizer"),
         (lambda f: described(f, format="something else"), "not a localizer"),
         (lambda f: described(f, version=99), "version = 99 must be 1"),
         (lambda f: without(f, "network"), "'network' is missing"),
         (lambda f: described(f, place=[0, 1]), "line and place must hold 4 values"),
         (lambda f: described(f, microphones=["a", "b", "c"]), "maps = 4 must be 10 for 3 microphones"),
-        (lambda f: next(f.glob("*.safetensors")).unlink(), r"\.safetensors: cannot be read: No such file"),
+        (lambda f: next(f.glob("*.safetensors")).unlink(), r"\.safetensors: no such file"),
         (lambda f: cut(next(f.glob("*.safetensors"))), r"\.safetensors: cut short or changed"),
-        (foreign_weights, r"\.safetensors: does not fit the network"),
+        (foreign_weights, "the weights do not fit the network: mean is missing"),
     ],
 )
 def test_a_damaged_or_foreign_folder_is_refused_by_file_and_reason(tiny, tmp_path, damage, message):
     tiny.save(tmp_path)
     damage(tmp_path)
     with pytest.raises(localize.LocalizerError, match=message):
+        localize.load_localizer(tmp_path)
+
+
+@pytest.mark.parametrize(
+    ("field", "value", "message"),
+    [
+        ("plan", None, "plan = null is refused"),
+        ("plan", "deep", "plan = .* is refused"),
+        ("plan.epochs", "3", "plan.epochs = .* is refused"),
+        ("plan.seconds_per_point", -3, "seconds_per_point = -3 must be a whole number from 1"),
+        ("plan.microphone_noise", None, "plan.microphone_noise.* is refused"),
+        ("training", None, "training = null is refused"),
+        ("training.microphone_noise", -1.0, "training.microphone_noise = -1.0 is refused"),
+        ("training.microphone_noise", "loud", "training.microphone_noise = .* is refused"),
+        ("training.held_out_accuracy", [1.5], r"training.held_out_accuracy.0 = 1.5 is refused"),
+        ("design", 5, "design = 5 is refused"),
+        ("design", "", "design = .* is refused"),
+        ("provenance", [], "provenance = .* is refused"),
+        ("provenance.design", 5, "provenance.design must be a text"),
+        ("microphones", ["left"] * 1_000_000, "microphones = .* is refused"),
+        ("microphones", ["left", "left"], "must be different names"),
+        ("line", [0, 0, None, 1], r"line.2 = null is refused"),
+        ("line", [-1, 0, 1, 1], r"line.0 = -1 is refused"),
+        ("network.depths", [1_000_000], r"network.depths.0 = 1000000 is refused"),
+        ("network.depths", [1] * 1_000_000, r"network.depths = .* is refused"),
+        ("network.width", 1 << 40, "network.width = 1099511627776 is refused"),
+        ("network.points", 3, "line and place must hold 3 values"),
+        ("network.patch", [4], "network.patch = .* is refused"),
+        ("weights", "../../other.safetensors", "weights = .* is refused"),
+        ("surprise", 1, "surprise = 1 is refused"),
+        ("design", "another", "changed or damaged: its checksum is not that of what it says"),
+    ],
+)
+def test_a_value_that_is_no_such_thing_is_refused_by_its_field(tiny, tmp_path, field, value, message):
+    tiny.save(tmp_path)
+    path = tmp_path / "localizer.json"
+    description = table = json.loads(path.read_text())
+    *tables, name = field.split(".")
+    for each in tables:
+        table = table[each]
+    table[name] = value
+    path.write_text(json.dumps(description))
+    with pytest.raises(localize.LocalizerError, match=message) as refused:
+        localize.load_localizer(tmp_path)
+    assert str(refused.value).startswith(f"{path}: ")
+    assert len(str(refused.value)) < 500
+
+
+def test_a_network_larger_than_its_weights_takes_no_memory(tiny, tmp_path, monkeypatch):
+    tiny.save(tmp_path)
+    path = tmp_path / "localizer.json"
+    description = json.loads(path.read_text())
+    description["network"] |= {"width": 1024, "depths": [32] * 3}
+    del description["sha256"]
+    path.write_text(json.dumps(sealed(description)))
+    with pytest.raises(localize.LocalizerError, match="the weights do not fit the network"):
+        localize.load_localizer(tmp_path)
+
+
+def test_weights_that_are_not_finite_are_refused(tiny, tmp_path):
+    with torch.no_grad():
+        broken = copy.deepcopy(tiny)
+        broken.classifier.network.head.bias[0] = float("nan")
+    broken.save(tmp_path)
+    with pytest.raises(localize.LocalizerError, match=r"network\.head\.bias that is not finite"):
         localize.load_localizer(tmp_path)
