@@ -100,6 +100,7 @@ class OnnxLocalizer:
         self.line = np.asarray(said.line, np.int64)
         self.place = np.asarray(said.place, np.int64)
         self.noise_rms = said.noise_rms
+        self.provenance = said.provenance
         try:
             check_interface(model, len(self.microphones), self.point_count)
         except Refusal as error:

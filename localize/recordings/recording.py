@@ -22,6 +22,13 @@ LOWEST_RATE, HIGHEST_RATE = 250.0, 1e6
 """Lowest and highest sample rate, Hz; below the lowest the band of 1 to 100 Hz is not in a recording."""
 
 
+LATE = 1.0
+"""Time by which a channel may begin later or end earlier than another, s."""
+SILENT, CONTINUOUS = 1e-6, 0.9
+"""Range of a frame, as a share of that of its channel, below which it is silent; and share of the frames in which a
+channel is heard that is heard throughout."""
+
+
 class RecordingError(Refusal):
     """Refusal of a recording that cannot be used: one line that names the file and the reason."""
 
@@ -59,7 +66,8 @@ def read_recording(
 
     Raises:
         RecordingError: the file cannot be read or is cut short; a wrong number of channels, or others; a channel that
-            is silent, clipped or not finite; less than one frame; a sample rate outside 250 Hz to 1 MHz.
+            is silent, clipped or not finite, or begins later or ends earlier than another; less than one frame; a sample
+            rate outside 250 Hz to 1 MHz.
         Refusal: a full scale that is not finite and positive.
     """
     path = Path(path)
@@ -80,7 +88,29 @@ def read_recording(
         channel = sound.channels[name] * scale
         _check(path, channel, rate, microphone, limit)
         signals.append(at_one_kilohertz(channel[None], rate)[0])
-    return Recording(np.stack(signals), rate)
+    together = np.stack(signals)
+    _check_together(path, together, microphones)
+    return Recording(together, rate)
+
+
+def _check_together(path: Path, signals: NDArray[np.float64], microphones: tuple[str, ...]) -> None:
+    """Refuse channels that did not begin or end together: one is dead for a second while another is heard throughout.
+
+    A channel that is quiet at other times too is not dead: steps of its format may be larger than its noise.
+    """
+    frames = signals[:, : signals.shape[1] // FRAME * FRAME].reshape(len(signals), -1, FRAME)
+    alive = np.ptp(frames, axis=2) > SILENT * np.ptp(signals, axis=1, keepdims=True)
+    for what, seen in (("begins {:g} s after", alive), ("ends {:g} s before", alive[:, ::-1])):
+        for name, own in zip(microphones, seen, strict=True):
+            dead = int(own.argmax())
+            if dead < math.ceil(LATE * SAMPLE_RATE / FRAME) or own[dead:].mean() < CONTINUOUS:
+                continue
+            heard = [other for other, each in zip(microphones, seen, strict=True) if each[:dead].mean() >= CONTINUOUS]
+            if heard:
+                how = what.format(dead * FRAME / SAMPLE_RATE)
+                raise RecordingError(
+                    f"{path}: channel {name} {how} channel {heard[0]}; all channels must be of one time"
+                )
 
 
 def _in_order(path: Path, sound: Sound, microphones: tuple[str, ...]) -> Sequence[str]:

@@ -38,6 +38,11 @@ from .propagation import (
 )
 from .random_streams import Purpose as Purpose, choice as choice, random_words as random_words, uniform as uniform
 from .resampling import StreamResampler as StreamResampler, at_one_kilohertz as at_one_kilohertz
+from .same_array import (
+    check_same_array as check_same_array,
+    check_same_design as check_same_design,
+    design_difference as design_difference,
+)
 from .stimulus import (
     BAND as BAND,
     COMPONENT_INTERVALS as COMPONENT_INTERVALS,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import warnings
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -56,12 +57,17 @@ def evaluate_localizer(
     from localize import BayesDecoder, OnnxLocalizer, evaluate, load_localizer
     from localize.evaluation.accuracy import check_evaluation
     from localize.signals.array_response import response_of
+    from localize.signals.same_array import check_same_array, design_difference
 
     localizer = OnnxLocalizer(model) if Path(model).suffix == ".onnx" else load_localizer(model)
     solved = acoustic_fem.load(library)
     response = response_of(solved)
     level: NoiseChoice = "design" if noise is None else noise
     check_evaluation(localizer, response, touches, level)
+    check_same_array(localizer, response, library)
+    difference = design_difference(localizer, response)
+    if difference:
+        warnings.warn(f"{library}: is of another design than the localizer: {difference}", stacklevel=2)
     decoder = BayesDecoder(response, "design" if noise is None else max(noise, LEAST_NOISE))
     name = localizer.kind if isinstance(localizer, OnnxLocalizer) else "network"
     locators: dict[str, Locator] = {name: localizer, "Bayes decoder": decoder}

@@ -97,11 +97,13 @@ def open_stream(
         limit: Pa; a sample that reaches it is clipped. By default nothing is.
 
     Raises:
-        Refusal: a field that needs a library without one, a library without such a field, or a figure out of range.
+        Refusal: a field that needs a library without one, a library without such a field or of another design than the
+            localizer's, or a figure out of range.
     """
     from localize import BayesDecoder, Reconstructor, ResidualTest, SoundTest, TouchStream
     from localize.live.stream import REFUSED
     from localize.signals.array_response import response_of
+    from localize.signals.same_array import check_same_design
 
     needy = decoding.needs_library
     if needy is None:
@@ -114,6 +116,7 @@ def open_stream(
     if path is None:
         raise Refusal(f"`{needy}` needs the library of the array: {model} is none; give `library`")
     response = response_of(acoustic_fem.load(path))
+    check_same_design(localizer, response, path)
     noise = localizer.microphone_noise if isinstance(localizer, BayesDecoder) else localizer.noise_rms or "design"
     wave = Reconstructor(response, max(localizer.noise_rms, LEAST_NOISE)) if decoding.waveform else None
     sound = None if decoding.ambient is None else SoundTest(response, noise, loudest=decoding.ambient)

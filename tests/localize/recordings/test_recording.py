@@ -196,3 +196,25 @@ def test_a_given_full_scale_is_where_other_formats_clip(tmp_path):
     with pytest.raises(RecordingError, match="channel right is clipped"):
         read_recording(tmp_path / "a.npz", NAMES, full_scale=0.5)
     assert read_recording(tmp_path / "a.npz", NAMES, full_scale=0.6).signals.shape == (2, 1000)
+
+
+@pytest.mark.parametrize("what", ["begins 3 s after", "ends 3 s before"])
+def test_channels_that_are_not_of_one_time_are_refused(tmp_path, what):
+    signals = np.random.default_rng(0).standard_normal((2, 8000))
+    signals[1, :3000] = 0.0
+    if what.startswith("ends"):
+        signals = signals[:, ::-1]
+    np.savez(tmp_path / "late.npz", signals=signals)
+    with pytest.raises(RecordingError, match=rf"late\.npz: channel right {what} channel left; all channels must be of"):
+        read_recording(tmp_path / "late.npz", ("left", "right"))
+
+
+def test_channels_that_are_quiet_now_and_then_are_of_one_time(tmp_path):
+    signals = np.random.default_rng(0).standard_normal((2, 8000))
+    signals[1, :3000] = signals[1, 4000:6000] = 0.0  # below the steps of the format until it is touched
+    np.savez(tmp_path / "quiet.npz", signals=signals)
+    assert read_recording(tmp_path / "quiet.npz", ("left", "right")).seconds == 8.0
+    signals = np.random.default_rng(0).standard_normal((2, 8000))
+    signals[1, :800] = 0.0
+    np.savez(tmp_path / "quiet.npz", signals=signals)
+    assert read_recording(tmp_path / "quiet.npz", ("left", "right")).seconds == 8.0

@@ -1,0 +1,108 @@
+"""Whether a localizer and a library are of one array: the same microphones, points and design."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from geometry.refusal import Refusal
+
+_NOT_OF_THE_ARRAY = ("name", "description", "air", "printing")
+"""Fields that may differ: what an array is called, where it is, and how its parts are printed."""
+
+
+class Array(Protocol):
+    """What both say of themselves."""
+
+    @property
+    def microphones(self) -> Sequence[str]:
+        """Names of the microphones, in the order of the signals."""
+
+    @property
+    def line(self) -> NDArray[np.int64]:
+        """Line of each point; (n_point,) int64."""
+
+    @property
+    def place(self) -> NDArray[np.int64]:
+        """Place of each point along its line; (n_point,) int64."""
+
+    @property
+    def provenance(self) -> Mapping[str, Any]:
+        """What it was made from, with the ``design`` as a text where there is one."""
+
+
+def check_same_array(localizer: Array, library: Array, source: object) -> None:
+    """Refuse a library whose microphones or points are not those of a localizer.
+
+    Args:
+        localizer: what names points.
+        library: transfer functions of an array.
+        source: the library's file, put before the message.
+
+    Raises:
+        Refusal: other microphones, or points that lie or are numbered otherwise.
+    """
+    own, other = (", ".join(each.microphones) for each in (localizer, library))
+    if own != other:
+        raise Refusal(f"{source}: is of another array than the localizer: its microphones are {other}, must be {own}")
+    if len(localizer.line) != len(library.line):
+        raise Refusal(
+            f"{source}: is of another array than the localizer: it has {len(library.line)} points, must have "
+            f"{len(localizer.line)}"
+        )
+    different = (np.asarray(localizer.line) != library.line) | (np.asarray(localizer.place) != library.place)
+    if different.any():
+        point = int(np.flatnonzero(different)[0])
+        here, there = (f"place {each.place[point]} of line {each.line[point]}" for each in (library, localizer))
+        raise Refusal(
+            f"{source}: is of another array than the localizer, or its points are numbered otherwise: point "
+            f"{point + 1} is {here}, must be {there}"
+        )
+
+
+def check_same_design(localizer: Array, library: Array, source: object) -> None:
+    """Refuse a library of another design than a localizer's, as far as both say of which they are.
+
+    Args:
+        localizer: as of :func:`check_same_array`.
+        library: the same.
+        source: the same.
+
+    Raises:
+        Refusal: as :func:`check_same_array`, or a field of the designs differs.
+    """
+    check_same_array(localizer, library, source)
+    difference = design_difference(localizer, library)
+    if difference:
+        raise Refusal(f"{source}: is of another design than the localizer: {difference}")
+
+
+def design_difference(localizer: Array, library: Array) -> str | None:
+    """First field in which the designs of a localizer and a library differ, in words; None where none is known."""
+    from geometry.design.design_file import read_design
+
+    texts = [each.provenance.get("design") for each in (localizer, library)]
+    if not all(isinstance(text, str) for text in texts):
+        return None
+    try:
+        own, other = (read_design(str(text)).completed().model_dump(mode="json") for text in texts)
+    except Refusal:  # of another version of the program
+        return None
+    for name, mine, theirs in _differences(own, other):
+        if name.split(".")[0] not in _NOT_OF_THE_ARRAY:
+            return f"{name} = {theirs}, must be {mine}"
+    return None
+
+
+def _differences(own: Any, other: Any, name: str = "") -> Iterator[tuple[str, Any, Any]]:
+    if isinstance(own, dict) and isinstance(other, dict):
+        for key in dict.fromkeys((*own, *other)):
+            yield from _differences(own.get(key), other.get(key), f"{name}.{key}".lstrip("."))
+    elif isinstance(own, list) and isinstance(other, list) and len(own) == len(other):
+        for index, (mine, theirs) in enumerate(zip(own, other, strict=True)):
+            yield from _differences(mine, theirs, f"{name}.{index}")
+    elif own != other:
+        yield name, own, other
