@@ -66,8 +66,8 @@ def read_recording(
 
     Raises:
         RecordingError: the file cannot be read or is cut short; a wrong number of channels, or others; a channel that
-            is silent, clipped or not finite, or begins later or ends earlier than another; less than one frame; a sample
-            rate outside 250 Hz to 1 MHz.
+            is silent, clipped or not finite, or begins later or ends earlier than another; less than one frame; a
+            sample rate outside 250 Hz to 1 MHz.
         Refusal: a full scale that is not finite and positive.
     """
     path = Path(path)
