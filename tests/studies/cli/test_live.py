@@ -217,7 +217,7 @@ def test_lines_into_a_program_that_ends_are_no_error(folder):
         (("--replay", "nowhere.wav"), "nowhere.wav: no such file"),
         (("--replay", "{folder}/play.wav", "--channels", "left=1,right=3"), "has 2 channels; channel 3 of microphone"),
         (("--replay", "{folder}/play.wav", "--channels", "left=1"), "--channels = left=1 must give left, right a num"),
-        (("--replay", "{folder}/play.wav", "--full-scale", "0"), "--full-scale = 0.0 Pa must be finite and above 0"),
+        (("--replay", "{folder}/play.wav", "--full-scale", "0"), "--full-scale = 0.0 Pa must be between 1e-12 and 1e+12"),
         (("--replay", "{folder}/model.onnx"), "cut short or not a WAV file"),
         (
             ("--replay", "{folder}/play.wav", "--record", "{folder}/play.wav"),
