@@ -264,6 +264,9 @@ def _read_csv(path: Path) -> xr.Dataset:
     )
     # what does not depend on the microphone stands in the rows of each
     dimensions = real_variables()
+    for k, name in enumerate(names, 1):
+        if "microphone" not in dimensions[name] and not np.array_equal(columns[:, :-1, :, k], columns[:, 1:, :, k]):
+            raise Refusal(f"{name} is not the same in the rows of all microphones")
     variables = {
         name: columns[..., k] if "microphone" in dimensions[name] else columns[:, 0, :, k]
         for k, name in enumerate(names, 1)

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from itertools import combinations
 from pathlib import Path
 
 import numpy as np
@@ -65,9 +66,9 @@ def read_recording(
             clip. Flat tops below it are clipping too, see :mod:`acoustic_fem.sound.clipping`.
 
     Raises:
-        RecordingError: the file cannot be read or is cut short; a wrong number of channels, or others; a channel that
-            is silent, clipped or not finite, or begins later or ends earlier than another; less than one frame; a
-            sample rate outside 250 Hz to 1 MHz.
+        RecordingError: the file cannot be read or is cut short; a wrong number of channels, or others; two that are
+            one; a channel that is silent, clipped or not finite, or begins later or ends earlier than another; less
+            than one frame; a sample rate outside 250 Hz to 1 MHz.
         Refusal: a full scale that is not finite and positive.
     """
     path = Path(path)
@@ -82,6 +83,7 @@ def read_recording(
         scale = full_scale or 1.0
         limit = None if sound.full_scale is None else sound.full_scale * scale
     _check_rate(path, rate)
+    _check_apart(path, sound.channels, names, microphones)
     signals = []
     for microphone, name in zip(microphones, names, strict=True):
         # One after the other: at the rate of a sound card all of them are ten times as large as the file.
@@ -130,6 +132,15 @@ def _check_rate(path: Path, rate: float) -> None:
         raise RecordingError(
             f"{path}: sample rate = {rate:g} Hz must be between {LOWEST_RATE:g} and {HIGHEST_RATE:g} Hz"
         )
+
+
+def _check_apart(
+    path: Path, channels: Mapping[str, NDArray[np.float64]], names: Sequence[str], microphones: Sequence[str]
+) -> None:
+    """Refuse one channel that stands for two microphones: each has noise of its own."""
+    for (first, one), (second, other) in combinations(zip(names, microphones, strict=True), 2):
+        if np.array_equal(channels[first], channels[second]):
+            raise RecordingError(f"{path}: channels {one} and {other} are the same signal, sample by sample")
 
 
 def _check(path: Path, channel: NDArray[np.float64], rate: float, name: str, limit: float | None) -> None:

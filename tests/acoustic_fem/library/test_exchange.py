@@ -89,6 +89,16 @@ def test_sofar_verifies_the_file_and_finds_points_as_emitters_and_microphones_as
     assert 0.01 < np.linalg.norm(step[0]) < 0.05
 
 
+def test_a_table_whose_repeated_columns_disagree_is_refused(library: Library, tmp_path: Path) -> None:
+    path = tmp_path / "a.csv"
+    export(library, path)
+    lines = path.read_text(encoding="utf-8").splitlines()
+    lines[-1] = lines[-1].rpartition(",")[0] + ",1.5"  # of the last microphone, whose rows repeat those of the first
+    path.write_text("\n".join(lines) + "\n", encoding="utf-8")
+    with pytest.raises(LibraryError, match=r"a\.csv: .*point_impedance_imag is not the same in the rows"):
+        load_exchanged(path)
+
+
 def test_the_rows_of_a_table_are_readable_by_others(library: Library, tmp_path: Path) -> None:
     path = tmp_path / "library.csv"
     export(library, path)

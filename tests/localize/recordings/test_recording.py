@@ -191,6 +191,13 @@ def test_a_full_scale_out_of_range_is_refused(tmp_path, full_scale):
         read_recording(tmp_path / "a.wav", NAMES, full_scale)
 
 
+def test_one_channel_for_two_microphones_is_refused(tmp_path):
+    one = tones(1000)[0]
+    np.savez(tmp_path / "a.npz", signals=np.stack([one, one]))
+    with pytest.raises(RecordingError, match=r"a\.npz: channels left and right are the same signal"):
+        read_recording(tmp_path / "a.npz", NAMES[:2])
+
+
 def test_a_given_full_scale_is_where_other_formats_clip(tmp_path):
     np.savez(tmp_path / "a.npz", signals=tones(1000))
     with pytest.raises(RecordingError, match="channel right is clipped"):
