@@ -149,7 +149,8 @@ def read_wav(path: Path) -> Sound:
         rate, samples = scipy.io.wavfile.read(path)
     if len(samples) > MOST_NUMBERS:
         raise SoundFileError(f"{path}: has {len(samples)} samples per channel, must have at most {MOST_NUMBERS}")
-    samples = samples.reshape(len(samples), -1)
+    if samples.ndim == 1:
+        samples = samples[:, None]
     full_scale = None
     if samples.dtype == np.uint8:
         full_scale = 127 / 128

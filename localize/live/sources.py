@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 from acoustic_fem.sound.sound_file import read_wav
 from geometry.files.ordinary import MOST_NUMBERS
 from geometry.refusal import Refusal
-from localize.recordings.recording import HIGHEST_RATE, LOWEST_RATE
+from localize.recordings.recording import HIGHEST_RATE, LOWEST_RATE, check_length
 
 Array = NDArray[np.float64]
 
@@ -156,7 +156,8 @@ class ReplaySource:
 
     Raises:
         SoundFileError: the file cannot be read.
-        SourceError: a channel that is not there, no samples or above 2^26, or a rate outside 250 Hz to 1 MHz.
+        SourceError: a channel that is not there, less than one frame, above 2^26 samples, or a rate outside 250 Hz to
+            1 MHz.
     """
 
     def __init__(
@@ -174,10 +175,11 @@ class ReplaySource:
                 f"{self._path}: sample rate = {sound.rate:g} Hz must be between {LOWEST_RATE:g} and {HIGHEST_RATE:g} Hz"
             )
         count = sound.length
-        if not 0 < count * len(picked) <= MOST_NUMBERS:
+        check_length(self._path, count, sound.rate, SourceError)
+        if count * len(picked) > MOST_NUMBERS:
             raise SourceError(
                 f"{self._path}: has {count} samples of {len(picked)} microphones; "
-                f"what is played must have 1 to {MOST_NUMBERS} in all"
+                f"what is played must have at most {MOST_NUMBERS} in all"
             )
         self._samples = np.stack([full_scale * sound.channels[str(k + 1)] for k in picked])
         self.rate = sound.rate

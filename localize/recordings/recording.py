@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 from pathlib import Path
@@ -143,13 +143,28 @@ def _check_apart(
             raise RecordingError(f"{path}: channels {one} and {other} are the same signal, sample by sample")
 
 
-def _check(path: Path, channel: NDArray[np.float64], rate: float, name: str, limit: float | None) -> None:
+def check_length(path: Path, samples: int, rate: float, refusal: Callable[[str], Refusal]) -> None:
+    """Refuse a file of less than one frame.
+
+    Args:
+        path: of the file.
+        samples: number of samples of every channel.
+        rate: of the samples, Hz.
+        refusal: makes the error of a message.
+
+    Raises:
+        Refusal: by ``refusal``.
+    """
     least = math.ceil(FRAME * rate / SAMPLE_RATE)
-    if len(channel) < least:
-        raise RecordingError(
-            f"{path}: has {counted(len(channel), 'sample')}, must have at least {least} "
+    if samples < least:
+        raise refusal(
+            f"{path}: has {counted(samples, 'sample')}, must have at least {least} "
             f"({FRAME / SAMPLE_RATE:g} s at {rate:g} Hz)"
         )
+
+
+def _check(path: Path, channel: NDArray[np.float64], rate: float, name: str, limit: float | None) -> None:
+    check_length(path, len(channel), rate, RecordingError)
     bad = np.flatnonzero(~np.isfinite(channel))
     if len(bad):
         raise RecordingError(f"{path}: channel {name} is not finite at {bad[0] / rate:.3f} s")

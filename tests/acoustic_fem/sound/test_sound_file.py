@@ -50,6 +50,13 @@ def test_a_wav_file_that_states_what_it_does_not_hold_is_refused(fault: str, tmp
     assert str(refused.value).startswith(f"{path}: ")
 
 
+@pytest.mark.parametrize("channels", [1, 2])
+def test_a_wav_file_without_samples_has_channels_of_none(channels: int, tmp_path: Path) -> None:
+    write_wav(tmp_path / "given.wav", SAMPLES[:channels, :0], 1000)
+    found = read_wav(tmp_path / "given.wav")
+    assert (len(found.channels), found.length) == (channels, 0)
+
+
 def test_a_wav_file_of_chunks_without_end_is_refused_at_once(tmp_path: Path) -> None:
     path = tmp_path / "given.wav"
     with path.open("wb") as file:

@@ -37,6 +37,7 @@ def folder(tmp_path_factory):
     at = np.arange(3 * RATE) / RATE * 1000
     played = np.stack([np.interp(at, np.arange(3000), row) for row in signals[::-1]]) / 4
     write_wav(path / "play.wav", played, RATE)
+    write_wav(path / "short.wav", played[:, :0], 1000)
     write_wav(path / "long.wav", np.tile(played, 200), RATE)  # ten minutes: it does not end before it is stopped
     # For processes that wait for their turn: no samples are dropped, and a silence is no loss.
     (path / "sitecustomize.py").write_text(
@@ -217,7 +218,11 @@ def test_lines_into_a_program_that_ends_are_no_error(folder):
         (("--replay", "nowhere.wav"), "nowhere.wav: no such file"),
         (("--replay", "{folder}/play.wav", "--channels", "left=1,right=3"), "has 2 channels; channel 3 of microphone"),
         (("--replay", "{folder}/play.wav", "--channels", "left=1"), "--channels = left=1 must give left, right a num"),
-        (("--replay", "{folder}/play.wav", "--full-scale", "0"), "--full-scale = 0.0 Pa must be between 1e-12 and 1e+12"),
+        (
+            ("--replay", "{folder}/play.wav", "--full-scale", "0"),
+            "--full-scale = 0.0 Pa must be between 1e-12 and 1e+12",
+        ),
+        (("--replay", "{folder}/short.wav"), "short.wav: has 0 samples, must have at least 250 (0.25 s at 1000 Hz)"),
         (("--replay", "{folder}/model.onnx"), "cut short or not a WAV file"),
         (
             ("--replay", "{folder}/play.wav", "--record", "{folder}/play.wav"),
