@@ -83,13 +83,13 @@ def read_recording(
         scale = full_scale or 1.0
         limit = None if sound.full_scale is None else sound.full_scale * scale
     _check_rate(path, rate)
-    _check_apart(path, sound.channels, names, microphones)
     signals = []
     for microphone, name in zip(microphones, names, strict=True):
         # One after the other: at the rate of a sound card all of them are ten times as large as the file.
         channel = sound.channels[name] * scale
         _check(path, channel, rate, microphone, limit)
         signals.append(at_one_kilohertz(channel[None], rate)[0])
+    _check_apart(path, sound.channels, names, microphones)
     together = np.stack(signals)
     _check_together(path, together, microphones)
     return Recording(together, rate)
