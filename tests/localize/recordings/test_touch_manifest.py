@@ -147,7 +147,7 @@ FOUR = "".join(entry(f"{k}.wav", k) for k in range(1, 5))
         (entry() + entry("b.wav", 0), "recordings.1.point = 0 must be a whole number at least 1"),
         (FOUR + entry("5.wav", 5), "recordings.4.point = 5 must be from 1 to 4, the points of the array"),
         ("full_scale = 0.0\n" + FOUR, "full_scale = 0 must be between 1e-12 and 1e+12"),
-        ("volume = 1\n" + FOUR, "volume = 1 is not a field of a manifest; known: recordings, full_scale"),
+        ("volume = 1\n" + FOUR, "volume = 1 is not a field of a manifest; known: full_scale, recordings"),
         (FOUR + entry("nowhere.wav"), "nowhere.wav: no such file"),
         (FOUR + entry("1.wav", 2), "touches.toml: 1.wav is the same recording as 1.wav"),
         (FOUR + entry("copy.wav", 1), "touches.toml: copy.wav is the same recording as 1.wav"),
