@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+import textwrap
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -16,6 +18,8 @@ if TYPE_CHECKING:
     from studies.run.check import DesignCheck
     from studies.run.part_folder import MadeParts
 
+#: Blanks of a table: at both its edges, and between columns.
+_EDGES, _GAP = 2, 3
 #: Misfits of parts that are printed.
 _MISFITS = 10
 
@@ -27,7 +31,7 @@ def table_of(*columns: str, numbers: tuple[int, ...] = ()) -> Table:
 
     table = Table(box=box.SIMPLE_HEAD, pad_edge=False)
     for index, column in enumerate(columns):
-        table.add_column(column, justify="right" if index in numbers else "left", no_wrap=index == 0)
+        table.add_column(column, justify="right" if index in numbers else "left", no_wrap=True)
     return table
 
 
@@ -37,12 +41,58 @@ def tell(text: str) -> None:
 
 
 def show(table: Table) -> None:
-    """Print a table on stdout."""
+    """Print a table on stdout: no word is cut, and columns that do not fit follow in blocks beneath."""
     from rich.console import Console
 
     # Into a file or a pipe, lines are not broken to the width of a terminal that is not there.
-    console = Console(markup=False, highlight=False)
-    Console(width=None if console.is_terminal else 160, markup=False, highlight=False).print(table)
+    known = Console().is_terminal or "COLUMNS" in os.environ
+    console = Console(width=None if known else 160, markup=False, highlight=False)
+    first, *rest = range(len(table.columns))
+    while rest:
+        count = len(rest)
+        while count > 1 and _widths(table, [first, *rest[:count]], console.width) is None:
+            count -= 1
+        console.print(_part(table, [first, *rest[:count]], console.width))
+        rest = rest[count:]
+
+
+def _widths(table: Table, chosen: list[int], most: int) -> list[int] | None:
+    """Widths of some columns of a table, the widest narrowed first; None where their longest words are too wide."""
+    texts = [[str(table.columns[k].header), *map(str, table.columns[k].cells)] for k in chosen]
+    widths = [max(len(line) for text in column for line in (text.splitlines() or [""])) for column in texts]
+    words = [max(len(word) for text in column for word in (text.split() or [""])) for column in texts]
+    room = most - _EDGES - _GAP * (len(chosen) - 1)
+    while sum(widths) > room:
+        wide = [k for k in range(len(chosen)) if widths[k] > words[k]]
+        if not wide:
+            return None
+        widths[max(wide, key=lambda k: widths[k])] -= 1
+    return widths
+
+
+def _part(table: Table, chosen: list[int], most: int) -> Table:
+    """A table of some columns of another, for a console so wide; lines go on as far in as they begin."""
+    columns = [table.columns[k] for k in chosen]
+    widths = _widths(table, chosen, most) or [most] * len(chosen)
+    numbers = tuple(place for place, column in enumerate(columns) if column.justify == "right")
+    part = table_of(*(str(column.header) for column in columns), numbers=numbers)
+    for cells in zip(*(column.cells for column in columns), strict=True):
+        part.add_row(*(_wrapped(str(cell), width) for cell, width in zip(cells, widths, strict=True)))
+    for column, width in zip(part.columns, widths, strict=True):
+        column.header = _wrapped(str(column.header), width)
+    return part
+
+
+def _wrapped(text: str, width: int) -> str:
+    """A text in lines of at most so many characters, words whole."""
+    return "\n".join(
+        wrapped
+        for line in text.splitlines()
+        for wrapped in textwrap.wrap(
+            line, width, subsequent_indent=line[: len(line) - len(line.lstrip())], break_long_words=False,
+            break_on_hyphens=False,
+        )
+    )  # fmt: skip
 
 
 def show_fields() -> None:
@@ -50,11 +100,12 @@ def show_fields() -> None:
     from geometry.design.array_design import ArrayDesign
     from geometry.stated.fields import fields_of
 
-    table = table_of("field", "range", "default", "description")
+    table = table_of("field", "range", "default")
     for field in fields_of(ArrayDesign):
         default = "required" if field.required else "" if field.default in (None, "", {}) else str(field.default)
         allowed = field.allowed or field.kind
-        table.add_row(field.name, allowed, default if field.kind != "a table" else "", field.description)
+        name = f"{field.name}\n  {field.description}"
+        table.add_row(name, allowed, default if field.kind != "a table" else "")
     show(table)
 
 
@@ -91,14 +142,13 @@ def show_check(found: DesignCheck) -> None:
     for frequency, level, point in found.attenuation:
         table.add_row(f"{frequency:g} Hz", f"{level:.1f}", f"point {point} at its second-loudest microphone")
     show(table)
-    table = table_of("the models assume", "value", "limit", "", "meaning", numbers=(1,))
+    table = table_of("the models assume", "value", "limit", "", numbers=(1,))
     for item in found.validity:
         table.add_row(
-            item.assumption,
+            f"{item.assumption}\n  {item.meaning}",
             f"{number(item.value)} {item.unit}",
             f"{item.relation} {item.limit:g} {item.unit}",
             "ok" if item.holds else "warn",
-            item.meaning,
         )
     show(table)
     show_findings(found.printing)
