@@ -32,6 +32,8 @@ if TYPE_CHECKING:
 #: Called with what is being done and the fraction of it that is done.
 Progress: TypeAlias = Callable[[str, float], None]
 
+#: Most elements, as estimated, of the mesh of the flow that should do: its solution takes gigabytes.
+MOST_FLOW_ELEMENTS = 1e5
 _ACCURACY_RANGE = (2e-4, 3e-3)
 _USUAL_FLOW_SCALE, _USUAL_HEAT_SCALE = 1.0, 0.7
 """Scales (see :func:`mesh_sizes`) that give an accuracy of 1e-3 in most bodies."""
@@ -48,11 +50,14 @@ class MarkedSolid:
     faces: BodyFaces
     """Which of the names are tube ports, moving walls and the mirror."""
 
-    def mesh(self, sizes: MeshSizes) -> SolidMesh:
-        """The body meshed."""
+    is_foreign: bool = False
+    """Whether it was drawn by others, so that nobody knows what gmsh makes of it."""
+
+    def mesh(self, sizes: MeshSizes, beat: Callable[[], None]) -> SolidMesh:
+        """The body meshed; of a foreign one ``beat`` is called while gmsh is at work."""
         from geometry.air.mesh import mesh_solid
 
-        return mesh_solid(self.shape, self.points, tuple(self.faces.tubes), sizes)
+        return mesh_solid(self.shape, self.points, tuple(self.faces.tubes), sizes, beat if self.is_foreign else None)
 
 
 @dataclass(frozen=True)
@@ -163,6 +168,7 @@ def solve_solid(
     """
     from acoustic_fem.cell.condensed import AirModel, BodyFaces
     from geometry.air.mirror_symmetry import mirror_half
+    from geometry.air.soundness import sound_solid
     from geometry.air.volume import MIRROR
 
     accuracy = in_range("accuracy", accuracy, *_ACCURACY_RANGE)
@@ -170,16 +176,16 @@ def solve_solid(
     ports = port_points(ports)
     if not isinstance(medium, Medium):
         raise Refusal(f"medium must be a Medium, not a {type(medium).__name__}")
-    shape = as_shape(solid)
+    shape = sound_solid(as_shape(solid))
     box = shape.BoundingBox()
-    solids = shape.Solids()
-    half = mirror_half(solids[0], ports) if len(solids) == 1 and MIRROR not in ports else None
+    half = mirror_half(shape, ports) if MIRROR not in ports else None
     faces = dict(ports) if half is None else {**half.ports, MIRROR: half.mirror}
     return converge(
         MarkedSolid(
             shape if half is None else half.solid,
             faces,
             BodyFaces(tuple(ports), mirror=None if half is None else MIRROR),
+            is_foreign=True,
         ),
         AirModel(medium, band, physics),
         MeshGoal(accuracy, min(box.xlen, box.ylen, box.zlen)),
@@ -201,7 +207,15 @@ def converge(
     Raises:
         ConvergenceError: three refinements do not reach the accuracy.
     """
+    from geometry.air.mesh import MOST_ELEMENTS, refuse_large_mesh
+
     started = time.perf_counter()
+    highest = float(goal.frequencies(air.band)[-1])
+    for usual, number, most in ((_USUAL_FLOW_SCALE, 0, MOST_FLOW_ELEMENTS), (_USUAL_HEAT_SCALE, 1, MOST_ELEMENTS)):
+        # Coarser meshes come first: what the one that may do costs is known before any of them.
+        sizes = mesh_sizes(goal.first_scale(usual), goal.width, air.medium, highest)[number]
+        for each in solid.shape.Solids():
+            refuse_large_mesh(each, sizes, most)
     heat, heat_error, heat_meshes = _converged_heat(solid, air, goal, lambda done: report(0.2 * done))
     flow, flow_error, flow_meshes = _converged_flow(solid, heat, air, goal, lambda done: report(0.2 + 0.8 * done))
     return SolvedBody(flow, max(heat_error, flow_error), (*heat_meshes, *flow_meshes), time.perf_counter() - started)
@@ -216,7 +230,8 @@ def _converged_heat(
     medium, checked = air.medium, goal.frequencies(air.band)
 
     def heat_on(scale: float, advance: Callable[[float], None]) -> tuple[DiffusionField, int]:
-        mesh = solid.mesh(mesh_sizes(scale, goal.width, medium, float(checked[-1]))[1])
+        sizes = mesh_sizes(scale, goal.width, medium, float(checked[-1]))[1]
+        mesh = solid.mesh(sizes, lambda: advance(0.0))
         return diffusion_field(mesh, solid.faces.open, medium.thermal_diffusivity, air.band), len(mesh.tetrahedra)
 
     def compliance_change(fine: DiffusionField, coarse: DiffusionField) -> float:
@@ -238,7 +253,8 @@ def _converged_flow(
     checked = goal.frequencies(air.band)
 
     def flow_on(scale: float, advance: Callable[[float], None]) -> tuple[CondensedBody, int]:
-        mesh = solid.mesh(mesh_sizes(scale, goal.width, air.medium, float(checked[-1]))[0])
+        sizes = mesh_sizes(scale, goal.width, air.medium, float(checked[-1]))[0]
+        mesh = solid.mesh(sizes, lambda: advance(0.0))
         body = condense(mesh, heat, solid.faces, air, tolerance=1e-2 * goal.accuracy, report=advance)
         return body, len(mesh.tetrahedra)
 

@@ -5,15 +5,18 @@ from __future__ import annotations
 import math
 import tempfile
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
+from geometry.air.apart import apart
 from geometry.air.curved_tetrahedra import SOLVER_RULE, VOLUME_RULE, curved_volume, jacobians, split_wall_corners
+from geometry.air.soundness import estimated_elements
 from geometry.refusal import Refusal, counted
 
 if TYPE_CHECKING:
@@ -21,6 +24,8 @@ if TYPE_CHECKING:
 
 Point: TypeAlias = tuple[float, float, float]
 
+#: Most elements of a mesh, as estimated: of more gmsh makes none in minutes.
+MOST_ELEMENTS = 1e6
 #: Name under which a mesh lists every face that nobody named.
 WALL = "wall"
 
@@ -92,7 +97,11 @@ class SolidMesh:
 
 
 def mesh_solid(
-    solid: cadquery.Shape, faces: Mapping[str, Point], tubes: tuple[str, ...], sizes: MeshSizes
+    solid: cadquery.Shape,
+    faces: Mapping[str, Point],
+    tubes: tuple[str, ...],
+    sizes: MeshSizes,
+    beat: Callable[[], None] | None = None,
 ) -> SolidMesh:
     """Mesh a CAD solid with curved second-order tetrahedra.
 
@@ -102,24 +111,42 @@ def mesh_solid(
         tubes: which of them end a tube, and so ask for a fine mesh.
         sizes: element sizes.
 
+        beat: called again and again while gmsh is at work, which is then a process of its own; None: it works in this.
+
     Raises:
-        MeshError: not one solid; a point on no flat face or on several; inverted elements; a mesh whose
-            volume differs from the solid's by more than 1 %.
+        MeshError: not one solid; a point on no flat face or on several; more elements than :data:`MOST_ELEMENTS`;
+            inverted elements; a mesh whose volume differs from the solid's by more than 1 %.
     """
     solids = solid.Solids()
     if len(solids) != 1:
         raise MeshError(f"the shape has {counted(len(solids), 'solid')}, it must be one")
+    refuse_large_mesh(solids[0], sizes)
     named = {name: face_at(solids[0], name, point) for name, point in faces.items()}
     counts = Counter(face.hashCode() for face in named.values())
     shared = sorted(name for name, face in named.items() if counts[face.hashCode()] > 1)
     if shared:
         raise MeshError(f"the names {shared} lie on the same face")
-    nodes, tetrahedra, triangles = _run_gmsh(solids[0], named, tubes, sizes)
+    work = partial(_run_gmsh, solids[0], named, tubes, sizes)
+    nodes, tetrahedra, triangles = work() if beat is None else apart(work, "gmsh", beat)
     normals = {}
     for name, face in named.items():
         normal = face.normalAt()
         normals[name] = np.array([normal.x, normal.y, normal.z])
     return checked_mesh(nodes, tetrahedra, triangles, normals, float(solids[0].Volume()))
+
+
+def refuse_large_mesh(solid: cadquery.Solid, sizes: MeshSizes, most: float = MOST_ELEMENTS) -> None:
+    """Refuse a mesh that would be too large, before gmsh begins.
+
+    Raises:
+        MeshError: it would have more elements than ``most``.
+    """
+    count = estimated_elements(solid, sizes.largest, sizes.tube, sizes.growth, sizes.wall)
+    if not count <= most:
+        raise MeshError(
+            f"the solid needs a mesh of about {count:.2g} elements; it must be at most {most:.2g}: leave out "
+            "small holes and roundings, shorten long thin pieces, or ask for less accuracy"
+        )
 
 
 def checked_mesh(
@@ -204,7 +231,7 @@ def _run_gmsh(
         gmsh.model.mesh.generate(3)
         return _read_mesh(surfaces)
     except Exception as error:
-        if isinstance(error, MeshError):
+        if type(error) is not Exception:  # gmsh raises nothing else
             raise
         raise MeshError(f"gmsh could not mesh the solid: {error}") from error
     finally:

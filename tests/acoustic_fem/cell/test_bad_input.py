@@ -5,6 +5,8 @@ import io
 import cadquery as cq
 import numpy as np
 import pytest
+from OCP.BRepPrimAPI import BRepPrimAPI_MakeHalfSpace
+from OCP.gp import gp_Pnt
 from reference_data import AIR
 
 import acoustic_fem
@@ -103,6 +105,18 @@ def test_just_above_frequency_zero_a_duct_is_poiseuille_flow_and_a_sealed_array_
     np.testing.assert_allclose(one, 1, atol=3e-3)
 
 
+def comb(teeth):
+    """A body with four faces for each tooth."""
+    outline = [(x, y) for k in range(teeth) for x, y in ((k, 0), (k, 1), (k + 0.5, 1), (k + 0.5, 0))]
+    return cq.Workplane().polyline([*outline, (teeth, 0), (teeth, -1), (0, -1)]).close().extrude(1).val()
+
+
+def half_space():
+    """A solid that has no end."""
+    plane = cq.Face.makePlane(1, 1).wrapped
+    return cq.Solid(BRepPrimAPI_MakeHalfSpace(plane, gp_Pnt(0, 0, 1)).Solid())
+
+
 # -- ports and solids -------------------------------------------------------------------------------------
 BODIES = {
     "no port": ({"ports": {}}, "ports must name at least one port"),
@@ -132,6 +146,26 @@ BODIES = {
         {"solid": cq.Compound.makeCompound([BOX, BOX.moved(x=5)])},
         "the shape has 2 solids, it must be one",
     ),
+    "a mile": ({"solid": cq.Solid.makeBox(1e6, 1e6, 1e6)}, "the solid is 1e+06 mm long; it must be at most 1000 mm"),
+    "a sliver": ({"solid": cq.Solid.makeBox(9, 9, 1e-5)}, "mm across; it must be at least 0.01 mm"),
+    "a needle": (
+        {"solid": cq.Solid.makeBox(900, 0.02, 0.02), "ports": {"a": (0, 0.01, 0.01)}},
+        "elements; it must be at most 1e+05: leave out small holes",
+    ),
+    "a tiny hole": (
+        {"solid": cq.Solid.makeBox(9, 9, 9).cut(cq.Solid.makeCylinder(2e-3, 9, cq.Vector(5, 5, 0)))},
+        "elements; it must be at most 1e+05: leave out small holes",
+    ),
+    "a pinprick": (
+        {"solid": cq.Solid.makeBox(9, 9, 9).cut(cq.Solid.makeCylinder(1e-4, 9, cq.Vector(5, 5, 0)))},
+        "has an edge 0.000628 mm long; it must be at least 0.001 mm",
+    ),
+    "a step": ({"solid": BOX.fuse(cq.Solid.makeBox(1, 1, 5e-4, cq.Vector(1, 0, 0)))}, "has an edge 0.0005 mm long"),
+    "a comb": ({"solid": comb(170)}, "the solid has 684 faces; it must have at most 500"),
+    "nothing in it": ({"solid": cq.Compound.makeCompound([])}, "the shape has 0 solids, it must be one"),
+    "no end": ({"solid": half_space()}, "the solid has no end: its faces do not close"),
+    "not a number": ({"solid": BOX.moved(x=np.nan)}, "the solid is nan mm long"),
+    "inside out": ({"solid": cq.Shape.cast(BOX.wrapped.Reversed())}, "has a volume of -1 mm^3; it must be above 0"),
     "accuracy": ({"accuracy": np.nan}, "accuracy = nan must be between 0.0002 and 0.003"),
     "accuracy in words": ({"accuracy": "fine"}, "accuracy must be a real number or an array of them; it is text"),
     "fidelity": ({"fidelity": "lumped"}, "fidelity = 'lumped' must be one of navier-stokes, helmholtz"),

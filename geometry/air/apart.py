@@ -1,0 +1,85 @@
+"""Work of a foreign library in a process of its own: Ctrl-C, a crash or too much memory ends that, not the program."""
+
+from __future__ import annotations
+
+import os
+import resource
+import signal
+from collections.abc import Callable
+from multiprocessing import Pipe
+from multiprocessing.connection import Connection
+from typing import NoReturn, TypeVar
+
+from geometry.refusal import Refusal
+
+Result = TypeVar("Result")
+
+#: Processor time (s) and memory beyond that of the program (bytes) that the work may take.
+MOST_SECONDS, MOST_MEMORY = 60, 3 * 2**30
+#: How often is said that the work goes on, s.
+_BEAT = 0.2
+
+
+def apart(work: Callable[[], Result], what: str, beat: Callable[[], None] = lambda: None) -> Result:
+    """What some work returns or raises, done in a copy of this process.
+
+    Args:
+        work: what it returns, or the error that it raises, is sent back.
+        what: to name it by, such as "gmsh".
+        beat: called again and again while the work goes on.
+
+    Raises:
+        Refusal: the copy ended without an answer.
+    """
+    receiver, sender = Pipe(duplex=False)
+    child = os.fork()
+    if child == 0:
+        _answer(work, sender)
+    sender.close()
+    try:
+        while not receiver.poll(_BEAT):
+            beat()
+        done, answer = receiver.recv()
+    except EOFError:
+        raise Refusal(
+            f"{what} gave up on this solid: it may take {MOST_SECONDS} s of processor time and "
+            f"{MOST_MEMORY / 2**30:g} GiB; leave out small holes and roundings, or ask for less accuracy"
+        ) from None
+    finally:
+        os.kill(child, signal.SIGKILL)
+        os.waitpid(child, 0)
+        receiver.close()
+    if done:
+        return answer
+    raise answer
+
+
+def _answer(work: Callable[[], object], sender: Connection) -> NoReturn:
+    """Work, send what came of it, and end at once: what the program does when it ends is not this process's task."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the program decides
+    try:
+        _limit(resource.RLIMIT_CPU, MOST_SECONDS)
+        _limit(resource.RLIMIT_DATA, _memory() + MOST_MEMORY)
+        try:
+            answer: tuple[bool, object] = (True, work())
+        except BaseException as error:
+            answer = (False, error)
+        sender.send(answer)
+    finally:
+        os._exit(0)
+
+
+def _limit(kind: int, most: int) -> None:
+    """Lower a limit of this process; what is lower already stays."""
+    soft, hard = resource.getrlimit(kind)
+    known = [each for each in (soft, hard, most) if each != resource.RLIM_INFINITY]
+    resource.setrlimit(kind, (min(known), hard))
+
+
+def _memory() -> int:
+    """Memory that this process may write, bytes; none where the system does not say."""
+    try:
+        with open("/proc/self/statm", encoding="ascii") as file:
+            return int(file.read().split()[5]) * resource.getpagesize()
+    except OSError:
+        return 0
