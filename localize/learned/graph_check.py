@@ -69,7 +69,7 @@ def check_interface(model: ModelProto, microphones: int, points: int) -> None:
         if tensor.data_type in (TensorProto.FLOAT, TensorProto.DOUBLE):
             try:
                 values = numpy_helper.to_array(tensor)
-            except ValueError as error:
+            except Exception as error:  # whatever a library says of a tensor that it cannot read
                 raise Refusal(f"the values of {tensor.name} are damaged: {error}") from None
             if not np.isfinite(values).all():
                 raise Refusal(f"the values of {tensor.name} are not all finite")

@@ -521,7 +521,7 @@ def places(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
         ("locate <library.nc> <text.wav> --refuse 2", "acoustic-fem: --refuse = 2.0 must be between 0 and 1"),
         (
             "locate <localizer> <text.wav> --library <glove.nc> --ambient 60",
-            "is of another array than the localizer: its microphones are A, B, C, must be A, B",
+            "its microphones are A, B, C, must be A, B",
         ),
         ("onnx <localizer> --out <out.nc> --ambient 60", "--ambient = 60 is for a library"),
         ("locate <text.onnx> <text.wav>", "text.onnx: cut short or not an ONNX file"),
