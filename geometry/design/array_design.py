@@ -34,13 +34,17 @@ class ArrayDesign(StatedArray):
     def with_values(self, values: Mapping[str, Any]) -> ArrayDesign:
         """A copy with fields changed by dotted name, checked again as a whole.
 
+        A microphone tube that nobody stated goes on to be as the tube is, unless one of its own fields is changed.
+
         Args:
             values: for example ``{"tube.inner_diameter": 0.5, "lines.0.points": 6}``.
 
         Raises:
             DesignError: no such field, or the changed design is not valid.
         """
-        return validated(changed(self.model_dump(), values, self.name), self.name)
+        still = self.followers - {name.split(".")[0] for name in values}
+        data = changed(self.model_dump(), values, self.name)
+        return validated({name: value for name, value in data.items() if name not in still}, self.name)
 
     def completed(self) -> ArrayDesign:
         """The same design with the built-in materials it uses written out, so that it stands alone."""

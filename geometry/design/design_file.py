@@ -47,12 +47,13 @@ def read_design(text: str, source: str = "design.toml") -> ArrayDesign:
 
 
 def write_design(design: ArrayDesign) -> str:
-    """Text of a design file: every field with its value, its unit in a comment."""
+    """Text of a design file: every field with its value, its unit in a comment; what follows others is not stated."""
     document = tomlkit.document()
     document.add(tomlkit.comment("Lengths in mm; fields and their ranges: docs/design-file.md"))
     notes = {field.name: field.unit for field in fields_of(ArrayDesign)}
     for key, item in _items(design, "", notes):
-        document.add(key, item)
+        if key not in design.followers:
+            document.add(key, item)
     return tomlkit.dumps(document)
 
 

@@ -138,9 +138,9 @@ def error_from_validation(
         source: file the data come from, put before each line.
         what: what the file describes.
     """
-    details = sorted(
-        error.errors(include_url=False), key=lambda e: (e["type"] == "missing", e["type"] == "value_error")
-    )
+    # What follows from another field cannot follow where that is wrong, which is said.
+    found = [each for each in error.errors(include_url=False) if each["type"] != "default_factory_not_called"]
+    details = sorted(found, key=lambda e: (e["type"] == "missing", e["type"] == "value_error"))
     misspelt = [e["loc"] for e in details if e["type"] == "extra_forbidden"]
     lines = []
     for detail in details:
@@ -283,7 +283,7 @@ def _field(name: str, info: FieldInfo) -> DesignField:
         unit=unit,
         allowed=_allowed(plain, metadata, unit, kind),
         required=required,
-        default=None if required else info.get_default(call_default_factory=True),
+        default=None if required else info.get_default(call_default_factory=True, validated_data={}),
         description=info.description or "",
     )
 
