@@ -9,28 +9,18 @@ from __future__ import annotations
 import ctypes
 import importlib.util
 import os
+import runpy
 import shlex
 import shutil
 import subprocess
 import sys
+from pathlib import Path
 
 OLDEST_PYTHON = (3, 11)
 
-#: Library as the loader knows it: Debian package. Found with ldd on the wheels of gmsh, OpenCascade and VTK.
-LIBRARIES = {
-    "libEGL.so.1": "libegl1",  # loaded by name: without it VTK's off-screen rendering ends in a segmentation fault
-    "libGL.so.1": "libgl1",
-    "libGLU.so.1": "libglu1-mesa",
-    "libX11.so.6": "libx11-6",
-    "libXcursor.so.1": "libxcursor1",
-    "libXext.so.6": "libxext6",
-    "libXfixes.so.3": "libxfixes3",
-    "libXft.so.2": "libxft2",
-    "libXinerama.so.1": "libxinerama1",
-    "libXrender.so.1": "libxrender1",
-    "libfontconfig.so.1": "libfontconfig1",
-    "libgomp.so.1": "libgomp1",
-}
+ROOT = Path(__file__).parents[1]
+#: Library as the loader knows it: Debian package.
+LIBRARIES = runpy.run_path(str(ROOT / "studies" / "output" / "system_libraries.py"))["LIBRARIES"]
 
 
 def main() -> int:

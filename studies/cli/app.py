@@ -95,8 +95,12 @@ def main() -> NoReturn:
         fail("stopped", 130)
     except Refusal as error:
         fail(in_options(str(error)))
-    except OSError as error:
-        if error.filename is None:
+    except (ImportError, OSError) as error:
+        from studies.output.system_libraries import what_is_missing
+
+        if missing := what_is_missing(str(error)):
+            fail(missing)
+        if isinstance(error, ImportError) or error.filename is None:
             raise  # a mistake of the program: its traceback says where
         fail(f"{error.filename}: {error.strerror}")
     sys.exit(0)

@@ -22,6 +22,7 @@ from studies.metrics.pairs import BAND, disagreement, worst_heard
 from studies.metrics.separation import Separability, separability
 from studies.output.display import Display, Report
 from studies.output.folders import claim_folder, replaced_folder
+from studies.output.system_libraries import check_system_libraries
 from studies.run.check import model_validity
 from studies.run.findings import AGREEMENT, write_results
 from studies.run.part_folder import ALL_THE_SAME
@@ -81,6 +82,7 @@ def run_design(
 
     show = display or Display()
     check_points(design)
+    check_system_libraries()
     layout = lay_out(design)
     if not allow_overlaps:
         refuse_unbuildable(design, layout, ALL_THE_SAME)

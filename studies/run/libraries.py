@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from studies.output.display import Display
 from studies.output.folders import check_new_library
 from studies.output.frequencies import FREQUENCIES, stated_frequencies
+from studies.output.system_libraries import check_system_libraries
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -39,6 +40,8 @@ def solve_library(
     """
     path, show = Path(out), display or Display()
     check_new_library(path, (".nc",))
+    if fidelity != "lumped":
+        check_system_libraries()
     import acoustic_fem
     from studies.run.chain import cell_lines
 

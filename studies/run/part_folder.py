@@ -16,6 +16,7 @@ from geometry.refusal import Refusal
 from geometry.stated.print_processes import PrintProcess, find_process, process_of
 from studies.output.display import Display, Report
 from studies.output.folders import FILES, check_folder, replaced_files
+from studies.output.system_libraries import check_system_libraries
 
 if TYPE_CHECKING:
     from geometry.assembly.bill import Bill
@@ -78,6 +79,7 @@ def export_parts(
     from geometry.assembly.fit import misfits
     from geometry.assembly.model import array_model
 
+    check_system_libraries()
     folder = Path(out)
     named = None if process is None or isinstance(process, PrintProcess) else process
     check_folder(folder, "parts", FILES, reads=(named,))

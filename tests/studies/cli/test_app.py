@@ -293,7 +293,7 @@ def test_a_network_is_trained_on_the_stimuli_that_are_named(command: Command, tm
 def test_train_goes_on_where_it_was_stopped(command: Command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     library = small_run().folder / "library.nc"
     whole, stopped = tmp_path / "whole", tmp_path / "stopped"
-    words = ("--seconds", 10, "--epochs", 3, "--seed", 5)
+    words = ("--epochs", 3, "--seed", 5)
     assert command("train", library, "--out", whole, *words).code == 0
     train = localize.train
 
@@ -308,7 +308,7 @@ def test_train_goes_on_where_it_was_stopped(command: Command, tmp_path: Path, mo
         patch.setattr(localize, "train", interrupted, raising=False)
         assert command("train", library, "--out", stopped, *words).code != 0
     assert [path.name for path in stopped.iterdir()] == ["checkpoint.safetensors"]
-    told = command("train", library, "--out", stopped, "--seconds", 10, "--epochs", 4, "--seed", 5)
+    told = command("train", library, "--out", stopped, "--epochs", 4, "--seed", 5)
     assert (told.code, "plan.epochs was 3, is 4; remove it to train anew" in told.err) == (1, True)
     assert command("train", library, "--out", stopped, *words).code == 0
     told = command("train", library, "--out", whole, *words)
