@@ -265,7 +265,7 @@ def _proposed(trial: optuna.Trial, problem: Optimization) -> dict[str, Any]:
                 values[first.name] = trial.suggest_int(label, round(low), round(high))
             else:
                 value = trial.suggest_float(label, low, high, log=first.scale == "log")
-                values[first.name] = _rounded(value, low, high)
+                values[first.name] = _bought(first, value, low) if first.step else _rounded(value, low, high)
         else:
             place = np.array([trial.suggest_float(label, 0.0, 1.0)])
             values |= {parameter.name: _at(parameter, place) for parameter in axis}
@@ -274,7 +274,15 @@ def _proposed(trial: optuna.Trial, problem: Optimization) -> dict[str, Any]:
 
 def _at(parameter: Parameter, place: NDArray[np.float64]) -> float | int:
     value = parameter.at(place)[0]
+    if parameter.step:
+        return float(value)
     return int(value) if parameter.whole else _rounded(float(value), *sorted((parameter.low, parameter.high)))
+
+
+def _bought(parameter: Parameter, value: float, low: float) -> float:
+    """The nearest size that can be had and is not below what can be printed."""
+    size = float(parameter.had(np.array([value]))[0])
+    return size if size >= low else float(parameter.had(np.array([size + parameter.step]))[0])
 
 
 def _rounded(value: float, low: float, high: float) -> float:

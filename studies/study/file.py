@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 from collections.abc import Mapping
 from pathlib import Path
@@ -38,6 +39,7 @@ class _Range(FileSection):
         default=None, description="values in a grid"
     )
     scale: Literal["linear", "log"] = Field(default="linear", description="equal steps or equal ratios")
+    step: Annotated[float, Field(strict=True, gt=0)] | None = Field(default=None, description="of what can be bought")
 
 
 class _StudyFile(FileSection):
@@ -236,12 +238,18 @@ def _parameter(name: str, given: Any, in_grid: bool, base: ArrayDesign, source: 
         raise Refusal(f"parameters.{name}.from = {limits.first:g} must be above 0 for scale = 'log'")
     if whole and limits.scale == "log":
         raise Refusal(f"parameters.{name}.scale = 'log' must be 'linear' for whole numbers")
-    count = limits.count or (round(limits.last - limits.first) + 1 if whole else 0)
+    step = limits.step or 0.0
+    if step and whole:
+        raise Refusal(f"parameters.{name}.step = {step:g} must not be given for whole numbers")
+    if step > limits.last - limits.first:
+        raise Refusal(f"parameters.{name}.step = {step:g} must be at most {limits.last - limits.first:g}, its range")
+    steps = (limits.last - limits.first) / (1.0 if whole else step or math.inf)
+    count = limits.count or (math.floor(steps + 1e-9) + 1 if whole or step else 0)
     if in_grid and not count:
         raise Refusal(f"parameters.{name}.count is missing: a grid needs the number of values")
     if whole:
         count = min(count, round(limits.last - limits.first) + 1)
-    return Parameter(name, (), limits.first, limits.last, count if in_grid else 0, limits.scale, whole)
+    return Parameter(name, (), limits.first, limits.last, count if in_grid else 0, limits.scale, whole, step)
 
 
 def _check_design(base: ArrayDesign, name: str, value: Any, source: str) -> None:

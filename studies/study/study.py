@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import math
 from dataclasses import dataclass
 from typing import Any, Literal
 
@@ -41,6 +42,8 @@ class Parameter:
     """Scale of a range: equal steps, or equal ratios."""
     whole: bool = False
     """Whether the values are whole numbers, to which those of a range are rounded."""
+    step: float = 0.0
+    """Distance of the sizes that can be had, counted from the beginning of a range; 0 where any can."""
 
     @property
     def size(self) -> int:
@@ -68,7 +71,15 @@ class Parameter:
             values = self.low * (self.high / self.low) ** place
         else:
             values = self.low + (self.high - self.low) * place
-        return np.clip(values, min(self.low, self.high), max(self.low, self.high))
+        return self.had(np.clip(values, min(self.low, self.high), max(self.low, self.high)))
+
+    def had(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
+        """The nearest sizes that can be had; (n,) float64, in the unit of the field."""
+        if not self.step:
+            return values
+        last = math.floor((self.high - self.low) / self.step + 1e-9)
+        steps = np.clip(np.round((values - self.low) / self.step), 0, last)
+        return np.round(self.low + steps * self.step, 9)
 
     def grid(self) -> NDArray[Any]:
         """Values in a grid, in the order of the file; (n,) float64, int64 where they are whole, or objects (texts)."""
@@ -120,8 +131,7 @@ class Study:
         """Content that decides the results, as plain values: neither comments nor the order of lines count."""
         return {
             "base": hashlib.sha256(write_design(self.base).encode()).hexdigest(),
-            "parameters": [[vars(parameter) | {"values": list(parameter.values)} for parameter in axis]
-                           for axis in self.axes],
+            "parameters": [[_content(parameter) for parameter in axis] for axis in self.axes],
             "sampling": self.sampling,
             "cases": self.cases,
             "seed": self.seed,
@@ -135,3 +145,9 @@ class Study:
     def digest(self) -> str:
         """SHA-256 of :meth:`content`, hexadecimal."""
         return hashlib.sha256(json.dumps(self.content(), sort_keys=True).encode()).hexdigest()
+
+
+def _content(parameter: Parameter) -> dict[str, Any]:
+    """A parameter as plain values; a step that is not stated does not count, so that older results stay known."""
+    content = vars(parameter) | {"values": list(parameter.values)}
+    return {name: value for name, value in content.items() if name != "step" or value}

@@ -9,9 +9,11 @@ import subprocess
 import sys
 import time
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
+from optuna.trial import FixedTrial
 
 import acoustic_fem
 from geometry import prototype
@@ -25,6 +27,7 @@ from studies.optimization.problem import Limit, Optimization, read_optimization
 from studies.optimization.search import (
     Candidate,
     OptimizationResult,
+    _proposed,
     pareto_front,
     refusal_of,
     search_designs,
@@ -269,3 +272,15 @@ def test_the_example_of_the_docs_is_better_than_its_base() -> None:
     )
     assert (figures[1, :2] > 1.4 * figures[0, :2]).all()
     assert figures[1, 2] >= 40000
+
+
+def test_a_search_takes_only_sizes_that_can_be_bought() -> None:
+    sheets = STUDY.replace(
+        '"resonator.cavity_height" =',
+        '"membrane.thickness" = { from = 0.3, to = 0.75, step = 0.1 }\n"resonator.cavity_height" =',
+    )
+    found = read_optimization(sheets + OPTIMIZE)
+    drawn = {"tube.length": 3.0, "tube.inner_diameter": 0.2, "resonator.cavity_height": 1.5}
+    for proposed, bought in ((0.3, 0.3), (0.42374060602614, 0.4), (0.75, 0.7)):
+        trial: Any = FixedTrial({**drawn, "membrane.thickness": proposed})
+        assert _proposed(trial, found)["membrane.thickness"] == bought

@@ -9,6 +9,7 @@ import pytest
 
 from geometry import DesignError, prototype, save_design
 from geometry.refusal import Refusal
+from studies.study.cases import cases_of
 from studies.study.file import load_study, read_study
 from studies.study.study import StudyError
 
@@ -159,3 +160,25 @@ def test_a_file_that_is_no_study_is_refused(tmp_path: Path) -> None:
     (tmp_path / "study.toml").write_text(study(base=HEAD.replace("array-2x6", "bad.toml")))
     with pytest.raises(DesignError, match=r"bad\.toml"):
         load_study(tmp_path / "study.toml")
+
+
+SHEETS = """
+base = "array-2x6"
+metrics = ["distance_smallest"]
+fidelity = "lumped"
+{more}
+[parameters]
+"membrane.thickness" = {{from = 0.3, to = 0.75, step = {step}}}
+"""
+
+
+def test_a_range_with_a_step_has_only_sizes_that_can_be_bought() -> None:
+    grid = cases_of(read_study(SHEETS.format(more="", step=0.1)))
+    assert grid.columns[0].tolist() == [0.3, 0.4, 0.5, 0.6, 0.7]
+    samples = cases_of(read_study(SHEETS.format(more='sampling = "random"\ncases = 60', step=0.1)))
+    assert set(samples.columns[0].tolist()) == {0.3, 0.4, 0.5, 0.6, 0.7}
+
+
+def test_a_step_beyond_its_range_is_refused() -> None:
+    with pytest.raises(StudyError, match=r"membrane\.thickness\.step = 0\.5 must be at most 0\.45, its range"):
+        read_study(SHEETS.format(more="", step=0.5))
