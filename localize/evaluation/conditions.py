@@ -89,6 +89,8 @@ def evaluate_conditions(
     microphone_noise: NoiseChoice,
     seed: int = 0,
     progress: Callable[[str, float], None] | None = None,
+    *,
+    wanted: Sequence[Condition] | None = None,
 ) -> list[Outcome]:
     """Results of a localizer under one condition after the other.
 
@@ -99,15 +101,16 @@ def evaluate_conditions(
         microphone_noise: where the condition is not the noise.
         seed: any non-negative integer.
         progress: called with the condition and the fraction done.
+        wanted: some of :func:`conditions`; by default all.
 
     Raises:
         Refusal: as :func:`localize.evaluate`.
     """
-    wanted = conditions(response)
+    chosen = conditions(response) if wanted is None else wanted
     found = []
-    for number, condition in enumerate(wanted):
+    for number, condition in enumerate(chosen):
         if progress:
-            progress(f"{condition.group} {condition.name}", number / len(wanted))
+            progress(f"{condition.group} {condition.name}", number / len(chosen))
         arguments = {"microphone_noise": microphone_noise, "samples": FRAME, "seed": seed, **condition.arguments}
         result = evaluate(localizer, response, touches_per_point, **arguments)
         found.append(_outcome(condition.group, condition.name, condition.value, [result]))

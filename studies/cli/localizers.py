@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -13,6 +13,10 @@ from studies.cli.options import LibraryFile, Noise, defaults_of, display_on_stde
 from studies.cli.tables import show, table_of, tell
 from studies.judging.evaluating import evaluate_localizer
 from studies.judging.training import train_localizer
+
+if TYPE_CHECKING:
+    from localize import Localizer
+    from studies.judging.headline import Headline
 
 _EVALUATION = defaults_of(evaluate_localizer)
 
@@ -81,13 +85,10 @@ def train(
     accuracy = localizer.training["held_out_accuracy"][-1]
     short = f", cut short by --seconds {seconds:g}" if localizer.training["cut_short"] else ""
     if recordings is not None:
-        table = table_of("recorded", "held-out recordings", "frames", "named right (%)", numbers=(1, 2, 3))
-        for part, found in localizer.training["held_out_recordings"].items():
-            table.add_row(part, str(found["recordings"]), str(found["frames"]), f"{100 * found['right']:.1f}")
-        show(table)
+        _show_recorded(localizer)
     tell(
-        f"{out}: {counted(localizer.training['epochs'], 'epoch')}{short}, {accuracy:.1%} of held-out touches named "
-        "right"
+        f"{out}: {counted(localizer.training['epochs'], 'epoch')}{short}, {accuracy:.1%} of held-out touches "
+        f"({', '.join(plan.stimuli)} on the sensor of the library) named right"
     )
 
 
@@ -115,20 +116,43 @@ def evaluate(
 ) -> None:
     """How often a localizer names the touched point, on touches it has never heard; the Bayes decoder beside it.
 
+    The touches are sums of sines on the nominal sensor; taps on it, and sums of sines on sensors made with a workshop's
+    tolerances, stand in the lines below.
+
     Example: [bold]acoustic-fem evaluate localizer library.nc --out judged[/bold]
     """
     with named(touches_per_point="--touches", microphone_noise="--noise"), display_on_stderr() as display:
         results = evaluate_localizer(model, library, out, touches=touches, noise=noise, seed=seed, display=display)
-    table = table_of("", "top-1 (%)", "top-2 (%)", "within one place (%)", "calibration error (%)", "most confused",
-                     numbers=(1, 2, 3, 4))  # fmt: skip
-    for title, result in results.items():
-        pair = result.hardest_pair
-        confused = "none" if pair is None else f"points {pair[0]} and {pair[1]}, {100 * pair[2]:.1f} %"
-        wanted = (result.top1, result.top2, result.within_one, result.reliability.expected_error)
-        table.add_row(title, *(f"{100 * share:.1f}" for share in wanted), confused)
-    show(table)
+    _show_evaluations(results)
     if out is not None:
         from studies.judging.report import FILES
 
         for name in FILES:
-            print(out / name)
+            tell(str(out / name))
+
+
+def _show_evaluations(results: dict[str, Headline]) -> None:
+    """A line for the headline of each localizer, and below it one for each of what stands beside it."""
+    table = table_of("", "touches", "top-1 (%)", "top-2 (%)", "within one place (%)", "calibration error (%)",
+                     "most confused", numbers=(2, 3, 4, 5))  # fmt: skip
+    for title, result in results.items():
+        pair = result.hardest_pair
+        confused = "none" if pair is None else f"points {pair[0]} and {pair[1]}, {100 * pair[2]:.1f} %"
+        wanted = (result.top1, result.top2, result.within_one, result.reliability.expected_error)
+        table.add_row(title, result.signals, *(f"{100 * share:.1f}" for share in wanted), confused)
+        for name, each in result.beside:
+            wanted = (each.top1, each.top2, each.within_one, each.expected_calibration_error)
+            worst = "" if each.worst is None else f"the worst sensor: {100 * each.worst:.1f} % right"
+            table.add_row("", name, *(f"{100 * share:.1f}" for share in wanted), worst)
+    show(table)
+    unscattered = next(iter(results.values())).unscattered
+    if unscattered:
+        tell(f"mis-made sensors are not judged: {unscattered}")
+
+
+def _show_recorded(localizer: Localizer) -> None:
+    """How held-out recordings were named, by part."""
+    table = table_of("recorded", "held-out recordings", "frames", "named right (%)", numbers=(1, 2, 3))
+    for part, found in localizer.training["held_out_recordings"].items():
+        table.add_row(part, str(found["recordings"]), str(found["frames"]), f"{100 * found['right']:.1f}")
+    show(table)

@@ -11,9 +11,9 @@ from studies.output.display import Display
 from studies.output.folders import check_folder
 
 if TYPE_CHECKING:
-    from localize import Evaluation
     from localize.evaluation.accuracy import Locator
     from localize.signals.noise import NoiseChoice
+    from studies.judging.headline import Headline
 
 #: White noise that the Bayes decoder assumes where touches have less, Pa rms.
 LEAST_NOISE = 1e-6
@@ -28,8 +28,11 @@ def evaluate_localizer(
     noise: float | None = None,
     seed: int = 0,
     display: Display | None = None,
-) -> dict[str, Evaluation]:
+) -> dict[str, Headline]:
     """Evaluations of a localizer on touches that it has never heard, the Bayes decoder beside it.
+
+    The touches are sums of sines on the nominal sensor; beside them stand taps, and sensors that are made with a
+    workshop's tolerances.
 
     Args:
         model: the folder of a trained localizer, or an ONNX file.
@@ -54,10 +57,13 @@ def evaluate_localizer(
     if folder is not None:
         check_folder(folder, "evaluate", JSON_FILE, reads=(model, library))
     import acoustic_fem
-    from localize import BayesDecoder, OnnxLocalizer, evaluate, load_localizer
+    from localize import BayesDecoder, OnnxLocalizer, load_localizer
     from localize.evaluation.accuracy import check_evaluation
     from localize.signals.array_response import response_of
     from localize.signals.same_array import check_same_array, design_difference
+    from studies.judging.full_evaluation import SENSORS, evaluate_fully
+    from studies.judging.headline import Headline, judge_headlines
+    from studies.judging.report import write_evaluation
 
     localizer = OnnxLocalizer(model) if Path(model).suffix == ".onnx" else load_localizer(model)
     solved = acoustic_fem.load(library)
@@ -71,18 +77,10 @@ def evaluate_localizer(
     decoder = BayesDecoder(response, "design" if noise is None else max(noise, LEAST_NOISE))
     name = localizer.kind if isinstance(localizer, OnnxLocalizer) else "network"
     locators: dict[str, Locator] = {name: localizer, "Bayes decoder": decoder}
-    results: dict[str, Evaluation] = {}
     with (display or Display()).stage("Evaluation") as report:
         if folder is None:
-            for number, (title, locator) in enumerate(locators.items()):
-                report(title, number / len(locators))
-                results[title] = evaluate(locator, response, touches, level, seed=seed)
-        else:
-            from studies.judging.full_evaluation import evaluate_fully
-            from studies.judging.report import write_evaluation
-
-            found = evaluate_fully(locators, solved, response, touches, level, seed, report)
-            results = {each.name: each.overall for each in found.judged}
-            report("report", 1.0)
-            write_evaluation(found, folder)
-    return results
+            return judge_headlines(locators, solved, response, touches, level, seed, report)
+        found = evaluate_fully(locators, solved, response, touches, level, seed, report)
+        report("report", 1.0)
+        write_evaluation(found, folder)
+    return {each.name: Headline.of(each.overall, each.outcomes, SENSORS, found.unscattered) for each in found.judged}

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+import warnings
+from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass
 from datetime import UTC, datetime
 from typing import TYPE_CHECKING, Any
@@ -14,6 +15,7 @@ from numpy.typing import NDArray
 from acoustic_fem.batch.network import batch_transfer_function
 from acoustic_fem.batch.parameters import design_air
 from acoustic_fem.library.provenance import versions
+from geometry.refusal import Refusal
 from studies.scatter.tolerances import ScatteredDesign
 
 if TYPE_CHECKING:
@@ -64,6 +66,8 @@ class FullEvaluation:
     """Time at which the evaluation was made."""
     provenance: dict[str, Any]
     """Design, fidelity, library, seed and versions."""
+    unscattered: str = ""
+    """Reason for which nothing was judged on mis-made sensors; empty where it was."""
 
     def to_dict(self) -> dict[str, Any]:
         """Results as JSON can hold them."""
@@ -101,7 +105,7 @@ def evaluate_fully(
 
     few = min(touches, max(round(SHARE * touches), math.ceil(LEAST / response.point_count)))
     progress("mis-made sensors", 0.0)
-    made = mis_made(library, response, seed)
+    made, unscattered = scattered_sensors(library, response, seed, SENSORS, SCATTER)
     found = []
     for number, (name, locator) in enumerate(locators.items()):
         stage = _stage(progress, name, number / len(locators), 1 / len(locators))
@@ -122,6 +126,7 @@ def evaluate_fully(
             "fidelity": library.fidelity,
             "library": dict(library.provenance),
         },
+        unscattered=unscattered,
     )
 
 
@@ -132,19 +137,34 @@ def _stage(
     return lambda what, share: progress(f"{name}: {what}", begin + size * share)
 
 
+def scattered_sensors(
+    library: Library, response: ArrayResponse, seed: int, count: int, shares: Sequence[float]
+) -> tuple[list[tuple[str, float, NDArray[np.complex128]]], str]:
+    """Sets of :func:`mis_made` and an empty text; none, and the reason, where the scatter of a design is not known.
+
+    Arguments as there, shapes too: (count, n_point, n_microphone, n_freq) complex128 transfer functions, Pa/Pa.
+    """
+    try:
+        return mis_made(library, response, seed, count, shares), ""
+    except Refusal as error:
+        return [], str(error)
+
+
 def mis_made(
-    library: Library, response: ArrayResponse, seed: int, count: int = SENSORS
+    library: Library, response: ArrayResponse, seed: int, count: int = SENSORS, shares: Sequence[float] = SCATTER
 ) -> list[tuple[str, float, NDArray[np.complex128]]]:
     """Sets of sensors with shares of the workshop's tolerances.
 
     What scatter changes is computed with the lumped network and applied to the library's transfer functions as a
-    factor, so that a library of any fidelity is scattered around itself.
+    factor, so that a library of any fidelity is scattered around itself; what closed forms warn of concerns none of
+    the library's own numbers and is not told.
 
     Args:
         library: of a design.
         response: of that library.
         seed: of the sensors.
         count: sensors of each set.
+        shares: of the tolerances, one for each set.
 
     Returns:
         Name and share of each set, and (count, n_point, n_microphone, n_freq) complex128 transfer functions, Pa/Pa.
@@ -156,8 +176,10 @@ def mis_made(
         parameters = scattered.parameters({name: share * values[:sensors] for name, values in draws.items()})
         return batch_transfer_function(parameters, scattered.topology, response.frequency, air)
 
-    nominal = lumped(0.0, 1)
-    return [
-        (f"{share:g} of the tolerances", share, response.transfer_function * (lumped(share, count) / nominal))
-        for share in SCATTER
-    ]
+    with warnings.catch_warnings():
+        warnings.filterwarnings("ignore", "entrance loss", UserWarning)
+        nominal = lumped(0.0, 1)
+        return [
+            (f"{share:g} of the tolerances", share, response.transfer_function * (lumped(share, count) / nominal))
+            for share in shares
+        ]

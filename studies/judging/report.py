@@ -13,6 +13,7 @@ from geometry.files.writing import write_text
 from geometry.refusal import counted
 from studies.judging.figures import draw_conditions, draw_reliability
 from studies.judging.full_evaluation import SENSORS, FullEvaluation
+from studies.judging.headline import SIGNALS, Headline
 from studies.output.display import number
 from studies.output.figures import draw_confusion
 from studies.output.folders import write_json
@@ -55,7 +56,8 @@ def render(found: FullEvaluation) -> str:
 
 
 def _verdict(found: FullEvaluation) -> str:
-    """The page in two sentences."""
+    """The page in three sentences."""
+    headlines = [Headline.of(each.overall, each.outcomes, SENSORS, found.unscattered) for each in found.judged]
     shares = " and ".join(
         f"the {each.name} names the right point for {100 * each.overall.top1:.1f} %" for each in found.judged
     )
@@ -63,7 +65,14 @@ def _verdict(found: FullEvaluation) -> str:
     for each in found.judged:
         worst = min(each.outcomes, key=lambda outcome: outcome.top1)
         hardest.append(f"for the {each.name} {worst.group}, {worst.name} ({100 * worst.top1:.1f} %)")
-    return f"Of touches never heard before, {shares}. The hardest condition is {', '.join(hardest)}."
+    beside = [
+        f"of {pairs[0][0]} {' and '.join(f'{100 * own.top1:.1f} %' for _, own in pairs)}"
+        for pairs in zip(*(each.beside for each in headlines), strict=True)
+    ]
+    return (
+        f"Of {SIGNALS}, never heard before, {shares}; {', '.join(beside)}. The hardest condition is "
+        f"{', '.join(hardest)}."
+    )
 
 
 def _pictures(found: FullEvaluation) -> dict[str, str]:

@@ -1,6 +1,6 @@
 """One design: checked, solved, its parts, or all through the whole chain, and the report.
 
-Stands on: metrics, output.
+Stands on: judging, metrics, output.
 """
 
 import lazy_loader

@@ -34,7 +34,9 @@ if TYPE_CHECKING:
     from geometry.formats.part_files import ExportedFile
     from geometry.layout.placement import ArrayLayout
     from geometry.printing.report import PrintReport
-    from localize import Evaluation, Localizer, TrainingPlan
+    from localize import Localizer, TrainingPlan
+    from localize.evaluation.accuracy import Locator
+    from studies.judging.headline import Headline
 
 #: Whole hertz up to half the sample rate of the signals: the stimuli's white noise needs all of them.
 FREQUENCY = tuple(float(f) for f in range(1, 501))
@@ -43,8 +45,9 @@ FREQUENCY = tuple(float(f) for f in range(1, 501))
 EPOCHS, TOUCHES_PER_POINT, MOST_TOUCHES = 20, 200, 300_000
 #: Pixels of the picture of one point, before it is cropped.
 POINT_PICTURE = (1600, 700)
-#: Held-out touches in all, and at least per point.
+#: Held-out touches in all, and at least per point; their seed.
 EVALUATION_TOUCHES, LEAST_TOUCHES_PER_POINT = 3000, 40
+SEED = 0
 
 
 def run_design(
@@ -237,9 +240,11 @@ def _solved(
 
 def _judged_localizer(
     library: Library, training: TrainingPlan, folder: Path, show: Display
-) -> tuple[Localizer, Evaluation, Evaluation]:
+) -> tuple[Localizer, Headline, Headline]:
     """The trained localizer, and how it and the model-based decoder name held-out touches."""
-    from localize import BayesDecoder, evaluate, train
+    from localize import BayesDecoder, train
+    from localize.signals.array_response import response_of
+    from studies.judging.headline import judge_headlines
 
     with show.stage("Localizer") as report:
         report("training", 0.0)
@@ -250,12 +255,11 @@ def _judged_localizer(
             localizer.save(fresh)
     with show.stage("Evaluation") as report:
         touches = max(LEAST_TOUCHES_PER_POINT, EVALUATION_TOUCHES // library.design.point_count)
-        report("network", 0.0)
-        network = evaluate(localizer, library, touches, training.microphone_noise)
-        report("Bayes decoder", 0.5)
         decoder = BayesDecoder(library, training.microphone_noise)
-        bayes = evaluate(decoder, library, touches, training.microphone_noise)
-    return localizer, network, bayes
+        locators: dict[str, Locator] = {"network": localizer, "Bayes decoder": decoder}
+        noise = training.microphone_noise
+        judged = judge_headlines(locators, library, response_of(library), touches, noise, SEED, report)
+    return localizer, judged["network"], judged["Bayes decoder"]
 
 
 def _draw_figures(
@@ -263,7 +267,7 @@ def _draw_figures(
     library: Library,
     lumped: Library | None,
     distances: Separability,
-    network: Evaluation,
+    network: Headline,
     report: Report,
 ) -> dict[str, Path]:
     from studies.output import figures as draw

@@ -45,10 +45,9 @@ def verdict(result: RunResult) -> str:
     lines = len(design.lines)
     found = (
         f"{counted(design.point_count, 'point')} on {counted(lines, 'line')} between "
-        f"{counted(len(design.microphones), 'microphone')}: "
-        f"the localizer names the right point for {_percent(network.top1)} of held-out touches "
-        f"({_percent(network.top2)} within its first two), the training-free Bayes decoder for "
-        f"{_percent(result.bayes.top1)}."
+        f"{counted(len(design.microphones), 'microphone')}: of {network.signals}, never heard before, the localizer "
+        f"names the right point for {_percent(network.top1)} ({_percent(network.top2)} within its first two), the "
+        f"training-free Bayes decoder for {_percent(result.bayes.top1)}. {beside_sentence(result)}"
     )
     (first, second), *others = result.separability.equally_hard
     level, phase, _ = result.separability.between(first, second)
@@ -59,6 +58,15 @@ def verdict(result: RunResult) -> str:
         hardest += f" and {counted(more, 'more pair')})" if more > 0 else ")"
     hardest += f": {level:.2g} dB and {phase:.2g} degrees apart over {BAND[0]:g} to {BAND[1]:g} Hz."
     return f"{found} {hardest} {printing_sentence(result)}"
+
+
+def beside_sentence(result: RunResult) -> str:
+    """Sentence on what the headline figures do not promise: taps, and sensors that are not made as designed."""
+    (name, share, worst), *others = _beside(result)
+    text = f"Of {name} the two name {share} right{worst}"
+    text += "".join(f", of {name} {share}{worst}" for name, share, worst in others)
+    unscattered = result.network.unscattered
+    return f"{text}." + (f" Mis-made sensors are not judged: {unscattered}." if unscattered else "")
 
 
 def printing_sentence(result: RunResult) -> str:
@@ -153,7 +161,7 @@ def key_figures(result: RunResult) -> list[KeyFigure]:
     first, second = result.separability.equally_hard[0]
     level, phase, distance = result.separability.between(first, second)
     network, bayes = result.network, result.bayes
-    noise = f"touches of {network.samples / 1000:g} s, {network.noise_in_words}"
+    noise = f"never heard before, {network.samples / 1000:g} s each, {network.noise_in_words}"
     figures = [
         KeyFigure("points", f"{design.point_count}", counted(len(design.lines), "line")),
         KeyFigure("microphones", f"{len(design.microphones)}", design.microphone.model),
@@ -162,9 +170,13 @@ def key_figures(result: RunResult) -> list[KeyFigure]:
             f"{max(sides):.1f} x {min(sides):.1f} x {height:.1f} mm",
             "of all that is built, membranes, boards and tubes included",
         ),
-        KeyFigure("localizer, top-1", _percent(network.top1), f"{network.touches} held-out {noise}"),
+        KeyFigure("localizer, top-1", _percent(network.top1), f"{network.touches} {network.signals}, {noise}"),
         KeyFigure("localizer, top-2", _percent(network.top2), f"within one place: {_percent(network.within_one)}"),
         KeyFigure("Bayes decoder, top-1", _percent(bayes.top1), "no training, the same touches"),
+        *(
+            KeyFigure(f"{name}, top-1", share, f"localizer and Bayes decoder{worst}")
+            for name, share, worst in _beside(result)
+        ),
         KeyFigure(
             "hardest pair",
             f"points {first} and {second}",
@@ -309,6 +321,17 @@ def write_results(result: RunResult, path: Path) -> None:
         },
     }
     write_json(path, content)
+
+
+def _beside(result: RunResult) -> list[tuple[str, str, str]]:
+    """Whose signals stand beside the headline, the shares named right by localizer and decoder, and the worst ones."""
+    found = []
+    for (name, own), other in zip(result.network.beside, result.bayes.outcomes, strict=True):
+        share, worst = f"{_percent(own.top1)} and {_percent(other.top1)}", ""
+        if own.worst is not None and other.worst is not None:
+            worst = f" (not calibrated; the worst of them {_percent(own.worst)} and {_percent(other.worst)})"
+        found.append((name, share, worst))
+    return found
 
 
 def _numbers(result: RunResult, pair: tuple[int, int, float]) -> tuple[int, int]:

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from acoustic_fem import Library
     from geometry.formats.part_files import ExportedFile
     from geometry.printing.report import PrintReport
-    from localize import Evaluation
+    from studies.judging.headline import Headline
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,9 +40,9 @@ class RunResult:
     there is no other."""
     separability: Separability
     """Distances of all pairs of points."""
-    network: Evaluation
-    """Results of the trained localizer on held-out touches."""
-    bayes: Evaluation
+    network: Headline
+    """Results of the trained localizer on held-out touches: sums of sines, beside them taps and mis-made sensors."""
+    bayes: Headline
     """Results of the model-based decoder on the same touches."""
     training: Mapping[str, Any]
     """Record of the training: plan, losses and accuracies by epoch."""

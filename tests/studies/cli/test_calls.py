@@ -263,8 +263,11 @@ def test_a_localizer_in_python_is_that_of_the_verbs(command: Callable[..., str],
     judged = studies.evaluate_localizer("call", library, touches=20)
     assert list(judged) == ["network", "Bayes decoder"]
     for title, each in judged.items():
-        line = next(line for line in out.splitlines() if line.strip().startswith(title))
-        assert f"{100 * each.top1:.1f}" in line
+        after = [line for line in out.partition(title)[2].splitlines() if line.strip()]
+        assert "sums of sines on the nominal sensor" in after[0]
+        for line, (name, own) in zip(after, [("", each), *each.beside], strict=False):
+            assert name in line
+            assert f"{100 * own.top1:.1f}" in line
 
 
 def test_touches_in_python_are_those_of_the_verbs(command: Callable[..., str], place: Path) -> None:

@@ -13,7 +13,7 @@ from small_run import small_design
 import acoustic_fem
 import localize
 from localize.signals.array_response import response_of
-from studies.judging.full_evaluation import evaluate_fully, mis_made
+from studies.judging.full_evaluation import evaluate_fully, mis_made, scattered_sensors
 from studies.judging.report import write_evaluation
 
 
@@ -44,6 +44,14 @@ def test_mis_made_sensors_scatter_around_the_library_whatever_its_fidelity(libra
     assert again[1][2] == pytest.approx(1.5j * sets[1][2])
 
 
+def test_a_design_whose_scatter_is_not_known_is_judged_without_it_and_told_why():
+    box = small_design().with_values({"resonator.shape": "box"})
+    library = acoustic_fem.solve(box, np.arange(1.0, 101.0), "lumped")
+    sets, reason = scattered_sensors(library, response_of(library), 0, 2, (1.0,))
+    assert sets == []
+    assert "resonator.shape = 'box' must be 'cylinder'" in reason
+
+
 def test_the_page_is_one_file_with_all_figures_and_the_json_has_their_numbers(library, tmp_path):
     response = response_of(library)
     locators = {"first": localize.BayesDecoder(library, 1e-2), "second": localize.BayesDecoder(library, 1e-3)}
@@ -68,4 +76,6 @@ def test_the_page_is_one_file_with_all_figures_and_the_json_has_their_numbers(li
     for name in ("first", "second"):
         hardest = min(numbers[name]["conditions"], key=lambda each: each["top1"])
         assert f"for the {name} {hardest['group']}, {hardest['name']} ({100 * hardest['top1']:.1f} %)" in page
+    taps = next(each["top1"] for each in first["conditions"] if each["name"] == "taps")
+    assert f"of taps on the nominal sensor {100 * taps:.1f} % and" in page
     assert 'name = "row-3"' in numbers["provenance"]["design"]

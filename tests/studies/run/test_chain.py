@@ -74,6 +74,14 @@ def test_the_results_are_those_of_the_library() -> None:
     assert found["network"]["top1"] == pytest.approx(np.trace(found["network"]["confusion"]) / 3000)
 
 
+def test_taps_and_mis_made_sensors_stand_beside_the_headline() -> None:
+    for each in (results()["network"], results()["bayes"]):
+        assert each["signals"] == "sums of sines on the nominal sensor"
+        assert [(own["group"], own["name"]) for own in each["conditions"]] == [
+            ("stimulus", "taps"), ("mis-made sensors", "1 of the tolerances")
+        ]  # fmt: skip
+
+
 def test_three_points_are_told_apart() -> None:
     found = results()
     assert found["bayes"]["top1"] > 0.99

@@ -15,6 +15,7 @@ from small_run import small_run
 from geometry.printing.report import PrintReport
 from geometry.printing.rules import Finding
 from localize.signals.noise import microphone_noise
+from studies.judging.headline import SIGNALS
 from studies.metrics.pairs import Disagreement
 from studies.metrics.separation import Separability
 from studies.run.findings import (
@@ -122,6 +123,26 @@ def test_the_key_figures_are_those_of_the_run() -> None:
     assert float(found["localizer, top-1"].rstrip(" %")) == pytest.approx(100 * result.network.top1, abs=0.06)
     weakest = 20 * np.log10(np.abs(result.library.transfer_function.values[0, 1, 99]))
     assert found["weakest signal at 100 Hz"] == f"{weakest:.1f} dB".replace("-", "−")
+
+
+def test_the_headline_says_whose_signals_it_is_of_and_what_taps_and_mis_made_sensors_cost(page: Page) -> None:
+    result = small_run()
+    text, figures = verdict(result), {figure.name: figure for figure in key_figures(result)}
+    assert text in page.text
+    assert text.index(SIGNALS) < text.index(" %")
+    assert SIGNALS in figures["localizer, top-1"].remark
+    for name in ("taps on the nominal sensor", "sums of sines on 8 mis-made sensors"):
+        assert f"of {name}" in text.replace("Of", "of")
+        assert figures[f"{name}, top-1"].value in text
+    for each in (result.network, result.bayes):
+        taps, made = each.outcomes
+        assert (taps.group, taps.name, taps.worst) == ("stimulus", "taps", None)
+        assert (made.group, made.value) == ("mis-made sensors", 1.0)
+        assert made.worst is not None
+        assert made.worst <= made.top1 <= 1.0
+    assert result.bayes.outcomes[0].top1 > 0.9
+    cut = [replace(each, outcomes=each.outcomes[:1], unscattered="why not") for each in (result.network, result.bayes)]
+    assert "Mis-made sensors are not judged: why not." in verdict(replace(result, network=cut[0], bayes=cut[1]))
 
 
 def test_a_comparison_outside_the_limits_is_explained() -> None:
