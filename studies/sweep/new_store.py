@@ -112,7 +112,7 @@ def _fill(path: Path, study: Study, cases: Cases, metrics: Sequence[Labelled]) -
     def variable(name: str, dims: Sequence[str], values: NDArray[Any], **attributes: Any) -> None:
         create_checked(group, name, values.shape, _kind(values), values.shape, dims, attributes)[:] = values
 
-    def along_cases(name: str, dtype: str, fill: float | str, dims: Iterable[str] = (), **attributes: Any) -> None:
+    def along_cases(name: str, dtype: str, fill: float | str, dims: Iterable[str] = (), **attributes: Any) -> Any:
         more = {
             "point": point_count(cases),
             "microphone": len(study.base.microphones),
@@ -120,7 +120,7 @@ def _fill(path: Path, study: Study, cases: Cases, metrics: Sequence[Labelled]) -
         }
         rest = [more[each] for each in dims]
         shape, chunks = (len(cases), *rest), (block, *rest)
-        create_checked(group, name, shape, dtype, chunks, ("case", *dims), attributes, fill)
+        return create_checked(group, name, shape, dtype, chunks, ("case", *dims), attributes, fill)
 
     variable("case", ("case",), np.arange(len(cases)), long_name="number of the case")
     variable("frequency", ("frequency",), study.frequency, units="Hz", long_name="frequency")
@@ -138,7 +138,8 @@ def _fill(path: Path, study: Study, cases: Cases, metrics: Sequence[Labelled]) -
                 f"transfer_function_{part}", "float64", np.nan, ("point", "microphone", "frequency"),
                 units="Pa/Pa", long_name="pressure at the microphone per pressure in the touched cavity",
             )  # fmt: skip
-    along_cases("state", "int8", WAITING, long_name="0 waiting, 1 done, 2 failed")
+    # Written where nothing is done yet, too: a chunk that is missing is damage, not a case that waits.
+    along_cases("state", "int8", WAITING, long_name="0 waiting, 1 done, 2 failed")[:] = WAITING
     along_cases("reason", "string", "", long_name="why the case failed")
 
 

@@ -166,9 +166,11 @@ class SweepStore:
         for block, first in enumerate(range(0, count, self.block)):
             wrong = self._damage(block, slice(first, min(first + self.block, count)))
             if wrong:
+                last = min(first + self.block, count) - 1
                 for name in ("state", *self._filled):  # first the state: from now on the block does not count
                     self._stored.chunk_file(name, block, self._filled[name]).unlink(missing_ok=True)
-                last = min(first + self.block, count) - 1
+                    if name == "state":
+                        self._variables[name][first : last + 1] = WAITING
                 notes.append(f"{wrong}; cases {first} to {last} are computed again")
         more = (f"{self.path}: {len(notes) - _TOLD} more blocks are damaged and computed again",)
         self.notes += tuple(notes[:_TOLD]) + more * (len(notes) > _TOLD)
@@ -177,6 +179,8 @@ class SweepStore:
         """What is wrong with a block that was done; empty where nothing is."""
         try:
             state = self._stored.part(self._variables["state"], "state", part)
+            if not self._stored.has_chunk("state", block):
+                return f"{self.path}: state: chunk {block} is missing"
             if (state == WAITING).all():
                 return ""
             for name, array in self._variables.items():
@@ -330,6 +334,10 @@ def open_sweep(path: str | os.PathLike[str]) -> Sweep:
             for name in TRANSFER_FUNCTIONS:
                 lazy = LazilyIndexedArray(_Part(stored, name))
                 variables[name], axes[name] = (("case", "point", "microphone", "frequency"), lazy), 4
+        cuts = _cuts(variables, about)
+        for block in range(len(cuts) + 1):
+            if not stored.has_chunk("state", block):
+                raise StudyError(f"{path}: state: chunk {block} is missing")
         for name, dimensions in axes.items():
             for block in done:
                 if not stored.has_chunk(name, int(block), dimensions):

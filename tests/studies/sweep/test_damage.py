@@ -139,6 +139,7 @@ def test_a_store_that_cannot_be_taken_is_refused_by_the_member(name: str, study:
 #: Damage that the next run mends, what a reader says before, and what the run says.
 MENDED = {
     "metric": (flip("volume/c/3"), "volume: cut short or not what was written", "cases 9 to 11 are computed again"),
+    "no state": (without("state/c/0"), "state: chunk 0 is missing", "cases 0 to 2 are computed again"),
     "state": (flip("state/c/0"), "state: cut short or not what was written", "cases 0 to 2 are computed again"),
     "reason": (flip("reason/c/13"), "reason: cut short or not what was", "cases 39 to 39 are computed again"),
     "metric-missing": (without("volume/c/3"), "volume: chunk 3 is missing", "cases 9 to 11 are computed again"),
