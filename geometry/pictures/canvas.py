@@ -4,21 +4,21 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import cadquery as cq
 import numpy as np
 import pyvista as pv
+from numpy.typing import NDArray
 
 from geometry.files.writing import whole_file
 from geometry.solids.measure import tessellate
 
-if TYPE_CHECKING:
-    pass
-
-
 #: Facets for the eye: within this distance (mm) and angle (rad).
 _DEVIATION, _FACET_ANGLE = 0.05, 0.2
+#: White around everything, as a factor, and half of the tick of a dimension, pixels.
+_MARGIN, _TICK = 1.16, 6
+#: Direction or place as x, y and z.
+Direction = tuple[float, float, float]
 
 
 def open_plotter(size: tuple[int, int]) -> pv.Plotter:
@@ -33,32 +33,52 @@ def open_plotter(size: tuple[int, int]) -> pv.Plotter:
 
 def aim(
     plotter: pv.Plotter,
-    seen_from: tuple[float, float, float],
-    upwards: tuple[float, float, float] = (0.0, 0.0, 1.0),
+    seen_from: Direction,
+    upwards: Direction = (0.0, 0.0, 1.0),
     left: float = 0.0,
+    right: float = 0.0,
 ) -> None:
     """Look from a direction, with everything just inside the picture and room for labels at its edges.
 
-    ``left`` is the part of the picture's width kept free for labels at its left edge.
+    ``left`` and ``right`` are the parts of the picture's width kept free for labels at its edges.
     """
     plotter.view_vector(seen_from, viewup=upwards)
-    towards = np.array(seen_from) / np.linalg.norm(seen_from)
-    right = np.cross(upwards, towards)
-    right /= np.linalg.norm(right)
-    up = np.cross(towards, right)
+    across, up, towards = picture_axes(seen_from, upwards)
     points = np.vstack([mesh.points for mesh in plotter.meshes])
-    lows, highs = zip(
-        *((float((points @ axis).min()), float((points @ axis).max())) for axis in (right, up)), strict=True
-    )
-    centre = sum((low + high) / 2 * axis for low, high, axis in zip(lows, highs, (right, up), strict=True))
-    width, height = plotter.window_size
-    half = max((highs[1] - lows[1]) / 2, (highs[0] - lows[0]) / 2 * height / (width * (1 - left)))
-    centre = centre - left * half * width / height * right
+    centre = sum(
+        (float((points @ axis).min()) + float((points @ axis).max())) / 2 * axis for axis in (across, up)
+    )  # fmt: skip
+    pixel = pixel_size(plotter, seen_from, upwards, left, right)
+    centre = centre + (right - left) / 2 * plotter.window_size[0] * pixel / _MARGIN * across
     distance = 2 * float(np.linalg.norm(points.max(axis=0) - points.min(axis=0)))
     plotter.camera.focal_point = centre
     plotter.camera.position = centre + distance * towards
-    plotter.camera.parallel_scale = 1.16 * half
+    plotter.camera.parallel_scale = pixel * plotter.window_size[1] / 2
     plotter.reset_camera_clipping_range()
+
+
+def pixel_size(
+    plotter: pv.Plotter,
+    seen_from: Direction,
+    upwards: Direction = (0.0, 0.0, 1.0),
+    left: float = 0.0,
+    right: float = 0.0,
+) -> float:
+    """Size of a pixel, mm, if what was drawn so far is looked at; arguments as for :func:`aim`."""
+    points = np.vstack([mesh.points for mesh in plotter.meshes])
+    wide, tall = (float(np.ptp(points @ axis)) for axis in picture_axes(seen_from, upwards)[:2])
+    width, height = plotter.window_size
+    return _MARGIN * max(tall / height, wide / (width * (1 - left - right)))
+
+
+def picture_axes(
+    seen_from: Direction, upwards: Direction = (0.0, 0.0, 1.0)
+) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+    """Unit vectors to the right and upwards in a picture, and towards its viewer; (3,) float64 each."""
+    towards = np.array(seen_from) / np.linalg.norm(seen_from)
+    across = np.cross(upwards, towards)
+    across /= np.linalg.norm(across)
+    return across, np.cross(towards, across), towards
 
 
 def save_picture(plotter: pv.Plotter, path: str | os.PathLike[str]) -> Path:
@@ -77,6 +97,34 @@ def polydata(solid: cq.Shape) -> pv.PolyData:
     """The facets of a solid, fine enough for pictures."""
     facets = tessellate(solid, _DEVIATION, _FACET_ANGLE)
     return pv.PolyData.from_regular_faces(facets.vertices, facets.triangles)
+
+
+def draw_dimension(
+    plotter: pv.Plotter,
+    ends: tuple[NDArray[np.float64], NDArray[np.float64]],
+    aside: Direction,
+    words: str,
+    pixel: float,
+) -> None:
+    """Draw a dimension as in an engineering drawing: a line with a tick at each end, and words beyond its middle.
+
+    Args:
+        plotter: seen straight from above.
+        ends: of what is measured, (3,) float64 each, mm.
+        aside: from there to the line, mm, along x or along y.
+        words: what the length is.
+        pixel: size of a pixel, mm.
+    """
+    begin, end = (place + aside for place in ends)
+    outwards = np.array(aside) / np.linalg.norm(aside)
+    tick = _TICK * pixel * outwards
+    for first, last in ((begin, end), (begin - tick, begin + tick), (end - tick, end + tick)):
+        plotter.add_mesh(pv.Line(first, last), color="black", line_width=2)
+    x, y, z = ((begin + end) / 2 + 2 * tick).tolist()
+    across, up = outwards[:2]
+    horizontal = "center" if across == 0 else "left" if across > 0 else "right"
+    vertical = "center" if up == 0 else "bottom" if up > 0 else "top"
+    draw_labels(plotter, [(x, y, z)], [words], 20, (horizontal, vertical))
 
 
 def draw_labels(

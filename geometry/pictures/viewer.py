@@ -23,6 +23,8 @@ if TYPE_CHECKING:
 _DEVIATION, _FACET_ANGLE = 0.002, 0.35
 #: Turns of the page's first view about x, y and z, rad: from above and in front.
 _SEEN_FROM = (0.7, 0.0, 0.0)
+#: Room at the sides of that view, as a factor.
+_ROOM = 1.1
 _NAMES: dict[Kind, str] = {
     "shell": "shells",
     "membrane": "membranes",
@@ -76,6 +78,8 @@ def write_viewer(array: ArrayDesign | ArrayModel, path: str | os.PathLike[str]) 
         switches=switches,
         table=html.escape(assembly_text(design, assembly_steps(model))),
         labels=json.dumps(labels),
+        names=json.dumps({_node(part.label): part.label for part in model.placed}),
+        aspect=f"{_ROOM * _aspect(scene):.4f}",
     )
     title = f"<title>{html.escape(design.name)}</title>"
     for old, new in (("<title>trimesh: threejs viewer</title>", title), ("</body>", panel + "</body>")):
@@ -86,15 +90,42 @@ def write_viewer(array: ArrayDesign | ArrayModel, path: str | os.PathLike[str]) 
 
 
 _PANEL = """<div style="position:fixed;left:12px;top:12px;font:14px sans-serif;background:#fffc;padding:8px">
-<b>{name}</b><br>{facts}<br><small>drag: turn; wheel: zoom; right button: move</small><br>{switches}
+<b>{name}</b><br>{facts}<br><small>drag: turn; wheel: zoom; right button: move; point at a part for its name</small><br>
+<b id="pointed">&nbsp;</b><br>{switches}
 <details><summary>which part goes where</summary>
 <pre style="max-height:60vh;max-width:90vw;overflow:auto;font-size:12px">{table}</pre></details></div>
 <script>
-const partsOfKind = {labels};
+const partsOfKind = {labels}, nameOfPart = {names};
 scene.background = new THREE.Color(0xf4f5f7);
 scene.add(new THREE.HemisphereLight(0xffffff, 0x9aa0a8, 0.9));
 tracklight.intensity = 0.9;
 renderer.outputEncoding = THREE.sRGBEncoding;
+// The first view fits a window of this shape; in a narrower one the angle of view grows, so that nothing is cut.
+const fitted = {aspect};
+let upright = null;
+const resized = onWindowResize;
+onWindowResize = function () {{
+  if (upright === null) upright = Math.tan(camera.fov * Math.PI / 360);
+  const wider = Math.max(1, fitted * window.innerHeight / window.innerWidth);
+  camera.fov = 360 / Math.PI * Math.atan(upright * wider);
+  resized();
+}};
+// A page that was ready before this script has called and bound the old one.
+if (camera) {{
+  window.removeEventListener("resize", resized);
+  window.addEventListener("resize", onWindowResize);
+  onWindowResize();
+}}
+const partOf = (each) => each === null || each.name in nameOfPart ? each : partOf(each.parent);
+const pointer = new THREE.Raycaster();
+renderer.domElement.addEventListener("mousemove", (event) => {{
+  if (!camera || event.buttons) return;
+  const at = new THREE.Vector2(2 * event.clientX / window.innerWidth - 1, 1 - 2 * event.clientY / window.innerHeight);
+  pointer.setFromCamera(at, camera);
+  const parts = pointer.intersectObjects(scene.children, true).map((hit) => partOf(hit.object));
+  const part = parts.find((each) => each && each.visible);
+  document.getElementById("pointed").textContent = part ? nameOfPart[part.name] : "\u00a0";
+}});
 for (const box of document.querySelectorAll("input[data-kind]")) {{
   box.addEventListener("change", () => {{
     for (const name of partsOfKind[box.dataset.kind]) {{
@@ -106,6 +137,12 @@ for (const box of document.querySelectorAll("input[data-kind]")) {{
 }}
 </script>
 """
+
+
+def _aspect(scene: trimesh.Scene) -> float:
+    """Width over height of what the camera of a scene sees."""
+    across, up = np.tan(np.radians(scene.camera.fov) / 2)
+    return float(across / up)
 
 
 def _scene(model: ArrayModel, outer: np.ndarray) -> trimesh.Scene:

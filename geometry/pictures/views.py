@@ -17,7 +17,16 @@ from numpy.typing import NDArray
 
 from geometry.assembly.model import LOOKS, ArrayModel, Kind, array_model
 from geometry.design.array_design import ArrayDesign
-from geometry.pictures.canvas import aim, draw_labels, open_plotter, polydata, save_picture
+from geometry.pictures.canvas import (
+    aim,
+    draw_dimension,
+    draw_labels,
+    open_plotter,
+    picture_axes,
+    pixel_size,
+    polydata,
+    save_picture,
+)
 from geometry.plan.cylinder import Cylinder
 from geometry.plan.routing import unit
 
@@ -46,8 +55,12 @@ _PLURALS: dict[Kind, str] = {
 }
 #: Arrays of more points are shown exploded in an excerpt of so many.
 _MOST_EXPLODED, _EXCERPT = 24, 5
-#: Part of the exploded view's width that is kept for names, and the angles from which it is seen, degrees.
-_NAMES_LEFT, _STEEPEST, _FLATTEST = 0.2, 27, 10
+#: Parts of a picture's width that are kept for names at its left and for words at its right.
+_NAMES_LEFT, _WORDS_RIGHT = 0.2, 0.12
+#: Room between the array and what stands beside it in the top view, for the names of microphones, pixels.
+_LABEL_ROOM = 90
+#: Angles from which the exploded view is seen, degrees.
+_STEEPEST, _FLATTEST = 27, 10
 #: Tubes of a microphone lead away from the viewer where their directions add up to more than this.
 _LEADS_AWAY = 0.1
 
@@ -83,19 +96,53 @@ def top_view(
     path: str | os.PathLike[str],
     size: tuple[int, int] = (1600, 1000),
 ) -> Path:
-    """Render the whole array from straight above, with a scale bar. Arguments as for :func:`draw_array`."""
+    """Render the whole array from straight above, with its width, depth and pitch in mm and the names of its parts.
+
+    The pitch is that of two neighbours of the first line, where the array is flat. Arguments as for :func:`draw_array`.
+    """
     model = array_model(array)
     plotter = open_plotter(size)
+    above, north = (0.0, 0.0, 1.0), (0.0, 1.0, 0.0)
     _add_parts(plotter, model)
-    _add_schematic(plotter, model)
     x0, x1, y0, y1, _, z1 = plotter.bounds
-    _add_labels(plotter, model, (0.0, 0.0, 1.0))
-    length = _round_length(max(x1 - x0, y1 - y0) / 4)
-    y = y0 - 0.06 * max(x1 - x0, y1 - y0)
-    plotter.add_mesh(pv.Line((x0, y, z1), (x0 + length, y, z1)), color="black", line_width=5)
-    draw_labels(plotter, [(x0 + length / 2, y - 0.01 * (x1 - x0), z1)], [f"{length:g} mm"], 20, ("center", "top"))
-    aim(plotter, (0.0, 0.0, 1.0), (0.0, 1.0, 0.0))
+    _add_schematic(plotter, model)
+    _add_labels(plotter, model, above)
+    pixel = pixel_size(plotter, above, north, _NAMES_LEFT, _WORDS_RIGHT)
+    lower_left, lower_right, upper_right = (np.array([x, y, z1]) for x, y in ((x0, y0), (x1, y0), (x1, y1)))
+    draw_dimension(plotter, (lower_left, lower_right), (0.0, -_LABEL_ROOM * pixel, 0.0), f"{x1 - x0:.1f} mm", pixel)
+    draw_dimension(plotter, (lower_right, upper_right), (_LABEL_ROOM * pixel, 0.0, 0.0), f"{y1 - y0:.1f} mm", pixel)
+    _add_pitch(plotter, model, z1, pixel)
+    _add_legend(plotter, model, (x0 - _LABEL_ROOM * pixel, (y0 + y1) / 2, z1), pixel)
+    aim(plotter, above, north, left=_NAMES_LEFT - _LABEL_ROOM / size[0], right=_WORDS_RIGHT)
     return save_picture(plotter, path)
+
+
+def _add_pitch(plotter: pv.Plotter, model: ArrayModel, height: float, pixel: float) -> None:
+    """Dimension between two neighbours of the first line, below them or beside them."""
+    points = model.design.lines[0].points
+    if points < 2 or isinstance(model.layout.surface, Cylinder):
+        return
+    begin = min(2, points - 2)  # away from the name of the first microphone
+    first, second = (np.array([*point.position, height]) for point in model.layout.points[begin : begin + 2])
+    step = second - first
+    reach = model.design.resonator.outer_diameter / 2 + 15 * pixel
+    aside = (0.0, -reach, 0.0) if abs(step[0]) >= abs(step[1]) else (reach, 0.0, 0.0)
+    draw_dimension(plotter, (first, second), aside, f"pitch {np.linalg.norm(step):.4g} mm", pixel)
+
+
+def _add_legend(plotter: pv.Plotter, model: ArrayModel, at: tuple[float, float, float], pixel: float) -> None:
+    """Numbers and names of the parts with their colours, one below the other, left of a place."""
+    counts = Counter(part.kind for part in model.placed)
+    seen = [kind for kind in _PLURALS if counts[kind] and kind != "spring"]  # which lie within sheaths
+    named = [(f"{counts[kind]} {_PLURALS[kind]}", LOOKS[kind][0]) for kind in seen]
+    if model.schematic:
+        named.append((f"{len(model.schematic)} tubes, drawn schematically", _SCHEMATIC))
+    x, middle, z = at
+    for row, (words, colour) in enumerate(named):
+        y = middle + 30 * pixel * ((len(named) - 1) / 2 - row)
+        square = pv.Plane(center=(x, y, z), direction=(0.0, 0.0, 1.0), i_size=16 * pixel, j_size=16 * pixel)
+        plotter.add_mesh(square, color=colour, lighting=False)
+        draw_labels(plotter, [(x - 14 * pixel, y, z)], [words], 18, ("right", "center"))
 
 
 def exploded_view(
@@ -192,7 +239,9 @@ def draw_point(
     # The cover hangs clear of the pins, the mold clear of the shell although the view is oblique.
     lift, aside = 1.3 * max(mold.zmax - thickness, mold.zlen / 2), design.resonator.outer_diameter / 2 + 0.8 * mold.xlen
     plotter = open_plotter(size)
-    labels, anchors = [], []
+    seen_from = (0.25, -1.0, 0.6)
+    across = picture_axes(seen_from)[0]
+    drawn: dict[bool, list[tuple[str, pv.PolyData]]] = {False: [], True: []}
     for name, offset, cut in (
         (shell, (0.0, 0.0, 0.0), True),
         ("membrane", (0.0, 0.0, top + lift), False),
@@ -208,22 +257,24 @@ def draw_point(
             solid = solid.cut(cq.Solid.makeBox(reach, reach, reach, cq.Vector(0, -reach, -reach / 2)))
         mesh = polydata(solid).translate(offset)
         plotter.add_mesh(mesh, color=_look(parts.kinds[name])[0], split_sharp_edges=True, smooth_shading=True)
-        labels.append(name)
-        anchors.append((offset[0] + box.xmin, offset[1] + box.ymin, offset[2] + box.zmin))
-    draw_labels(plotter, anchors, labels, 22, ("left", "top"))
-    aim(plotter, (0.25, -1.0, 0.6))
+        drawn[offset[0] > 0].append((name, mesh))
+    # Names stand beside everything: those of the shell's parts to the left, those of the mold's to the right.
+    for is_mold, side in ((False, -1.0), (True, 1.0)):
+        reach = max(float((side * (mesh.points @ across)).max()) for _, mesh in drawn[is_mold])
+        for name, mesh in drawn[is_mold]:
+            outermost = mesh.points[int(np.argmax(side * (mesh.points @ across)))]
+            away = side * (1.06 * reach + 0.03 * mold.xlen) - outermost @ across
+            end = outermost + away * across
+            plotter.add_mesh(pv.Line(outermost, end), color="black", line_width=1)
+            anchor = tuple((end + side * 0.01 * mold.xlen * across).tolist())
+            draw_labels(plotter, [anchor], [name], 22, ("left" if is_mold else "right", "center"))
+    aim(plotter, seen_from, left=_WORDS_RIGHT, right=_WORDS_RIGHT)
     return save_picture(plotter, path)
 
 
 def _look(kind: Kind) -> tuple[str, float]:
     """Colour and opacity of a part."""
     return LOOKS.get(kind, (_MOLD, 1.0))
-
-
-def _round_length(length: float) -> float:
-    """The largest of 1, 2, 5, 10, ... that is not above a length, mm."""
-    ten = 10 ** math.floor(math.log10(length))
-    return float(max(step * ten for step in (1, 2, 5) if step * ten <= length))
 
 
 def _first_of(model: ArrayModel, count: int) -> ArrayModel:

@@ -33,7 +33,7 @@ from localize.decoders.frame_covariance import (
     low_pass,
     touch_covariances,
 )
-from localize.signals.array_response import ArrayResponse, response_of
+from localize.signals.array_response import ArrayResponse, response_of, warn_of_uncovered
 from localize.signals.frames import checked_signals, cut_frames
 from localize.signals.noise import NoiseChoice, NoiseSpectrum
 from localize.signals.threads import one_thread
@@ -104,7 +104,8 @@ class BayesDecoder:
     """Gaussian-process maximum likelihood over the points of one array.
 
     Args:
-        library: transfer functions that cover 1 to 100 Hz, of at least two points and two microphones.
+        library: transfer functions that cover 1 to 100 Hz, of at least two points and two microphones; touches are
+            taken to be silent above their last frequency, with a warning where that is below 500 Hz.
         microphone_noise: the noise floor to assume: white, Pa rms over 0 to 500 Hz, 1e-9 to 10; or "design" for
             that of the library's design, see :mod:`localize.signals.noise`. It also stands for what the library does
             not know; a higher one is kinder to a sensor that differs from its design.
@@ -126,6 +127,7 @@ class BayesDecoder:
     ) -> None:
         check_noise(microphone_noise)
         response = response_of(library)
+        warn_of_uncovered(response)
         self.ambient = checked_levels(response, ambient)
         self.design = response.name
         self.microphones = response.microphones

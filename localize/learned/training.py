@@ -21,7 +21,7 @@ from localize.learned.features import map_count
 from localize.learned.localizer import Localizer
 from localize.learned.plan import TrainingPlan
 from localize.learned.recorded_frames import RecordedFrames
-from localize.signals.array_response import ArrayResponse, TransferFunctionSource, response_of
+from localize.signals.array_response import ArrayResponse, TransferFunctionSource, response_of, warn_of_uncovered
 from localize.signals.frames import FRAME
 from localize.signals.noise import NoiseSpectrum
 from localize.signals.random_streams import Purpose
@@ -76,7 +76,8 @@ def train(
     load; without one it does not.
 
     Args:
-        library: transfer functions that cover 1 to 100 Hz, of at least two points and two microphones.
+        library: transfer functions that cover 1 to 100 Hz, of at least two points and two microphones; what they do
+            not cover up to 500 Hz is left out of the touches, with a warning.
         plan: by default one that takes about 25 s for 12 points on one core.
         progress: called after every epoch, those of a training that is gone on with included.
         source: transfer functions of many sensors of this design, to train on in place of the library's own; read as
@@ -96,6 +97,7 @@ def train(
     """
     plan = plan or TrainingPlan()
     response = response_of(library)
+    warn_of_uncovered(response)
     microphones = len(response.microphones)
     shape = NetworkShape(
         maps=map_count(microphones, plan.features),

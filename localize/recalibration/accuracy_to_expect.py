@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from acoustic_fem.calibration.fitted_model import Posterior
 from acoustic_fem.calibration.model_discrepancy import draw
 from acoustic_fem.calibration.model_updating import Update
+from acoustic_fem.library.result import MEASURED
 from localize.decoders.bayes import BayesDecoder
 from localize.evaluation.accuracy import evaluate
 from localize.signals.array_response import response_of
@@ -47,6 +48,8 @@ def expected_accuracy(
         Refusal: frequencies that do not cover 1 to 100 Hz, or a noise out of range.
     """
     response = response_of(posterior.model.library)
+    # The fitted sensor stands for a measured one, whose library ends with its sweeps.
+    response = replace(response, provenance={**response.provenance, "fidelity": MEASURED})
     random = np.random.default_rng(seed)
     apart = random.standard_normal((DRAWS, posterior.model.count)) / np.sqrt(1 + posterior.eigenvalues)
     drawn = posterior.parameters + apart @ posterior.directions.T

@@ -7,6 +7,7 @@ taps matter, whose spectrum begins at 0 Hz, take a library in steps of 0.25 Hz (
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field
 from typing import TYPE_CHECKING, Any, Protocol
@@ -17,7 +18,7 @@ from scipy.interpolate import CubicSpline
 
 from geometry.refusal import Refusal, counted
 from localize.signals.noise import NoiseChoice, NoiseSpectrum, microphone_noise
-from localize.signals.stimulus import BAND
+from localize.signals.stimulus import BAND, SAMPLE_RATE
 
 if TYPE_CHECKING:
     from acoustic_fem import Library
@@ -236,6 +237,27 @@ def from_zero(transfer_function: NDArray[np.complex128], sealed: bool) -> NDArra
     if not sealed:
         return transfer_function
     return np.concatenate([np.ones_like(transfer_function[..., :1]), transfer_function], -1)
+
+
+class UncoveredWarning(UserWarning):
+    """Warning of a library that ends below the frequencies that touches reach."""
+
+
+def warn_of_uncovered(response: ArrayResponse) -> None:
+    """Warn, before a localizer is made of it, of a library that ends below half the sample rate of the signals.
+
+    A measured one ends with the sweep that was played, which is usual and told where it is calibrated.
+    """
+    from acoustic_fem.library.result import MEASURED
+
+    last, half = response.frequency[-1], SAMPLE_RATE / 2
+    if last < half - 1e-6 and response.provenance.get("fidelity") != MEASURED:
+        warnings.warn(
+            f"{response.name}: its library ends at {last:g} Hz, touches may reach {half:g} Hz: above {last:g} Hz every "
+            f"touch is taken to be silent, and what is heard there to be noise; 1:{half:g}:{half:g} covers all",
+            UncoveredWarning,
+            stacklevel=2,
+        )
 
 
 def response_of(library: Library | ArrayResponse) -> ArrayResponse:

@@ -58,6 +58,8 @@ def calibrate(
     named. Where points lack a good one, all follow from a fit of the sensor's parts to the measured points; where no
     sensor within the tolerances is like the measured one, that is said, and they keep those of the design.
 
+    The library ends with --frequencies: what is made of it takes touches to be silent above.
+
     Example: [bold]acoustic-fem calibrate recordings --out made.nc[/bold]
     """
     grid = frequency_option(frequencies)

@@ -12,7 +12,7 @@ from geometry.formats.names import FORMATS
 from geometry.refusal import Refusal
 from studies.cli.options import Design, Frequencies, defaults_of, display_on_stderr, frequency_option, named
 from studies.cli.tables import show, show_check, show_fields, show_findings, show_library, show_parts, table_of
-from studies.output.frequencies import FREQUENCIES
+from studies.output.frequencies import LIBRARY_FREQUENCIES
 from studies.run.libraries import solve_library
 
 AllowOverlaps = Annotated[bool, typer.Option("--allow-overlaps", help="Go on also where parts overlap.")]
@@ -116,14 +116,14 @@ def solve(
             "navier-stokes: 3-D cells, the one to trust."
         ),
     ] = _FIDELITY,
-    frequencies: Frequencies = FREQUENCIES,
+    frequencies: Frequencies = LIBRARY_FREQUENCIES,
 ) -> None:
     """Transfer functions from every point to every microphone.
 
-    3-D cells are kept on disk and found again by every design that shares them. For a localizer take 1:500:500:
-    its touches hold white noise up to 500 Hz.
+    3-D cells are kept on disk and found again by every design that shares them. The frequencies are those that a
+    localizer needs, whose touches hold sound up to 500 Hz; fewer take hardly less time.
 
-    Example: [bold]acoustic-fem solve array-2x6 --out library.nc --fidelity lumped --frequencies 1:500:500[/bold]
+    Example: [bold]acoustic-fem solve array-2x6 --out library.nc --fidelity lumped[/bold]
     """
     grid = frequency_option(frequencies)
     from geometry import resolve_design

@@ -109,7 +109,12 @@ def best(
     ] = None,
     out: Annotated[Path | None, typer.Option(help="Write its design file here.", show_default=False)] = None,
     by: Annotated[
-        str | None, typer.Option(metavar="METRIC", help="What counts.", show_default="the first of the study")
+        str | None,
+        typer.Option(
+            metavar="METRIC",
+            help="What counts.",
+            show_default="the first of the study; of a sweep the first that knows noise",
+        ),
     ] = None,
     count: Annotated[int, typer.Option(help="Designs to list.")] = _COUNT,
 ) -> None:

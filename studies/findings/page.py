@@ -71,6 +71,7 @@ def render_sweep(table: ResultTable, command: str) -> str:
                 "command": command,
                 "parameters": [_about(column) for column in table.parameters],
                 "metrics": [_about(column) for column in table.metrics],
+                "leading": table.metrics.index(table.leading),
                 "cloud": _cloud(table, best),
                 "effects": _effects(table),
                 "maps": _maps(table),
@@ -105,6 +106,7 @@ def _about(column: Column) -> dict[str, Any]:
         "unit": column.unit,
         "labels": list(column.labels),
         "better": column.better,
+        "caution": column.caution,
         "integral": bool(not column.labels and np.all(column.values == np.round(column.values))),
     }
 

@@ -81,7 +81,8 @@ def best_designs(results: str | os.PathLike[str], by: str | None = None, count: 
 
     Args:
         results: as of :func:`read_results`.
-        by: name of the metric that counts; by default the first of the study.
+        by: name of the metric that counts; by default the first of a search; of a sweep the first that needs no
+            caution, as differences of points do, which know no noise.
         count: at most so many, at least 1.
 
     Raises:
@@ -90,7 +91,7 @@ def best_designs(results: str | os.PathLike[str], by: str | None = None, count: 
     if count < 1:
         raise Refusal(f"count = {count} must be at least 1")
     table = read_results(results)
-    metric = table.metric(by or table.metrics[0].name)
+    metric = table.metric(by) if by else table.leading
     return BestDesigns(table, metric, tuple(table.best(metric.name, count)))
 
 

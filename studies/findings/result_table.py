@@ -42,6 +42,8 @@ class Column:
     """Texts that the values stand for; empty for numbers."""
     better: str = ""
     """Word for the values that are wanted, "larger" or "smaller"; empty for parameters."""
+    caution: str = ""
+    """Caution to whoever ranks designs by it alone; empty where there is none."""
 
     @property
     def goodness(self) -> Values:
@@ -95,6 +97,14 @@ class ResultTable:
             if column.name == name:
                 return column
         raise Refusal(f"metric {name!r} must be one of: {', '.join(column.name for column in self.metrics)}")
+
+    @property
+    def leading(self) -> Column:
+        """Column that designs are ranked by unless told otherwise: what a search looks for first; of a sweep the first
+        that needs no caution, if there is one.
+        """
+        trusted = [column for column in self.metrics if not column.caution] if self.source == "sweep" else []
+        return (trusted or list(self.metrics))[0]
 
     def label(self, row: int) -> str:
         """Name of the design of a row: its number."""
@@ -300,4 +310,5 @@ def with_base_metrics(table: ResultTable) -> ResultTable:
 
 def _metric(name: str, values: Values) -> Column:
     about = METRICS[name]
-    return Column(name, about.long_name, "" if about.unit == "1" else about.unit, values, (), about.better)
+    unit = "" if about.unit == "1" else about.unit
+    return Column(name, about.long_name, unit, values, (), about.better, about.caution)

@@ -18,4 +18,8 @@ from .folders import (
     replaced_folder as replaced_folder,
     write_json as write_json,
 )
-from .frequencies import FREQUENCIES as FREQUENCIES, stated_frequencies as stated_frequencies
+from .frequencies import (
+    FREQUENCIES as FREQUENCIES,
+    LIBRARY_FREQUENCIES as LIBRARY_FREQUENCIES,
+    stated_frequencies as stated_frequencies,
+)

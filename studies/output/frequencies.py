@@ -9,7 +9,11 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
 FREQUENCIES = "1:100:64"
-"""Usual frequencies, over the band of the stimuli, as FIRST:LAST:COUNT in Hz."""
+"""Usual frequencies of figures of merit and of sweeps that are played, over the band of the stimuli, as
+FIRST:LAST:COUNT in Hz."""
+LIBRARY_FREQUENCIES = "1:500:500"
+"""Usual frequencies of a library, from which localizers are made: whole hertz up to half the sample rate of the
+signals, which touches fill."""
 
 
 def stated_frequencies(frequency: ArrayLike | str) -> NDArray[np.float64]:

@@ -22,6 +22,7 @@ from studies.metrics.pairs import BAND, disagreement, worst_heard
 from studies.metrics.separation import Separability, separability
 from studies.output.display import Display, Report
 from studies.output.folders import claim_folder, replaced_folder
+from studies.output.frequencies import LIBRARY_FREQUENCIES, stated_frequencies
 from studies.output.system_libraries import check_system_libraries
 from studies.run.check import model_validity
 from studies.run.findings import AGREEMENT, write_results
@@ -38,8 +39,6 @@ if TYPE_CHECKING:
     from localize.evaluation.accuracy import Locator
     from studies.judging.headline import Headline
 
-#: Whole hertz up to half the sample rate of the signals: the stimuli's white noise needs all of them.
-FREQUENCY = tuple(float(f) for f in range(1, 501))
 #: The localizer is trained for so many epochs, with so many touches of each point per epoch and at most so many in all:
 #: 25 s for 12 points and about five minutes for the largest arrays on one idle core, as many on a busy one.
 EPOCHS, TOUCHES_PER_POINT, MOST_TOUCHES = 20, 200, 300_000
@@ -91,7 +90,7 @@ def run_design(
         refuse_unbuildable(design, layout, ALL_THE_SAME)
     folder = claim_folder(out, write_design(design.completed()))
     training = training or training_plan(design.point_count)
-    grid = np.asarray(FREQUENCY if frequency is None else frequency, np.float64)
+    grid = stated_frequencies(LIBRARY_FREQUENCIES if frequency is None else frequency)
 
     with show.stage("Parts") as report:
         model, files, printing, figures = _make_parts(design, layout, folder, report)

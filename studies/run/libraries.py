@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from studies.output.display import Display
 from studies.output.folders import check_new_library
-from studies.output.frequencies import FREQUENCIES, stated_frequencies
+from studies.output.frequencies import LIBRARY_FREQUENCIES, stated_frequencies
 from studies.output.system_libraries import check_system_libraries
 
 if TYPE_CHECKING:
@@ -23,7 +23,7 @@ def solve_library(
     out: str | os.PathLike[str],
     *,
     fidelity: str = "navier-stokes",
-    frequency: ArrayLike | str = FREQUENCIES,
+    frequency: ArrayLike | str = LIBRARY_FREQUENCIES,
     display: Display | None = None,
 ) -> Library:
     """Library of a design, also in a file: transfer functions from every point to every microphone.

@@ -47,6 +47,8 @@ class Metric:
     """Word for the values that a designer wants, "larger" or "smaller"."""
     band: tuple[float, float] | None = None
     """Lowest and highest frequency of its definition, Hz, which the grid must cover."""
+    caution: str = ""
+    """Caution to whoever ranks designs by it alone, one sentence; empty where there is none."""
 
     def check_grid(self, frequency: Values) -> None:
         """Refuse a grid that does not cover the band: the value would not be what its definition says.
@@ -114,6 +116,10 @@ def _of_distances(
 _RATIO = "r_i = H_ia / H_ib; root mean square over 1 to 100 Hz and all pairs a, b of microphones"
 #: Where slow presses and pulse waves have their energy, Hz.
 LOW_BAND = (1.0, 20.0)
+_DEAF = (
+    "Differences of points know no noise: ranked by them alone come narrow bores, whose points lie far apart for "
+    "whoever can still hear them; look at an accuracy or a sensitivity beside them."
+)
 
 
 def _separation() -> Iterable[Metric]:
@@ -130,6 +136,7 @@ def _separation() -> Iterable[Metric]:
                 definition=f"The {extent} over all pairs of points i, j of the {what} of {_RATIO}.",
                 compute=partial(_of_distances, field, reduce, BAND),
                 band=BAND,
+                caution=_DEAF,
             )
     for extent, reduce in (("smallest", np.min), ("mean", np.mean)):
         yield Metric(
@@ -139,6 +146,7 @@ def _separation() -> Iterable[Metric]:
             definition=f"As distance_{extent}, over {LOW_BAND[0]:g} to {LOW_BAND[1]:g} Hz only.",
             compute=partial(_of_distances, "combined", reduce, LOW_BAND),
             band=LOW_BAND,
+            caution=_DEAF,
         )
 
 

@@ -130,6 +130,7 @@ function drawBest() {
     buttons.append(save, " ", copy);
     row([number, buttons, ...values(k), ...P.map((column, p) => shown(column, cloud.parameters[p][k]))], "td");
   });
+  byId("caution").textContent = M[m].caution;
   byId("copied").textContent = command(data.best[M[m].name][0]);
 }
 
@@ -157,7 +158,7 @@ fill("map-y", P, strongest.length > 1 ? strongest[1] : 0, drawMap);
 fill("front-x", M, 0, drawFront);
 fill("front-y", M, Math.min(1, M.length - 1), drawFront);
 fill("front-colour", P.concat(M), strongest[0], drawFront);
-fill("best-metric", M, 0, drawBest);
+fill("best-metric", M, data.leading, drawBest);
 data.families.forEach((own, k) => byId("family").add(new Option(own.title, k)));
 byId("family").addEventListener("change", drawFamily);
 drawEffects(); drawMap(); drawFront(); drawBest(); drawFamily();
