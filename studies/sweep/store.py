@@ -339,8 +339,8 @@ def open_sweep(path: str | os.PathLike[str]) -> Sweep:
             if not stored.has_chunk("state", block):
                 raise StudyError(f"{path}: state: chunk {block} is missing")
         for name, dimensions in axes.items():
-            for block in done:
-                if not stored.has_chunk(name, int(block), dimensions):
+            for block in map(int, done):
+                if not stored.has_chunk(name, block, dimensions):
                     raise StudyError(f"{path}: {name}: chunk {block} is missing")
     except StudyError as error:
         raise StudyError(f"{error}; run the same sweep again, which computes again what is damaged") from None
