@@ -20,6 +20,7 @@ import acoustic_fem
 import geometry
 import localize
 import studies
+from geometry.refusal import counted
 from localize.signals.array_response import response_of
 from studies.cli import app
 from studies.cli.options import in_options
@@ -277,7 +278,7 @@ def test_touches_in_python_are_those_of_the_verbs(command: Callable[..., str], p
     out = command("locate", library, "r.wav", "--out", "verb.jsonl", "--ambient", 60)
     found = studies.locate_recording(library, "r.wav", "call.jsonl", decoding=studies.Decoding(ambient=60.0))
     assert text("verb.jsonl") == text("call.jsonl")
-    assert f"r.wav: {len(found.touches)} touches in 1.0 s" in out
+    assert f"r.wav: {counted(len(found.touches), 'touch')} in 1.0 s" in out
 
     heard: list[str] = []
     summary = studies.listen(
