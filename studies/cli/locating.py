@@ -129,6 +129,10 @@ def locate(
     seconds = found.seconds_by_state
     others = "".join(f", {what} for {seconds[state]:.1f} s" for state, what in told.items() if state in seconds)
     tell(f"{recording}: {counted(len(found.touches), 'touch')} in {found.seconds:.1f} s{others}")
+    told_of = f" and {library}" if library is not None else ""
+    tell(
+        f"points are those of the design {found.design}, as {model}{told_of} has it: of another array they say nothing"
+    )
 
 
 def _show_touches(found: LocatedTouches) -> None:

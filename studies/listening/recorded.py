@@ -31,6 +31,8 @@ class LocatedTouches:
     """Array with the lines and places of its points."""
     seconds: float
     """Length of the recording, s."""
+    design: str
+    """Name of the design whose points are named: that of the localizer, whatever was recorded."""
 
     @property
     def seconds_by_state(self) -> dict[State, float]:
@@ -76,4 +78,6 @@ def locate_recording(
     events = stream.push(heard.signals)
     if path is not None:
         write_text(path, "".join(event.json_line() + "\n" for event in events))
-    return LocatedTouches(tuple(touches_of(events, localizer)), tuple(events), localizer, heard.seconds)
+    return LocatedTouches(
+        tuple(touches_of(events, localizer)), tuple(events), localizer, heard.seconds, localizer.design
+    )
