@@ -1,0 +1,52 @@
+"""No bad input of over a thousand ends in a traceback, a hang, much memory, a changed input, or silence."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from filelock import FileLock
+from hostile.cases import Case, all_cases, sample
+from hostile.commands import Commands, commands
+from hostile.good_files import make
+from hostile.judge import counts, judged
+from shared import shared_folder
+
+#: Cases that are tried at every run of the tests, and at every run of the slow ones; all: python -m hostile.
+SAMPLE, MANY = 150, 1000
+
+
+@pytest.fixture(scope="module")
+def runner() -> Iterator[Commands]:
+    with commands() as served:
+        yield served
+
+
+@pytest.fixture(scope="module")
+def good(runner: Commands) -> Path:
+    """Good files of every kind, made by whichever process comes first."""
+    folder = shared_folder() / "good-files"
+    with FileLock(folder.with_suffix(".lock")):
+        if not (folder / "complete").exists():
+            folder.mkdir(exist_ok=True)
+            make(folder, runner)
+            (folder / "complete").touch()
+    return folder
+
+
+def assert_all_end_well(cases: list[Case], good: Path, work: Path, runner: Commands) -> None:
+    verdicts = list(judged(cases, good, work, runner))
+    print(counts(verdicts))
+    bad = [f"{v.fault}: {v.case.group}: {v.case.name}: {v.told}" for v in verdicts if v.fault]
+    assert bad == []
+
+
+@pytest.mark.end_to_end
+def test_a_sample_of_bad_inputs_ends_in_one_line_each(good: Path, tmp_path: Path, runner: Commands) -> None:
+    assert_all_end_well(sample(all_cases(), SAMPLE), good, tmp_path, runner)
+
+
+@pytest.mark.slow
+def test_a_thousand_bad_inputs_end_in_one_line_each(good: Path, tmp_path: Path, runner: Commands) -> None:
+    assert_all_end_well(sample(all_cases(), MANY), good, tmp_path, runner)

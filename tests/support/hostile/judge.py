@@ -1,0 +1,146 @@
+"""How commands end that were given bad input."""
+
+from __future__ import annotations
+
+import hashlib
+import random
+import re
+import shutil
+from collections import Counter
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+from hostile.cases import Case
+from hostile.commands import Commands, Ended
+
+#: A command that takes longer hangs, s.
+LONGEST = 30.0
+#: What a command may hold, bytes.
+MOST_MEMORY = 2 * 10**9
+#: Characters of a refusal.
+LONGEST_LINE = 600
+_CONTROL = re.compile(r"[\x00-\x08\x0b-\x1f\x7f\u202a-\u202e\u2066-\u2069]")
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """How one case ended."""
+
+    case: Case
+    """The case."""
+    fault: str
+    """What is wrong with that: empty, or ``traceback``, ``hang``, ``memory``, ``accepted``, ``not named``, ``long``,
+    ``changed an input``.
+    """
+    told: str
+    """The last that the command said."""
+
+
+def judged(cases: Iterable[Case], good: Path, work: Path, commands: Commands, first: int = 0) -> Iterator[Verdict]:
+    """How each case ends.
+
+    Args:
+        cases: what to try.
+        good: a folder of good files.
+        work: an empty folder; each case gets a copy of the good files in it.
+        commands: what runs them.
+        first: number of the first case, from which what is drawn follows.
+    """
+    undamaged: dict[tuple[str, ...], str] = {}
+    for number, case in enumerate(cases, first):
+        if case.ending == "exact" and case.words not in undamaged:
+            ended = _run(case, good, work, commands, damaged=False, seed=number)[0]
+            assert ended.code == 0, (case.words, ended.err[-800:])
+            undamaged[case.words] = ended.out
+        ended, changed = _run(case, good, work, commands, damaged=True, seed=number)
+        yield Verdict(case, _fault(case, ended, changed, undamaged.get(case.words, "")), _last(ended))
+
+
+def counts(verdicts: Iterable[Verdict]) -> str:
+    """A table: for every group of cases how many ended how."""
+    table: dict[str, Counter[str]] = {}
+    for verdict in verdicts:
+        table.setdefault(verdict.case.group, Counter())[verdict.fault or "as it should"] += 1
+    kinds = ["as it should", *sorted({kind for row in table.values() for kind in row} - {"as it should"})]
+    width = max(len(group) for group in table)
+    lines = ["  ".join([f"{'':<{width}}", *kinds])]
+    lines += [
+        "  ".join([f"{group:<{width}}", *(f"{row[kind]:>{len(kind)}}" for kind in kinds)])
+        for group, row in table.items()
+    ]
+    total: Counter[str] = sum(table.values(), Counter())
+    lines.append("  ".join([f"{'all':<{width}}", *(f"{total[kind]:>{len(kind)}}" for kind in kinds)]))
+    return "\n".join(lines)
+
+
+def _run(case: Case, good: Path, work: Path, commands: Commands, damaged: bool, seed: int) -> tuple[Ended, list[str]]:
+    folder = work / "case"
+    shutil.copytree(good, folder, symlinks=True)
+    try:
+        if damaged:
+            case.change(folder, random.Random(seed))
+        before = _state(folder)
+        ended = commands.run(list(case.words), folder, limit=LONGEST)
+        after = _state(folder)
+        output = case.output.split("/")[0]
+        changed = [name for name, state in before.items() if after.get(name) != state and name.split("/")[0] != output]
+        return ended, changed
+    finally:
+        shutil.rmtree(folder)
+
+
+def _state(folder: Path) -> dict[str, str]:
+    """What every ordinary file holds; logs, which commands append to, left out."""
+    return {
+        str(path.relative_to(folder)): hashlib.sha256(path.read_bytes()).hexdigest()
+        for path in folder.rglob("*")
+        if path.is_file()
+        and not path.is_symlink()
+        and path.suffix not in (".log", ".lock")
+        and path.stat().st_size < 2**28
+    }
+
+
+def _last(ended: Ended) -> str:
+    lines = [line for line in (ended.err or ended.out).splitlines() if line.strip()]
+    return lines[-1][:LONGEST_LINE] if lines else ""
+
+
+def _fault(case: Case, ended: Ended, changed: list[str], undamaged: str) -> str:
+    if not ended.in_time:
+        return "hang"
+    if ended.memory > MOST_MEMORY:
+        return "memory"
+    if "Traceback (most recent call last)" in ended.err or ended.code not in (0, 1, 2):
+        return "traceback"
+    if changed:
+        return "changed an input"
+    if ended.code == 0:
+        return _fault_of_acceptance(case, ended, undamaged)
+    return _fault_of_refusal(case, ended)
+
+
+def _fault_of_acceptance(case: Case, ended: Ended, undamaged: str) -> str:
+    if case.ending == "refused" or (case.ending == "exact" and ended.out != undamaged and not _said(case, ended)):
+        return "accepted"
+    return ""
+
+
+def _said(case: Case, ended: Ended) -> bool:
+    """Whether what is damaged is named as such: in a note or warning, or in a table of what was left out."""
+    notes = [line for line in ended.err.splitlines() if "note" in line or "warning" in line.lower()]
+    return "left out" in ended.out or any(word in line for line in notes for word in case.named)
+
+
+def _fault_of_refusal(case: Case, ended: Ended) -> str:
+    if ended.code == 2 and "Usage" in ended.err:
+        return ""
+    refusals = [line for line in ended.err.splitlines() if line.startswith("acoustic-fem: ")]
+    if len(refusals) != 1 or not ended.err.rstrip("\n").endswith(refusals[0]):
+        return "not one line"
+    if len(refusals[0]) > LONGEST_LINE or _CONTROL.search(refusals[0]):
+        return "long"
+    if case.named and not any(word in refusals[0] for word in case.named):
+        return "not named"
+    return ""
