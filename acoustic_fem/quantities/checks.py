@@ -7,7 +7,7 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from geometry.refusal import Refusal
+from geometry.refusal import Refusal, counted
 
 _BAND = (1e-3, 2e3)
 """Lowest and highest frequency of a grid, Hz."""
@@ -30,17 +30,21 @@ def numbers(name: str, values: ArrayLike) -> NDArray[np.float64]:
     return np.asarray(array, dtype=np.float64)
 
 
+MOST_PORTS = 50
+"""Most ports of a cell: each takes a solve of its own at every frequency."""
+
+
 def port_points(ports: Mapping[str, ArrayLike]) -> dict[str, tuple[float, float, float]]:
     """Point (x, y, z) in mm on each port by its name.
 
     Raises:
-        Refusal: no mapping, no port, a name that is no text, empty or ``wall`` (every face that is no port), or
-            a point that is not three finite numbers.
+        Refusal: no mapping, no port or too many, a name that is no text, empty or ``wall`` (every face that is no
+            port), or a point that is not three finite numbers.
     """
     if not isinstance(ports, Mapping):
         raise Refusal(f"ports must map names to points, not be a {type(ports).__name__}")
-    if not ports:
-        raise Refusal("ports must name at least one port")
+    if not 1 <= len(ports) <= MOST_PORTS:
+        raise Refusal(f"ports has {counted(len(ports), 'port')}; it must have 1 to {MOST_PORTS}")
     points = {}
     for name, place in ports.items():
         if not isinstance(name, str) or name in ("", "wall"):

@@ -44,6 +44,8 @@ def export_decoder(
     """
     source, path = Path(model), Path(out)
     check_new_file(path, ".onnx", reads=(source,))
+    if path.suffix.lower() != ".onnx":
+        raise Refusal(f"out = {path} must end in .onnx, by which locate, live and evaluate know such a file")
     if source.suffix == ".onnx":
         raise Refusal(f"{source}: is an ONNX file already; MODEL must be a localizer's folder or a library")
     from localize import BayesDecoder, export_onnx

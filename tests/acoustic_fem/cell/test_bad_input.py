@@ -119,7 +119,8 @@ def half_space():
 
 # -- ports and solids -------------------------------------------------------------------------------------
 BODIES = {
-    "no port": ({"ports": {}}, "ports must name at least one port"),
+    "no port": ({"ports": {}}, "ports has 0 ports; it must have 1 to 50"),
+    "too many ports": ({"ports": {str(k): (0, 0, k) for k in range(51)}}, "ports has 51 ports; it must have 1 to 50"),
     "a list": ({"ports": [("a", (0, 0, 0))]}, "ports must map names to points, not be a list"),
     "none": ({"ports": None}, "ports must map names to points, not be a NoneType"),
     "two numbers": ({"ports": {"a": (0.5, 0.5)}}, "port 'a' = (0.5, 0.5) must be a point of three finite numbers"),

@@ -341,7 +341,7 @@ def test_a_cell_that_cannot_be_read_is_said_and_solved_again(tmp_path, monkeypat
         ({"frequency": [0.0]}, "frequency = 0 Hz must be between"),
         ({"accuracy": 0.5}, "accuracy = 0.5 must be between 0.0002 and 0.003"),
         ({"fidelity": "guess"}, "fidelity = 'guess' must be one of navier-stokes, helmholtz"),
-        ({"ports": {}}, "ports must name at least one port"),
+        ({"ports": {}}, "ports has 0 ports; it must have 1 to 50"),
         ({"ports": {"a": (0, 0, 9)}}, "'a': .* lies on 0 faces"),
         ({"solid": "missing.step"}, "missing.step: no such file"),
     ],

@@ -19,7 +19,7 @@ LONGEST = 30.0
 #: What a command may hold, bytes.
 MOST_MEMORY = 2 * 10**9
 #: Characters of a refusal.
-LONGEST_LINE = 600
+LONGEST_LINE = 2000
 _CONTROL = re.compile(r"[\x00-\x08\x0b-\x1f\x7f\u202a-\u202e\u2066-\u2069]")
 
 

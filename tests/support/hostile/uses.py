@@ -289,8 +289,7 @@ _SOLIDS = (
     ("a tiny hole", "solve(cq.Workplane().box(9, 9, 9).faces('>Z').workplane().hole(1e-4), {'in': (3, 3, 4.5)})"),
     (
         "many faces",
-        "solve(cq.Workplane().rarray(1, 1, 45, 45).rect(.5, .5).extrude(1).union("
-        "cq.Workplane().box(50, 50, 1)), {'in': (0, 0, -0.5)})",
+        "solve(cq.Workplane().polygon(3000, 20).extrude(1), {'in': (0, 0, 1)})",
     ),
     ("no solid", "solve(cq.Workplane(), ends)"),
     ("an empty compound", "solve(cq.Compound.makeCompound([]), ends)"),
@@ -311,7 +310,7 @@ _SOLIDS = (
     ("accuracy of no number", "solve(tube, ends, accuracy=float('nan'))"),
     ("an unknown fidelity", "solve(tube, ends, fidelity='exact')"),
     ("a solid of no number", "solve(cq.Workplane().box(1, 1, 1).val().scale(float('nan')), ends)"),
-    ("an infinite solid", "solve(cq.Workplane().box(1, 1, 1).val().scale(1e300), ends)"),
+    ("an infinite solid", "solve(cq.Workplane().box(1, 1, 1).val().scale(1e90), ends)"),
     (
         "a solid turned inside out",
         "solve(cq.Shape.cast(cq.Workplane().box(1, 1, 1).val().wrapped.Reversed()), {'in': (0, 0, 0.5)})",
