@@ -50,14 +50,11 @@ class MarkedSolid:
     faces: BodyFaces
     """Which of the names are tube ports, moving walls and the mirror."""
 
-    is_foreign: bool = False
-    """Whether it was drawn by others, so that nobody knows what gmsh makes of it."""
-
     def mesh(self, sizes: MeshSizes, beat: Callable[[], None]) -> SolidMesh:
-        """The body meshed; of a foreign one ``beat`` is called while gmsh is at work."""
+        """The body meshed; ``beat`` is called while gmsh is at work."""
         from geometry.air.mesh import mesh_solid
 
-        return mesh_solid(self.shape, self.points, tuple(self.faces.tubes), sizes, beat if self.is_foreign else None)
+        return mesh_solid(self.shape, self.points, tuple(self.faces.tubes), sizes, beat)
 
 
 @dataclass(frozen=True)
@@ -185,7 +182,6 @@ def solve_solid(
             shape if half is None else half.solid,
             faces,
             BodyFaces(tuple(ports), mirror=None if half is None else MIRROR),
-            is_foreign=True,
         ),
         AirModel(medium, band, physics),
         MeshGoal(accuracy, min(box.xlen, box.ylen, box.zlen)),

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import resource
 import signal
+import time
 from collections.abc import Callable
 from multiprocessing import Pipe
 from multiprocessing.connection import Connection
@@ -16,8 +17,8 @@ Result = TypeVar("Result")
 
 #: Processor time (s) and memory beyond that of the program (bytes) that the work may take.
 MOST_SECONDS, MOST_MEMORY = 60, 3 * 2**30
-#: How often is said that the work goes on, s.
-_BEAT = 0.2
+#: How often is said that the work goes on, and after how long without any it is stuck, s.
+_BEAT, _ASLEEP = 0.2, 30.0
 
 
 def apart(work: Callable[[], Result], what: str, beat: Callable[[], None] = lambda: None) -> Result:
@@ -29,7 +30,7 @@ def apart(work: Callable[[], Result], what: str, beat: Callable[[], None] = lamb
         beat: called again and again while the work goes on.
 
     Raises:
-        Refusal: the copy ended without an answer.
+        Refusal: the copy ended without an answer, or waits for threads that only this process has.
     """
     receiver, sender = Pipe(duplex=False)
     child = os.fork()
@@ -37,8 +38,17 @@ def apart(work: Callable[[], Result], what: str, beat: Callable[[], None] = lamb
         _answer(work, sender)
     sender.close()
     try:
+        asleep_since, used = time.monotonic(), -1
         while not receiver.poll(_BEAT):
             beat()
+            now = _processor_time(child)
+            if now != used:
+                asleep_since, used = time.monotonic(), now
+            elif time.monotonic() - asleep_since > _ASLEEP:
+                raise Refusal(
+                    f"{what} does not wake up in a copy of this process: it was used here before, by other code; use "
+                    "it in a process of its own"
+                )
         done, answer = receiver.recv()
     except EOFError:
         raise Refusal(
@@ -67,6 +77,16 @@ def _answer(work: Callable[[], object], sender: Connection) -> NoReturn:
         sender.send(answer)
     finally:
         os._exit(0)
+
+
+def _processor_time(child: int) -> int:
+    """Processor time of a process, clock ticks, plus one where it is ready to run; grows where nobody can say."""
+    try:
+        with open(f"/proc/{child}/stat", encoding="ascii") as file:
+            state, *fields = file.read().rpartition(")")[2].split()
+    except OSError:
+        return time.monotonic_ns()
+    return time.monotonic_ns() if state == "R" else int(fields[10]) + int(fields[11])
 
 
 def _limit(kind: int, most: int) -> None:

@@ -101,7 +101,7 @@ def mesh_solid(
     faces: Mapping[str, Point],
     tubes: tuple[str, ...],
     sizes: MeshSizes,
-    beat: Callable[[], None] | None = None,
+    beat: Callable[[], None] = lambda: None,
 ) -> SolidMesh:
     """Mesh a CAD solid with curved second-order tetrahedra.
 
@@ -110,8 +110,7 @@ def mesh_solid(
         faces: name -> a point on that flat face, mm.
         tubes: which of them end a tube, and so ask for a fine mesh.
         sizes: element sizes.
-
-        beat: called again and again while gmsh is at work, which is then a process of its own; None: it works in this.
+        beat: called again and again while gmsh is at work, in a process of its own.
 
     Raises:
         MeshError: not one solid; a point on no flat face or on several; more elements than :data:`MOST_ELEMENTS`;
@@ -127,7 +126,8 @@ def mesh_solid(
     if shared:
         raise MeshError(f"the names {shared} lie on the same face")
     work = partial(_run_gmsh, solids[0], named, tubes, sizes)
-    nodes, tetrahedra, triangles = work() if beat is None else apart(work, "gmsh", beat)
+    # Always: a copy of a process in which gmsh has worked has its locks, but not the threads that would open them.
+    nodes, tetrahedra, triangles = apart(work, "gmsh", beat)
     normals = {}
     for name, face in named.items():
         normal = face.normalAt()

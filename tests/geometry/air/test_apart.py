@@ -2,6 +2,7 @@
 
 import os
 import signal
+import sys
 
 import cadquery as cq
 import pytest
@@ -50,10 +51,17 @@ def test_who_stops_waiting_ends_the_work(tmp_path):
         os.kill(int(started.read_text(encoding="ascii")), 0)
 
 
-def test_a_solid_is_meshed_alike_in_either_process():
-    here, there = (mesh_solid(BOX, {"a": (0.5, 0.5, 0)}, (), SIZES, beat) for beat in (None, lambda: None))
-    assert (here.nodes == there.nodes).all()
-    assert (here.tetrahedra == there.tetrahedra).all()
+def test_round_solids_are_meshed_one_after_the_other():
+    ball = cq.Workplane().sphere(2).union(cq.Workplane().cylinder(5, 1)).val()
+    first, second = (mesh_solid(ball, {"a": (0, 0, 2.5)}, ("a",), SIZES) for _ in range(2))
+    assert (first.nodes == second.nodes).all()
+    assert "gmsh" not in sys.modules or not sys.modules["gmsh"].isInitialized()
+
+
+def test_work_that_waits_for_threads_of_this_process_is_refused(monkeypatch):
+    monkeypatch.setattr("geometry.air.apart._ASLEEP", 0.3)
+    with pytest.raises(Refusal, match="gmsh does not wake up in a copy of this process"):
+        apart(signal.pause, "gmsh")
 
 
 def test_a_mistake_of_the_program_is_not_taken_for_a_solid_that_cannot_be_meshed(monkeypatch):

