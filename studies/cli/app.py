@@ -5,6 +5,7 @@ Verbs of one subject share a module. Nothing heavy is imported before a verb nee
 
 from __future__ import annotations
 
+import errno
 import signal
 import sys
 import sysconfig
@@ -80,6 +81,10 @@ VERBS = (
 _LONGEST_ARGUMENT = 4096  # no system has longer paths
 
 
+#: What the system says of a disk that takes nothing more, whoever writes to it.
+_FULL = (errno.ENOSPC, errno.EDQUOT, errno.EROFS, errno.EIO)
+
+
 def main() -> NoReturn:
     """Run the command line: exit code 0; 1 with one line on stderr for bad input; 2 for a wrong command line."""
     warnings.showwarning = _show_warning
@@ -100,6 +105,8 @@ def main() -> NoReturn:
 
         if missing := what_is_missing(str(error)):
             fail(missing)
+        if isinstance(error, OSError) and error.errno in _FULL:
+            fail(f"{error.filename or 'the output'}: cannot be written: {error.strerror}")
         if isinstance(error, ImportError) or error.filename is None:
             raise  # a mistake of the program: its traceback says where
         fail(f"{error.filename}: {error.strerror}")

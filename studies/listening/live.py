@@ -141,6 +141,8 @@ def listen(
     reads = (model, heard_from.replay, given.library)
     check_new_file(lines, ".jsonl", reads=reads)
     check_new_file(None if record is None else Path(record), ".wav", kept="a recording", option="record")
+    if lines is not None and record is not None and lines.resolve() == Path(record).resolve():
+        raise Refusal(f"{lines}: out and record must be two files")
     listener, session = _opened(Path(model), heard_from, record, given)
     counts = _Counts()
     with ExitStack() as stack:

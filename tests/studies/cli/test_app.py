@@ -101,6 +101,27 @@ def test_help_loads_nothing_heavy() -> None:
     assert "Usage" in told.stdout
 
 
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="no device that is full")
+def test_a_full_disk_is_told_in_one_line(command: Command, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    def full(*_: object, **__: object) -> None:
+        with open("/dev/full", "w") as file:
+            file.write("x" * 10_000)
+
+    monkeypatch.setattr("geometry.files.writing.os.replace", full)
+    told = command("prototypes", "glove", "--out", tmp_path / "mine.toml")
+    assert told.code == 1
+    assert "No space left on device" in told.err.splitlines()[-1]
+    assert "Traceback" not in told.err
+
+
+def test_out_and_record_of_live_are_two_files(command: Command, tmp_path: Path) -> None:
+    folder, played = small_run().folder, tmp_path / "played.wav"
+    scipy.io.wavfile.write(played, 1000, np.random.default_rng(0).standard_normal((2000, 2)).astype(np.float32))
+    both = tmp_path / "both.wav"
+    told = command("live", folder / "library.nc", "--replay", played, "--out", both, "--record", both)
+    assert (told.code, "out and record must be two files" in told.err, both.exists()) == (1, True, False)
+
+
 def test_the_fidelities_of_the_command_are_those_of_the_library(command: Command, tmp_path: Path) -> None:
     told = command("solve", "array-2x6", "--out", str(tmp_path / "library.nc"), "--fidelity", "exact")
     assert told.code == 2
