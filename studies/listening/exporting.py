@@ -44,8 +44,6 @@ def export_decoder(
     """
     source, path = Path(model), Path(out)
     check_new_file(path, ".onnx", reads=(source,))
-    if path.suffix.lower() != ".onnx":
-        raise Refusal(f"out = {path} must end in .onnx, by which locate, live and evaluate know such a file")
     if source.suffix == ".onnx":
         raise Refusal(f"{source}: is an ONNX file already; MODEL must be a localizer's folder or a library")
     from localize import BayesDecoder, export_onnx
@@ -53,5 +51,7 @@ def export_decoder(
     localizer = open_trained(source, noise, ambient)
     if ambient is not None and not isinstance(localizer, BayesDecoder):
         raise Refusal(f"`ambient` = {ambient:g} is for a library; {source} was trained with a sound of its own")
+    if path.suffix.lower() != ".onnx":
+        raise Refusal(f"out = {path} must end in .onnx, by which locate, live and evaluate know such a file")
     export_onnx(localizer, path)
     return ExportedDecoder(path, len(localizer.line), tuple(localizer.microphones))

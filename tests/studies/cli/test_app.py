@@ -52,6 +52,7 @@ def command(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str])
 
     def run(*arguments: object) -> Outcome:
         monkeypatch.setattr(sys, "argv", ["acoustic-fem", *map(str, arguments)])
+        monkeypatch.setenv("COLUMNS", "200")  # what is told here, not how it is laid out
         capsys.readouterr()
         with pytest.raises(SystemExit) as ended:
             app.main()
@@ -410,7 +411,7 @@ def test_run_takes_a_design_and_a_folder_and_nothing_else(command: Command, tmp_
     assert command("run", "array-2x6", "--out", tmp_path, "--fidelity", "lumped").code == 2
     told = command("run", "--help")
     options = [word for word in told.out.split() if word.startswith("--")]
-    assert set(options) == {"--out", "--help"}
+    assert set(options) == {"--out", "--allow-overlaps", "--help"}
 
 
 def test_one_point_is_enough_for_solve_and_parts(command: Command, tmp_path: Path) -> None:

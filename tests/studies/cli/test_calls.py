@@ -98,6 +98,7 @@ def command(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str])
 
     def run(*arguments: object, code: int = 0) -> str:
         monkeypatch.setattr(sys, "argv", ["acoustic-fem", *map(str, arguments)])
+        monkeypatch.setenv("COLUMNS", "200")  # what is told here, not how it is laid out
         capsys.readouterr()
         with pytest.raises(SystemExit) as ended:
             app.main()
@@ -219,7 +220,7 @@ def test_designs_and_libraries_in_python_are_those_of_the_verbs(command: Callabl
 
     out = command("solve", "row.toml", "--out", "verb.nc", "--fidelity", "lumped")
     library = studies.solve_library(small_design(), "call.nc", fidelity="lumped")
-    assert "verb.nc: 3 points, 2 microphones, 64 frequencies" in out
+    assert "verb.nc: 3 points, 2 microphones, 500 frequencies" in out
     for one in (library, acoustic_fem.load("call.nc")):
         assert one.transfer_function.identical(acoustic_fem.load("verb.nc").transfer_function)
 
