@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import resource
 import signal
 import time
 from collections.abc import Callable
@@ -32,19 +31,21 @@ def apart(work: Callable[[], Result], what: str, beat: Callable[[], None] = lamb
     Raises:
         Refusal: the copy ended without an answer, or waits for threads that only this process has.
     """
+    if not hasattr(os, "fork"):  # Windows: Ctrl-C then waits for the end of the work
+        return work()
     receiver, sender = Pipe(duplex=False)
     child = os.fork()
     if child == 0:
         _answer(work, sender)
     sender.close()
     try:
-        asleep_since, used = time.monotonic(), -1
+        asleep, used = 0, -1
         while not receiver.poll(_BEAT):
             beat()
             now = _processor_time(child)
-            if now != used:
-                asleep_since, used = time.monotonic(), now
-            elif time.monotonic() - asleep_since > _ASLEEP:
+            # Counted, not timed: both processes may be stopped for hours and go on.
+            asleep, used = (asleep + 1 if now == used else 0), now
+            if asleep * _BEAT > _ASLEEP:
                 raise Refusal(
                     f"{what} does not wake up in a copy of this process: it was used here before, by other code; use "
                     "it in a process of its own"
@@ -66,6 +67,8 @@ def apart(work: Callable[[], Result], what: str, beat: Callable[[], None] = lamb
 
 def _answer(work: Callable[[], object], sender: Connection) -> NoReturn:
     """Work, send what came of it, and end at once: what the program does when it ends is not this process's task."""
+    import resource
+
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the program decides
     try:
         _limit(resource.RLIMIT_CPU, MOST_SECONDS)
@@ -74,13 +77,16 @@ def _answer(work: Callable[[], object], sender: Connection) -> NoReturn:
             answer: tuple[bool, object] = (True, work())
         except BaseException as error:
             answer = (False, error)
-        sender.send(answer)
+        try:
+            sender.send(answer)
+        except Exception:  # it cannot be sent as it is; a mistake of ours must not look like a solid too hard to mesh
+            sender.send((False, RuntimeError(repr(answer[1]))))
     finally:
         os._exit(0)
 
 
 def _processor_time(child: int) -> int:
-    """Processor time of a process, clock ticks, plus one where it is ready to run; grows where nobody can say."""
+    """Processor time of a process, clock ticks; a number that grows where it is ready to run or nobody can say."""
     try:
         with open(f"/proc/{child}/stat", encoding="ascii") as file:
             state, *fields = file.read().rpartition(")")[2].split()
@@ -91,6 +97,8 @@ def _processor_time(child: int) -> int:
 
 def _limit(kind: int, most: int) -> None:
     """Lower a limit of this process; what is lower already stays."""
+    import resource
+
     soft, hard = resource.getrlimit(kind)
     known = [each for each in (soft, hard, most) if each != resource.RLIM_INFINITY]
     resource.setrlimit(kind, (min(known), hard))
@@ -98,6 +106,8 @@ def _limit(kind: int, most: int) -> None:
 
 def _memory() -> int:
     """Memory that this process may write, bytes; none where the system does not say."""
+    import resource
+
     try:
         with open("/proc/self/statm", encoding="ascii") as file:
             return int(file.read().split()[5]) * resource.getpagesize()

@@ -2,7 +2,6 @@
 
 import os
 import signal
-import sys
 
 import cadquery as cq
 import pytest
@@ -55,7 +54,24 @@ def test_round_solids_are_meshed_one_after_the_other():
     ball = cq.Workplane().sphere(2).union(cq.Workplane().cylinder(5, 1)).val()
     first, second = (mesh_solid(ball, {"a": (0, 0, 2.5)}, ("a",), SIZES) for _ in range(2))
     assert (first.nodes == second.nodes).all()
-    assert "gmsh" not in sys.modules or not sys.modules["gmsh"].isInitialized()
+
+
+def test_gmsh_never_works_in_this_process(monkeypatch):
+    def told(*_):
+        raise MeshError(f"process {os.getpid()}")
+
+    monkeypatch.setattr("geometry.air.mesh._set_sizes", told)
+    with pytest.raises(MeshError, match="process") as refused:
+        mesh_solid(BOX, {"a": (0.5, 0.5, 0)}, (), SIZES)
+    assert str(refused.value) != f"process {os.getpid()}"
+
+
+def test_an_error_that_cannot_be_sent_is_no_refusal():
+    def fail():
+        raise ValueError(lambda: None)
+
+    with pytest.raises(RuntimeError, match="lambda"):
+        apart(fail, "work")
 
 
 def test_work_that_waits_for_threads_of_this_process_is_refused(monkeypatch):
