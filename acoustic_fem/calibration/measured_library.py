@@ -21,7 +21,7 @@ from acoustic_fem.calibration.recording_checks import (
     check_steady,
 )
 from acoustic_fem.library.result import Library, described, measured_library
-from acoustic_fem.sound.estimate import TransferEstimate, transfer_estimate
+from acoustic_fem.sound.estimate import TransferEstimate, shortest_record, transfer_estimate
 from acoustic_fem.sound.sound_file import Sound, SoundFileError, read_sound
 from geometry.files.ordinary import MOST_NUMBERS
 from geometry.refusal import Refusal, counted
@@ -186,8 +186,6 @@ def _point(
     channels, rate, limits = read_point(manifest, number)
     check_signals(channels, rate, limits, float(frequency[-1]))
     channels, rest = _together(channels, rate, manifest.started_late)
-    if max(manifest.started_late.values()) - min(manifest.started_late.values()) > 1.0:
-        check_signals(channels, rate, limits, float(frequency[-1]))  # of what is left of them
     samples = min(len(values) for values in channels.values())
     signals = np.stack([manifest.pascals[name] * values[:samples] for name, values in channels.items()])
     digest = hashlib.sha256(signals.tobytes()).hexdigest()
@@ -214,14 +212,16 @@ def _together(
         The channels, and what is left of their lateness, (n_channel,) float64, s.
 
     Raises:
-        RecordingFault: a recorder started when another had ended.
+        RecordingFault: what all channels share is too short.
     """
     latest = max(started_late[name] for name in channels)
     skipped = {name: round((latest - started_late[name]) * rate) for name in channels}
     for name, values in channels.items():
-        if skipped[name] >= len(values):
+        left = max(len(values) - skipped[name], 0) / rate
+        if left < shortest_record():
             raise RecordingFault(
-                f"started_late = {latest:g} s leaves nothing of channel {name}, which lasts {len(values) / rate:.3g} s"
+                f"started_late = {latest:g} s leaves {left:.3g} s of channel {name}; it must leave at least "
+                f"{shortest_record():g} s"
             )
     rest = np.array([started_late[name] + skipped[name] / rate - latest for name in channels])
     return {name: values[skipped[name] :] for name, values in channels.items()}, rest

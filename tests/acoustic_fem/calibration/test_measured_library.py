@@ -146,7 +146,10 @@ def test_a_recorder_that_started_seconds_late_is_brought_in_line(model: Library,
     manifest = tomlkit.parse(path.read_text(encoding="utf-8"))
     manifest["points"] = {"1": {"reference": "cavity.wav", "A": "A.wav", "B": "B.wav"}}
     truth = rig.transfer_function(GRID)[0]
-    for seconds, reason in ((5.25, ""), (59.0, "started_late = 59 s leaves nothing of channel A, which lasts 24.8 s")):
+    for seconds, reason in (
+        (5.25, ""),
+        (59.0, "started_late = 59 s leaves 0 s of channel A; it must leave at least 19 s"),
+    ):
         manifest["started_late"] = {"reference": seconds}
         path.write_text(tomlkit.dumps(manifest), encoding="utf-8")
         if reason:
