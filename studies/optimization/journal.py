@@ -79,7 +79,8 @@ def opened(out: Path, directions: Directions, identity: dict[str, Any]) -> optun
 @contextmanager
 def read_only(out: Path, directions: Directions, identity: dict[str, Any]) -> Iterator[optuna.Study]:
     """The trials of a folder, which stays as it is; arguments and errors as for :func:`opened`."""
-    held = _checked(out)
+    read_seal(out)
+    held = read_bytes(out / JOURNAL, "the journal of a search", StudyError, _LARGEST)
     with tempfile.TemporaryDirectory() as folder:
         copy = Path(folder) / JOURNAL
         copy.write_bytes(held[: held.rfind(b"\n") + 1])
@@ -91,7 +92,7 @@ def read_only(out: Path, directions: Directions, identity: dict[str, Any]) -> It
 def seal(out: Path, unprintable: dict[int, str] | None = None) -> None:
     """Note what the journal holds now; what was known to be unprintable stays so unless said anew."""
     held = (out / JOURNAL).read_bytes()
-    known = read_seal(out).unprintable if unprintable is None and (out / _SEAL).is_file() else unprintable or {}
+    known = _stated(out).unprintable if unprintable is None else unprintable
     write_text(out / _SEAL, Seal(bytes=len(held), crc32=zlib.crc32(held), unprintable=known).model_dump_json(indent=1))
 
 
@@ -101,14 +102,7 @@ def read_seal(out: Path) -> Seal:
     Raises:
         StudyError: the seal cannot be read, or the journal is not what was sealed.
     """
-    path = out / _SEAL
-    if not path.is_file():
-        return Seal(bytes=0, crc32=0)
-    try:
-        found = Seal.model_validate_json(read_text(path, "the seal of a search", StudyError))
-    except ValidationError as error:
-        where = ".".join(map(str, error.errors()[0]["loc"])) or "all of it"
-        raise StudyError(f"{path}: {where}: {error.errors()[0]['msg']}; search anew in a new folder") from None
+    found = _stated(out)
     held = read_bytes(out / JOURNAL, "the journal of a search", StudyError, _LARGEST)
     if len(held) < found.bytes or zlib.crc32(held[: found.bytes]) != found.crc32:
         raise StudyError(
@@ -117,9 +111,16 @@ def read_seal(out: Path) -> Seal:
     return found
 
 
-def _checked(out: Path) -> bytes:
-    read_seal(out)
-    return read_bytes(out / JOURNAL, "the journal of a search", StudyError, _LARGEST)
+def _stated(out: Path) -> Seal:
+    """The seal as it stands on disk."""
+    path = out / _SEAL
+    if not path.is_file():
+        return Seal(bytes=0, crc32=0)
+    try:
+        return Seal.model_validate_json(read_text(path, "the seal of a search", StudyError))
+    except ValidationError as error:
+        where = ".".join(map(str, error.errors()[0]["loc"])) or "all of it"
+        raise StudyError(f"{path}: {where}: {error.errors()[0]['msg']}; search anew in a new folder") from None
 
 
 def _study(path: Path, directions: Directions) -> optuna.Study:
