@@ -82,7 +82,7 @@ _LONGEST_ARGUMENT = 4096  # no system has longer paths
 
 
 #: What the system says of a disk that takes nothing more, whoever writes to it.
-_FULL = (errno.ENOSPC, errno.EDQUOT, errno.EROFS, errno.EIO)
+_FULL = (errno.ENOSPC, errno.EDQUOT, errno.EROFS)
 
 
 def main() -> NoReturn:
@@ -107,9 +107,9 @@ def main() -> NoReturn:
             fail(missing)
         if isinstance(error, OSError) and error.errno in _FULL:
             fail(f"{error.filename or 'the output'}: cannot be written: {error.strerror}")
-        if isinstance(error, ImportError) or error.filename is None:
+        if isinstance(error, ImportError) or (error.filename is None and error.errno != errno.EIO):
             raise  # a mistake of the program: its traceback says where
-        fail(f"{error.filename}: {error.strerror}")
+        fail(f"{error.filename or 'a file'}: {error.strerror}")
     sys.exit(0)
 
 
