@@ -12,7 +12,8 @@ from . import (
     quantities as quantities,
     sound as sound,
 )
-from .library.netcdf_file import LibraryError as LibraryError, load as load, save as save
+from .library.exchange import load as load
+from .library.netcdf_file import LibraryError as LibraryError, save as save
 from .library.result import Library as Library
 from .library.solving import solve as solve
 from .quantities.fidelity import FIDELITIES as FIDELITIES

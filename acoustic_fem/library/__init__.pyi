@@ -1,4 +1,4 @@
-from .exchange import FORMATS as FORMATS, export as export, load_exchanged as load_exchanged
+from .exchange import FORMATS as FORMATS, export as export, load as load
 from .netcdf_file import LibraryError as LibraryError
 from .noise import (
     detectable_density as detectable_density,

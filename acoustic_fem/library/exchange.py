@@ -27,7 +27,7 @@ from acoustic_fem.library.netcdf_file import (
     LibraryError,
     dataset_of,
     library_in,
-    load as load_netcdf,
+    load_netcdf,
     real_variables,
     save as save_netcdf,
     with_checksums,
@@ -67,17 +67,19 @@ def export(library: Library, path: str | os.PathLike[str]) -> None:
         raise LibraryError(f"{path}: cannot be written: {error.strerror or error}") from None
 
 
-def load_exchanged(path: str | os.PathLike[str]) -> Library:
-    """Read what :func:`export` wrote; every number is the one that was written.
+def load(path: str | os.PathLike[str]) -> Library:
+    """Read what :func:`export` or :func:`acoustic_fem.save` wrote; every number is the one that was written.
+
+    This is the one reader of libraries: the suffix of the name tells the format.
 
     Raises:
         LibraryError: no such file, another suffix, cut short, not of this program, or altered; says what.
     """
     path = Path(path)
+    ordinary_file(path, "a library", LibraryError)
     suffix = _suffix(path)
     if suffix == ".nc":
         return load_netcdf(path)
-    ordinary_file(path, "a library", LibraryError)
     try:
         dataset = {".sofa": _read_sofa, ".npz": _read_npz, ".csv": _read_csv}[suffix](path)
     except LibraryError:

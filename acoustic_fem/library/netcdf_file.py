@@ -51,7 +51,7 @@ def save(library: Library, path: str | os.PathLike[str]) -> None:
     """Write a library; the file is whole or not there (written beside, then renamed).
 
     Complex variables become NAME_real and NAME_imag; the design (TOML), the air and the provenance (JSON)
-    are global attributes. The response per newton is written for other tools; :func:`load` leaves it to
+    are global attributes. The response per newton is written for other tools; :func:`load_netcdf` leaves it to
     :attr:`acoustic_fem.library.result.Library.force_response`, since it follows from the rest.
 
     Raises:
@@ -111,7 +111,7 @@ def _hashed() -> dict[str, tuple[str, ...]]:
     return {"frequency": ("frequency",), **real_variables()}
 
 
-def load(path: str | os.PathLike[str]) -> Library:
+def load_netcdf(path: str | os.PathLike[str]) -> Library:
     """Read a library that :func:`save` wrote; every number is the one that was saved.
 
     The arrays are compared with the design in the file and with what was written: another number of points, other

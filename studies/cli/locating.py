@@ -57,7 +57,7 @@ def onnx(
         Path,
         typer.Argument(
             metavar="MODEL",
-            help="A trained localizer (a folder), or a library (library.nc) for the model-based decoder.",
+            help="A trained localizer (a folder), or a library (.nc, .sofa, .npz or .csv) for the model-based decoder.",
             show_default=False,
         ),
     ],

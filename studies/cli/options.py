@@ -22,7 +22,10 @@ Design = Annotated[
     str, typer.Argument(metavar="DESIGN", help="A design file, or the name of a prototype.", show_default=False)
 ]
 LibraryFile = Annotated[
-    Path, typer.Argument(metavar="LIBRARY", help="A library, from solve or run (library.nc).", show_default=False)
+    Path,
+    typer.Argument(
+        metavar="LIBRARY", help="A library, from solve, run or convert: .nc, .sofa, .npz or .csv.", show_default=False
+    ),
 ]
 Noise = Annotated[
     float | None,

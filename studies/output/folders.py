@@ -131,11 +131,11 @@ def check_new_library(path: Path, formats: Sequence[str], reads: Files = ()) -> 
 
 def _fidelity(path: Path) -> str | None:
     """Fidelity of the library in a file; None where there is none that can be read."""
-    from acoustic_fem.library.exchange import load_exchanged
+    from acoustic_fem.library.exchange import load
     from acoustic_fem.library.netcdf_file import LibraryError
 
     try:
-        return load_exchanged(path).fidelity
+        return load(path).fidelity
     except LibraryError:
         return None
 

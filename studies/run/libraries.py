@@ -63,10 +63,10 @@ def convert_library(library: str | os.PathLike[str], out: str | os.PathLike[str]
     Raises:
         Refusal: a file that is no library, or cannot be written.
     """
-    from acoustic_fem.library.exchange import FORMATS, export, load_exchanged
+    from acoustic_fem.library.exchange import FORMATS, export, load
 
     path = Path(out)
     check_new_library(path, FORMATS, reads=(library,))
-    loaded = load_exchanged(Path(library))
+    loaded = load(Path(library))
     export(loaded, path)
     return loaded

@@ -15,7 +15,7 @@ import acoustic_fem
 import geometry
 from acoustic_fem.library import sealed_netcdf
 from acoustic_fem.library.checksums import NoChecksumWarning
-from acoustic_fem.library.exchange import FORMATS, export, load_exchanged
+from acoustic_fem.library.exchange import FORMATS, export, load
 from acoustic_fem.library.netcdf_file import LibraryError
 from acoustic_fem.library.result import VARIABLES, Library
 
@@ -30,7 +30,7 @@ def assert_refused_or_the_same(path: Path, library: Library, done: str) -> bool:
     """Whether it was refused."""
     refused = ""
     try:
-        found = load_exchanged(path)
+        found = load(path)
     except LibraryError as error:
         refused = str(error)
     if refused:
@@ -99,7 +99,7 @@ def test_a_file_that_another_program_changed_has_no_seal_and_still_its_checksums
     with netCDF4.Dataset(path, "a") as file:
         file["point_impedance_real" if suffix == ".nc" else "PointImpedanceReal"][1, 2] *= 1.01
     with pytest.raises(LibraryError, match=r"point_impedance_real is not what was written \(its SHA-256 differs\)"):
-        load_exchanged(path)
+        load(path)
 
 
 def test_a_seal_tells_any_damage_before_hdf5_looks(
@@ -111,7 +111,7 @@ def test_a_seal_tells_any_damage_before_hdf5_looks(
     for done in damaged(tmp_path, 3, 4):
         if "bit" in done:
             with pytest.raises(LibraryError, match="is damaged: its bytes are not those that were written"):
-                load_exchanged(path)
+                load(path)
 
 
 def test_what_takes_too_long_or_ends_the_process_is_refused(
@@ -123,11 +123,11 @@ def test_what_takes_too_long_or_ends_the_process_is_refused(
     monkeypatch.setattr(sealed_netcdf, "_TRIAL", "while True: pass")
     monkeypatch.setattr(sealed_netcdf, "_PATIENCE", 0.2)
     with pytest.raises(LibraryError, match=r"library.sofa: cannot be read in 0.2 s; it is damaged, or not a library"):
-        load_exchanged(path)
+        load(path)
     ended = subprocess.CompletedProcess([], -11, "", "")
     monkeypatch.setattr(subprocess, "run", lambda *_, **__: ended)
     with pytest.raises(LibraryError, match=r"library.sofa: cut short, damaged or not .*: it ends what reads it"):
-        load_exchanged(path)
+        load(path)
 
 
 def test_arrays_that_would_fill_the_memory_are_refused_before_they_are_read(tmp_path: Path) -> None:
@@ -136,7 +136,7 @@ def test_arrays_that_would_fill_the_memory_are_refused_before_they_are_read(tmp_
         file.createDimension("x", 10**12)
         file.createVariable("a", "f8", ("x",), chunksizes=(1000,))
     with pytest.raises(LibraryError, match="its arrays would take 8000000000000 bytes, and must take at most"):
-        load_exchanged(path)
+        load(path)
 
 
 @pytest.mark.parametrize("suffix", FORMATS)
@@ -206,6 +206,6 @@ def test_rows_that_are_not_those_of_the_design_in_its_order_are_refused(
     rows = change([line.split(",") for line in lines[first:]])
     path.write_text("\n".join([*lines[:first], *(",".join(row) for row in rows)]) + "\n")
     with pytest.raises(LibraryError) as refused:
-        load_exchanged(path)
+        load(path)
     assert str(refused.value).startswith(f"{path}: ")
     assert reason in str(refused.value)

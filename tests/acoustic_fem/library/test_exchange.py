@@ -11,7 +11,7 @@ import sofar
 
 import acoustic_fem
 import geometry
-from acoustic_fem.library.exchange import export, load_exchanged
+from acoustic_fem.library.exchange import export, load
 from acoustic_fem.library.netcdf_file import LibraryError
 from acoustic_fem.library.result import DEVIATION, VARIABLES, Library, library_from_arrays
 
@@ -58,7 +58,7 @@ def test_what_is_read_back_is_what_was_written(suffix: str, measured: bool, libr
     expected = with_deviation(library) if measured else library
     path = tmp_path / f"library{suffix}"
     export(expected, path)
-    assert_same(load_exchanged(path), expected, ("microphone_impedance",) if suffix == ".csv" else ())
+    assert_same(load(path), expected, ("microphone_impedance",) if suffix == ".csv" else ())
 
 
 @pytest.mark.parametrize("suffix", [".sofa", ".npz", ".csv"])
@@ -69,7 +69,7 @@ def test_one_point_one_frequency_and_three_microphones_come_back_too(suffix: str
     for number, expected in enumerate((single, library_of("fingertip-3x4"))):
         path = tmp_path / f"{number}{suffix}"
         export(expected, path)
-        assert_same(load_exchanged(path), expected, ("microphone_impedance",) if suffix == ".csv" else ())
+        assert_same(load(path), expected, ("microphone_impedance",) if suffix == ".csv" else ())
 
 
 def test_sofar_verifies_the_file_and_finds_points_as_emitters_and_microphones_as_receivers(
@@ -96,7 +96,7 @@ def test_a_table_whose_repeated_columns_disagree_is_refused(library: Library, tm
     lines[-1] = lines[-1].rpartition(",")[0] + ",1.5"  # of the last microphone, whose rows repeat those of the first
     path.write_text("\n".join(lines) + "\n", encoding="utf-8")
     with pytest.raises(LibraryError, match=r"a\.csv: .*point_impedance_imag is not the same in the rows"):
-        load_exchanged(path)
+        load(path)
 
 
 def test_the_rows_of_a_table_are_readable_by_others(library: Library, tmp_path: Path) -> None:
@@ -115,6 +115,7 @@ def test_files_that_are_no_library_are_refused_in_one_line(library: Library, tmp
     sofar.write_sofa(str(tmp_path / "hrtf.sofa"), sofar.Sofa("SimpleFreeFieldHRIR"))
     np.savez(tmp_path / "foreign.npz", a=np.ones(3))
     (tmp_path / "foreign.csv").write_text("a,b\n1,2\n")
+    (tmp_path / "a.wav").write_bytes(b"RIFF")
     for suffix in (".sofa", ".npz", ".csv"):
         whole = tmp_path / f"whole{suffix}"
         export(library, whole)
@@ -140,7 +141,7 @@ def test_files_that_are_no_library_are_refused_in_one_line(library: Library, tmp
         ("a.wav", "its name must end with .nc, .sofa, .npz or .csv"),
     ):
         with pytest.raises(LibraryError) as refused:
-            load_exchanged(tmp_path / name)
+            load(tmp_path / name)
         assert str(refused.value).startswith(f"{tmp_path / name}: "), name
         assert message in str(refused.value), name
         assert "\n" not in str(refused.value), name

@@ -10,7 +10,7 @@ import pytest
 
 import acoustic_fem
 import geometry
-from acoustic_fem.library.exchange import export, load_exchanged
+from acoustic_fem.library.exchange import export, load
 from geometry.layout.arrangement import lay_out
 from geometry.layout.overlaps import overlaps
 from geometry.layout.placement import point_places
@@ -38,7 +38,7 @@ def test_a_library_is_read_without_a_layout_and_solved_with_one(
     for name in ("library.nc", "library.npz"):
         path = tmp_path / name
         export(library, path)
-        assert load_exchanged(path).design == library.design
+        assert load(path).design == library.design
     assert len(laid_out) == 1
     assert measured == []
 

@@ -14,6 +14,7 @@ import geometry
 from acoustic_fem.library.exchange import export
 from acoustic_fem.library.result import DEVIATION, MEASURED, VARIABLES, Library, library_from_arrays
 from geometry.layout.arrangement import lay_out
+from localize.signals.array_response import UncoveredWarning
 from studies.cli.app import app
 
 GRID = np.linspace(1.0, 100.0, 7)
@@ -60,6 +61,45 @@ def test_the_verb_converts_there_and_back(library: Library, tmp_path: Path) -> N
         assert result.exit_code == 0, result.output
         assert "3 points, 2 microphones, 7 frequencies" in result.output
     assert_same(acoustic_fem.load(tmp_path / "again.nc"), library)
+
+
+@pytest.fixture(scope="module")
+def localizer(library: Library, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A localizer that was hardly trained, on a library in another format."""
+    folder = tmp_path_factory.mktemp("trained")
+    export(library, folder / "library.sofa")
+    verb = ["train", str(folder / "library.sofa"), "--out", str(folder / "localizer"), "--epochs", "1"]
+    made = CliRunner().invoke(app, verb)
+    assert made.exit_code == 0, made.output
+    return folder / "localizer"
+
+
+@pytest.mark.parametrize("suffix", [".nc", ".sofa", ".npz", ".csv"])
+def test_every_verb_reads_what_convert_writes(
+    library: Library, localizer: Path, tmp_path: Path, suffix: str, recwarn: pytest.WarningsRecorder
+) -> None:
+    path, recording = tmp_path / f"library{suffix}", tmp_path / "quiet.csv"
+    export(library, path)
+    rows = np.random.default_rng(0).normal(0, 1e-4, (600, 2))
+    recording.write_text("A,B\n" + "\n".join(f"{a:g},{b:g}" for a, b in rows), encoding="utf-8")
+    for arguments in (
+        ("evaluate", localizer, path, "--touches", "1"),
+        ("locate", path, recording),
+        ("locate", localizer, recording, "--library", path, "--refuse", "1e-6"),
+    ):
+        result = CliRunner().invoke(app, [str(argument) for argument in arguments])
+        assert result.exit_code == 0, (arguments, result.output, result.exception)
+    assert {told.category for told in recwarn} <= {UncoveredWarning}
+
+
+@pytest.mark.parametrize("arguments", [("train", "library.txt"), ("recalibrate", "library.txt", "touches.wav")])
+def test_the_other_verbs_have_the_same_reader(
+    library: Library, tmp_path: Path, arguments: tuple[str, ...], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    acoustic_fem.save(library, "library.txt")
+    refused = CliRunner().invoke(app, [*arguments, "--out", "made"])
+    assert str(refused.exception) == "library.txt: its name must end with .nc, .sofa, .npz or .csv"
 
 
 @pytest.mark.parametrize("suffix", [".nc", ".sofa", ".npz", ".csv"])

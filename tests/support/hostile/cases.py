@@ -55,8 +55,7 @@ def library_told(name: str) -> tuple[str, ...]:
     """Python that loads a library and tells what it holds."""
     return (
         "-c",
-        f"import acoustic_fem as a; from acoustic_fem.library import load_exchanged\n"
-        f"l = {'a.load' if name.endswith('.nc') else 'load_exchanged'}({name!r})\n"
+        f"import acoustic_fem\nl = acoustic_fem.load({name!r})\n"
         "arrays = [l.frequency, l.transfer_function.values, l.source_response.values, l.point_impedance.values]\n"
         f"print(l.design.name, list(l.design.microphones), l.fidelity)\n{_TOLD}",
     )
