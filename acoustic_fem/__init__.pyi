@@ -10,6 +10,7 @@ from . import (
     network as network,
     numerics as numerics,
     quantities as quantities,
+    scatter as scatter,
     sound as sound,
 )
 from .library.exchange import load as load

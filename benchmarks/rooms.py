@@ -21,12 +21,12 @@ import geometry
 import localize
 from acoustic_fem.batch.network import batch_response
 from acoustic_fem.batch.parameters import design_air
+from acoustic_fem.scatter.tolerances import ScatteredDesign
 from geometry.files.writing import replace_section
 from localize.decoders.bayes import ROOM
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.stimulus import Stimuli, multi_sines
 from localize.signals.touch_generator import TouchGenerator
-from studies.scatter.tolerances import ScatteredDesign
 
 PAGE = Path(__file__).parents[1] / "docs" / "decoder.md"
 BEGIN, END = "<!-- rooms: made by benchmarks/rooms.py -->", "<!-- end rooms -->"

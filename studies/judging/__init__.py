@@ -1,6 +1,6 @@
 """A localizer trained and judged, also under other conditions, and its report.
 
-Stands on: output, scatter.
+Stands on: output.
 """
 
 import lazy_loader

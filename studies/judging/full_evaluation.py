@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import warnings
 from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass
 from datetime import UTC, datetime
@@ -12,11 +11,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from acoustic_fem.batch.network import batch_transfer_function
 from acoustic_fem.batch.parameters import design_air
 from acoustic_fem.library.provenance import versions
+from acoustic_fem.scatter.made_sensors import scatter_factors
+from acoustic_fem.scatter.tolerances import ScatteredDesign
 from geometry.refusal import Refusal
-from studies.scatter.tolerances import ScatteredDesign
 
 if TYPE_CHECKING:
     from acoustic_fem import Library
@@ -155,9 +154,7 @@ def mis_made(
 ) -> list[tuple[str, float, NDArray[np.complex128]]]:
     """Sets of sensors with shares of the workshop's tolerances.
 
-    What scatter changes is computed with the lumped network and applied to the library's transfer functions as a
-    factor, so that a library of any fidelity is scattered around itself; what closed forms warn of concerns none of
-    the library's own numbers and is not told.
+    A library of any fidelity is scattered around itself, see :func:`acoustic_fem.scatter.scatter_factors`.
 
     Args:
         library: of a design.
@@ -170,16 +167,9 @@ def mis_made(
         Name and share of each set, and (count, n_point, n_microphone, n_freq) complex128 transfer functions, Pa/Pa.
     """
     scattered, air = ScatteredDesign(library.design), design_air(library.design)
-    draws = scattered.draws(0, count, seed)
 
-    def lumped(share: float, sensors: int) -> NDArray[np.complex128]:
-        parameters = scattered.parameters({name: share * values[:sensors] for name, values in draws.items()})
-        return batch_transfer_function(parameters, scattered.topology, response.frequency, air)
+    def made(share: float) -> NDArray[np.complex128]:
+        factors = scatter_factors(scattered, air, response.frequency, count, seed, share=share)
+        return response.transfer_function * factors
 
-    with warnings.catch_warnings():
-        warnings.filterwarnings("ignore", "entrance loss", UserWarning)
-        nominal = lumped(0.0, 1)
-        return [
-            (f"{share:g} of the tolerances", share, response.transfer_function * (lumped(share, count) / nominal))
-            for share in shares
-        ]
+    return [(f"{share:g} of the tolerances", share, made(share)) for share in shares]

@@ -1,6 +1,6 @@
 """A made sensor calibrated and recalibrated; priors, figures and a virtual rig for it.
 
-Stands on: output, scatter.
+Stands on: output.
 """
 
 import lazy_loader

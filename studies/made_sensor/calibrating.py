@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
     from acoustic_fem import Library
     from acoustic_fem.calibration import Calibration, Update
-    from studies.scatter.tolerances import Tolerance
+    from acoustic_fem.scatter.tolerances import Tolerance
 
 #: The manifest of a folder of recordings.
 MANIFEST = "calibration.toml"
@@ -85,9 +85,9 @@ def calibrate_sensor(
     from acoustic_fem.calibration.manifest import read_manifest
     from acoustic_fem.calibration.measured_library import calibrate
     from acoustic_fem.calibration.model_updating import update
+    from acoustic_fem.scatter.tolerances import tolerances_of
     from studies.made_sensor.figures import draw_calibration
     from studies.made_sensor.priors import fit_priors, model_deviation
-    from studies.scatter.tolerances import tolerances_of
 
     grid, scatter, source = stated_frequencies(frequency), tolerances_of(tolerances), Path(recordings)
     manifest = read_manifest(source / MANIFEST if source.is_dir() else source)

@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 from acoustic_fem.batch.network import batch_transfer_function
 from acoustic_fem.batch.parameters import design_air
 from acoustic_fem.calibration.fitted_model import Priors
+from acoustic_fem.scatter.tolerances import TOLERANCES, ScatteredDesign, Tolerance
 from geometry.design.array_design import ArrayDesign
-from studies.scatter.tolerances import TOLERANCES, ScatteredDesign, Tolerance
 
 Array = NDArray[np.float64]
 

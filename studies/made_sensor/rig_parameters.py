@@ -7,8 +7,8 @@ from numpy.typing import NDArray
 
 from acoustic_fem.batch.parameters import ArrayParameters
 from acoustic_fem.calibration.fitted_model import Posterior, UpdatedModel
+from acoustic_fem.scatter.tolerances import Tolerance
 from studies.made_sensor.rig import HiddenScatter, Rig
-from studies.scatter.tolerances import Tolerance
 
 Array = NDArray[np.float64]
 

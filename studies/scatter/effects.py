@@ -25,12 +25,12 @@ from numpy.typing import ArrayLike, NDArray
 from acoustic_fem.batch.network import batch_transfer_function
 from acoustic_fem.batch.parameters import design_air
 from acoustic_fem.quantities.checks import frequency_grid
+from acoustic_fem.scatter.tolerances import TOLERANCES, ScatteredDesign, Tolerance
 from geometry.design.array_design import ArrayDesign
 from geometry.refusal import Refusal
 from studies.metrics.confusion import check_grid, predict_confusion
 from studies.metrics.responses import Responses
 from studies.metrics.separation import pair_distances
-from studies.scatter.tolerances import TOLERANCES, ScatteredDesign, Tolerance
 
 if TYPE_CHECKING:
     from acoustic_fem.membrane.disc import KnownDiscs

@@ -23,12 +23,12 @@ from acoustic_fem.batch.network import batch_transfer_function
 from acoustic_fem.batch.parameters import design_air
 from acoustic_fem.library.provenance import versions
 from acoustic_fem.quantities.checks import frequency_grid
+from acoustic_fem.scatter.tolerances import TOLERANCES, ScatteredDesign, Tolerance
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import read_design, write_design
 from geometry.refusal import Refusal
 from studies.output.checked_store import add_checksums, create_checked, read_store
 from studies.output.folders import check_folder
-from studies.scatter.tolerances import TOLERANCES, ScatteredDesign, Tolerance
 
 if TYPE_CHECKING:
     import zarr

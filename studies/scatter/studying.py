@@ -16,9 +16,9 @@ from studies.output.frequencies import FREQUENCIES, stated_frequencies
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
+    from acoustic_fem.scatter.tolerances import Tolerance
     from geometry.design.array_design import ArrayDesign
     from studies.scatter.effects import ToleranceResult
-    from studies.scatter.tolerances import Tolerance
 
 #: The library of mis-made sensors.
 _LIBRARY = "library.zarr"
@@ -71,10 +71,10 @@ def tolerance_study(
             read, or a design that the lumped batch does not take.
     """
     folder, show = Path(out), display or Display()
+    from acoustic_fem.scatter.tolerances import tolerances_of
     from studies.scatter.effects import scatter_effects
     from studies.scatter.files import SUMMARY, save_tolerance
     from studies.scatter.perturbed_library import MOST_SENSORS, write_perturbed_library
-    from studies.scatter.tolerances import tolerances_of
 
     if not 0 <= library <= MOST_SENSORS:
         raise Refusal(f"library = {library} must be from 0 to {MOST_SENSORS}")

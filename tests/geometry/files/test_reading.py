@@ -8,13 +8,13 @@ from pathlib import Path
 import pytest
 
 from acoustic_fem.calibration.manifest import ManifestError, read_manifest
+from acoustic_fem.scatter.tolerances import read_tolerances
 from geometry import DesignError, load_design
 from geometry.files.reading import parse_json, parse_toml, read_toml
 from geometry.refusal import Refusal
 from geometry.stated.print_processes import find_process
 from localize.recordings.touch_manifest import TouchManifestError, read_touch_manifest
 from studies.optimization.problem import load_optimization
-from studies.scatter.tolerances import read_tolerances
 from studies.study.file import load_study
 from studies.study.study import StudyError
 

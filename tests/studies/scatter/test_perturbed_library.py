@@ -18,13 +18,13 @@ import geometry
 import localize
 from acoustic_fem.batch.network import batch_transfer_function
 from acoustic_fem.batch.parameters import design_air
+from acoustic_fem.scatter.tolerances import ScatteredDesign
 from geometry.refusal import Refusal
 from localize.signals.array_response import response_of
 from localize.signals.touch_generator import TouchGenerator
 from studies.output.checked_store import StoreWarning
 from studies.scatter import perturbed_library
 from studies.scatter.perturbed_library import PerturbedLibrary, write_perturbed_library
-from studies.scatter.tolerances import ScatteredDesign
 
 GRID = np.linspace(1.0, 100.0, 16)
 DESIGN = geometry.prototype("array-2x6").with_values({"lines.0.points": 3})

@@ -15,9 +15,9 @@ import acoustic_fem
 import geometry
 from acoustic_fem.batch.network import batch_transfer_function
 from acoustic_fem.batch.parameters import ArrayParameters, design_air
+from acoustic_fem.scatter.tolerances import CUT, TOLERANCES, ScatteredDesign, Tolerance, read_tolerances
 from studies.cli.app import app
 from studies.scatter.effects import deviation, scatter_effects, scattered_accuracy, sobol_indices
-from studies.scatter.tolerances import CUT, TOLERANCES, ScatteredDesign, Tolerance, read_tolerances
 
 GRID = np.linspace(1.0, 100.0, 24)
 DESIGN = geometry.prototype("array-2x6").with_values({"lines.0.points": 4})

@@ -1,0 +1,8 @@
+"""Manufacturing tolerances as data, and arrays drawn with them.
+
+Stands on: batch, membrane, quantities.
+"""
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

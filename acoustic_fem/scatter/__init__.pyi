@@ -1,0 +1,8 @@
+from .made_sensors import scatter_factors as scatter_factors
+from .tolerances import (
+    TOLERANCES as TOLERANCES,
+    ScatteredDesign as ScatteredDesign,
+    Tolerance as Tolerance,
+    read_tolerances as read_tolerances,
+    tolerances_of as tolerances_of,
+)

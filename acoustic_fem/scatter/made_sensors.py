@@ -1,0 +1,54 @@
+"""What the tolerances of manufacturing make of a library: sensors that are drawn about it, whatever its fidelity."""
+
+from __future__ import annotations
+
+import warnings
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from acoustic_fem.batch.network import batch_transfer_function
+
+if TYPE_CHECKING:
+    from acoustic_fem.quantities.medium import Medium
+    from acoustic_fem.scatter.tolerances import ScatteredDesign
+
+
+def scatter_factors(
+    scattered: ScatteredDesign,
+    medium: Medium,
+    frequency: ArrayLike,
+    count: int,
+    seed: int,
+    *,
+    first: int = 0,
+    share: float = 1.0,
+) -> NDArray[np.complex128]:
+    """Transfer functions of made sensors over those of the nominal one, both computed with the lumped network.
+
+    Times the transfer functions of a library of any fidelity they are those of sensors made about it: what a finer
+    fidelity changes is taken to be the same for all. What closed forms warn of concerns none of the library's own
+    numbers and is not told.
+
+    Args:
+        scattered: the nominal design and what scatters.
+        medium: the air.
+        frequency: (n_freq,) Hz, ascending.
+        count: sensors.
+        seed: of the draws.
+        first: number of the first sensor.
+        share: of the deviations that are drawn.
+
+    Returns:
+        (count, n_point, n_microphone, n_freq) complex128.
+
+    Raises:
+        Refusal: a frequency out of range.
+    """
+    draws = {name: share * values for name, values in scattered.draws(first, count, seed).items()}
+    with warnings.catch_warnings():
+        warnings.filterwarnings("ignore", "entrance loss", UserWarning)
+        made = batch_transfer_function(scattered.parameters(draws), scattered.topology, frequency, medium)
+        nominal = batch_transfer_function(scattered.nominal, scattered.topology, frequency, medium)
+    return np.asarray(made / nominal)

@@ -1,0 +1,33 @@
+"""Sensors that are made with tolerances, as factors on the transfer functions of a library."""
+
+import numpy as np
+import pytest
+
+import geometry
+from acoustic_fem.batch.parameters import design_air
+from acoustic_fem.scatter import ScatteredDesign, scatter_factors
+
+DESIGN = geometry.prototype("array-2x6").with_values({"lines.0.points": 4})
+GRID = np.array([5.0, 50.0, 200.0])
+
+
+@pytest.fixture(scope="module")
+def scattered() -> ScatteredDesign:
+    return ScatteredDesign(DESIGN)
+
+
+def factors(scattered: ScatteredDesign, count: int = 2, **more: float) -> np.ndarray:
+    return scatter_factors(scattered, design_air(DESIGN), GRID, count, 3, **more)
+
+
+def test_without_deviations_the_factors_are_one(scattered: ScatteredDesign) -> None:
+    assert factors(scattered, share=0.0) == pytest.approx(1.0, abs=1e-4)
+
+
+def test_a_share_of_the_deviations_does_that_share(scattered: ScatteredDesign) -> None:
+    whole, tenth = (np.log(np.abs(factors(scattered, share=share))) for share in (0.1, 0.01))
+    assert np.abs(whole - 10 * tenth).max() < 0.1 * np.abs(whole).max()
+
+
+def test_a_sensor_is_the_same_whatever_is_drawn_with_it(scattered: ScatteredDesign) -> None:
+    assert factors(scattered, 3)[2:] == pytest.approx(factors(scattered, 1, first=2), rel=1e-12)
