@@ -1,8 +1,9 @@
 """Zarr stores whose damage is noticed: a CRC-32C in every chunk, and a SHA-256 of everything that says what they hold.
 
-The hashes stand in the attribute ``checksums`` of the group, by member: ``attribute title``, ``tube.length/zarr.json``
-and, for what describes an array and changes no number of it, ``tube.length/zarr.json attributes``. Stores of older
-versions have none; they open, and that is said.
+The hashes stand in the attribute ``checksums`` of the group, by member: ``attribute title``, ``tube.length/zarr.json``,
+``tube.length/c/0`` for the values of what is never written again and, for what describes an array and changes no number
+of it, ``tube.length/zarr.json attributes``. All of them make the attribute ``identity``, under which the blocks that
+follow are sealed. Stores of older versions have no checksums, or no identity; they open, and that is said.
 """
 
 from __future__ import annotations
@@ -26,6 +27,10 @@ from geometry.files.writing import write_text
 
 #: Attribute of the group.
 CHECKSUMS = "checksums"
+IDENTITY = "identity"
+"""Attribute that tells a store from all that say or hold something else."""
+#: First format whose stores have an identity, and the first one with checksums.
+_IDENTIFIED, _CHECKED = 3, 2
 METADATA = "zarr.json"
 """File that says what a group or an array is."""
 #: Most bytes of a zarr.json: the study of a sweep with a million values in it.
@@ -67,6 +72,8 @@ class CheckedStore:
     """Attributes of the group."""
     checked: bool
     """Whether it has checksums."""
+    identity: str
+    """Identity under which its blocks are sealed; empty where they are not, in older stores."""
     broken: dict[str, str]
     """What is wrong with arrays, by name: their ``zarr.json`` is missing or damaged."""
     refusal: Refuse
@@ -133,10 +140,13 @@ class CheckedStore:
         return values
 
     def fixed(self, name: str, kind: str = "") -> NDArray[Any]:
-        """All values of an array with one axis and one chunk, (n,); as :meth:`small`."""
+        """All values of an array with one axis and one chunk that is never written again, (n,); as :meth:`small`."""
         values = self.small(name, kind)
+        member = f"{name}/c/0"
         if not self.has_chunk(name, 0):
-            raise self.refusal(f"{self.path}: {name}/c/0 is missing")
+            raise self.refusal(f"{self.path}: {member} is missing")
+        if self.identity and self.attributes[CHECKSUMS].get(member) != values_digest(values):
+            raise self.refusal(f"{self.path}: {member} is not what was written there")
         return values
 
 
@@ -173,14 +183,25 @@ def create_checked(
     )  # fmt: skip
 
 
-def add_checksums(path: Path) -> None:
-    """Put the hashes of what a store says of itself into its attributes."""
+def add_checksums(path: Path, filled: Collection[str]) -> None:
+    """Put the hashes of what a new store says of itself into its attributes, and the identity that they make.
+
+    Args:
+        path: of the store.
+        filled: arrays that are filled block by block from now on; all others keep their values.
+    """
+    import zarr
+
     document = json.loads((path / METADATA).read_text(encoding="utf-8"))
     attributes = document["attributes"]
-    attributes.pop(CHECKSUMS, None)
     found = {f"attribute {name}": _digest(value) for name, value in attributes.items()}
     for place in sorted(path.glob(f"*/{METADATA}")):
-        found |= _array_digests(place.parent.name, json.loads(place.read_text(encoding="utf-8")))
+        name = place.parent.name
+        found |= _array_digests(name, json.loads(place.read_text(encoding="utf-8")))
+        if name not in filled:
+            found[f"{name}/c/0"] = values_digest(np.asarray(zarr.open_array(place.parent, mode="r", zarr_format=3)[:]))
+    attributes[IDENTITY] = _digest(found)
+    found[f"attribute {IDENTITY}"] = _digest(attributes[IDENTITY])
     attributes[CHECKSUMS] = found
     write_text(path / METADATA, json.dumps(document, indent=2))
 
@@ -200,6 +221,15 @@ def _array_digests(name: str, document: dict[str, Any]) -> dict[str, str]:
     return {member: _digest(rest), f"{member} attributes": _digest(document.get("attributes"))}
 
 
+def values_digest(values: NDArray[Any]) -> str:
+    """SHA-256 of values, numbers or texts, and of their shape and type; hexadecimal."""
+    if values.dtype.kind in "OUT":
+        return _digest([list(values.shape), *map(str, values.ravel())])
+    plain = np.ascontiguousarray(values, values.dtype.newbyteorder("<"))
+    head = _digest([list(plain.shape), plain.dtype.str])
+    return hashlib.sha256(head.encode() + plain.tobytes()).hexdigest()
+
+
 def _digest(value: Any) -> str:
     return hashlib.sha256(json.dumps(value, sort_keys=True).encode()).hexdigest()
 
@@ -214,7 +244,7 @@ def read_store(
         path: of the store.
         what: such as ``the results of a sweep``, for messages.
         mark: attribute that marks such a store and states its format.
-        form: latest format that is known; from 2 on there are checksums.
+        form: latest format that is known; from 2 on there are checksums, from 3 on an identity.
         schema: of the attributes.
         described: attributes that change no number.
         refusal: makes the error of a message.
@@ -232,7 +262,7 @@ def read_store(
     if found > form:
         raise refusal(f"{path}: is of format {found}, which a later version wrote; this one reads up to {form}")
     stored = attributes.get(CHECKSUMS)
-    if found >= 2 and not isinstance(stored, dict):
+    if found >= _CHECKED and not isinstance(stored, dict):
         raise refusal(f"{path}: {METADATA}: attribute {CHECKSUMS} is damaged: it must be a table")
     if isinstance(stored, dict):
         _check_attributes(path, attributes, stored, described, refusal)
@@ -242,8 +272,14 @@ def read_store(
         checked = schema.model_validate(attributes)
     except ValidationError as error:
         raise refusal(f"{path}: {METADATA}: attribute {_first(error)}") from None
+    identity = attributes.get(IDENTITY, "")
+    if found >= _IDENTIFIED and not (isinstance(identity, str) and identity):
+        raise refusal(f"{path}: {METADATA}: attribute {IDENTITY} is missing")
+    if found == _CHECKED:
+        _tell(f"{path}: has no identity, an older version wrote it; parts of other stores in it cannot be noticed")
     broken = _broken_arrays(path, stored)
-    return CheckedStore(path, attributes, isinstance(stored, dict), broken, refusal), checked
+    identity = identity if found >= _IDENTIFIED else ""
+    return CheckedStore(path, attributes, isinstance(stored, dict), identity, broken, refusal), checked
 
 
 def _document(path: Path, member: str, schema: type[BaseModel], refusal: Refuse) -> dict[str, Any]:

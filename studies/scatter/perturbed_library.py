@@ -13,7 +13,7 @@ import shutil
 from collections.abc import Callable, Sequence
 from dataclasses import asdict
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import Annotated, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -27,14 +27,12 @@ from acoustic_fem.scatter.tolerances import TOLERANCES, ScatteredDesign, Toleran
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import read_design, write_design
 from geometry.refusal import Refusal
-from studies.output.checked_store import add_checksums, create_checked, read_store
+from studies.output.checked_store import CheckedStore, add_checksums, create_checked, read_store
 from studies.output.folders import check_folder
+from studies.output.seals import SEALS, Seals, create_seals
 
-if TYPE_CHECKING:
-    import zarr
-
-#: Layout of the store, and the attribute that marks one; from 2 on there are checksums.
-FORMAT = 2
+#: Layout of the store, and the attribute that marks one; from 2 on there are checksums, from 3 on seals.
+FORMAT = 3
 MARK = "acoustic_fem_perturbed_library"
 #: Sensors per block.
 BLOCK = 64
@@ -95,23 +93,28 @@ def write_perturbed_library(
     target.parent.mkdir(parents=True, exist_ok=True)
     beside = target.with_name(f".{target.name}.{os.getpid()}.new")
     try:
-        parts = _new_store(beside, scattered, count, grid, seed)
+        _new_store(beside, scattered, count, grid, seed)
+        stored, _ = _opened(beside)
+        parts, seals = [stored.array(name, writing=True) for name in _PARTS], Seals(stored, _PARTS, writing=True)
         for first in range(0, count, BLOCK):
             report("sensors", first / count)
             size = min(BLOCK, count - first)
             h = batch_transfer_function(scattered.sample(first, size, seed), scattered.topology, grid, air)
             parts[0][first : first + size], parts[1][first : first + size] = h.real, h.imag
-        add_checksums(beside)
+            seals.write(first // BLOCK, {_PARTS[0]: h.real, _PARTS[1]: h.imag})
         os.rename(beside, target)
     finally:
         shutil.rmtree(beside, ignore_errors=True)
     return PerturbedLibrary(target)
 
 
-def _new_store(
-    path: Path, scattered: ScatteredDesign, count: int, grid: NDArray[np.float64], seed: int
-) -> tuple[zarr.Array, zarr.Array]:
-    """A store that says what is in it; its real and imaginary parts are still empty."""
+def _opened(path: Path) -> tuple[CheckedStore, _About]:
+    """What a store says of itself."""
+    return read_store(path, "a library of perturbed transfer functions", MARK, FORMAT, _About, _DESCRIBED, Refusal)
+
+
+def _new_store(path: Path, scattered: ScatteredDesign, count: int, grid: NDArray[np.float64], seed: int) -> None:
+    """Make a store that says what is in it; its real and imaginary parts are still empty."""
     import zarr
 
     design, points = scattered.design, scattered.design.point_count
@@ -131,14 +134,13 @@ def _new_store(
     _coordinate(group, "point", np.arange(1, points + 1), "sensing point, from 1")
     _coordinate(group, "frequency", grid, "frequency", units="Hz")
     shape = (count, points, len(design.microphones), len(grid))
-    real, imag = (
+    for name in _PARTS:
         create_checked(
             group, name, shape, "float64", (min(BLOCK, count), *shape[1:]), _DIMENSIONS,
             {"units": "Pa/Pa", "long_name": f"transfer function, {name.rsplit('_', 1)[1]}"},
-        )
-        for name in _PARTS
-    )  # fmt: skip
-    return real, imag
+        )  # fmt: skip
+    create_seals(group, -(-count // BLOCK), _PARTS)
+    add_checksums(path, (*_PARTS, SEALS))
 
 
 class PerturbedLibrary:
@@ -151,8 +153,7 @@ class PerturbedLibrary:
 
     def __init__(self, path: str | os.PathLike[str]) -> None:
         self.path = Path(path)
-        what = "a library of perturbed transfer functions"
-        self._stored, about = read_store(self.path, what, MARK, FORMAT, _About, _DESCRIBED, Refusal)
+        self._stored, about = _opened(self.path)
         self.attributes = self._stored.attributes
         #: (n_freq,) float64, Hz.
         self.frequency: NDArray[np.float64] = np.asarray(self._stored.fixed("frequency", "f"), np.float64)
@@ -164,6 +165,7 @@ class PerturbedLibrary:
                     f"{self.path}: {name} has shape {shape}; it must be (sensors, points, {wanted[0]}, {wanted[1]})"
                 )
         self._block = int(self._parts[0].chunks[0])
+        self._seals = Seals(self._stored, _PARTS)
         self._held: tuple[int, NDArray[np.complex128]] | None = None
 
     @property
@@ -213,7 +215,9 @@ class PerturbedLibrary:
         name, rows = _PARTS[part], slice(block * self._block, (block + 1) * self._block)
         if not self._stored.has_chunk(name, block, len(_DIMENSIONS)):
             raise Refusal(f"{self.path}: {name}: chunk {block} is missing")
-        return np.asarray(self._stored.part(self._parts[part], name, rows), np.float64)
+        values = np.asarray(self._stored.part(self._parts[part], name, rows), np.float64)
+        self._seals.check(block, {name: values})
+        return values
 
 
 def _coordinate(group: Any, name: str, values: NDArray[Any], long_name: str, **attributes: str) -> None:

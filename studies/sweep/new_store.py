@@ -18,12 +18,14 @@ from geometry import ArrayDesign
 from geometry.design.design_file import write_design
 from geometry.stated.fields import field_named
 from studies.output.checked_store import add_checksums, create_checked
+from studies.output.seals import SEALS, create_seals
 from studies.study.cases import Cases
 from studies.study.study import Study
 
-#: Attribute that marks a store, and the layout of the store that it states; from 2 on there are checksums.
+#: Attribute that marks a store, and the layout of the store that it states; from 2 on there are checksums, from 3
+#: on seals.
 MARK = "acoustic_fem_sweep"
-FORMAT = 2
+FORMAT = 3
 #: Versions that may change a result.
 _LIBRARIES = ("gmsh", "numpy", "scikit-fem", "scipy", "xarray", "zarr")
 #: Complex values of transfer functions worked on in one block, and most cases of one.
@@ -31,6 +33,8 @@ _BLOCK_VALUES = 400_000
 _LARGEST_BLOCK = 1024
 WAITING = 0
 """State of a case that is not computed yet."""
+TRANSFER_FUNCTIONS = ("transfer_function_real", "transfer_function_imag")
+"""Arrays of the transfer functions, where the study keeps them."""
 
 
 class Labelled(Protocol):
@@ -72,6 +76,12 @@ def create_store(path: Path, study: Study, cases: Cases, metrics: Sequence[Label
         os.replace(beside, path)
 
 
+def filled_arrays(metrics: Iterable[str], transfer_functions: bool) -> dict[str, int]:
+    """Names of the arrays that are filled block by block, the state last, and how many axes they have."""
+    transfer = TRANSFER_FUNCTIONS if transfer_functions else ()
+    return dict.fromkeys(metrics, 1) | dict.fromkeys(transfer, 4) | {"reason": 1, "state": 1}
+
+
 @contextmanager
 def fresh_store(path: Path, study: Study, cases: Cases, metrics: Sequence[Labelled]) -> Iterator[Path]:
     """A store with all parameters and nothing done beside a path, for as long as it is needed."""
@@ -79,7 +89,7 @@ def fresh_store(path: Path, study: Study, cases: Cases, metrics: Sequence[Labell
     shutil.rmtree(beside, ignore_errors=True)
     try:
         _fill(beside, study, cases, metrics)
-        add_checksums(beside)
+        add_checksums(beside, (*filled_arrays([metric.name for metric in metrics], study.transfer_functions), SEALS))
         yield beside
     finally:
         shutil.rmtree(beside, ignore_errors=True)
@@ -133,14 +143,16 @@ def _fill(path: Path, study: Study, cases: Cases, metrics: Sequence[Labelled]) -
     for metric in metrics:
         along_cases(metric.name, "float64", np.nan, kind="metric", units=metric.unit, long_name=metric.long_name)
     if study.transfer_functions:
-        for part in ("real", "imag"):
+        for name in TRANSFER_FUNCTIONS:
             along_cases(
-                f"transfer_function_{part}", "float64", np.nan, ("point", "microphone", "frequency"),
+                name, "float64", np.nan, ("point", "microphone", "frequency"),
                 units="Pa/Pa", long_name="pressure at the microphone per pressure in the touched cavity",
             )  # fmt: skip
     # Written where nothing is done yet, too: a chunk that is missing is damage, not a case that waits.
     along_cases("state", "int8", WAITING, long_name="0 waiting, 1 done, 2 failed")[:] = WAITING
     along_cases("reason", "string", "", long_name="why the case failed")
+    filled = filled_arrays([metric.name for metric in metrics], study.transfer_functions)
+    create_seals(group, -(-len(cases) // block), list(filled))
 
 
 def _kind(values: NDArray[Any]) -> str:

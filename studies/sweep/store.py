@@ -1,14 +1,14 @@
 """The results of a study on disk: one Zarr store, written block by block, the same however often it was interrupted.
 
 Variables are named as in the study: a parameter by its dotted name, a metric by its name; the attribute ``kind``
-says which is which. The state of a block is written last, each file beside and then renamed: what is marked as
-done is whole. Nothing in the store depends on the time, the number of workers or the order of the blocks.
-What is damaged is computed again by the next run of the study, and refused by whoever reads it before.
+says which is which. A block is sealed when all of it is written, and its state is written last, each file beside and
+then renamed: what is marked as done is whole, and of this store and block. Nothing in the store depends on the time,
+the number of workers or the order of the blocks. What is damaged is computed again by the next run of the study, and
+refused by whoever reads it before.
 """
 
 from __future__ import annotations
 
-import json
 import os
 import shutil
 from collections.abc import Iterator, Mapping, Sequence
@@ -29,11 +29,22 @@ from geometry.files.ordinary import library_reads
 from geometry.files.writing import write_text
 from studies.output.checked_store import METADATA, CheckedStore, read_store, take_checksums
 from studies.output.folders import check_folder
+from studies.output.seals import SEALS, Seals
 from studies.study.cases import Cases
+from studies.study.differences import first_difference
 from studies.study.failure_reasons import by_kind
 from studies.study.metric_registry import METRICS
 from studies.study.study import Study, StudyError
-from studies.sweep.new_store import FORMAT, MARK, WAITING, Labelled, create_store, fresh_store
+from studies.sweep.new_store import (
+    FORMAT,
+    MARK,
+    TRANSFER_FUNCTIONS,
+    WAITING,
+    Labelled,
+    create_store,
+    filled_arrays,
+    fresh_store,
+)
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -42,8 +53,6 @@ if TYPE_CHECKING:
 DONE, FAILED = 1, 2
 #: Damaged blocks that are told of one by one.
 _TOLD = 3
-TRANSFER_FUNCTIONS = ("transfer_function_real", "transfer_function_imag")
-"""Arrays of the transfer functions, where the study keeps them."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -75,6 +84,10 @@ class _About(BaseModel):
     metric_names: Json[list[str]]
     block: PositiveInt
 
+    def filled(self) -> dict[str, int]:
+        """Arrays that are filled block by block; see :func:`studies.sweep.new_store.filled_arrays`."""
+        return filled_arrays(self.metric_names, bool(self.study_content.get("transfer_functions")))
+
 
 #: Attributes of a store that change no result.
 _DESCRIBED = ("title", "description", "study", "left_out", "code_version", "seed", "python", "libraries")
@@ -97,12 +110,11 @@ class SweepStore:
         self.path = path
         self._stored, self._about = _stored(path)
         self.attributes: dict[str, Any] = self._stored.attributes
-        content = self._about.study_content
-        transfer = TRANSFER_FUNCTIONS if content.get("transfer_functions") else ()
         #: Arrays that are filled block by block, the state last, and how many axes they have.
-        self._filled = dict.fromkeys(self._about.metric_names, 1) | dict.fromkeys(transfer, 4)
-        self._filled |= {"reason": 1, "state": 1}
+        self._filled = self._about.filled()
+        self._files = self._filled | ({SEALS: 2} if self._stored.identity else {})
         self._variables: dict[str, Any] = {}
+        self._seals: Seals
         self.notes: tuple[str, ...] = ()
 
     @classmethod
@@ -120,13 +132,14 @@ class SweepStore:
         if not (path / METADATA).exists():
             create_store(path, study, cases, metrics)
         store = cls(path)
-        differs = _first_difference(store._about.study_content, study.content())
+        differs = first_difference(store._about.study_content, study.content())
         if differs:
             raise StudyError(f"{path}: holds the results of another study: {differs}; give another `out`, or remove it")
         for left in path.rglob("*.partial"):  # of a run that was killed while it wrote
             left.unlink()
         store._restore(study, cases, metrics)
         store._variables = {name: store._stored.array(name, writing=True) for name in store._filled}
+        store._seals = Seals(store._stored, list(store._filled), writing=True)
         store._forget_damaged()
         return store
 
@@ -138,7 +151,7 @@ class SweepStore:
                 self._stored.fixed(name)
             except StudyError as error:
                 wrong[name] = str(error)
-        for name in self._filled:
+        for name in self._files:
             try:
                 self._stored.array(name)
             except StudyError as error:
@@ -150,7 +163,7 @@ class SweepStore:
             if not self._stored.checked or about.block != self._about.block:
                 raise StudyError(f"{next(iter(wrong.values()))}; an older version wrote it: give another `out`")
             for name in wrong:
-                if name not in self._filled:
+                if name not in self._files:
                     shutil.rmtree(self.path / name, ignore_errors=True)
                     shutil.copytree(fresh / name, self.path / name)
                 (self.path / name).mkdir(exist_ok=True)
@@ -167,8 +180,8 @@ class SweepStore:
             wrong = self._damage(block, slice(first, min(first + self.block, count)))
             if wrong:
                 last = min(first + self.block, count) - 1
-                for name in ("state", *self._filled):  # first the state: from now on the block does not count
-                    self._stored.chunk_file(name, block, self._filled[name]).unlink(missing_ok=True)
+                for name in ("state", *self._files):  # first the state: from now on the block does not count
+                    self._stored.chunk_file(name, block, self._files[name]).unlink(missing_ok=True)
                     if name == "state":
                         self._variables[name][first : last + 1] = WAITING
                 notes.append(f"{wrong}; cases {first} to {last} are computed again")
@@ -183,10 +196,12 @@ class SweepStore:
                 return f"{self.path}: state: chunk {block} is missing"
             if (state == WAITING).all():
                 return ""
-            for name, array in self._variables.items():
-                if not self._stored.has_chunk(name, block, self._filled[name]):
+            for name, dimensions in self._files.items():
+                if not self._stored.has_chunk(name, block, dimensions):
                     return f"{self.path}: {name}: chunk {block} is missing"
-                self._stored.part(array, name, part)
+            self._seals.check(
+                block, {name: self._stored.part(array, name, part) for name, array in self._variables.items()}
+            )
         except StudyError as error:
             return str(error)
         return ""
@@ -210,16 +225,20 @@ class SweepStore:
     def write(self, result: BlockResult) -> None:
         """Keep the results of one block."""
         part = slice(result.first, result.first + len(result.state))
-        for name, values in result.values.items():
-            self._variables[name][part] = values
+        values: dict[str, NDArray[Any]] = {name: np.asarray(each, np.float64) for name, each in result.values.items()}
         if TRANSFER_FUNCTIONS[0] in self._variables:
             found = result.transfer_function
             points = slice(0, None if found is None else found.shape[1])
             both: tuple[Any, Any] = (np.nan, np.nan) if found is None else (found.real, found.imag)
-            for name, values in zip(TRANSFER_FUNCTIONS, both, strict=True):
-                self._variables[name][part, points] = values
-        self._variables["reason"][part] = np.array(result.reason, dtype=object)
-        self._variables["state"][part] = result.state  # last: from now on the block counts
+            for name, each in zip(TRANSFER_FUNCTIONS, both, strict=True):
+                values[name] = np.full((len(result.state), *self._variables[name].shape[1:]), np.nan)
+                values[name][:, points] = each
+        values["reason"] = np.array(result.reason, dtype=object)
+        for name, each in values.items():
+            self._variables[name][part] = each
+        values["state"] = np.asarray(result.state, np.int8)
+        self._seals.write(result.first // self.block, values)
+        self._variables["state"][part] = values["state"]  # last: from now on the block counts
 
     def failures(self) -> dict[str, list[int]]:
         """Numbers of the failed cases by kind of reason, as :func:`studies.study.failure_reasons.by_kind`."""
@@ -329,19 +348,14 @@ def open_sweep(path: str | os.PathLike[str]) -> Sweep:
         variables |= {name: ("case", stored.fixed(name, "fiuUO")) for name in about.parameter_names}
         variables |= {name: ("case", stored.small(name, "f")) for name in about.metric_names}
         variables["reason"] = ("case", stored.small("reason", "UO"))
-        axes = dict.fromkeys([*about.metric_names, "reason"], 1)
+        _check_blocks(stored, about, variables, set(done.tolist()))
+        waiting = ~np.isin(np.arange(len(variables["state"][1])) // about.block, done)
+        for name in (*about.metric_names, "reason"):  # also where a block is being written
+            variables[name][1][waiting] = "" if name == "reason" else np.nan
         if about.study_content.get("transfer_functions"):
             for name in TRANSFER_FUNCTIONS:
-                lazy = LazilyIndexedArray(_Part(stored, name))
-                variables[name], axes[name] = (("case", "point", "microphone", "frequency"), lazy), 4
-        cuts = _cuts(variables, about)
-        for block in range(len(cuts) + 1):
-            if not stored.has_chunk("state", block):
-                raise StudyError(f"{path}: state: chunk {block} is missing")
-        for name, dimensions in axes.items():
-            for block in map(int, done):
-                if not stored.has_chunk(name, block, dimensions):
-                    raise StudyError(f"{path}: {name}: chunk {block} is missing")
+                lazy = LazilyIndexedArray(_Part(stored, about, name, waiting))
+                variables[name] = (("case", "point", "microphone", "frequency"), lazy)
     except StudyError as error:
         raise StudyError(f"{error}; run the same sweep again, which computes again what is damaged") from None
     attributes = {name: dict(stored.array(name).attrs) for name in variables}
@@ -358,45 +372,44 @@ def _cuts(variables: Mapping[str, Any], about: _About) -> range:
     return range(about.block, len(variables["state"][1]), about.block)
 
 
-class _Part(BackendArray):
-    """Transfer functions that are read where they are used, and refused where they are damaged."""
+def _check_blocks(stored: CheckedStore, about: _About, variables: Mapping[str, Any], done: set[int]) -> None:
+    """Refuse what is missing of the blocks, and what belongs elsewhere; transfer functions wait until they are used."""
+    filled = about.filled()
+    for block in range(len(_cuts(variables, about)) + 1):
+        for name, dimensions in filled.items() if block in done else (("state", 1),):
+            if not stored.has_chunk(name, block, dimensions):
+                raise StudyError(f"{stored.path}: {name}: chunk {block} is missing")
+    seals = Seals(stored, list(filled))
+    rows = seals.rows(slice(None))
+    for block in sorted(done) if stored.identity else ():
+        part = slice(block * about.block, (block + 1) * about.block)
+        seals.check(block, {name: variables[name][1][part] for name in filled if name in variables}, rows[block])
 
-    def __init__(self, stored: CheckedStore, name: str) -> None:
+
+class _Part(BackendArray):
+    """Transfer functions that are read where they are used, and refused where they are damaged or of another place.
+
+    Args:
+        stored: the store.
+        about: what it says of itself.
+        name: of the array.
+        waiting: whether each case waits, (n_case,) bool; it is NaN whatever lies there.
+    """
+
+    def __init__(self, stored: CheckedStore, about: _About, name: str, waiting: NDArray[np.bool_]) -> None:
         self._stored, self._name, self._array = stored, name, stored.array(name)
+        self._seals, self._size, self._waiting = Seals(stored, list(about.filled())), about.block, waiting
         self.shape, self.dtype = self._array.shape, self._array.dtype
 
     def __getitem__(self, key: ExplicitIndexer) -> NDArray[Any]:
         return np.asarray(explicit_indexing_adapter(key, self.shape, IndexingSupport.BASIC, self._read))
 
-    def _read(self, part: Any) -> NDArray[Any]:
-        return self._stored.part(self._array, self._name, part)
-
-
-# -- studies ----------------------------------------------------------------------------------------
-def _first_difference(stored: Mapping[str, Any], wanted: Mapping[str, Any]) -> str:
-    """In words, the first field in which two studies differ; empty where they do not."""
-    wanted = json.loads(json.dumps(wanted))
-    stored = json.loads(json.dumps(stored))
-    for name in wanted:
-        if stored.get(name) != wanted[name]:
-            if name == "base":
-                return "its base design is not the same"
-            if name == "frequencies":
-                ends = [f"{grid[0]:g}:{grid[-1]:g}:{len(grid)}" for grid in (stored[name], wanted[name])]
-                return f"its frequencies are {ends[0]}, not {ends[1]}"
-            if name == "parameters":
-                return _parameter_difference(stored[name], wanted[name])
-            return f"its {name} is {stored.get(name)!r}, not {wanted[name]!r}"
-    return ""
-
-
-def _parameter_difference(stored: list[Any], wanted: list[Any]) -> str:
-    old, new = ({each["name"]: each for axis in axes for each in axis} for axes in (stored, wanted))
-    for name in [*new, *old]:
-        if name not in old:
-            return f"it does not vary {name}"
-        if name not in new:
-            return f"it varies {name}"
-        if json.dumps(old[name]) != json.dumps(new[name]):
-            return f"its values of {name} are not the same"
-    return "its parameters are grouped or ordered otherwise"
+    def _read(self, part: tuple[Any, ...]) -> NDArray[Any]:
+        wanted = np.arange(len(self._waiting))[part[0]]
+        computed = np.atleast_1d(wanted)[~np.atleast_1d(self._waiting[wanted])]
+        for block in np.unique(computed // self._size).tolist():
+            rows = slice(block * self._size, (block + 1) * self._size)
+            self._seals.check(block, {self._name: self._stored.part(self._array, self._name, rows)})
+        values = np.array(self._stored.part(self._array, self._name, part))
+        values[self._waiting[wanted]] = np.nan
+        return values

@@ -119,9 +119,9 @@ def test_bad_input_is_refused_by_name(store: PerturbedLibrary, tmp_path: Path) -
 def test_a_store_of_an_older_or_a_later_version_says_so(store: PerturbedLibrary, tmp_path: Path) -> None:
     path = Path(shutil.copytree(store.path, tmp_path / "made.zarr"))
     document = json.loads((path / "zarr.json").read_text())
-    document["attributes"]["acoustic_fem_perturbed_library"] = 3
+    document["attributes"]["acoustic_fem_perturbed_library"] = 4
     (path / "zarr.json").write_text(json.dumps(document))
-    with pytest.raises(Refusal, match=r"made.zarr: is of format 3, which a later version wrote; this one"):
+    with pytest.raises(Refusal, match=r"made.zarr: is of format 4, which a later version wrote; this one"):
         PerturbedLibrary(path)
     del document["attributes"]["checksums"]
     document["attributes"]["acoustic_fem_perturbed_library"] = 1
@@ -132,6 +132,23 @@ def test_a_store_of_an_older_or_a_later_version_says_so(store: PerturbedLibrary,
     (path / "zarr.json").write_text(json.dumps(document))
     with pytest.raises(Refusal, match=r"made.zarr: zarr.json: attribute microphones: Input should be a valid list"):
         PerturbedLibrary(path)
+
+
+def test_blocks_of_another_library_or_place_are_refused(store: PerturbedLibrary, tmp_path: Path) -> None:
+    other = write_perturbed_library(tmp_path / "other.zarr", DESIGN, 150, GRID, seed=6)
+    for source, target in (
+        (other.path / "transfer_function_real/c/1/0/0/0", "transfer_function_real/c/1/0/0/0"),
+        (store.path / "transfer_function_real/c/0/0/0/0", "transfer_function_real/c/1/0/0/0"),
+        (store.path / "transfer_function_imag/c/1/0/0/0", "transfer_function_real/c/1/0/0/0"),
+        (other.path / "seals/c/1/0", "seals/c/1/0"),
+    ):
+        path = Path(shutil.copytree(store.path, tmp_path / "made.zarr"))
+        shutil.copy(source, path / target)
+        library = PerturbedLibrary(path)
+        assert np.array_equal(library.sensors(0, 64), store.sensors(0, 64))
+        with pytest.raises(Refusal, match=r"made.zarr: transfer_function_real: chunk 1 is not what was written there"):
+            library.sensors(60, 10)
+        shutil.rmtree(path)
 
 
 def check_damage(store: PerturbedLibrary, folder: Path, count: int, seed: int) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 import shutil
 import warnings
@@ -11,6 +12,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+import zarr
 from damage import damaged
 from stores import assert_same_store
 
@@ -18,8 +20,9 @@ from studies.findings.reporting import best_designs
 from studies.output.checked_store import StoreWarning
 from studies.study.file import read_study
 from studies.study.study import Study, StudyError
+from studies.sweep.new_store import TRANSFER_FUNCTIONS
 from studies.sweep.run import run_sweep
-from studies.sweep.store import TRANSFER_FUNCTIONS, Sweep, open_sweep
+from studies.sweep.store import FAILED, Sweep, open_sweep
 
 TEXT = """
 name = "bores"
@@ -46,6 +49,14 @@ def study() -> Study:
 def finished(study: Study, tmp_path_factory: pytest.TempPathFactory) -> Path:
     out = tmp_path_factory.mktemp("sweep") / "results.zarr"
     run_sweep(study, out, workers=1)
+    return out
+
+
+@pytest.fixture(scope="module")
+def other(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Store of the same study with other draws: every array has the shape of that of :func:`finished`."""
+    out = tmp_path_factory.mktemp("other") / "results.zarr"
+    run_sweep(read_study(TEXT.replace("cases = 40", "cases = 40\nseed = 7")), out, workers=1)
     return out
 
 
@@ -96,6 +107,25 @@ def unchecked(*then: Callable[[Path], None]) -> Callable[[Path], None]:
     return of
 
 
+def without_seals() -> Callable[[Path], None]:
+    """A store as an older version wrote it, with checksums and without seals."""
+
+    def of(store: Path) -> None:
+        without("seals")(store)
+        document = json.loads((store / "zarr.json").read_text())
+        attributes = document["attributes"]
+        del attributes["identity"]
+        attributes["acoustic_fem_sweep"] = 2
+        kept = {name for name in attributes["checksums"] if "identity" not in name and not name.startswith("seals/")}
+        attributes["checksums"] = {
+            name: digest for name, digest in attributes["checksums"].items() if name in kept and "/c/" not in name
+        }
+        attributes["checksums"]["attribute acoustic_fem_sweep"] = hashlib.sha256(b"2").hexdigest()
+        (store / "zarr.json").write_text(json.dumps(document))
+
+    return of
+
+
 #: Damage that every reader refuses, and what it says.
 REFUSED = {
     "no-metadata": (without("zarr.json"), "has no zarr.json"),
@@ -105,7 +135,7 @@ REFUSED = {
     "of-zarr-2": (edit(lambda document: document.update(zarr_format=2)), "zarr.json: zarr_format: Input should be 3"),
     "no-attributes": (edit(lambda document: document.pop("attributes")), "zarr.json: attributes: Field required"),
     "another-store": (attribute("acoustic_fem_sweep", None), "is not the results of a sweep"),
-    "a-later-format": (attribute("acoustic_fem_sweep", 3), "is of format 3, which a later version wrote; this one"),
+    "a-later-format": (attribute("acoustic_fem_sweep", 4), "is of format 4, which a later version wrote; this one"),
     "no-checksums": (edit(lambda document: document["attributes"].pop("checksums")), "attribute checksums is damaged"),
     "base-changed": (attribute("base_design", "x"), "zarr.json: attribute base_design is damaged"),
     "study-missing": (
@@ -184,6 +214,78 @@ def test_what_is_damaged_is_named_and_the_next_run_makes_it_anew(
     assert run_sweep(study, store, workers=1).notes == ()
 
 
+RESPONSES = "transfer_function_real/c/{}/0/0/0"
+#: Members of a whole store that take the place of those of another one or of their own: source, target.
+MIXED = {
+    "a chunk of another seed": ("other", "volume/c/3", "volume/c/3"),
+    "responses of another seed": ("other", RESPONSES.format(2), RESPONSES.format(2)),
+    "a chunk of another place": ("own", "volume/c/2", "volume/c/3"),
+    "responses of another place": ("own", RESPONSES.format(2), RESPONSES.format(3)),
+    "a chunk of another array": ("own", "distance_smallest/c/3", "volume/c/3"),
+    "responses of another array": ("own", RESPONSES.format(3), RESPONSES.format(3).replace("real", "imag")),
+    "a seal of another place": ("own", "seals/c/2/0", "seals/c/3/0"),
+    "a seal of another seed": ("other", "seals/c/3/0", "seals/c/3/0"),
+    "an array of another seed": ("other", "volume", "volume"),
+    "a parameter of another seed": ("other", "tube.inner_diameter", "tube.inner_diameter"),
+    "a text parameter of another seed": ("other", "membrane.material", "membrane.material"),
+    "an array and its seals of another seed": ("other", ("seals", "volume"), ("seals", "volume")),
+}
+
+
+@pytest.mark.parametrize("name", MIXED)
+def test_parts_of_another_store_array_or_place_are_damage(
+    name: str, study: Study, finished: Path, other: Path, store: Path
+) -> None:
+    whose, sources, targets = MIXED[name]
+    pairs = zip(sources, targets, strict=True) if isinstance(sources, tuple) else [(sources, targets)]
+    for source, target in pairs:
+        put = (finished if whose == "own" else other) / source
+        before = {path: path.read_bytes() for path in store.rglob("*") if path.is_file()}
+        shutil.copytree(put, store / target, dirs_exist_ok=True) if put.is_dir() else shutil.copy(put, store / target)
+        assert before != {path: path.read_bytes() for path in store.rglob("*") if path.is_file()}
+    with pytest.raises(StudyError, match=r"^.*results.zarr: .* is not what was written there") as refused:
+        open_sweep(store).dataset.load()
+    assert str(refused.value).startswith(f"{store}: ")
+    notes = run_sweep(study, store, workers=1).notes
+    assert any("computed again" in note or "restored from the study" in note for note in notes)
+    assert_same_store(store, finished)
+
+
+def test_a_state_of_another_place_is_damage(study: Study, finished: Path, store: Path) -> None:
+    with zarr.config.set({"array.write_empty_chunks": True}):
+        zarr.open_array(store / "state", mode="r+", zarr_format=3)[3:6] = FAILED
+    with pytest.raises(StudyError, match="state: chunk 1 is not what was written there"):
+        open_sweep(store)
+    run_sweep(study, store, workers=1)
+    assert_same_store(store, finished)
+
+
+def test_a_store_that_says_it_is_another_one_takes_none_of_its_blocks(
+    study: Study, finished: Path, other: Path, store: Path
+) -> None:
+    shutil.copy(other / "zarr.json", store / "zarr.json")
+    with pytest.raises(StudyError, match="is not what was written there"):
+        open_sweep(store)
+    with pytest.raises(StudyError, match="holds the results of another study"):
+        run_sweep(study, store, workers=1)
+
+
+def test_a_block_that_waits_is_computed_whatever_lies_in_its_place(
+    study: Study, finished: Path, other: Path, store: Path
+) -> None:
+    with zarr.config.set({"array.write_empty_chunks": True}):
+        zarr.open_array(store / "state", mode="r+", zarr_format=3)[3:6] = 0
+    for member in ("volume/c/1", RESPONSES.format(1)):
+        shutil.copy(other / member, store / member)
+    waiting = open_sweep(store).dataset.isel(case=slice(2, 7)).load()
+    known = [True, False, False, False, True]
+    np.testing.assert_array_equal(np.isfinite(waiting["volume"].values), known)
+    np.testing.assert_array_equal(np.isfinite(waiting["transfer_function_real"].values).all((1, 2, 3)), known)
+    assert np.isnan(open_sweep(store).dataset["transfer_function_real"][4].values).all()
+    assert run_sweep(study, store, workers=1).computed == 3
+    assert_same_store(store, finished)
+
+
 def test_damaged_responses_are_refused_where_they_are_used(study: Study, finished: Path, store: Path) -> None:
     flip("transfer_function_real/c/1/0/0/0")(store)
     sweep = open_sweep(store)
@@ -205,6 +307,7 @@ def test_damaged_responses_are_refused_where_they_are_used(study: Study, finishe
             "tube.inner_diameter/zarr.json attributes are damaged; they change no result",
         ),
         (unchecked(), "has no checksums, an older version wrote it; damage to it cannot be noticed"),
+        (without_seals(), "has no identity, an older version wrote it; parts of other stores in it cannot be noticed"),
     ],
 )
 def test_damage_that_changes_no_result_is_told(
