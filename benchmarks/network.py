@@ -20,8 +20,9 @@ from threadpoolctl import threadpool_limits
 
 import acoustic_fem
 from acoustic_fem.batch.network import batch_response, batch_transfer_function
-from acoustic_fem.batch.parameters import ArrayParameters, design_air
+from acoustic_fem.batch.parameters import ArrayParameters
 from acoustic_fem.batch.topology import LineWiring, Topology
+from acoustic_fem.quantities.local_air import design_air
 from geometry.design.design_file import prototype
 
 FREQUENCY = np.linspace(1, 100, 64)

@@ -20,7 +20,7 @@ import acoustic_fem
 import geometry
 import localize
 from acoustic_fem.batch.network import batch_response
-from acoustic_fem.batch.parameters import design_air
+from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.scatter.tolerances import ScatteredDesign
 from geometry.files.writing import replace_section
 from localize.decoders.bayes import ROOM

@@ -18,6 +18,7 @@ from acoustic_fem.batch.numpy_or_torch import Array, namespace
 from acoustic_fem.batch.topology import Topology, tubes_of_line
 from acoustic_fem.membrane.disc import KnownDiscs, design_disc
 from acoustic_fem.network.microphone import circuit_elements as elements
+from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.units import cubic_metres, metres
 from geometry.design.array_design import ArrayDesign
@@ -218,11 +219,6 @@ def check_medium(medium: MediumParameters, count: int, xp: ModuleType) -> int:
         if not bool((xp.isfinite(values) & (values > 0)).all()):
             raise Refusal(f"medium.{field.name} must be finite and above 0")
     return max(rows, count)
-
-
-def design_air(design: ArrayDesign) -> Medium:
-    """The air that a design states."""
-    return Medium.at(design.air.temperature, design.air.humidity, design.air.pressure)
 
 
 def _row(design: ArrayDesign, medium: Medium, known: KnownDiscs | None) -> dict[str, list[Any]]:

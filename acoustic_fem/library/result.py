@@ -3,18 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, astuple, dataclass
 from typing import Any
 
 import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
+from acoustic_fem.library.other_air import air_ratio
 from acoustic_fem.library.provenance import library_provenance
 from acoustic_fem.library.touch import touch_response
+from acoustic_fem.quantities.local_air import LocalAir, design_air
 from acoustic_fem.quantities.medium import Medium
 from geometry.design.array_design import ArrayDesign
 from geometry.layout.placement import point_places
+from geometry.refusal import Refusal
 
 #: What stands in place of a fidelity in a library made from recordings (:mod:`acoustic_fem.calibration`).
 MEASURED = "measured"
@@ -126,6 +129,62 @@ class Library:
         """
         return touch_response(
             self.design, self.source_response, self.point_impedance, touch, contact_radius=contact_radius
+        )
+
+    def in_air(
+        self,
+        pressure: float | None = None,
+        temperature_c: float | None = None,
+        humidity: float | None = None,
+        altitude: float | None = None,
+    ) -> Library:
+        """The same sensor at another place, without a new 3-D solve.
+
+        All responses are multiplied by what the closed forms say that the air changes (:func:`air_ratio`); of a
+        library that was measured too. Of array-2x6, 1 to 200 Hz, that is within 0.23 % of a new 3-D solve at 2000 m,
+        where the air changes the far microphone by 63 %, within 0.05 % at 10 K more, and within 0.4 % at 60 kPa and
+        0 degC. The rubber stays as it was: what it does with temperature is no matter of the air.
+
+        Args:
+            pressure: static pressure there, not reduced to sea level, 5e4 to 1.2e5 Pa.
+            temperature_c: temperature, -20 to 60 degC.
+            humidity: relative, 0 to 1.
+            altitude: in place of the pressure, m above the sea: that of the standard atmosphere.
+
+        Returns:
+            A library whose design and medium say the new air; what is not given is as it was. The library itself where
+            nothing changes.
+
+        Raises:
+            Refusal: a value out of range, pressure and altitude at once, or a library of other air than its design's.
+        """
+        design = self.design.with_values(LocalAir(pressure, altitude, temperature_c, humidity).design_values)
+        medium, before = design_air(design), design_air(self.design)
+        if not np.allclose(astuple(self.medium), astuple(before), rtol=1e-6):
+            raise Refusal(
+                f"{self.design.name}: its library was made in a medium of its own (pressure {self.medium.pressure:g} "
+                f"Pa, viscosity {self.medium.viscosity:g} Pa s) and not in the air of its design: which is meant is "
+                "not known"
+            )
+        if design.air == self.design.air:
+            return self
+        ratio = air_ratio(self.design, self.frequency, before, medium)
+        deviation = self.transfer_function_deviation
+        stored = {name: getattr(self, name) for name in VARIABLES}
+        return library_from_arrays(
+            design,
+            self.frequency,
+            {
+                name: array.transpose(*VARIABLES[name][0]).values * ratio[name]
+                for name, array in stored.items()
+                if array is not None
+            },
+            self.fidelity,
+            medium,
+            {**self.provenance, "brought_from_air": asdict(self.medium)},
+            None
+            if deviation is None
+            else deviation.transpose(*DEVIATION[0]).values * np.abs(ratio["transfer_function"]),
         )
 
 

@@ -22,6 +22,7 @@ from acoustic_fem.library.provenance import versions
 from acoustic_fem.network.array_network import TwoPort, join
 from acoustic_fem.network.microphone import load_admittance
 from acoustic_fem.quantities.checks import frequency_grid
+from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.units import metres
 from geometry.air.wound_tube import Winding
@@ -112,8 +113,7 @@ def solve_bending(
     started = time.perf_counter()
     grid = frequency_grid(frequency)
     checked_physics(fidelity)
-    air = prototype(PROTOTYPE).air
-    medium = Medium.at(air.temperature, air.humidity, air.pressure)
+    medium = design_air(prototype(PROTOTYPE))
     load = end_load(rig.end, prototype(PROTOTYPE).microphone, grid, medium)
     # One piece per shape of the centre line: it serves every angle.
     shapes = list(dict.fromkeys(rig.winding(angle).pitch for angle in rig.angles if angle > 0))

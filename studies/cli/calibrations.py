@@ -8,11 +8,16 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from acoustic_fem.quantities.fidelity import Fidelity
+from acoustic_fem.quantities.local_air import LocalAir
 from geometry.refusal import counted
 from studies.cli.options import (
+    AIR_OPTIONS,
+    Altitude,
     Frequencies,
     LibraryFile,
     Noise,
+    Pressure,
+    Temperature,
     Tolerances,
     defaults_of,
     display_on_stderr,
@@ -51,6 +56,9 @@ def calibrate(
     ] = _FIDELITY,
     frequencies: Frequencies = FREQUENCIES,
     tolerances: Tolerances = None,
+    pressure: Pressure = None,
+    altitude: Altitude = None,
+    temperature: Temperature = None,
 ) -> None:
     """From recordings of the made sensor to its library: measured transfer functions with their uncertainty.
 
@@ -63,9 +71,10 @@ def calibrate(
     Example: [bold]acoustic-fem calibrate recordings --out made.nc[/bold]
     """
     grid = frequency_option(frequencies)
-    with named(frequency="--frequencies"), display_on_stderr() as display:
+    with named(frequency="--frequencies", **AIR_OPTIONS), display_on_stderr() as display:
+        air = LocalAir(pressure, altitude, temperature)
         found = calibrate_sensor(
-            recordings, out, fidelity=fidelity, frequency=grid, tolerances=tolerances, display=display
+            recordings, out, fidelity=fidelity, frequency=grid, tolerances=tolerances, air=air, display=display
         )
     calibration = found.calibration
     if calibration.findings:
@@ -144,6 +153,9 @@ def recalibrate(
     ] = None,
     noise: Noise = None,
     seed: Annotated[int, typer.Option(help="Of the choice of the touches that judge.", min=0)] = _SEED,
+    pressure: Pressure = None,
+    altitude: Altitude = None,
+    temperature: Temperature = None,
 ) -> None:
     """From touches of which nobody knows the points to the library of the sensor as it is now.
 
@@ -154,9 +166,11 @@ def recalibrate(
 
     Example: [bold]acoustic-fem recalibrate made.nc monday.wav tuesday.wav --out now.nc[/bold]
     """
-    with named(full_scale="--full-scale", microphone_noise="--noise"), display_on_stderr() as display:
+    options = {"full_scale": "--full-scale", "microphone_noise": "--noise", **AIR_OPTIONS}
+    with named(**options), display_on_stderr() as display:
+        air = LocalAir(pressure, altitude, temperature)
         found = recalibrate_sensor(
-            library, recordings, out, full_scale=full_scale, noise=noise, seed=seed, display=display
+            library, recordings, out, full_scale=full_scale, noise=noise, seed=seed, air=air, display=display
         ).found
     print(
         f"{out}: from {counted(found.frames, 'frame')} with touches; {found.gain:.2f} +- {found.gain_error:.2f} nats "

@@ -10,7 +10,18 @@ import typer
 from acoustic_fem.quantities.fidelity import Fidelity
 from geometry.formats.names import FORMATS
 from geometry.refusal import Refusal
-from studies.cli.options import Design, Frequencies, defaults_of, display_on_stderr, frequency_option, named
+from studies.cli.options import (
+    AIR_OPTIONS,
+    Altitude,
+    Design,
+    Frequencies,
+    Pressure,
+    Temperature,
+    defaults_of,
+    display_on_stderr,
+    frequency_option,
+    named,
+)
 from studies.cli.tables import show, show_check, show_fields, show_findings, show_library, show_parts, table_of
 from studies.output.frequencies import LIBRARY_FREQUENCIES
 from studies.run.libraries import solve_library
@@ -117,19 +128,28 @@ def solve(
         ),
     ] = _FIDELITY,
     frequencies: Frequencies = LIBRARY_FREQUENCIES,
+    pressure: Pressure = None,
+    altitude: Altitude = None,
+    temperature: Temperature = None,
 ) -> None:
     """Transfer functions from every point to every microphone.
 
     3-D cells are kept on disk and found again by every design that shares them. The frequencies are those that a
     localizer needs, whose touches hold sound up to 500 Hz; fewer take hardly less time.
 
+    The air is the design's, but for what is said of the place: 2000 m change the far microphone by half.
+
     Example: [bold]acoustic-fem solve array-2x6 --out library.nc --fidelity lumped[/bold]
     """
     grid = frequency_option(frequencies)
+    from acoustic_fem.quantities.local_air import LocalAir
     from geometry import resolve_design
 
-    with display_on_stderr() as display, named(frequency="--frequencies"):
-        library = solve_library(resolve_design(design), out, fidelity=fidelity, frequency=grid, display=display)
+    with display_on_stderr() as display, named(frequency="--frequencies", **AIR_OPTIONS):
+        air = LocalAir(pressure, altitude, temperature)
+        library = solve_library(
+            resolve_design(design), out, fidelity=fidelity, frequency=grid, air=air, display=display
+        )
     show_library(out, library)
 
 

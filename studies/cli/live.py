@@ -11,9 +11,10 @@ from typing import TYPE_CHECKING, Annotated, Self
 
 import typer
 
+from acoustic_fem.quantities.local_air import LocalAir
 from geometry.refusal import counted
 from studies.cli.locating import ArrayLibrary, DecoderAmbient, DecoderNoise, RefusedShare
-from studies.cli.options import named
+from studies.cli.options import AIR_OPTIONS, Altitude, Pressure, Temperature, named
 from studies.cli.tables import show, table_of
 from studies.listening.live import LiveInput, listen
 from studies.listening.opening import Decoding
@@ -87,6 +88,9 @@ def live(
     ] = False,
     ambient: DecoderAmbient = None,
     refuse: RefusedShare = None,
+    pressure: Pressure = None,
+    altitude: Altitude = None,
+    temperature: Temperature = None,
 ) -> None:
     r"""Name touches while they happen: listen to the microphones on a sound card, or play a recording in real time.
 
@@ -101,10 +105,10 @@ def live(
     source = LiveInput(wanted, replay, None if channels is None else _channel_map(channels), full_scale)
     words = {name: f"--{name}" for name in ("channels", "device", "refused")}
     with (
-        named(full_scale="--full-scale", microphone_noise="--noise", loudest="--ambient", **words),
+        named(full_scale="--full-scale", microphone_noise="--noise", loudest="--ambient", **words, **AIR_OPTIONS),
         _Output(waveform) as output,
     ):
-        decoding = Decoding(noise, library, waveform, ambient, refuse)
+        decoding = Decoding(noise, library, waveform, ambient, refuse, LocalAir(pressure, altitude, temperature))
         summary = listen(model, source, out, record=record, decoding=decoding, hear=output.hear)
     _print_summary(summary)
 

@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from acoustic_fem.quantities.local_air import LocalAir
 from geometry.refusal import counted
-from studies.cli.options import named
+from studies.cli.options import AIR_OPTIONS, Altitude, Pressure, Temperature, named
 from studies.cli.tables import show, table_of, tell
 from studies.listening.exporting import export_decoder
 from studies.listening.opening import Decoding
@@ -113,6 +114,9 @@ def locate(
     ] = False,
     ambient: DecoderAmbient = None,
     refuse: RefusedShare = None,
+    pressure: Pressure = None,
+    altitude: Altitude = None,
+    temperature: Temperature = None,
 ) -> None:
     """Where and when an array was touched, from a recording of its microphones.
 
@@ -121,8 +125,8 @@ def locate(
     if waveform and out is None:
         raise typer.BadParameter("--waveform goes into the lines of --out; give that too")
     options = {"microphone_noise": "--noise", "loudest": "--ambient", "refused": "--refuse"}
-    with named(full_scale="--full-scale", **options):
-        decoding = Decoding(noise, library, waveform, ambient, refuse)
+    with named(full_scale="--full-scale", **options, **AIR_OPTIONS):
+        decoding = Decoding(noise, library, waveform, ambient, refuse, LocalAir(pressure, altitude, temperature))
         found = locate_recording(model, recording, out, full_scale=full_scale, decoding=decoding)
     _show_touches(found)
     told: dict[State, str] = {"sound": "sound alone", "other": "no single touch"}

@@ -49,6 +49,22 @@ Scheduler = Annotated[
 ]
 
 
+Pressure = Annotated[
+    float | None,
+    typer.Option(metavar="PA", help="Air pressure there, not reduced to sea level, Pa.", show_default="the design's"),
+]
+Altitude = Annotated[
+    float | None,
+    typer.Option(metavar="M", help="Or height above the sea, m: the standard atmosphere's.", show_default=False),
+]
+Temperature = Annotated[
+    float | None,
+    typer.Option("--temperature", metavar="DEGC", help="Temperature of the air there.", show_default="the design's"),
+]
+#: Fields of :class:`acoustic_fem.quantities.local_air.LocalAir` -> options, for :func:`named`.
+AIR_OPTIONS = {"pressure": "--pressure", "altitude": "--altitude", "temperature_c": "--temperature"}
+
+
 def display_on_stderr() -> Display:
     """Progress for the user; what a verb finds goes to stdout."""
     from studies.output.display import Display

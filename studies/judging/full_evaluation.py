@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from acoustic_fem.batch.parameters import design_air
 from acoustic_fem.library.provenance import versions
+from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.scatter.made_sensors import scatter_factors
 from acoustic_fem.scatter.tolerances import ScatteredDesign
 from geometry.refusal import Refusal

@@ -178,7 +178,7 @@ def _opened(
     from localize.signals.resampling import check_full_scale
 
     check_full_scale(source.full_scale)
-    locator = open_localizer(model, decoding.noise, decoding.ambient)
+    locator = open_localizer(model, decoding.noise, decoding.ambient, decoding.air)
     samples = source.open(locator)
     stream = open_stream(model, locator, decoding, samples.limit)
     recorder = None

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from geometry.refusal import Refusal
 
 if TYPE_CHECKING:
+    from acoustic_fem import Library
+    from acoustic_fem.quantities.local_air import LocalAir
     from localize import BayesDecoder, Localizer, OnnxLocalizer, TouchStream
     from localize.signals.noise import NoiseChoice
 
@@ -33,6 +35,8 @@ class Decoding:
     refuse: float | None = None
     """Share of the frames of true touches that may be refused with those that no single point explains; by default the
     likeliest point is named."""
+    air: LocalAir | None = None
+    """Air of the place, to which a library is brought; by default that of the library."""
 
     @property
     def needs_library(self) -> str | None:
@@ -41,16 +45,19 @@ class Decoding:
         return next((name for name, wanted in given.items() if wanted), None)
 
 
-def open_trained(model: Path, noise: float | None, ambient: float | None) -> Localizer | BayesDecoder:
+def open_trained(
+    model: Path, noise: float | None, ambient: float | None, air: LocalAir | None = None
+) -> Localizer | BayesDecoder:
     """Trained localizer from its folder, or the model-based decoder of a library.
 
     Args:
         model: a folder or a library.
         noise: of the microphones, Pa rms, for a library; None for that of the design's.
         ambient: sound in the room up to this level, dB SPL, for a library; None for quiet.
+        air: of the place, for a library; None for that of the library.
 
     Raises:
-        Refusal: a noise for a trained localizer, or a file that is neither.
+        Refusal: a noise or air for a trained localizer, or a file that is neither.
     """
     from localize import BayesDecoder, load_localizer
     from localize.decoders.bayes import sound_levels
@@ -58,15 +65,14 @@ def open_trained(model: Path, noise: float | None, ambient: float | None) -> Loc
     if _is_trained(model):
         if noise is not None:
             raise Refusal(f"`noise` = {noise} is for a library; {model} was trained with a noise of its own")
+        _refuse_air(model, air)
         return load_localizer(model)
-    import acoustic_fem
-
     level: NoiseChoice = "design" if noise is None else noise
-    return BayesDecoder(acoustic_fem.load(model), level, ambient=sound_levels(ambient))
+    return BayesDecoder(_library_there(model, air), level, ambient=sound_levels(ambient))
 
 
 def open_localizer(
-    model: Path, noise: float | None, ambient: float | None
+    model: Path, noise: float | None, ambient: float | None, air: LocalAir | None = None
 ) -> Localizer | BayesDecoder | OnnxLocalizer:  # fmt: skip
     """Localizer of :func:`open_trained`, or that of an ONNX file.
 
@@ -74,9 +80,10 @@ def open_localizer(
         Refusal: as :func:`open_trained`.
     """
     if model.suffix != ".onnx":
-        return open_trained(model, noise, ambient)
+        return open_trained(model, noise, ambient, air)
     if noise is not None:
         raise Refusal(f"`noise` = {noise} is for a library; {model} was made for the noise it names itself")
+    _refuse_air(model, air)
     from localize import OnnxLocalizer
 
     return OnnxLocalizer(model)
@@ -110,12 +117,10 @@ def open_stream(
         if decoding.library is not None:
             raise Refusal(f"`library` {decoding.library} is for `waveform`, `ambient` and `refuse`; give one of them")
         return TouchStream(localizer, limit=limit)
-    import acoustic_fem
-
     path = decoding.library or (None if _is_trained(model) or model.suffix == ".onnx" else model)
     if path is None:
         raise Refusal(f"`{needy}` needs the library of the array: {model} is none; give `library`")
-    response = response_of(acoustic_fem.load(path))
+    response = response_of(_library_there(path, decoding.air))
     check_same_design(localizer, response, path)
     noise = localizer.microphone_noise if isinstance(localizer, BayesDecoder) else localizer.noise_rms or "design"
     wave = Reconstructor(response, max(localizer.noise_rms, LEAST_NOISE)) if decoding.waveform else None
@@ -129,6 +134,24 @@ def open_stream(
         residual_test=residual,
         refused=REFUSED if decoding.refuse is None else decoding.refuse,
     )
+
+
+def _library_there(path: str | os.PathLike[str], air: LocalAir | None) -> Library:
+    """Library of a file, brought to the air of the place."""
+    import acoustic_fem
+
+    library = acoustic_fem.load(path)
+    return library if air is None else library.in_air(**asdict(air))
+
+
+def _refuse_air(model: Path, air: LocalAir | None) -> None:
+    """What was trained, or made a graph, keeps the air of the library that it came from."""
+    given = {} if air is None else {name: value for name, value in asdict(air).items() if value is not None}
+    for name, value in given.items():
+        raise Refusal(
+            f"{name} = {value:g} is for a library; {model} was made in air of its own: make it again from a library "
+            "in that air"
+        )
 
 
 def _is_trained(model: Path) -> bool:

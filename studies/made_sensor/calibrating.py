@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 
     from acoustic_fem import Library
     from acoustic_fem.calibration import Calibration, Update
+    from acoustic_fem.quantities.local_air import LocalAir
     from acoustic_fem.scatter.tolerances import Tolerance
 
 #: The manifest of a folder of recordings.
@@ -55,6 +56,7 @@ def calibrate_sensor(
     fidelity: str = "lumped",
     frequency: ArrayLike | str = FREQUENCIES,
     tolerances: str | os.PathLike[str] | Sequence[Tolerance] | None = None,
+    air: LocalAir | None = None,
     display: Display | None = None,
 ) -> SensorCalibration:
     """Calibration of a made sensor from recordings: measured transfer functions with their uncertainty, in a library.
@@ -68,6 +70,7 @@ def calibrate_sensor(
         fidelity: of the design's own transfer functions, which stand in for missing points.
         frequency: (n_freq,) Hz, ascending, or FIRST:LAST:COUNT.
         tolerances: of the workshop, or a TOML file of them; by default assumed ones.
+        air: of the room of the recordings; what is not given is the design's.
         display: shows what is being done.
 
     Raises:
@@ -91,6 +94,8 @@ def calibrate_sensor(
 
     grid, scatter, source = stated_frequencies(frequency), tolerances_of(tolerances), Path(recordings)
     manifest = read_manifest(source / MANIFEST if source.is_dir() else source)
+    if air is not None:
+        manifest = replace(manifest, design=manifest.design.with_values(air.design_values))
     with show.stage("Design") as report:
         model = acoustic_fem.solve(manifest.design, grid, fidelity=fidelity, progress=report)
     with show.stage("Recordings") as report:

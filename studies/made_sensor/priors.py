@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acoustic_fem.batch.network import batch_transfer_function
-from acoustic_fem.batch.parameters import design_air
 from acoustic_fem.calibration.fitted_model import Priors
+from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.scatter.tolerances import TOLERANCES, ScatteredDesign, Tolerance
 from geometry.design.array_design import ArrayDesign
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from acoustic_fem import Library
+    from acoustic_fem.quantities.local_air import LocalAir
     from localize import SelfCalibration
 
 
@@ -39,6 +40,7 @@ def recalibrate(
     full_scale: float | None = None,
     noise: float | None = None,
     seed: int = 0,
+    air: LocalAir | None = None,
     display: Display | None = None,
 ) -> Recalibration:
     """Recalibration of a sensor from touches of which nobody knows the points.
@@ -52,6 +54,7 @@ def recalibrate(
         full_scale: Pa, see :func:`localize.read_recording`.
         noise: of the microphones, white, Pa rms over 0 to 500 Hz; by default that of the design's.
         seed: of the choice of the touches that judge.
+        air: of the place of the recordings, to which the library is brought first; what is not given is the library's.
         display: shows what is being done.
 
     Raises:
@@ -70,6 +73,8 @@ def recalibrate(
     from localize.signals.noise import NoiseSpectrum
 
     present = acoustic_fem.load(library)
+    if air is not None:
+        present = present.in_air(**asdict(air))
     response = response_of(present)
     paths = [Path(recording) for recording in recordings]
     heard = [read_recording(recording, response.microphones, full_scale).signals for recording in paths]

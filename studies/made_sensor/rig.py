@@ -20,12 +20,13 @@ import tomlkit
 from numpy.typing import NDArray
 
 from acoustic_fem.batch.network import batch_transfer_function
-from acoustic_fem.batch.parameters import ArrayParameters, design_air
+from acoustic_fem.batch.parameters import ArrayParameters
 from acoustic_fem.batch.topology import Topology
 from acoustic_fem.calibration.manifest import REFERENCE
 from acoustic_fem.library.solving import solve
 from acoustic_fem.network.microphone import noise_density, response
 from acoustic_fem.quantities.checks import in_range
+from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.sound.sound_file import write_wav
 from geometry.design.array_design import ArrayDesign

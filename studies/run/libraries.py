@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from acoustic_fem import Library
+    from acoustic_fem.quantities.local_air import LocalAir
     from geometry.design.array_design import ArrayDesign
 
 
@@ -24,6 +25,7 @@ def solve_library(
     *,
     fidelity: str = "navier-stokes",
     frequency: ArrayLike | str = LIBRARY_FREQUENCIES,
+    air: LocalAir | None = None,
     display: Display | None = None,
 ) -> Library:
     """Library of a design, also in a file: transfer functions from every point to every microphone.
@@ -33,6 +35,7 @@ def solve_library(
         out: the library to write, netCDF (``.nc``); one that was computed is replaced, a measured one is kept.
         fidelity: see :func:`acoustic_fem.solve`.
         frequency: (n_freq,) Hz, ascending, or FIRST:LAST:COUNT.
+        air: of the place where it is used; what is not given is the design's.
         display: shows what is being done, then a line for each distinct cell.
 
     Raises:
@@ -46,7 +49,8 @@ def solve_library(
     from studies.run.chain import cell_lines
 
     with show.stage("Cells") as report:
-        library = acoustic_fem.solve(design, stated_frequencies(frequency), fidelity=fidelity, progress=report)
+        there = design if air is None else design.with_values(air.design_values)
+        library = acoustic_fem.solve(there, stated_frequencies(frequency), fidelity=fidelity, progress=report)
         acoustic_fem.save(library, path)
     for line in cell_lines(library):
         show.note(line)

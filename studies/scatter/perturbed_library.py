@@ -20,9 +20,9 @@ from numpy.typing import ArrayLike, NDArray
 from pydantic import BaseModel, ConfigDict, Field
 
 from acoustic_fem.batch.network import batch_transfer_function
-from acoustic_fem.batch.parameters import design_air
 from acoustic_fem.library.provenance import versions
 from acoustic_fem.quantities.checks import frequency_grid
+from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.scatter.tolerances import TOLERANCES, ScatteredDesign, Tolerance
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import read_design, write_design

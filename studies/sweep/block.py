@@ -19,13 +19,14 @@ from numpy.typing import NDArray
 
 from acoustic_fem import Medium
 from acoustic_fem.batch.network import batch_response
-from acoustic_fem.batch.parameters import ArrayParameters, MediumParameters, design_air
+from acoustic_fem.batch.parameters import ArrayParameters, MediumParameters
 from acoustic_fem.batch.topology import Topology
 from acoustic_fem.cell.design_cells import solve_cells
 from acoustic_fem.cell.lumped import lumped_admittance
 from acoustic_fem.cell.one_cell import CellError
 from acoustic_fem.membrane.disc_table import DiscTables
 from acoustic_fem.network.array_network import solve_network
+from acoustic_fem.quantities.local_air import design_air
 from geometry import ArrayDesign, DesignError
 from geometry.air.cells import Cell, cell_catalogue
 from geometry.layout.arrangement import lay_out

@@ -17,7 +17,7 @@ import acoustic_fem
 import geometry
 import localize
 from acoustic_fem.batch.network import batch_transfer_function
-from acoustic_fem.batch.parameters import design_air
+from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.scatter.tolerances import ScatteredDesign
 from geometry.refusal import Refusal
 from localize.signals.array_response import response_of

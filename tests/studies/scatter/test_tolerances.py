@@ -14,7 +14,8 @@ from typer.testing import CliRunner
 import acoustic_fem
 import geometry
 from acoustic_fem.batch.network import batch_transfer_function
-from acoustic_fem.batch.parameters import ArrayParameters, design_air
+from acoustic_fem.batch.parameters import ArrayParameters
+from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.scatter.tolerances import CUT, TOLERANCES, ScatteredDesign, Tolerance, read_tolerances
 from studies.cli.app import app
 from studies.scatter.effects import deviation, scatter_effects, scattered_accuracy, sobol_indices

@@ -1,0 +1,67 @@
+"""The air of the place where a sensor is used, as far as it is known to differ from that of its design."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from acoustic_fem.quantities.checks import in_range
+from acoustic_fem.quantities.medium import Medium
+from geometry.design.array_design import ArrayDesign
+from geometry.refusal import Refusal
+
+#: m, between which :func:`standard_pressure` stays within what :class:`acoustic_fem.Medium` takes.
+ALTITUDES = (-1000.0, 5500.0)
+
+
+def standard_pressure(altitude: float) -> float:
+    """Static pressure of the standard atmosphere, Pa; ISO 2533:1975, below 11 km.
+
+    Weather moves it by about 2 % to either side.
+
+    Args:
+        altitude: above the sea, -1000 to 5500 m.
+
+    Raises:
+        Refusal: an altitude out of range.
+    """
+    return 101325.0 * (1 - 2.25577e-5 * in_range("altitude", altitude, *ALTITUDES, "m")) ** 5.25588
+
+
+@dataclass(frozen=True)
+class LocalAir:
+    """What is known of the air of a place; the rest is as the design has it."""
+
+    pressure: float | None = None
+    """Static pressure, not reduced to sea level, 5e4 to 1.2e5 Pa."""
+    altitude: float | None = None
+    """In place of the pressure: height above the sea, -1000 to 5500 m, see :func:`standard_pressure`."""
+    temperature_c: float | None = None
+    """Temperature, -20 to 60 degC."""
+    humidity: float | None = None
+    """Relative humidity, 0 to 1."""
+
+    def __post_init__(self) -> None:
+        if self.pressure is not None and self.altitude is not None:
+            raise Refusal(
+                f"pressure = {self.pressure:g} Pa and altitude = {self.altitude:g} m say the same; give one of them"
+            )
+        if self.altitude is not None:
+            standard_pressure(self.altitude)
+        for name, low, high, unit in (
+            ("pressure", 5e4, 1.2e5, "Pa"), ("temperature_c", -20, 60, "degC"), ("humidity", 0, 1, "")
+        ):  # fmt: skip
+            value = getattr(self, name)
+            if value is not None:
+                in_range(name, value, low, high, unit)
+
+    @property
+    def design_values(self) -> dict[str, float]:
+        """What it changes in a design, by dotted name: empty where nothing is known."""
+        pressure = self.pressure if self.altitude is None else standard_pressure(self.altitude)
+        stated = {"air.pressure": pressure, "air.temperature": self.temperature_c, "air.humidity": self.humidity}
+        return {name: float(value) for name, value in stated.items() if value is not None}
+
+
+def design_air(design: ArrayDesign) -> Medium:
+    """The air that a design states."""
+    return Medium.at(design.air.temperature, design.air.humidity, design.air.pressure)

@@ -1,0 +1,91 @@
+"""A library brought to the air of another place."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import acoustic_fem
+import geometry
+from acoustic_fem.library.result import VARIABLES, Library
+from acoustic_fem.quantities.local_air import LocalAir, standard_pressure
+from geometry.refusal import Refusal
+
+FREQUENCY = np.linspace(1.0, 100.0, 12)
+
+
+@pytest.fixture(scope="module")
+def library() -> Library:
+    return acoustic_fem.solve(geometry.prototype("array-2x6"), FREQUENCY, "lumped")
+
+
+def _apart(one: Library, other: Library) -> float:
+    return max(float(np.abs(getattr(one, name) / getattr(other, name) - 1).max()) for name in VARIABLES)
+
+
+def test_closed_forms_brought_elsewhere_are_those_solved_there(library: Library) -> None:
+    there = library.in_air(pressure=79500.0, temperature_c=5.0, humidity=0.2)
+    air = there.design.air
+    assert (air.pressure, air.temperature, air.humidity) == (79500.0, 5.0, 0.2)
+    solved = acoustic_fem.solve(there.design, FREQUENCY, "lumped")
+    assert _apart(there, solved) < 1e-12
+    assert there.medium == solved.medium
+    assert _apart(there, library) > 0.05
+
+
+def test_there_and_back_is_where_it_was(library: Library) -> None:
+    back = library.in_air(altitude=2000.0).in_air(altitude=0.0)
+    assert _apart(back, library) < 1e-12
+    assert library.in_air() is library
+    assert library.in_air(pressure=library.design.air.pressure) is library
+
+
+@pytest.mark.physics
+@pytest.mark.slow
+def test_3d_cells_brought_elsewhere_are_those_solved_there() -> None:
+    frequency = np.linspace(1.0, 200.0, 40)
+    library = acoustic_fem.solve(geometry.prototype("array-2x6"), frequency)
+    there = library.in_air(altitude=2000.0)
+    solved = acoustic_fem.solve(there.design, frequency)
+    assert _apart(there, solved) < 2.5e-3
+    assert _apart(library, solved) > 0.5
+
+
+def test_the_file_says_in_which_air_it_is_and_from_which_it_came(library: Library, tmp_path: Path) -> None:
+    there = library.in_air(pressure=90000.0)
+    acoustic_fem.save(there, tmp_path / "there.nc")
+    read = acoustic_fem.load(tmp_path / "there.nc")
+    assert read.design.air.pressure == 90000.0
+    assert read.medium == there.medium
+    assert read.provenance["brought_from_air"]["pressure"] == 101325.0
+    assert _apart(read, there) < 1e-15
+
+
+def test_a_library_in_a_medium_of_its_own_is_not_brought_elsewhere() -> None:
+    helium = acoustic_fem.Medium(0.166, 1.96e-5, 0.152, 5193.0, 1.66, 101325.0)
+    library = acoustic_fem.solve(geometry.prototype("array-2x6"), FREQUENCY, "lumped", helium)
+    with pytest.raises(Refusal, match="medium of its own"):
+        library.in_air(pressure=9e4)
+
+
+@pytest.mark.parametrize(
+    ("stated", "message"),
+    [
+        ({"pressure": 4e4}, "pressure = 40000 Pa must be between 50000 and 120000 Pa"),
+        ({"altitude": 9000.0}, "altitude = 9000 m must be between -1000 and 5500 m"),
+        ({"temperature_c": 200.0}, "temperature_c = 200 degC must be between -20 and 60 degC"),
+        ({"humidity": 50.0}, "humidity = 50 must be between 0 and 1"),
+        ({"pressure": 9e4, "altitude": 1000.0}, "give one of them"),
+    ],
+)
+def test_what_no_place_has_is_refused(library: Library, stated: dict[str, float], message: str) -> None:
+    with pytest.raises(Refusal, match=message):
+        LocalAir(**stated)
+    with pytest.raises(Refusal, match=message):
+        library.in_air(**stated)
+
+
+def test_the_standard_atmosphere() -> None:
+    # ISO 2533:1975, by geometric altitude; the formula takes the geopotential one
+    for altitude, pressure in ((0.0, 101325.0), (1000.0, 89876.3), (2000.0, 79501.4), (5000.0, 54048.3)):
+        assert standard_pressure(altitude) == pytest.approx(pressure, rel=6e-4)
