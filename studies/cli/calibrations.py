@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from acoustic_fem.quantities.fidelity import Fidelity
-from acoustic_fem.quantities.local_air import LocalAir
 from geometry.refusal import counted
 from studies.cli.options import (
     AIR_OPTIONS,
@@ -71,6 +70,8 @@ def calibrate(
     Example: [bold]acoustic-fem calibrate recordings --out made.nc[/bold]
     """
     grid = frequency_option(frequencies)
+    from acoustic_fem.quantities.local_air import LocalAir
+
     with named(frequency="--frequencies", **AIR_OPTIONS), display_on_stderr() as display:
         air = LocalAir(pressure, altitude, temperature)
         found = calibrate_sensor(
@@ -167,6 +168,8 @@ def recalibrate(
     Example: [bold]acoustic-fem recalibrate made.nc monday.wav tuesday.wav --out now.nc[/bold]
     """
     options = {"full_scale": "--full-scale", "microphone_noise": "--noise", **AIR_OPTIONS}
+    from acoustic_fem.quantities.local_air import LocalAir
+
     with named(**options), display_on_stderr() as display:
         air = LocalAir(pressure, altitude, temperature)
         found = recalibrate_sensor(

@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, Annotated, Self
 
 import typer
 
-from acoustic_fem.quantities.local_air import LocalAir
 from geometry.refusal import counted
 from studies.cli.locating import ArrayLibrary, DecoderAmbient, DecoderNoise, RefusedShare
 from studies.cli.options import AIR_OPTIONS, Altitude, Pressure, Temperature, named
@@ -104,6 +103,8 @@ def live(
     wanted = int(device) if device is not None and device.isdecimal() else device
     source = LiveInput(wanted, replay, None if channels is None else _channel_map(channels), full_scale)
     words = {name: f"--{name}" for name in ("channels", "device", "refused")}
+    from acoustic_fem.quantities.local_air import LocalAir
+
     with (
         named(full_scale="--full-scale", microphone_noise="--noise", loudest="--ambient", **words, **AIR_OPTIONS),
         _Output(waveform) as output,

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from acoustic_fem.quantities.local_air import LocalAir
 from geometry.refusal import counted
 from studies.cli.options import AIR_OPTIONS, Altitude, Pressure, Temperature, named
 from studies.cli.tables import show, table_of, tell
@@ -125,6 +124,8 @@ def locate(
     if waveform and out is None:
         raise typer.BadParameter("--waveform goes into the lines of --out; give that too")
     options = {"microphone_noise": "--noise", "loudest": "--ambient", "refused": "--refuse"}
+    from acoustic_fem.quantities.local_air import LocalAir
+
     with named(full_scale="--full-scale", **options, **AIR_OPTIONS):
         decoding = Decoding(noise, library, waveform, ambient, refuse, LocalAir(pressure, altitude, temperature))
         found = locate_recording(model, recording, out, full_scale=full_scale, decoding=decoding)

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import geometry
-from acoustic_fem.batch.parameters import design_air
+from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.scatter import ScatteredDesign, scatter_factors
 
 DESIGN = geometry.prototype("array-2x6").with_values({"lines.0.points": 4})

@@ -20,6 +20,7 @@ import acoustic_fem
 import geometry
 import localize
 import studies
+from acoustic_fem.quantities.local_air import LocalAir
 from geometry.refusal import counted
 from localize.signals.array_response import response_of
 from studies.cli import app
@@ -75,7 +76,8 @@ WORDS = {
 }
 #: What a call takes where it is given None.
 BY_DEFAULT = {
-    "decoding": studies.Decoding(),
+    "air": LocalAir(),  # which changes nothing
+    "decoding": studies.Decoding(air=LocalAir()),
     "source": studies.LiveInput(),
     "rig": studies.BendingRig(),
     "plan": localize.TrainingPlan(microphone_noise="design"),
@@ -232,6 +234,19 @@ def test_designs_and_libraries_in_python_are_those_of_the_verbs(command: Callabl
     counts = studies.wiring_table(3, 36, "call.png")
     assert [each.points for each in counts] == [72, 108]
     assert Path("verb.png").read_bytes() == Path("call.png").read_bytes()
+
+
+def test_a_library_is_brought_to_the_air_of_the_place(command: Callable[..., str], place: Path) -> None:
+    command("solve", "row.toml", "--out", "here.nc", "--fidelity", "lumped")
+    command("solve", "row.toml", "--out", "there.nc", "--fidelity", "lumped", "--altitude", 2000, "--temperature", 10)
+    here, there = acoustic_fem.load("here.nc"), acoustic_fem.load("there.nc")
+    assert there.design.air.pressure == pytest.approx(79495, abs=1)
+    assert np.allclose(here.in_air(altitude=2000, temperature_c=10).transfer_function, there.transfer_function)
+
+    command("solve", "row.toml", "--out", "no.nc", "--pressure", 1e4, code=1)
+    model = small_run().folder / "localizer"
+    with pytest.raises(geometry.Refusal, match=r"^pressure = 90000 is for a library; .* was made in air of its own"):
+        studies.locate_recording(model, "r.wav", decoding=studies.Decoding(air=LocalAir(pressure=9e4)))
 
 
 def test_a_check_in_python_writes_what_it_found(place: Path) -> None:
