@@ -32,7 +32,7 @@ def refuse_unbuildable(design: ArrayDesign, layout: ArrayLayout | None = None, u
     try:
         refuse_overlaps(design, layout)
     except OverlapError as error:
-        raise OverlapError("; ".join(part for part in (str(error), mend_of(design), unless) if part)) from None
+        raise OverlapError(*error.problems, also="; ".join(filter(None, (mend_of(design), unless)))) from None
 
 
 def mend_of(design: ArrayDesign) -> str:

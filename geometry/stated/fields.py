@@ -28,14 +28,16 @@ DERIVED_FROM = {
 class DesignError(Refusal):
     """A design that is not valid. The message is one line: file, field, value and what is allowed.
 
-    ``problems`` has every problem found, one line each; the message is the first of them.
+    ``problems`` has every problem found, one line each; the message is the first of them and how many more there are.
     """
 
-    def __init__(self, *problems: str) -> None:
-        """Keep the problems; at least one."""
+    def __init__(self, *problems: str, also: str = "") -> None:
+        """Keep the problems, at least one, and what else there is to say, such as what would mend them."""
         self.problems = problems
         more = len(problems) - 1
-        super().__init__(problems[0] + (f" (and {counted(more, 'more problem')})" if more else ""))
+        super().__init__(
+            problems[0] + (f" (and {counted(more, 'more problem')})" if more else "") + (f"; {also}" if also else "")
+        )
 
 
 class UnknownField(DesignError):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import os
+import warnings
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations
@@ -23,8 +24,10 @@ LOWEST_RATE, HIGHEST_RATE = 250.0, 1e6
 """Lowest and highest sample rate, Hz; below the lowest the band of 1 to 100 Hz is not in a recording."""
 
 
-LATE = 1.0
-"""Time by which a channel may begin later or end earlier than another, s."""
+LATE, NOTED = 1.0, 0.5
+"""Time by which a channel may begin later or end earlier than another, and from which it is told, s."""
+LOUDEST = 1000.0
+"""Pressure above which samples are hardly pascals, Pa: 154 dB SPL, above what microphones of this size take."""
 SILENT, CONTINUOUS = 1e-6, 0.9
 """Range of a frame, as a share of that of its channel, below which it is silent; and share of the frames in which a
 channel is heard that is heard throughout."""
@@ -32,6 +35,10 @@ channel is heard that is heard throughout."""
 
 class RecordingError(Refusal):
     """Refusal of a recording that cannot be used: one line that names the file and the reason."""
+
+
+class RecordingWarning(UserWarning):
+    """Note on a recording that can be used, and may not be what it is taken for."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,7 +74,7 @@ def read_recording(
 
     Raises:
         RecordingError: the file cannot be read or is cut short; a wrong number of channels, or others; two that are
-            one; a channel that is silent, clipped or not finite, or begins later or ends earlier than another; less
+            one; a channel that is silent, clipped or not finite, or begins or ends a second apart from another; less
             than one frame; a sample rate outside 250 Hz to 1 MHz.
         Refusal: a full scale that is not finite and positive.
     """
@@ -92,11 +99,21 @@ def read_recording(
     _check_apart(path, sound.channels, names, microphones)
     together = np.stack(signals)
     _check_together(path, together, microphones)
+    loudest = float(np.abs(together).max())
+    if loudest > LOUDEST:
+        warnings.warn(
+            f"{path}: reaches {loudest:.3g} Pa, more than the {LOUDEST:g} Pa that microphones take; samples must be "
+            "pascals, of WAV files fractions of the full scale",
+            RecordingWarning,
+            stacklevel=2,
+        )
     return Recording(together, rate)
 
 
 def _check_together(path: Path, signals: NDArray[np.float64], microphones: tuple[str, ...]) -> None:
     """Refuse channels that did not begin or end together: one is dead for a second while another is heard throughout.
+
+    Half a second is told. A channel that was cut off silently for less cannot be told from one that heard nothing.
 
     A channel that is quiet at other times too is not dead: steps of its format may be larger than its noise.
     """
@@ -105,14 +122,15 @@ def _check_together(path: Path, signals: NDArray[np.float64], microphones: tuple
     for what, seen in (("begins {:g} s after", alive), ("ends {:g} s before", alive[:, ::-1])):
         for name, own in zip(microphones, seen, strict=True):
             dead = int(own.argmax())
-            if dead < math.ceil(LATE * SAMPLE_RATE / FRAME) or own[dead:].mean() < CONTINUOUS:
+            if dead < math.ceil(NOTED * SAMPLE_RATE / FRAME) or own[dead:].mean() < CONTINUOUS:
                 continue
             heard = [other for other, each in zip(microphones, seen, strict=True) if each[:dead].mean() >= CONTINUOUS]
             if heard:
                 how = what.format(dead * FRAME / SAMPLE_RATE)
-                raise RecordingError(
-                    f"{path}: channel {name} {how} channel {heard[0]}; all channels must be of one time"
-                )
+                said = f"{path}: channel {name} {how} channel {heard[0]}; all channels must be of one time"
+                if dead >= math.ceil(LATE * SAMPLE_RATE / FRAME):
+                    raise RecordingError(said)
+                warnings.warn(said, RecordingWarning, stacklevel=3)
 
 
 def _in_order(path: Path, sound: Sound, microphones: tuple[str, ...]) -> Sequence[str]:

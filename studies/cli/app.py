@@ -12,7 +12,7 @@ import sysconfig
 import warnings
 from io import TextIOWrapper
 from pathlib import Path
-from typing import Annotated, NoReturn, TextIO
+from typing import Annotated, Any, NoReturn, TextIO
 
 import typer
 
@@ -27,7 +27,7 @@ from studies.cli import (
     searches,
     sweeps,
 )
-from studies.cli.options import in_options
+from studies.cli.options import Verb, in_options
 
 __all__ = ["app", "fail", "main"]
 
@@ -81,6 +81,8 @@ VERBS = (
 _LONGEST_ARGUMENT = 4096  # no system has longer paths
 
 
+#: Wrong command lines: what typer raises for them all.
+_USAGE: Any = typer.BadParameter.__base__
 #: What the system says of a disk that takes nothing more, whoever writes to it.
 _FULL = (errno.ENOSPC, errno.EDQUOT, errno.EROFS)
 
@@ -95,7 +97,12 @@ def main() -> NoReturn:
             fail(f"{argument}: an argument of {len(argument)} characters must have at most {_LONGEST_ARGUMENT}", 2)
     signal.signal(signal.SIGTERM, _stop)
     try:
-        app(prog_name="acoustic-fem")
+        code = app(sys.argv[1:] or ["--help"], prog_name="acoustic-fem", standalone_mode=False)
+    except _USAGE as error:
+        message = error.format_message().removeprefix("Invalid value: ").rstrip(".")
+        fail(f"{message}; try {error.ctx.command_path if error.ctx else 'acoustic-fem'} --help", 2)
+    except typer.Abort:
+        fail("stopped")
     except KeyboardInterrupt:
         fail("stopped", 130)
     except Refusal as error:
@@ -110,7 +117,7 @@ def main() -> NoReturn:
         if isinstance(error, ImportError) or (error.filename is None and error.errno != errno.EIO):
             raise  # a mistake of the program: its traceback says where
         fail(f"{error.filename or 'a file'}: {error.strerror}")
-    sys.exit(0)
+    sys.exit(code if isinstance(code, int) else 0)
 
 
 def _stop(*_: object) -> NoReturn:
@@ -156,4 +163,4 @@ def _root(
 
 
 for verb in VERBS:
-    app.command()(verb)
+    app.command(cls=Verb)(verb)

@@ -68,8 +68,8 @@ def check(
 ) -> None:
     """Validate a design: counts, wiring, distinct cells, layout, printing, validity of the models, attenuation.
 
-    Exit code 1 where the design is not valid, parts are in each other's way, or a print rule fails. Takes a few
-    seconds: parts are drawn and measured, nothing is solved in 3-D.
+    What keeps it from being made comes first; exit code 1 where the design is not valid, parts are in each other's way,
+    or a print rule fails. Takes a few seconds: parts are drawn and measured, nothing is solved in 3-D.
 
     Example: [bold]acoustic-fem check mine.toml[/bold]
     """

@@ -133,17 +133,20 @@ def evaluate(
 
 def _show_evaluations(results: dict[str, Headline]) -> None:
     """A line for the headline of each localizer, and below it one for each of what stands beside it."""
-    table = table_of("", "touches", "top-1 (%)", "top-2 (%)", "within one place (%)", "calibration error (%)",
-                     "most confused", numbers=(2, 3, 4, 5))  # fmt: skip
+    table = table_of("localizer, and touches", "top-1 (%)", "top-2 (%)", "within one place (%)",
+                     "calibration error (%)", numbers=(1, 2, 3, 4))  # fmt: skip
+
+    def row(touches: str, shares: tuple[float, ...], remark: str) -> None:
+        table.add_row(f"  {touches}" + f"\n    {remark}" * bool(remark), *(f"{100 * share:.1f}" for share in shares))
+
     for title, result in results.items():
+        table.add_row(title, *4 * [""])
         pair = result.hardest_pair
-        confused = "none" if pair is None else f"points {pair[0]} and {pair[1]}, {100 * pair[2]:.1f} %"
-        wanted = (result.top1, result.top2, result.within_one, result.reliability.expected_error)
-        table.add_row(title, result.signals, *(f"{100 * share:.1f}" for share in wanted), confused)
+        confused = "" if pair is None else f"most confused: {pair[0]} and {pair[1]}, {100 * pair[2]:.1f} %"
+        row(result.signals, (result.top1, result.top2, result.within_one, result.reliability.expected_error), confused)
         for name, each in result.beside:
-            wanted = (each.top1, each.top2, each.within_one, each.expected_calibration_error)
             worst = "" if each.worst is None else f"the worst sensor: {100 * each.worst:.1f} % right"
-            table.add_row("", name, *(f"{100 * share:.1f}" for share in wanted), worst)
+            row(name, (each.top1, each.top2, each.within_one, each.expected_calibration_error), worst)
     show(table)
     unscattered = next(iter(results.values())).unscattered
     if unscattered:

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
+from typer.core import TyperCommand
 
 from geometry.refusal import Refusal
 
@@ -63,6 +64,28 @@ Temperature = Annotated[
 ]
 #: Fields of :class:`acoustic_fem.quantities.local_air.LocalAir` -> options, for :func:`named`.
 AIR_OPTIONS = {"pressure": "--pressure", "altitude": "--altitude", "temperature_c": "--temperature"}
+
+
+class Verb(TyperCommand):
+    """A verb whose options are given once and say something."""
+
+    def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
+        """Read the command line.
+
+        Raises:
+            typer.BadParameter: a value is empty, or an option that takes one value is given twice.
+        """
+        values, _, order = self.make_parser(ctx).parse_args(list(args))
+        given: set[str] = set()
+        for each in order:
+            name = str(each.name)
+            label = each.opts[-1] if each.param_type_name == "option" else str(each.metavar)
+            if name in given and not each.multiple:
+                raise typer.BadParameter(f"{label} is given twice", ctx=ctx)
+            given.add(name)
+            if "" in (values[name] if isinstance(values[name], (list, tuple)) else [values[name]]):
+                raise typer.BadParameter(f"{label} is empty", ctx=ctx)
+        return super().parse_args(ctx, args)
 
 
 def display_on_stderr() -> Display:

@@ -52,8 +52,9 @@ def sweep(
 ) -> None:
     """Compute many designs: every case of a study with its metrics, into one store.
 
-    Killed and started again it goes on where it was. A case that fails keeps its reason and stops no other. Exit code 1
-    where one fails by a mistake of the program.
+    Killed and started again it goes on where it was. The base of the study must be such that it can be built. A case
+    that cannot keeps its reason and stops no other. Exit code 1 where none could be computed, or one failed by a
+    mistake of the program.
 
     Example: [bold]acoustic-fem sweep study.toml --out results.zarr[/bold]
     """
@@ -74,12 +75,8 @@ def sweep(
     with display_on_stderr() as display:
         summary = run_sweep(given, out, workers=workers, scheduler=scheduler, display=display)
     _print_summary(summary, out)
-    if wrong := summary.program_errors:
-        raise SweepError(
-            f"{out}: {counted(len(wrong), 'case')} (the first is {min(wrong)}) failed by a mistake of the program, "
-            "not by their "
-            "design; when it is mended compute the study into a new store"
-        )
+    if summary.objection is not None:
+        raise SweepError(f"{out}: {summary.objection}")
 
 
 def report(

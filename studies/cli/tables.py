@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import textwrap
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -11,17 +12,22 @@ from geometry.refusal import counted, in_one_line
 from studies.output.display import number
 
 if TYPE_CHECKING:
-    from rich.table import Table
+    from rich.table import Column, Table
 
     from acoustic_fem import Library
+    from geometry.plan.topology import WiringCounts
     from geometry.printing.report import PrintReport
     from studies.run.check import DesignCheck
     from studies.run.part_folder import MadeParts
 
 #: Blanks of a table: at both its edges, and between columns.
 _EDGES, _GAP = 2, 3
-#: Misfits of parts that are printed.
-_MISFITS = 10
+#: Texts are broken between words in columns that keep at least so many characters; numbers never are.
+_LEAST_TEXT = 24
+#: Characters of a line into a file or a pipe, where a row is a line however long it is.
+_UNBROKEN = 100_000
+#: Problems of one kind that are printed.
+_FIRST = 10
 
 
 def table_of(*columns: str, numbers: tuple[int, ...] = ()) -> Table:
@@ -41,12 +47,15 @@ def tell(text: str) -> None:
 
 
 def show(table: Table) -> None:
-    """Print a table on stdout: no word is cut, and columns that do not fit follow in blocks beneath."""
+    """Print a table on stdout.
+
+    On a terminal it is as wide as that, or as ``COLUMNS`` says: long texts are broken between words, and columns that
+    do not fit follow in blocks beneath. Into a file or a pipe it is as wide as it takes.
+    """
     from rich.console import Console
 
-    # Into a file or a pipe, lines are not broken to the width of a terminal that is not there.
     known = Console().is_terminal or "COLUMNS" in os.environ
-    console = Console(width=None if known else 160, markup=False, highlight=False)
+    console = Console(width=None if known else _UNBROKEN, markup=False, highlight=False)
     first, *rest = range(len(table.columns))
     while rest:
         count = len(rest)
@@ -57,17 +66,34 @@ def show(table: Table) -> None:
 
 
 def _widths(table: Table, chosen: list[int], most: int) -> list[int] | None:
-    """Widths of some columns of a table, the widest narrowed first; None where their longest words are too wide."""
-    texts = [[str(table.columns[k].header), *map(str, table.columns[k].cells)] for k in chosen]
-    widths = [max(len(line) for text in column for line in (text.splitlines() or [""])) for column in texts]
-    words = [max(len(word) for text in column for word in (text.split() or [""])) for column in texts]
+    """Widths of some columns of a table: headings are narrowed first, then texts; None where that is not enough."""
+    columns = [table.columns[k] for k in chosen]
+    widths = [max(_longest(str.splitlines, each.header), _longest(str.splitlines, *each.cells)) for each in columns]
     room = most - _EDGES - _GAP * (len(chosen) - 1)
-    while sum(widths) > room:
-        wide = [k for k in range(len(chosen)) if widths[k] > words[k]]
-        if not wide:
-            return None
-        widths[max(wide, key=lambda k: widths[k])] -= 1
-    return widths
+    for least in (_under_headings(columns), _under_texts(columns)):
+        while sum(widths) > room and any(width > own for width, own in zip(widths, least, strict=True)):
+            wide = [k for k in range(len(chosen)) if widths[k] > least[k]]
+            widths[max(wide, key=lambda k: widths[k])] -= 1
+    return widths if sum(widths) <= room else None
+
+
+def _under_headings(columns: list[Column]) -> list[int]:
+    """Widths of columns whose headings are broken between words, and whose cells are whole."""
+    return [max(_longest(str.split, each.header), _longest(str.splitlines, *each.cells)) for each in columns]
+
+
+def _under_texts(columns: list[Column]) -> list[int]:
+    """Widths of columns whose texts are broken between words too, but keep room for a few; numbers never are."""
+    whole = _under_headings(columns)
+    return [
+        width if column.justify == "right" else max(min(width, _LEAST_TEXT), _longest(str.split, *column.cells))
+        for width, column in zip(whole, columns, strict=True)
+    ]
+
+
+def _longest(parts: Callable[[str], list[str]], *texts: object) -> int:
+    """Characters of the longest part of some texts."""
+    return max((len(part) for text in texts for part in parts(str(text))), default=0)
 
 
 def _part(table: Table, chosen: list[int], most: int) -> Table:
@@ -110,22 +136,15 @@ def show_fields() -> None:
 
 
 def show_check(found: DesignCheck) -> None:
-    """All findings on a design."""
-    wiring, name = found.wiring, found.design.name
-    print(f"{name}: a valid design" if not (found.overlaps or found.misfits) else f"{name}: cannot be built")
+    """All findings on a design, first what keeps it from being made."""
+    print(f"{found.design.name}: {found.verdict}")
+    _show_first(found.problems, "- {}")
+    if found.mend:
+        tell(f"- {found.mend}")
+    _show_verdict(found.printing)
     length, width, height = max(found.size[:2]), min(found.size[:2]), found.size[2]
     print(f"{length:.1f} x {width:.1f} x {height:.1f} mm")
-    table = table_of("wiring", "", numbers=(1,))
-    for row in (
-        ("microphones", str(wiring.microphones)),
-        ("lines, of at most", f"{wiring.lines} of {wiring.most_lines}"),
-        ("points", str(wiring.points)),
-        ("points per microphone", f"{wiring.points_per_microphone:.3g}"),
-        ("times one transducer per point", f"{wiring.gain_over_one_transducer_per_point:.3g}"),
-        ("times row-column addressing", f"{wiring.gain_over_row_column:.3g}"),
-    ):
-        table.add_row(*row)
-    show(table)
+    _show_wiring(found.wiring)
     table = table_of("distinct cell", "places", numbers=(1,))
     for cell, places in found.cells:
         table.add_row(cell.label, str(places))
@@ -137,7 +156,7 @@ def show_check(found: DesignCheck) -> None:
     for part, count in found.part_counts.items():
         table.add_row(part, str(count))
     show(table)
-    _show_notes((*found.notes, *found.overlaps), found.misfits)
+    _show_notes(found.notes, found.misfits if found.overlaps else ())
     table = table_of("estimated attenuation", "level (dB)", "", numbers=(1,))
     for frequency, level, point in found.attenuation:
         table.add_row(f"{frequency:g} Hz", f"{level:.1f}", f"point {point} at its second-loudest microphone")
@@ -151,7 +170,21 @@ def show_check(found: DesignCheck) -> None:
             "ok" if item.holds else "warn",
         )
     show(table)
-    show_findings(found.printing)
+    _show_print_problems(found.printing)
+
+
+def _show_wiring(wiring: WiringCounts) -> None:
+    table = table_of("wiring", "", numbers=(1,))
+    for row in (
+        ("microphones", str(wiring.microphones)),
+        ("lines, of at most", f"{wiring.lines} of {wiring.most_lines}"),
+        ("points", str(wiring.points)),
+        ("points per microphone", f"{wiring.points_per_microphone:.3g}"),
+        ("times one transducer per point", f"{wiring.gain_over_one_transducer_per_point:.3g}"),
+        ("times row-column addressing", f"{wiring.gain_over_row_column:.3g}"),
+    ):
+        table.add_row(*row)
+    show(table)
 
 
 def show_library(path: Path, library: Library) -> None:
@@ -199,20 +232,36 @@ def show_parts(made: MadeParts) -> None:
 
 def _show_notes(notes: tuple[str, ...], misfits: tuple[str, ...]) -> None:
     """What could not be built as drawn, and the first of what does not go together."""
-    for note in (*notes, *misfits[:_MISFITS]):
+    for note in notes:
         tell(f"note: {note}")
-    if len(misfits) > _MISFITS:
-        print(f"note: parts that do not go together: {len(misfits) - _MISFITS} more")
+    _show_first(misfits, "note: {}")
+
+
+def _show_first(lines: tuple[str, ...], form: str) -> None:
+    """The first of some lines, and how many more there are."""
+    for line in lines[:_FIRST]:
+        tell(form.format(line))
+    if len(lines) > _FIRST:
+        print(form.format(f"and {counted(len(lines) - _FIRST, 'more problem')}"))
 
 
 def show_findings(printing: PrintReport) -> None:
     """The print verdict and what leads to it."""
+    _show_verdict(printing)
+    _show_print_problems(printing)
+
+
+def _show_verdict(printing: PrintReport) -> None:
     tell(f"printing, {printing.process.title}: {printing.verdict}")
+
+
+def _show_print_problems(printing: PrintReport) -> None:
     if printing.problems:
-        table = table_of("part", "measure", "value", "must be", "place (mm)", "verdict", numbers=(2, 3, 4))
+        table = table_of("part, measure and place (mm)", "value", "must be", "verdict", numbers=(1,))
         for finding in printing.problems:
             value = f"{finding.value:.3g} {finding.unit}"
             limit = f"{finding.relation} {finding.limit:.3g} {finding.unit}"
             place = "" if finding.place is None else ", ".join(f"{0.0 + round(x, 2):g}" for x in finding.place)
-            table.add_row(finding.part, finding.rule, value, limit, place, finding.verdict)
+            measure = f"{finding.rule} at {place}" if place else finding.rule
+            table.add_row(f"{finding.part}\n  {measure}", value, limit, finding.verdict)
         show(table)

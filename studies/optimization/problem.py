@@ -11,10 +11,10 @@ from pydantic import Field
 
 from geometry import ArrayDesign
 from geometry.files.reading import parse_toml, read_text
-from geometry.layout.mending import refuse_unbuildable
 from geometry.refusal import Refusal
 from geometry.stated.fields import model_of
 from studies.optimization.printable import Demand, PrintDemand
+from studies.study.cases import check_base
 from studies.study.file import FileSection, study_of
 from studies.study.metric_registry import Metric, metrics_named
 from studies.study.study import Parameter, Study, StudyError
@@ -164,7 +164,7 @@ def _checked(file: _Optimize, study: Study, text: str) -> Optimization:
         limits.append(Limit(metric, bound.least, bound.most))
     for metric in (*(objective.metric for objective in objectives), *(limit.metric for limit in limits)):
         metric.check_grid(study.frequency)
-    refuse_unbuildable(study.base)  # all others are compared with it
+    check_base(study)
     rules = PrintDemand(study.base, file.printable)
     for axis in study.axes:
         for parameter in axis:

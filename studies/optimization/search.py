@@ -32,8 +32,6 @@ if TYPE_CHECKING:
 
 _PART = 16
 """Designs of a batch that one worker takes at a time."""
-_DIGITS = 4
-"""Significant digits of a length that is searched: below a micrometre nothing is made."""
 
 
 @dataclass(frozen=True)
@@ -265,7 +263,7 @@ def _proposed(trial: optuna.Trial, problem: Optimization) -> dict[str, Any]:
                 values[first.name] = trial.suggest_int(label, round(low), round(high))
             else:
                 value = trial.suggest_float(label, low, high, log=first.scale == "log")
-                values[first.name] = _bought(first, value, low) if first.step else _rounded(value, low, high)
+                values[first.name] = _had(first, value, low)
         else:
             place = np.array([trial.suggest_float(label, 0.0, 1.0)])
             values |= {parameter.name: _at(parameter, place) for parameter in axis}
@@ -274,20 +272,15 @@ def _proposed(trial: optuna.Trial, problem: Optimization) -> dict[str, Any]:
 
 def _at(parameter: Parameter, place: NDArray[np.float64]) -> float | int:
     value = parameter.at(place)[0]
-    if parameter.step:
-        return float(value)
-    return int(value) if parameter.whole else _rounded(float(value), *sorted((parameter.low, parameter.high)))
+    return int(value) if parameter.whole else float(value)
 
 
-def _bought(parameter: Parameter, value: float, low: float) -> float:
+def _had(parameter: Parameter, value: float, low: float) -> float:
     """The nearest size that can be had and is not below what can be printed."""
     size = float(parameter.had(np.array([value]))[0])
-    return size if size >= low else float(parameter.had(np.array([size + parameter.step]))[0])
-
-
-def _rounded(value: float, low: float, high: float) -> float:
-    """Length to four significant digits, inside its range."""
-    return min(max(float(f"{value:.{_DIGITS}g}"), low), high)
+    if size >= low:
+        return size
+    return float(parameter.had(np.array([size + parameter.step]))[0]) if parameter.step else low
 
 
 def _result(search: optuna.Study, problem: Optimization) -> OptimizationResult:

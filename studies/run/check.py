@@ -21,6 +21,7 @@ from geometry.layout.size import array_size
 from geometry.plan.topology import WiringCounts, wiring_counts
 from geometry.printing.report_files import report_content
 from geometry.refusal import Refusal
+from geometry.stated.fields import DesignError
 from studies.metrics.pairs import BAND, worst_heard
 from studies.output.display import Display, Report
 from studies.output.folders import check_new_file, write_json
@@ -109,14 +110,27 @@ class DesignCheck:
         )
 
     @property
+    def problems(self) -> tuple[str, ...]:
+        """Lines on why the array cannot be made; none where it can.
+
+        What cannot be built as it is laid out overlaps as it is drawn too: it counts once, by the layout.
+        """
+        return self.overlaps or self.misfits or self.failures
+
+    @property
+    def verdict(self) -> str:
+        """Verdict on the array: a valid design, or one that cannot be built or printed."""
+        if self.overlaps or self.misfits:
+            return "cannot be built"
+        return "cannot be printed" if self.failures else "a valid design"
+
+    @property
     def objection(self) -> str | None:
         """Why the array cannot be made, in one line; None where it can."""
-        for what, lines in (("built", (*self.overlaps, *self.misfits)), ("printed", self.failures)):
-            if lines:
-                more = f" (and {len(lines) - 1} more)" if len(lines) > 1 else ""
-                mend = f"; {self.mend}" if self.mend else ""
-                return f"{self.design.name}: cannot be {what}: {lines[0]}{more}{mend}"
-        return None
+        if not self.problems:
+            return None
+        first, *others = self.problems
+        return str(DesignError(f"{self.design.name}: {self.verdict}: {first}", *others, also=self.mend))
 
     def to_dict(self) -> dict[str, Any]:
         """Findings as JSON can hold them."""

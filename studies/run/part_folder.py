@@ -12,7 +12,7 @@ from geometry.formats.names import FORMATS
 from geometry.layout.arrangement import lay_out
 from geometry.layout.mending import refuse_unbuildable
 from geometry.layout.overlaps import buildability_notes
-from geometry.refusal import Refusal
+from geometry.stated.fields import DesignError
 from geometry.stated.print_processes import PrintProcess, find_process, process_of
 from studies.output.display import Display, Report
 from studies.output.folders import FILES, check_folder, replaced_files
@@ -93,7 +93,7 @@ def export_parts(
         report("fit", 0.05)
         in_the_way = misfits(model)
         if in_the_way and not allow_overlaps:
-            raise Refusal(f"{design.name}: cannot be built: {in_the_way[0]}; {ALL_THE_SAME}")
+            raise DesignError(f"{design.name}: cannot be built: {in_the_way[0]}", *in_the_way[1:], also=ALL_THE_SAME)
         made = _make(model, fresh, formats, rules, in_the_way, report)
     files = tuple(replace(file, path=folder / file.path.name) for file in made.files)
     return replace(made, report=folder / made.report.name, files=files)

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from geometry import ArrayDesign, DesignError
 from geometry.design.design_file import value_of
+from geometry.layout.mending import refuse_unbuildable
 from geometry.layout.overlaps import refuse_overlaps
 from geometry.refusal import Refusal, counted
 from studies.study.constraints import Constraint
@@ -66,6 +67,15 @@ class Cases:
     def part(self, first: int, stop: int) -> Cases:
         """Cases from ``first`` to before ``stop``."""
         return Cases(self.base, self.names, tuple(column[first:stop] for column in self.columns))
+
+
+def check_base(study: Study) -> None:
+    """Refuse a study whose base cannot be built: all other designs of a sweep or a search are compared with it.
+
+    Raises:
+        OverlapError: parts of the base are in each other's way; says what would mend it.
+    """
+    refuse_unbuildable(study.base)
 
 
 #: Told the number of a case and its design, or why it has none.

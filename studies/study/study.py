@@ -17,6 +17,9 @@ from geometry.design.design_file import write_design
 from geometry.refusal import Refusal
 from studies.study.constraints import Constraint
 
+#: Significant digits of a value within a range: below a micrometre nothing is made.
+_DIGITS = 4
+
 Sampling = Literal["grid", "latin-hypercube", "sobol", "random"]
 
 
@@ -71,12 +74,18 @@ class Parameter:
             values = self.low * (self.high / self.low) ** place
         else:
             values = self.low + (self.high - self.low) * place
-        return self.had(np.clip(values, min(self.low, self.high), max(self.low, self.high)))
+        return self.had(np.clip(values, self.low, self.high))
 
     def had(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
-        """The nearest sizes that can be had; (n,) float64, in the unit of the field."""
+        """The nearest sizes that can be had; (n,) float64, in the unit of the field.
+
+        Without a step these are values of four digits, more where the range is narrow, so that what is computed is what
+        a design file says and what somebody can make.
+        """
         if not self.step:
-            return values
+            span = 2 - math.floor(math.log10(self.high - self.low))
+            sizes = [round(value, max(_decimals(value), span)) for value in values.tolist()]
+            return np.clip(np.array(sizes, np.float64), self.low, self.high)
         last = math.floor((self.high - self.low) / self.step + 1e-9)
         steps = np.clip(np.round((values - self.low) / self.step), 0, last)
         return np.round(self.low + steps * self.step, 9)
@@ -89,6 +98,11 @@ class Parameter:
         if self.whole:
             return np.unique(np.round(self.low + (self.high - self.low) * steps).astype(np.int64))
         return self.at(steps)
+
+
+def _decimals(value: float) -> int:
+    """Decimals of a number that is rounded to significant digits."""
+    return _DIGITS - 1 - math.floor(math.log10(abs(value))) if value else 0
 
 
 @dataclass(frozen=True, eq=False)

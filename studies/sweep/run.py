@@ -19,7 +19,7 @@ import numpy as np
 from acoustic_fem.library.provenance import versions
 from acoustic_fem.membrane.disc_table import DiscTables, disc_tables
 from acoustic_fem.membrane.elasticity import DiscShape, ElasticDisc, solve_dimensionless
-from geometry.refusal import Refusal
+from geometry.refusal import Refusal, counted
 from studies.output.display import Display
 from studies.study.cases import Cases
 from studies.study.failure_reasons import PROGRAM_ERROR
@@ -64,6 +64,21 @@ class Summary:
         """Numbers of the cases that failed by a mistake of the program."""
         return [n for why, numbers in self.failures.items() if why.startswith(PROGRAM_ERROR) for n in numbers]
 
+    @property
+    def objection(self) -> str | None:
+        """Why the sweep is no success, in one line; None where it is: a case that its design keeps from being computed
+        is a result, unless all are.
+        """
+        if wrong := self.program_errors:
+            return (
+                f"{counted(len(wrong), 'case')} (the first is {min(wrong)}) failed by a mistake of the program, not by "
+                "their design; when it is mended compute the study into a new store"
+            )
+        if self.failures and sum(map(len, self.failures.values())) == self.cases:
+            why, numbers = next(iter(self.failures.items()))
+            return f"none of {counted(self.cases, 'case')} could be computed; case {numbers[0]}: {why}"
+        return None
+
 
 def run_sweep(
     study: Study,
@@ -87,6 +102,7 @@ def run_sweep(
 
     Raises:
         StudyError: ``out`` holds something else or another study, or a metric does not suit the study.
+        OverlapError: the base of the study cannot be built.
         SweepError: workers were lost; running again continues.
     """
     if display is None:

@@ -10,7 +10,7 @@ from acoustic_fem.membrane.elasticity import DiscShape
 from geometry import ArrayDesign, DesignError
 from geometry.layout.overlaps import refuse_overlaps
 from geometry.refusal import Refusal
-from studies.study.cases import Cases, cases_of
+from studies.study.cases import Cases, cases_of, check_base
 from studies.study.study import Study, StudyError
 from studies.sweep.block import CellKey, Job, cells_of, check_metrics
 
@@ -48,8 +48,9 @@ def surveyed(study: Study, every: bool = False) -> Survey:
         every: look at all designs, also where neither membranes nor 3-D cells ask for it.
 
     Raises:
-        Refusal: the constraints leave no case, or one cannot be computed.
+        Refusal: the base cannot be built, the constraints leave no case, or one cannot be computed.
     """
+    check_base(study)
     membranes = any(parameter.name.startswith(_OF_MEMBRANES) for parameter in study.parameters)
     solid = study.fidelity != "lumped"
     known: dict[CellKey, CellKey] = {}

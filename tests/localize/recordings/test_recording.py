@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import warnings
+
 import numpy as np
 import pytest
 import scipy.io
 import scipy.io.wavfile
 
 from localize import RecordingError, read_recording
+from localize.recordings.recording import RecordingWarning
 
 NAMES = ("left", "right")
 
@@ -214,6 +217,29 @@ def test_channels_that_are_not_of_one_time_are_refused(tmp_path, what):
     np.savez(tmp_path / "late.npz", signals=signals)
     with pytest.raises(RecordingError, match=rf"late\.npz: channel right {what} channel left; all channels must be of"):
         read_recording(tmp_path / "late.npz", ("left", "right"))
+
+
+@pytest.mark.parametrize(("late", "told"), [(300, 0), (700, 1)])
+def test_a_channel_that_is_a_little_late_is_told(tmp_path, late, told):
+    signals = np.random.default_rng(0).standard_normal((2, 8000))
+    signals[1, :late] = 0.0
+    np.savez(tmp_path / "late.npz", signals=signals)
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        assert read_recording(tmp_path / "late.npz", ("left", "right")).seconds == 8.0
+    notes = [str(each.message) for each in caught if each.category is RecordingWarning]
+    assert len(notes) == told
+    assert all("late.npz: channel right begins 0.5 s after channel left" in note for note in notes)
+
+
+@pytest.mark.parametrize(("level", "told"), [(100.0, 0), (1e30, 1)])
+def test_a_pressure_that_no_microphone_takes_is_told(tmp_path, level, told):
+    np.savez(tmp_path / "loud.npz", signals=level * tones(1000))
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        read_recording(tmp_path / "loud.npz", NAMES)
+    notes = [str(each.message) for each in caught if each.category is RecordingWarning]
+    assert [f"loud.npz: reaches {level / 2:.3g} Pa, more than the 1000 Pa" in note for note in notes] == told * [True]
 
 
 def test_channels_that_are_quiet_now_and_then_are_of_one_time(tmp_path):

@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
+from typing import Any, cast
+
 import pytest
 
-from studies.cli.tables import show, show_fields, table_of
+from studies.cli.localizers import _show_evaluations
+from studies.cli.tables import show, show_fields, show_findings, table_of
 
 
 @pytest.fixture(autouse=True)
@@ -45,6 +49,40 @@ def test_into_a_file_lines_are_not_broken_to_a_terminal(
 ) -> None:
     monkeypatch.delenv("COLUMNS")
     table = table_of("prototype", "description")
-    table.add_row("a", 12 * "meaningful ")
+    table.add_row("a", 40 * "meaningful ")
     show(table)
-    assert "a           " + 11 * "meaningful " + "meaningful" in capsys.readouterr().out
+    assert "a           " + 39 * "meaningful " + "meaningful" in capsys.readouterr().out
+
+
+def headline(signals: str, *beside: tuple[str, float | None]) -> Any:
+    """A headline as :func:`studies.cli.localizers._show_evaluations` reads it."""
+    shares = {"top1": 0.998, "top2": 1.0, "within_one": 1.0}
+    others = [(name, SimpleNamespace(**shares, expected_calibration_error=0.1, worst=w)) for name, w in beside]
+    error = SimpleNamespace(expected_error=0.001)
+    return SimpleNamespace(
+        signals=signals, hardest_pair=(3, 14, 0.0123), **shares, reliability=error, beside=others, unscattered=""
+    )
+
+
+def test_an_evaluation_has_a_row_for_each_kind_of_touches(capsys: pytest.CaptureFixture[str]) -> None:
+    beside = ("taps, nominal sensor", None), ("sums of sines, 20 mis-made sensors", 0.77)
+    _show_evaluations({name: headline("sums of sines, nominal sensor", *beside) for name in ("network", "decoder")})
+    lines = [line.strip() for line in capsys.readouterr().out.splitlines()]
+    assert max(map(len, lines)) <= 80
+    figures = ["99.8", "100.0", "100.0"]
+    for words in ("network", "decoder", "most confused: 3 and 14, 1.2 %", "the worst sensor: 77.0 % right"):
+        assert words in lines
+    for words, error in (("sums of sines, nominal sensor", "0.1"), *((name, "10.0") for name, _ in beside)):
+        rows = [line.removeprefix(words).split() for line in lines if line.startswith(words)]
+        assert rows == 2 * [[*figures, error]]
+
+
+def test_a_print_rule_has_its_figures_in_one_line(capsys: pytest.CaptureFixture[str]) -> None:
+    finding = SimpleNamespace(
+        part="shell-corner-237.1-0.18x0.55-0.44x0.8", rule="narrowest hole", value=0.18, unit="mm",
+        relation="at least", limit=0.2, place=(0.9, 0.0, 0.65), verdict="warn",
+    )  # fmt: skip
+    show_findings(cast(Any, SimpleNamespace(process=SimpleNamespace(title="SLA"), verdict="warn", problems=[finding])))
+    lines = [line.strip() for line in capsys.readouterr().out.splitlines()]
+    assert "shell-corner-237.1-0.18x0.55-0.44x0.8   0.18 mm   at least 0.2 mm   warn" in lines
+    assert "narrowest hole at 0.9, 0, 0.65" in lines

@@ -1,14 +1,20 @@
 """What is said of a design before it is solved: the parts as drawn go together, or what is in the way is named."""
 
+from dataclasses import replace
+
 import pytest
 
 from geometry import prototype
+from geometry.layout.overlaps import OverlapError
 from geometry.refusal import Refusal
 from studies.cli.tables import show_check
 from studies.run.chain import run_design
 from studies.run.check import check_design
-from studies.run.part_folder import export_parts
+from studies.run.part_folder import ALL_THE_SAME, export_parts
+from studies.study.file import read_study
+from studies.sweep.survey import surveyed
 
+AXES = '[parameters]\n"tube.length" = [20.0, 21.0]\n'
 NARROW = {"layout": {"kind": "cylinder", "columns": 6, "diameter": 9.0}, "lines.0.points": 4}
 
 
@@ -20,9 +26,27 @@ def test_parts_in_each_others_way_are_named_by_check(capsys):
     assert "; mend: layout.diameter of " in found.objection
     show_check(found)
     printed = capsys.readouterr().out
-    assert printed.startswith("array-2x6: cannot be built")
+    assert printed.splitlines()[:2] == ["array-2x6: cannot be built", f"- {found.overlaps[0]}"]
+    assert printed.splitlines()[len(found.overlaps) + 1] == f"- {found.mend}"
+    assert printed.splitlines()[len(found.overlaps) + 2].startswith("printing, ")
     assert f"note: {found.misfits[0]}" in printed
     assert printed.count(" are in each other's way") == min(len(found.misfits), 10)
+
+
+def test_check_parts_run_and_sweep_count_the_same_problems(tmp_path):
+    design = prototype("array-2x6").with_values(NARROW)
+    found, told = check_design(design), []
+    study = replace(read_study('base = "array-2x6"\nfidelity = "lumped"\nmetrics = ["volume"]\n' + AXES), base=design)
+    for call in (
+        lambda: export_parts(design, tmp_path / "out"),
+        lambda: run_design(design, tmp_path / "out"),
+        lambda: surveyed(study),
+    ):
+        with pytest.raises(OverlapError) as refused:
+            call()
+        told.append(str(refused.value).removesuffix(f"; {ALL_THE_SAME}"))
+        assert refused.value.problems[1:] == found.overlaps[1:]
+    assert told == 3 * [found.objection]
 
 
 def test_a_tube_that_cannot_be_drawn_is_a_misfit_not_the_end_of_the_check(monkeypatch):

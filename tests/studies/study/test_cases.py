@@ -72,7 +72,7 @@ def test_samples_lie_in_their_ranges_and_come_again_from_the_seed_alone(sampling
 @pytest.mark.parametrize("sampling", ["latin-hypercube", "sobol"])
 def test_each_of_equal_slices_of_a_range_holds_one_sample(sampling: str) -> None:
     (column,) = cases(f'sampling = "{sampling}"\ncases = 32', '"tube.length" = {from = 10, to = 42}\n').columns
-    np.testing.assert_array_equal(np.sort(np.floor(column - 10)), np.arange(32))
+    assert np.abs(np.sort(column) - 10.5 - np.arange(32)).max() <= 0.5 + 0.005  # values have two decimals here
 
 
 def test_cases_that_break_a_constraint_are_left_out_and_counted() -> None:

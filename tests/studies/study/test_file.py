@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import numpy as np
@@ -177,6 +178,25 @@ def test_a_range_with_a_step_has_only_sizes_that_can_be_bought() -> None:
     assert grid.columns[0].tolist() == [0.3, 0.4, 0.5, 0.6, 0.7]
     samples = cases_of(read_study(SHEETS.format(more='sampling = "random"\ncases = 60', step=0.1)))
     assert set(samples.columns[0].tolist()) == {0.3, 0.4, 0.5, 0.6, 0.7}
+
+
+@pytest.mark.parametrize(
+    ("given", "field", "digits"),
+    [
+        ("{from = 4, to = 7}", "resonator.cavity_diameter", 3),
+        ("{from = 0.3123, to = 0.75}", "membrane.thickness", 4),
+        ('{from = 8, to = 30.5, scale = "log"}', "tube.length", 3),
+        ("{from = 101000, to = 101999}", "air.pressure", 0),
+    ],
+)
+def test_values_of_a_plain_range_are_such_that_somebody_can_make_them(given: str, field: str, digits: int) -> None:
+    text = SHEETS.format(more='sampling = "sobol"\ncases = 64', step=0.1).rpartition('"membrane')[0]
+    (values,) = cases_of(read_study(f'{text}"{field}" = {given}')).columns
+    assert values.tolist() == np.round(values, digits).tolist()
+    assert all(len(f"{value:g}") <= 6 for value in values.tolist())
+    assert len(set(values.tolist())) > 60
+    low, high = (float(word) for word in re.findall(r"(?:from|to) = ([\d.]+)", given))
+    assert low <= values.min() < values.max() <= high
 
 
 def test_a_step_beyond_its_range_is_refused() -> None:

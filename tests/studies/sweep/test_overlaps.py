@@ -1,10 +1,18 @@
-"""A case whose parts get into each other's way fails by name; the others are computed."""
+"""A case whose parts get into each other's way fails by name, the others are computed; of a base that does, none is."""
+
+from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
+import pytest
+from typer.testing import CliRunner
 
+from geometry.layout.overlaps import OverlapError
+from studies.cli.app import app
 from studies.study.cases import cases_of
 from studies.study.file import read_study
 from studies.sweep.block import Job, solve_block
+from studies.sweep.run import SweepError, run_sweep
 from studies.sweep.survey import surveyed
 
 STUDY = """
@@ -25,3 +33,23 @@ def test_a_case_that_cannot_be_built_fails_with_the_reason_and_is_counted_before
     assert result.reason[1] == ""
     assert np.isfinite(result.values["distance_smallest"]).tolist() == [False, True]
     assert surveyed(study, every=True).refused == {0: result.reason[0]}
+
+
+def test_a_base_that_cannot_be_built_is_refused_with_what_mends_it_before_any_work(tmp_path: Path) -> None:
+    study = read_study(STUDY)
+    study = replace(study, base=study.base.with_values({"microphone_tube.length": 3.1}))
+    with pytest.raises(OverlapError, match=r"shell 1 overlaps microphone A by .*; mend: microphone_tube\.length of "):
+        run_sweep(study, tmp_path / "r.zarr", workers=1)
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize(("lengths", "code"), [("3.1, 12.5", 0), ("3.1, 3.2", 1)])
+def test_a_sweep_is_a_success_where_a_case_could_be_computed(tmp_path: Path, lengths: str, code: int) -> None:
+    (tmp_path / "study.toml").write_text(STUDY.replace("3.1, 12.5", lengths), encoding="utf-8")
+    out = tmp_path / "r.zarr"
+    told = CliRunner().invoke(app, ["sweep", str(tmp_path / "study.toml"), "--out", str(out), "--workers", "1"])
+    assert told.exit_code == code, told.output
+    assert f"{1 + code} failed, of each kind the first:" in told.output
+    if code:
+        assert isinstance(told.exception, SweepError)
+        assert str(told.exception).startswith(f"{out}: none of 2 cases could be computed; case 0: array-2x6: cannot be")

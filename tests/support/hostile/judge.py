@@ -134,7 +134,7 @@ def _said(case: Case, ended: Ended) -> bool:
 
 
 def _fault_of_refusal(case: Case, ended: Ended) -> str:
-    if ended.code == 2 and "Usage" in ended.err:
+    if ended.code == 2 and ended.err.rstrip("\n").endswith(" --help"):
         return ""
     refusals = [line for line in ended.err.splitlines() if line.startswith("acoustic-fem: ")]
     if len(refusals) != 1 or not ended.err.rstrip("\n").endswith(refusals[0]):
