@@ -16,6 +16,7 @@ from .decoders.reconstruct import (
     short_window_waveform as short_window_waveform,
 )
 from .decoders.sound_test import SoundTest as SoundTest
+from .decoders.tolerant import TolerantDecoder as TolerantDecoder
 from .decoders.two_touches import TwoTouchDecoder as TwoTouchDecoder, TwoTouches as TwoTouches
 from .evaluation.accuracy import Evaluation as Evaluation, evaluate as evaluate
 from .learned.localizer import (

@@ -1,8 +1,10 @@
 from .made_sensors import scatter_factors as scatter_factors
 from .tolerances import (
     TOLERANCES as TOLERANCES,
+    UNCALIBRATED as UNCALIBRATED,
     ScatteredDesign as ScatteredDesign,
     Tolerance as Tolerance,
+    UnknownScatterError as UnknownScatterError,
     read_tolerances as read_tolerances,
     tolerances_of as tolerances_of,
 )

@@ -44,6 +44,10 @@ CUT = 3.0
 LEAST = 0.2
 
 
+class UnknownScatterError(Refusal):
+    """Refusal of a design of which it is not known how it scatters."""
+
+
 @dataclass(frozen=True)
 class Tolerance:
     """Scatter of one quantity: normal, cut off at three standard deviations; glue only ever overruns inwards."""
@@ -83,6 +87,17 @@ TOLERANCES = (
     Tolerance("modulus_of_batch", 0.15, "relative", "geometry.stated.materials: Gent's formula, 30 %, two deviations"),
     Tolerance("glue_overrun", 0.05, "absolute", "assumed: glue creeps over the rim by a bead's foot, half-normal"),
 )  # fmt: skip
+
+
+_WIDE = "assumed: between a careful workshop and a first sensor of one's own"
+#: What is assumed of a sensor that nobody measured. Batches of silicone may scatter more, but then neighbours in a long
+#: line cannot be told apart: what lies beyond is for a calibration to find.
+UNCALIBRATED = (
+    Tolerance("bore", 0.05, "relative", _WIDE),
+    Tolerance("cavity_height", 0.05, "relative", _WIDE),
+    Tolerance("modulus_of_part", 0.10, "relative", _WIDE),
+    Tolerance("modulus_of_batch", 0.10, "relative", _WIDE),
+)
 
 
 def tolerances_of(given: Sequence[Tolerance] | str | os.PathLike[str] | None) -> tuple[Tolerance, ...]:
@@ -132,7 +147,8 @@ class ScatteredDesign:
         known: membranes that need not be solved.
 
     Raises:
-        Refusal: a quantity twice, or a membrane the batch or the elastic solution does not take.
+        Refusal: a quantity twice, or a membrane that the elastic solution does not take.
+        UnknownScatterError: a cavity that is no cylinder, or a pre-stretched membrane with loss.
     """
 
     def __init__(
@@ -146,10 +162,15 @@ class ScatteredDesign:
             raise Refusal(f"tolerances: {max(names, key=names.count)} is given twice")
         loss = design.material(design.membrane.material).loss_factor
         if design.membrane.stretch != 1 and loss > 0:
-            raise Refusal(
+            raise UnknownScatterError(
                 f"membrane.stretch = {design.membrane.stretch:g} must be 1 for manufacturing scatter, unless "
                 f"materials.{design.membrane.material}.loss_factor = {loss:g} is 0: how a stretched membrane with loss "
                 "scatters is not computed"
+            )
+        if design.resonator.shape != "cylinder":
+            raise UnknownScatterError(
+                f"resonator.shape = {design.resonator.shape!r} must be 'cylinder' for manufacturing scatter, which is "
+                "computed with closed forms only"
             )
         self.design = design
         self.tolerances = tuple(tolerances)

@@ -17,3 +17,8 @@ from .frame_covariance import (
 from .judgement import ResidualTest as ResidualTest
 from .reconstruct import Reconstructor as Reconstructor
 from .sound_test import SoundTest as SoundTest
+from .tolerant import (
+    TolerantDecoder as TolerantDecoder,
+    suited_decoder as suited_decoder,
+    tolerant_decoder as tolerant_decoder,
+)

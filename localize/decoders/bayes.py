@@ -90,11 +90,12 @@ class DecoderTables:
     """Matrix from the samples to fewer ones whose noise is white of variance 1; (n_microphone * 250, n_microphone *
     SAMPLES) float64, 1/Pa."""
     vectors: NDArray[np.float64]
-    """Eigenvectors of each C_i where the noise is white; (n_point, n_microphone * SAMPLES, rank) float64."""
+    """Eigenvectors of each C_i where the noise is white; (n_table, n_microphone * SAMPLES, rank) float64, a table for
+    each point, or for each hypothesis of each point."""
     weight: NDArray[np.float64]
-    """Weight of the energy along each eigenvector, per value of g; (n_point, rank, n_power) float64."""
+    """Weight of the energy along each eigenvector, per value of g; (n_table, rank, n_power) float64."""
     log_determinant: NDArray[np.float64]
-    """Logarithm of the covariance's determinant over that of the noise, over the temperature; (n_point, n_power)
+    """Logarithm of the covariance's determinant over that of the noise, over the temperature; (n_table, n_power)
     float64, nats."""
     offset: float
     """Log-likelihood of the noise and sound alone, nats, which tells levels apart."""
@@ -137,7 +138,7 @@ class BayesDecoder:
         self.provenance = response.provenance
         noise = response.noise(microphone_noise)
         self.noise_rms = noise.rms if isinstance(noise, NoiseSpectrum) else noise
-        touched = touch_covariances(response, np.eye(SAMPLES))
+        touched = self._touched(response)
         self.tables = tuple(
             _tables(touched, joint_whitening(response, share_of(noise), level), level) for level in self.ambient
         )
@@ -147,6 +148,14 @@ class BayesDecoder:
     def point_count(self) -> int:
         """Number of sensing points."""
         return len(self.line)
+
+    def _touched(self, response: ArrayResponse) -> NDArray[np.float64]:
+        """Covariances of what may have been touched, (n_table, n, n) float64, Pa^2: of the points."""
+        return touch_covariances(response, np.eye(SAMPLES))
+
+    def _of_points(self, score: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Log-likelihoods of the points, (n, n_point) nats, from those of the tables, (n, n_table)."""
+        return score
 
     @one_thread()
     def locate(self, signals: ArrayLike | Tensor) -> NDArray[np.float64]:
@@ -218,7 +227,8 @@ class BayesDecoder:
         least = np.max([level.score.max(1) - level.error for level in levels], axis=0) - SURE
         for screen, level in zip(self._screens, levels, strict=True):
             screen.score_again(level, least)
-        return np.max([level.score for level in levels], axis=0) if len(levels) > 1 else levels[0].score
+        best = np.max([level.score for level in levels], axis=0) if len(levels) > 1 else levels[0].score
+        return self._of_points(best)
 
 
 @dataclass(eq=False)

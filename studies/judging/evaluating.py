@@ -45,7 +45,8 @@ def evaluate_localizer(
         display: shows what is being done.
 
     Returns:
-        Each localizer's evaluation by its name: ``"network"``, or the kind of an ONNX file, and ``"Bayes decoder"``.
+        Each localizer's evaluation by its name: ``"network"``, or the kind of an ONNX file, ``"Bayes decoder"``,
+        and where the library is not that of a measured sensor ``"tolerant decoder"``.
 
     Raises:
         Refusal: a folder that cannot be written, a file that cannot be read, a localizer of another array, or a value
@@ -58,11 +59,12 @@ def evaluate_localizer(
         check_folder(folder, "evaluate", JSON_FILE, reads=(model, library))
     import acoustic_fem
     from localize import BayesDecoder, OnnxLocalizer, load_localizer
+    from localize.decoders.tolerant import tolerant_decoder
     from localize.evaluation.accuracy import check_evaluation
     from localize.signals.array_response import response_of
     from localize.signals.same_array import check_same_array, design_difference
     from studies.judging.full_evaluation import SENSORS, evaluate_fully
-    from studies.judging.headline import Headline, judge_headlines
+    from studies.judging.headline import TOLERANT, Headline, judge_headlines
     from studies.judging.report import write_evaluation
 
     localizer = OnnxLocalizer(model) if Path(model).suffix == ".onnx" else load_localizer(model)
@@ -77,6 +79,9 @@ def evaluate_localizer(
     decoder = BayesDecoder(response, "design" if noise is None else max(noise, LEAST_NOISE))
     name = localizer.kind if isinstance(localizer, OnnxLocalizer) else "network"
     locators: dict[str, Locator] = {name: localizer, "Bayes decoder": decoder}
+    tolerant = tolerant_decoder(solved, decoder.microphone_noise)
+    if tolerant is not None:
+        locators[TOLERANT] = tolerant
     with (display or Display()).stage("Evaluation") as report:
         if folder is None:
             return judge_headlines(locators, solved, response, touches, level, seed, report)

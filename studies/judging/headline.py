@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 
 #: Whose signals a headline figure is of.
 SIGNALS = "sums of sines on the nominal sensor"
+#: Name of the decoder that knows the tolerances of manufacturing.
+TOLERANT = "tolerant decoder"
 #: Mis-made sensors that are judged, the seed that they are drawn with, and their share of the workshop's tolerances.
 SENSORS, SENSOR_SEED, WHOLE = 8, 1, 1.0
 

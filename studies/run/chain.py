@@ -96,7 +96,7 @@ def run_design(
         model, files, printing, figures = _make_parts(design, layout, folder, report)
     library, lumped, limits = _solved(design, grid, fidelity, folder, show)
     distances = separability(library.transfer_function)
-    localizer, network, bayes = _judged_localizer(library, training, folder, show)
+    localizer, network, bayes, tolerant = _judged_localizer(library, training, folder, show)
 
     difference = None
     if lumped is not None:
@@ -114,6 +114,7 @@ def run_design(
         separability=distances,
         network=network,
         bayes=bayes,
+        tolerant=tolerant,
         training={**localizer.training, "plan": dict(localizer.plan)},
         localizer_provenance=localizer.provenance,
         printing=printing,
@@ -239,11 +240,12 @@ def _solved(
 
 def _judged_localizer(
     library: Library, training: TrainingPlan, folder: Path, show: Display
-) -> tuple[Localizer, Headline, Headline]:
-    """The trained localizer, and how it and the model-based decoder name held-out touches."""
+) -> tuple[Localizer, Headline, Headline, Headline | None]:
+    """The trained localizer, and how it, the model-based decoder and the tolerant one name held-out touches."""
     from localize import BayesDecoder, train
+    from localize.decoders.tolerant import tolerant_decoder
     from localize.signals.array_response import response_of
-    from studies.judging.headline import judge_headlines
+    from studies.judging.headline import TOLERANT, judge_headlines
 
     with show.stage("Localizer") as report:
         report("training", 0.0)
@@ -257,8 +259,11 @@ def _judged_localizer(
         decoder = BayesDecoder(library, training.microphone_noise)
         locators: dict[str, Locator] = {"network": localizer, "Bayes decoder": decoder}
         noise = training.microphone_noise
+        tolerant = tolerant_decoder(library, noise)
+        if tolerant is not None:
+            locators[TOLERANT] = tolerant
         judged = judge_headlines(locators, library, response_of(library), touches, noise, SEED, report)
-    return localizer, judged["network"], judged["Bayes decoder"]
+    return localizer, judged["network"], judged["Bayes decoder"], judged.get(TOLERANT)
 
 
 def _draw_figures(

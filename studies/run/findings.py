@@ -17,6 +17,7 @@ from studies.output.folders import write_json
 
 if TYPE_CHECKING:
     from geometry.design.array_design import ArrayDesign
+    from studies.judging.headline import Headline
     from studies.run.result import RunResult
 
 #: Lumped and Navier-Stokes transfer functions should agree within this: relative magnitude, degrees.
@@ -48,6 +49,7 @@ def verdict(result: RunResult) -> str:
         f"{counted(len(design.microphones), 'microphone')}: of {network.signals}, never heard before, the localizer "
         f"names the right point for {_percent(network.top1)} ({_percent(network.top2)} within its first two), the "
         f"training-free Bayes decoder for {_percent(result.bayes.top1)}. {beside_sentence(result)}"
+        f"{_tolerant_sentence(result)}"
     )
     (first, second), *others = result.separability.equally_hard
     level, phase, _ = result.separability.between(first, second)
@@ -67,6 +69,23 @@ def beside_sentence(result: RunResult) -> str:
     text += "".join(f", of {name} {share}{worst}" for name, share, worst in others)
     unscattered = result.network.unscattered
     return f"{text}." + (f" Mis-made sensors are not judged: {unscattered}." if unscattered else "")
+
+
+def _tolerant_sentence(result: RunResult) -> str:
+    """Sentence on the decoder that a sensor without calibration is decoded with; empty where there is none."""
+    if result.tolerant is None:
+        return ""
+    text = f" The decoder that knows the tolerances names {_percent(result.tolerant.top1)} on the nominal sensor"
+    made = _mis_made(result.tolerant)
+    return f"{text}, {made}." if made else f"{text}."
+
+
+def _mis_made(headline: Headline) -> str:
+    """Shares of touches of mis-made sensors that are named right, in words; empty where they were not judged."""
+    made = next((each for each in headline.outcomes if each.worst is not None), None)
+    if made is None or made.worst is None:
+        return ""
+    return f"{_percent(made.top1)} on mis-made ones (the worst of them {_percent(made.worst)})"
 
 
 def printing_sentence(result: RunResult) -> str:
@@ -173,6 +192,11 @@ def key_figures(result: RunResult) -> list[KeyFigure]:
         KeyFigure("localizer, top-1", _percent(network.top1), f"{network.touches} {network.signals}, {noise}"),
         KeyFigure("localizer, top-2", _percent(network.top2), f"within one place: {_percent(network.within_one)}"),
         KeyFigure("Bayes decoder, top-1", _percent(bayes.top1), "no training, the same touches"),
+        *(
+            [KeyFigure("tolerant decoder, top-1", _percent(result.tolerant.top1), _mis_made(result.tolerant))]
+            if result.tolerant is not None
+            else []
+        ),
         *(
             KeyFigure(f"{name}, top-1", share, f"localizer and Bayes decoder{worst}")
             for name, share, worst in _beside(result)
@@ -288,6 +312,7 @@ def write_results(result: RunResult, path: Path) -> None:
         },
         "network": result.network.to_dict(),
         "bayes": result.bayes.to_dict(),
+        "tolerant": None if result.tolerant is None else result.tolerant.to_dict(),
         "training": dict(result.training),
         "lumped_difference": None if found is None else asdict(found),
         "printing": {

@@ -44,6 +44,9 @@ class RunResult:
     """Results of the trained localizer on held-out touches: sums of sines, beside them taps and mis-made sensors."""
     bayes: Headline
     """Results of the model-based decoder on the same touches."""
+    tolerant: Headline | None
+    """Results of the decoder that knows the tolerances of manufacturing on the same touches; None where it is not known
+    how the design scatters."""
     training: Mapping[str, Any]
     """Record of the training: plan, losses and accuracies by epoch."""
     localizer_provenance: Mapping[str, Any]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import functools
+
 import numpy as np
 import onnxruntime
 import pytest
@@ -24,15 +26,21 @@ MADE = {
     "decoder of low noise": lambda array: localize.BayesDecoder(array, 1e-4),
     "decoder of three levels": lambda array: localize.BayesDecoder(array, 1e-3, ambient=(None, 60.0, 80.0)),
     "decoder in a room": lambda array: localize.BayesDecoder(array, 1e-3, ambient=ROOM),
+    "tolerant decoder": lambda array: localize.TolerantDecoder(library()),
 }
+
+
+@functools.cache
+def library():
+    return acoustic_fem.solve(geometry.prototype("line-2"), np.arange(1.0, 201.0), "lumped")
 
 
 @pytest.fixture(scope="module")
 def array():
-    return response_of(acoustic_fem.solve(geometry.prototype("line-2"), np.arange(1.0, 201.0), "lumped"))
+    return response_of(library())
 
 
-SLOW = ("decoder of low noise", "decoder of three levels", "decoder in a room")
+SLOW = ("decoder of low noise", "decoder of three levels", "decoder in a room", "tolerant decoder")
 
 
 @pytest.fixture(

@@ -1,0 +1,110 @@
+"""The decoder of a sensor that nobody calibrated: it knows what the tolerances of manufacturing may have made of it.
+
+Each point has several hypotheses, :mod:`localize.decoders.hypotheses`. The likelihood of a frame under each is that of
+:mod:`localize.decoders.bayes`; what counts of a point is their sum, weighed by their priors.
+
+Between its hypotheses a sensor fits none exactly, so that differences of log-likelihoods are larger than what they
+tell: they are divided by a temperature that is higher than that of the decoder of a known sensor.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from contextlib import suppress
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.special import logsumexp
+
+from acoustic_fem.scatter.tolerances import UNCALIBRATED, UnknownScatterError
+from geometry.refusal import Refusal
+from localize.decoders.bayes import Ambient, BayesDecoder
+from localize.decoders.frame_covariance import SAMPLES, touch_covariances
+from localize.decoders.hypotheses import made_hypotheses
+from localize.signals.array_response import response_of
+from localize.signals.noise import NoiseChoice
+from localize.signals.threads import one_thread
+
+if TYPE_CHECKING:
+    from acoustic_fem import Library
+    from acoustic_fem.scatter.tolerances import Tolerance
+    from localize.signals.array_response import ArrayResponse
+
+WARMTH = 1.5
+"""Temperature over that of the decoder of a known sensor. Tried were 1 to 8: higher ones suit made sensors in quiet,
+lower ones a noise of 5 mPa."""
+
+
+class TolerantDecoder(BayesDecoder):
+    """Maximum likelihood over the points of one array whose parts deviate from the design.
+
+    It takes several times the tables, and the time, of :class:`localize.BayesDecoder`, and some seconds to make.
+
+    Args:
+        library: transfer functions of a design, computed; they cover 1 to 100 Hz.
+        tolerances: of manufacturing; by default :data:`acoustic_fem.scatter.UNCALIBRATED`.
+        microphone_noise: as of :class:`localize.BayesDecoder`.
+        ambient: as of :class:`localize.BayesDecoder`.
+
+    Raises:
+        Refusal: bare transfer functions, a design whose scatter is not known, or as :class:`localize.BayesDecoder`.
+    """
+
+    def __init__(
+        self,
+        library: Library,
+        tolerances: Sequence[Tolerance] | None = None,
+        microphone_noise: NoiseChoice = 1e-3,
+        ambient: Ambient = None,
+    ) -> None:
+        if not hasattr(library, "design"):
+            raise Refusal("library must be one of a design: bare transfer functions do not tell what its parts are")
+        self.tolerances = UNCALIBRATED if tolerances is None else tuple(tolerances)
+        response = response_of(library)
+        with one_thread():
+            self._hypotheses = made_hypotheses(library, response, self.tolerances)
+        self.log_prior = self._hypotheses.log_prior
+        super().__init__(response, microphone_noise, ambient)
+        del self._hypotheses
+
+    def _touched(self, response: ArrayResponse) -> NDArray[np.float64]:
+        """Covariances of the hypotheses, point by point."""
+        each = [touch_covariances(one, np.eye(SAMPLES)) for one in self._hypotheses.responses]
+        return np.stack(each, 1).reshape(-1, *each[0].shape[1:])
+
+    def _of_points(self, score: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Log-likelihoods of the points from those of their hypotheses."""
+        return np.asarray(logsumexp(score.reshape(len(score), *self.log_prior.shape) / WARMTH + self.log_prior, axis=2))
+
+
+def tolerant_decoder(
+    library: Library, microphone_noise: NoiseChoice = 1e-3, ambient: Ambient = None
+) -> TolerantDecoder | None:
+    """The decoder of a sensor that nobody calibrated, with the usual tolerances.
+
+    Args:
+        library: measured or computed.
+        microphone_noise: as of :class:`localize.BayesDecoder`.
+        ambient: as of :class:`localize.BayesDecoder`.
+
+    Returns:
+        None of a measured library, whose sensor is known, and where it is not known how a design scatters.
+
+    Raises:
+        Refusal: as :class:`localize.BayesDecoder`.
+    """
+    from acoustic_fem.library.result import MEASURED
+
+    if library.fidelity != MEASURED:
+        with suppress(UnknownScatterError):
+            return TolerantDecoder(library, None, microphone_noise, ambient)
+    return None
+
+
+def suited_decoder(library: Library, microphone_noise: NoiseChoice = 1e-3, ambient: Ambient = None) -> BayesDecoder:
+    """The decoder that suits a library: that of :func:`tolerant_decoder`, where there is none
+    :class:`localize.BayesDecoder`; arguments and errors as there.
+    """
+    tolerant = tolerant_decoder(library, microphone_noise, ambient)
+    return BayesDecoder(library, microphone_noise, ambient) if tolerant is None else tolerant

@@ -1,0 +1,96 @@
+"""The decoder of a sensor that nobody calibrated, beside that of a known one."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+import scipy.special
+
+import acoustic_fem
+import geometry
+import localize
+from acoustic_fem.library.result import MEASURED
+from acoustic_fem.scatter import ScatteredDesign, Tolerance, scatter_factors
+from localize.decoders import suited_decoder, tolerant_decoder
+from localize.decoders.tolerant import WARMTH
+from localize.signals.array_response import response_of
+
+GRID = np.arange(1.0, 201.0)
+pytestmark = pytest.mark.filterwarnings("ignore:.*its library ends at 200 Hz")
+NOISE = 1e-3
+
+
+@pytest.fixture(scope="module")
+def library() -> acoustic_fem.Library:
+    design = geometry.prototype("array-2x6").with_values({"lines.0.points": 4})
+    return acoustic_fem.solve(design, GRID, "lumped")
+
+
+@pytest.fixture(scope="module")
+def decoder(library: acoustic_fem.Library) -> localize.TolerantDecoder:
+    return localize.TolerantDecoder(library)
+
+
+@pytest.fixture(scope="module")
+def frames(library: acoustic_fem.Library) -> np.ndarray:
+    touches = localize.TouchGenerator(response_of(library), 0, "evaluation", 0.03)
+    return touches.samples(0, 40).signals[..., -250:].numpy()
+
+
+def test_without_tolerances_it_is_the_decoder_of_the_library_at_its_own_temperature(
+    library: acoustic_fem.Library, frames: np.ndarray
+) -> None:
+    exact = localize.TolerantDecoder(library, [Tolerance("bore", 0.0, "relative", "a test")], NOISE)
+    known = localize.BayesDecoder(library, NOISE).log_probability(frames)
+    assert exact.locate(frames) == pytest.approx(scipy.special.softmax(known / WARMTH, axis=1), abs=1e-6)
+    assert exact.locate(frames[3]) == pytest.approx(exact.locate(frames)[3], abs=1e-6)
+
+
+def test_its_hypotheses_repeat_and_their_priors_sum_to_one(
+    library: acoustic_fem.Library, decoder: localize.TolerantDecoder, frames: np.ndarray
+) -> None:
+    assert np.exp(decoder.log_prior).sum(1) == pytest.approx(np.ones(library.design.point_count))
+    assert (localize.TolerantDecoder(library).locate(frames) == decoder.locate(frames)).all()
+
+
+def test_an_onnx_file_of_it_names_the_same(
+    decoder: localize.TolerantDecoder, frames: np.ndarray, tmp_path: Path
+) -> None:
+    localize.export_onnx(decoder, tmp_path / "tolerant.onnx")
+    graph = localize.OnnxLocalizer(tmp_path / "tolerant.onnx")
+    assert graph.locate(frames) == pytest.approx(decoder.locate(frames), abs=1e-5)
+
+
+@pytest.mark.physics
+def test_it_names_touches_of_made_sensors_that_the_nominal_library_does_not_and_says_how_surely() -> None:
+    library = acoustic_fem.solve(geometry.prototype("line-2").with_values({"lines.0.points": 20}), GRID, "lumped")
+    response = response_of(library)
+    scatter = [Tolerance(name, 0.06, "relative", "a test") for name in ("bore", "cavity_height", "modulus_of_part")]
+    made = scatter_factors(ScatteredDesign(library.design, scatter), library.medium, GRID, 4, 5)
+    judged = {}
+    for who in (localize.BayesDecoder(library, NOISE), localize.TolerantDecoder(library)):
+        sensors = [response, *(replace(response, transfer_function=response.transfer_function * k) for k in made)]
+        judged[type(who).__name__] = [localize.evaluate(who, each, 20, NOISE) for each in sensors]
+    nominal, tolerant = judged.values()
+    assert tolerant[0].top1 > nominal[0].top1 - 0.01
+    assert np.mean([each.top1 for each in tolerant[1:]]) > np.mean([each.top1 for each in nominal[1:]]) + 0.02
+    errors = [[each.reliability.expected_error for each in found[1:]] for found in (nominal, tolerant)]
+    assert np.mean(errors[1]) < 0.06 < np.mean(errors[0])
+
+
+def test_a_measured_sensor_is_known_and_a_design_of_unknown_scatter_has_no_such_decoder(
+    library: acoustic_fem.Library,
+) -> None:
+    box = geometry.prototype("large-area-64").with_values({"resonator.shape": "dome"})
+    for other in (replace(library, fidelity=MEASURED), replace(library, design=box)):
+        assert tolerant_decoder(other) is None
+        assert type(suited_decoder(other)) is localize.BayesDecoder
+    assert type(suited_decoder(library)) is localize.TolerantDecoder
+
+
+def test_bare_transfer_functions_are_refused(library: acoustic_fem.Library) -> None:
+    with pytest.raises(ValueError, match="library must be one of a design"):
+        localize.TolerantDecoder(response_of(library))  # type: ignore[arg-type]
