@@ -61,6 +61,8 @@ SURE = 20.0
 double."""
 SCREEN_ERROR = 8 * float(np.finfo(np.float32).eps) / (2 * TEMPERATURE)
 """Error that a score in single precision may have, nats, per unit of the sum of squares of a frame's white samples."""
+SILENT = 16
+"""Directions in which no touch of a point is heard, that :class:`localize.TolerantDecoder` looks at first."""
 CHUNK = 64
 """Number of frames that are decoded at once."""
 
@@ -97,6 +99,9 @@ class DecoderTables:
     log_determinant: NDArray[np.float64]
     """Logarithm of the covariance's determinant over that of the noise, over the temperature; (n_table, n_power)
     float64, nats."""
+    silent: NDArray[np.float64]
+    """Eigenvectors of the smallest eigenvalues of each C_i, in whose directions no touch of it is heard; (n_table,
+    n_microphone * SAMPLES, SILENT) float64."""
     offset: float
     """Log-likelihood of the noise and sound alone, nats, which tells levels apart."""
 
@@ -142,7 +147,7 @@ class BayesDecoder:
         self.tables = tuple(
             _tables(touched, joint_whitening(response, share_of(noise), level), level) for level in self.ambient
         )
-        self._screens = tuple(_Screen(tables, len(self.tables) > 1) for tables in self.tables)
+        self._screens = tuple(self._screen(tables, len(self.tables) > 1) for tables in self.tables)
 
     @property
     def point_count(self) -> int:
@@ -152,6 +157,10 @@ class BayesDecoder:
     def _touched(self, response: ArrayResponse) -> NDArray[np.float64]:
         """Covariances of what may have been touched, (n_table, n, n) float64, Pa^2: of the points."""
         return touch_covariances(response, np.eye(SAMPLES))
+
+    def _screen(self, tables: DecoderTables, is_one_of_several: bool) -> Screen:
+        """What scores the tables of one level of sound."""
+        return Screen(tables, is_one_of_several)
 
     def _of_points(self, score: NDArray[np.float64]) -> NDArray[np.float64]:
         """Log-likelihoods of the points, (n, n_point) nats, from those of the tables, (n, n_table)."""
@@ -224,7 +233,7 @@ class BayesDecoder:
         flat = frames.reshape(len(frames), -1)
         levels = [screen(flat) for screen in self._screens]
         # Points are left to single precision only where none of any level may come near the best of all.
-        least = np.max([level.score.max(1) - level.error for level in levels], axis=0) - SURE
+        least = np.max([level.best for level in levels], axis=0) - SURE
         for screen, level in zip(self._screens, levels, strict=True):
             screen.score_again(level, least)
         best = np.max([level.score for level in levels], axis=0) if len(levels) > 1 else levels[0].score
@@ -232,20 +241,22 @@ class BayesDecoder:
 
 
 @dataclass(eq=False)
-class _Level:
+class ScreenedLevel:
     """Frames and their scores at one level of the sound around."""
 
     x: NDArray[np.float64]
-    """(n, size), where noise and sound are white."""
+    """Frames where noise and sound are white; (n, size) float64."""
     alone: NDArray[np.float64]
-    """(n, 1) nats, of noise and sound without a touch."""
+    """Scores of noise and sound without a touch; (n, 1) float64, nats."""
     score: NDArray[np.float64]
-    """(n, n_point) nats."""
+    """Scores of the tables; (n, n_table) float64, nats."""
     error: NDArray[np.float64]
-    """(n,) nats, that single precision may err by."""
+    """What scores may be too low by; (n,) float64, nats."""
+    best: NDArray[np.float64]
+    """What the best score is at least; (n,) float64, nats."""
 
 
-class _Screen:
+class Screen:
     """Likelihood of all points in single precision, and of those that may be the best in double.
 
     Reading the tables is what takes the time, and single precision halves it. Likelihoods are differences of large
@@ -261,29 +272,37 @@ class _Screen:
         self.weight = tables.weight.astype(np.float32)
         self.log_determinant = tables.log_determinant.astype(np.float32)
 
-    def __call__(self, flat: NDArray[np.float64]) -> _Level:
+    def __call__(self, flat: NDArray[np.float64]) -> ScreenedLevel:
         """Scores of (n, n_microphone 250) samples."""
         x = flat @ self.tables.reduce
         energy = ((x.astype(np.float32) @ self.vectors) ** 2).reshape(len(x), self.points, self.rank)
         # (point, frame, ...): one matrix product per point.
         gain = energy.transpose(1, 0, 2) @ self.weight
         values = -0.5 * (gain + self.log_determinant[:, None, :])
-        power = (x**2).sum(1)
-        # Large, and the same for all points: left out where there is no other level to compare with.
-        alone = np.where(self.is_one_of_several, self.tables.offset - power / (2 * TEMPERATURE), 0.0)[:, None]
+        power, alone = self.alone(x)
         # Of large numbers single precision knows no parabola; a true one rises by less than a nat above its samples.
         score = np.minimum(vertex(values), values.max(-1) + 1).T + alone
-        return _Level(x, alone, score, SCREEN_ERROR * power)
+        error = SCREEN_ERROR * power
+        return ScreenedLevel(x, alone, score, error, score.max(1) - error)
 
-    def score_again(self, level: _Level, least: NDArray[np.float64]) -> None:
+    def alone(self, x: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Sum of squares of white frames, (n,), and log-likelihood of noise and sound without a touch, (n, 1) nats."""
+        power = (x**2).sum(1)
+        # Large, and the same for all points: left out where there is no other level to compare with.
+        return power, np.where(self.is_one_of_several, self.tables.offset - power / (2 * TEMPERATURE), 0.0)[:, None]
+
+    def score_again(self, level: ScreenedLevel, least: NDArray[np.float64]) -> None:
         """Put scores of double precision in the place of those that may reach ``least``, (n,) nats."""
         again = level.score > (least - level.error)[:, None]
+        for table in np.flatnonzero(again.any(0)):
+            frames = np.flatnonzero(again[:, table])
+            level.score[frames, table] = self.exact(level.x[frames], int(table)) + level.alone[frames, 0]
+
+    def exact(self, x: NDArray[np.float64], table: int) -> NDArray[np.float64]:
+        """Scores of white frames by one table in double precision, without those of noise alone; (n,) nats."""
         tables = self.tables
-        for point in np.flatnonzero(again.any(0)):
-            frames = np.flatnonzero(again[:, point])
-            exact = (level.x[frames] @ tables.vectors[point]) ** 2 @ tables.weight[point]
-            found = vertex(-0.5 * (exact + tables.log_determinant[point]))
-            level.score[frames, point] = found + level.alone[frames, 0]
+        energy = (x @ tables.vectors[table]) ** 2 @ tables.weight[table]
+        return vertex(-0.5 * (energy + tables.log_determinant[table]))
 
 
 def vertex(values: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -339,6 +358,7 @@ def _tables(touched: NDArray[np.float64], whiten: NDArray[np.float64], level: fl
     return DecoderTables(
         reduce=(whiten @ np.kron(np.eye(len(whiten) // SAMPLES), low_pass())).T.copy(),
         vectors=np.ascontiguousarray(vectors[:, :, -rank:]),
+        silent=np.ascontiguousarray(vectors[:, :, :SILENT]),
         weight=-gain / (1 + gain) / TEMPERATURE,
         log_determinant=np.log1p(gain).sum(1) / TEMPERATURE,
         offset=float(np.log(np.diag(whiten)).sum() / TEMPERATURE) + (QUIET_BONUS if level is None else 0.0),

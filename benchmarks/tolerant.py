@@ -1,0 +1,150 @@
+"""What a sensor that nobody calibrated is decoded with: the nominal decoder and the one that knows the tolerances.
+
+``python benchmarks/tolerant.py --write`` writes the table of docs/decoder.md anew. Signals are those of virtual rigs
+(:mod:`studies.made_sensor.rig`), which have more than the decoder draws; seeds from ``FIRST`` on, of which no constant
+was chosen. ``--sensors 4 --designs line-2`` for a look; all of it takes some minutes of one core.
+"""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+from time import process_time
+from typing import Any
+
+import numpy as np
+
+import acoustic_fem
+import geometry
+import localize
+from geometry.files.writing import replace_section
+from localize.evaluation.accuracy import Evaluation
+from localize.signals.array_response import ArrayResponse, response_of
+from localize.signals.finger_stimuli import STIMULI
+from studies.made_sensor.rig import HiddenScatter, Rig
+
+PAGE = Path(__file__).parents[1] / "docs" / "decoder.md"
+BEGIN, END = "<!-- tolerant: made by benchmarks/tolerant.py -->", "<!-- end tolerant -->"
+FIRST, SENSORS, TOUCHES = 9000, 20, 400
+NOISES = (1e-3, 5e-3)
+KINDS = ("multi-sines", "taps", "friction")
+DESIGNS: Mapping[str, tuple[str, Mapping[str, Any]]] = {
+    "line-2": ("line-2", {}),
+    "best uniform 36": (
+        "line-2",
+        {
+            "tube.inner_diameter": 0.94,
+            "tube.outer_diameter": 1.4,
+            "microphone_tube.inner_diameter": 0.94,
+            "microphone_tube.outer_diameter": 1.4,
+            "tube.length": 9.35,
+            "resonator.cavity_height": 4.7,
+            "membrane.thickness": 1.66,
+        },
+    ),
+    "array-2x6": ("array-2x6", {}),
+}
+#: 5 % of bores and volumes, 10 % of membranes, and nothing else.
+PARTS = HiddenScatter(gain=0.0, corner=0.0, chamber=0.0, length=0.0, loss=0.0, temperature=0.0)
+NONE = replace(PARTS, bore=0.0, volume=0.0, membrane=0.0)
+
+
+@dataclass(frozen=True)
+class Truth:
+    """Kind of sensors that touches are of."""
+
+    name: str
+    scatter: HiddenScatter
+    changes: Mapping[str, Any]
+    is_one: bool = False
+
+
+TRUTHS = (
+    Truth("as designed", NONE, {}, True),
+    Truth("made: 5 % bores and volumes, 10 % membranes", PARTS, {}),
+    Truth("made, with lengths, losses, room and microphones", HiddenScatter(), {}),
+    Truth("2000 m altitude (79.5 kPa)", NONE, {"air.pressure": 79500.0}, True),
+    Truth("modulus -20 %", replace(NONE, modulus=0.8), {}, True),
+)
+
+
+def frame_time(decoder: localize.BayesDecoder, response: ArrayResponse) -> float:
+    """Processor time of a frame that comes alone, ms."""
+    frames = localize.TouchGenerator(response, 0, "evaluation", 1e-3).samples(0, 100).signals[..., -250:].numpy()
+    begin = process_time()
+    for frame in frames:
+        decoder.locate(frame)
+    return 1e3 * (process_time() - begin) / len(frames)
+
+
+def judged(
+    decoder: localize.BayesDecoder, sensors: list[ArrayResponse], kind: str, noise: float
+) -> tuple[float, float, float, float]:
+    """Mean, 5th percentile and worst top-1 of the sensors, %, and the expected calibration error of all together."""
+    touches = max(2, -(-TOUCHES // sensors[0].point_count) * (4 if len(sensors) == 1 else 1))
+    found: list[Evaluation] = [
+        localize.evaluate(decoder, sensor, touches, noise, seed=FIRST + k, stimuli=STIMULI[kind])
+        for k, sensor in enumerate(sensors)
+    ]
+    top1 = 100 * np.array([each.top1 for each in found])
+    return float(top1.mean()), float(np.quantile(top1, 0.05)), float(top1.min()), _error(found)
+
+
+def _error(found: list[Evaluation]) -> float:
+    """Expected calibration error of the touches of all evaluations, bin by bin."""
+    total = sum(each.touches for each in found)
+    error = 0.0
+    for bins in zip(*(each.reliability.bins for each in found), strict=True):
+        held = [(each.touches, each.right, each.stated) for each in bins if each.touches]
+        error += abs(sum(count * (right - stated) for count, right, stated in held)) / total
+    return error
+
+
+def rows_of(name: str, sensors: int, noises: tuple[float, ...]) -> list[str]:
+    """Rows of the table of one design."""
+    base, values = DESIGNS[name]
+    design = geometry.prototype(base).with_values(dict(values))
+    library = acoustic_fem.solve(design, np.arange(1.0, 501.0), "lumped")
+    response, grid, rows = response_of(library), np.arange(1.0, 161.0), []
+    for noise in noises:
+        decoders = localize.BayesDecoder(library, noise), localize.TolerantDecoder(library, microphone_noise=noise)
+        times = " / ".join(f"{frame_time(each, response):.2f}" for each in decoders)
+        for truth in TRUTHS:
+            count = 1 if truth.is_one else sensors
+            rigs = [Rig(design.with_values(dict(truth.changes)), FIRST + k, truth.scatter) for k in range(count)]
+            made = [replace(response, transfer_function=rig.transfer_function(grid), frequency=grid) for rig in rigs]
+            made = [replace(each, ambient_response=None, vent_ratio=None) for each in made]
+            for kind in KINDS:
+                cells = []
+                for decoder in decoders:
+                    mean, low, worst, error = judged(decoder, made, kind, noise)
+                    share = f"{mean:.1f}" if count == 1 else f"{mean:.1f} / {low:.1f} / {worst:.1f}"
+                    cells.append(f"{share} ({error:.2f})")
+                row = f"| {name} | {1e3 * noise:g} | {truth.name} | {kind} | {' | '.join(cells)} | {times} |"
+                print(row, flush=True)
+                rows.append(row)
+    return rows
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--sensors", type=int, default=SENSORS)
+    parser.add_argument("--designs", nargs="+", default=list(DESIGNS), choices=list(DESIGNS))
+    parser.add_argument("--noises", type=float, nargs="+", default=NOISES)
+    parser.add_argument("--write", action="store_true", help="into docs/decoder.md")
+    chosen = parser.parse_args()
+    lines = [
+        "| design | noise (mPa) | sensor | touches | before (Bayes) | after (tolerant) | ms a frame |",
+        "|---|---|---|---|---|---|---|",
+    ]
+    print("\n".join(lines))
+    for name in chosen.designs:
+        lines += rows_of(name, chosen.sensors, tuple(chosen.noises))
+    if chosen.write:
+        replace_section(PAGE, BEGIN, END, lines)
+
+
+if __name__ == "__main__":
+    main()
