@@ -245,7 +245,7 @@ class ScreenedLevel:
     """Frames and their scores at one level of the sound around."""
 
     x: NDArray[np.float64]
-    """Frames where noise and sound are white; (n, size) float64."""
+    """Frames where noise and sound are white of variance 1; (n, n_microphone * SAMPLES) float64."""
     alone: NDArray[np.float64]
     """Scores of noise and sound without a touch; (n, 1) float64, nats."""
     score: NDArray[np.float64]
