@@ -22,9 +22,7 @@ from geometry.refusal import Refusal
 from localize.decoders.bayes import SURE, Ambient, BayesDecoder, DecoderTables, Screen, ScreenedLevel
 from localize.decoders.frame_covariance import SAMPLES, touch_covariances
 from localize.decoders.hypotheses import made_hypotheses
-from localize.signals.array_response import response_of
 from localize.signals.noise import NoiseChoice
-from localize.signals.threads import one_thread
 
 if TYPE_CHECKING:
     from acoustic_fem import Library
@@ -92,16 +90,16 @@ class TolerantDecoder(BayesDecoder):
         if not hasattr(library, "design"):
             raise Refusal("library must be one of a design: bare transfer functions do not tell what its parts are")
         self.tolerances = UNCALIBRATED if tolerances is None else tuple(tolerances)
-        response = response_of(library)
-        with one_thread():
-            self._hypotheses = made_hypotheses(library, response, self.tolerances)
-        self.log_prior = self._hypotheses.log_prior
-        super().__init__(response, microphone_noise, ambient)
-        del self._hypotheses
+        self._library: Library | None = library
+        super().__init__(library, microphone_noise, ambient)
+        self._library = None
 
     def _touched(self, response: ArrayResponse) -> NDArray[np.float64]:
         """Covariances of the hypotheses, point by point."""
-        each = [touch_covariances(one, np.eye(SAMPLES)) for one in self._hypotheses.responses]
+        assert self._library is not None
+        hypotheses = made_hypotheses(self._library, response, self.tolerances)
+        self.log_prior = hypotheses.log_prior
+        each = [touch_covariances(one, np.eye(SAMPLES)) for one in hypotheses.responses]
         return np.stack(each, 1).reshape(-1, *each[0].shape[1:])
 
     def _screen(self, tables: DecoderTables, is_one_of_several: bool) -> Screen:
