@@ -25,10 +25,15 @@ class Refusal(ValueError):
 def in_one_line(text: str) -> str:
     r"""A text as one line of at most 2000 characters, whatever names and values stand in it.
 
-    White space becomes a blank and what cannot be seen its escape, such as ``\u202e``; words above 300 characters,
-    and what is then still too long, lose their middle.
+    What breaks or turns the line or cannot be seen becomes its escape, such as ``\n`` and ``\u202e``, so that a name
+    with it is not taken for another; words above 300 characters, and what is then still too long, lose their middle.
     """
-    return _without_middle(" ".join(map(_word, text.split())), _LONGEST_LINE)
+    return _without_middle(" ".join(map(_word, text.split(" "))), _LONGEST_LINE)
+
+
+def said_by(error: BaseException) -> str:
+    """What an error of a library says, to be quoted: its lines as one; the kind of the error where it says nothing."""
+    return " ".join(str(error).split()) or type(error).__name__
 
 
 def counted(count: int, noun: str) -> str:

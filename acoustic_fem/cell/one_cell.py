@@ -15,7 +15,7 @@ from acoustic_fem.cell.solid import MarkedSolid, MeshGoal, checked_physics, conv
 from acoustic_fem.numerics import disk_cache
 from acoustic_fem.quantities.medium import Medium
 from geometry.air.cells import Cell
-from geometry.refusal import Refusal
+from geometry.refusal import Refusal, said_by
 from geometry.stated.cavity_shapes import Box, Dome
 from geometry.stated.ports import CellPort
 
@@ -175,7 +175,7 @@ def solve_task(task: CellTask, report: Callable[[float], None]) -> CellRecord:
             report,
         )
     except (Refusal, Standard_Failure, MemoryError) as error:
-        raise CellError(f"{cell.label}: {error or type(error).__name__}") from error
+        raise CellError(f"{cell.label}: {said_by(error)}") from error
     body = solved.body
     arrays = {"energies": body.energies}
     models = {}

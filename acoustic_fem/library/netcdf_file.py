@@ -146,7 +146,7 @@ def library_in(path: Path, dataset: xr.Dataset) -> Library:
     try:
         library = library_of(dataset)
     except Refusal as error:
-        raise LibraryError(f"{path}: {_one_line(error)}") from None
+        raise LibraryError(f"{path}: {error}") from None
     if CHECKSUMS not in dataset.attrs:
         _tell(f"{path}: has no checksums, damage to it cannot be noticed; convert it to have them")
     return library
@@ -272,7 +272,3 @@ def _json_object(text: str, attribute: str) -> dict[str, Any]:
     if not isinstance(values, dict):
         raise Refusal(f"attribute {attribute} must be a JSON object")
     return values
-
-
-def _one_line(error: Exception) -> str:
-    return " ".join(str(error).split())

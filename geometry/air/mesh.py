@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from geometry.air.apart import apart
 from geometry.air.curved_tetrahedra import SOLVER_RULE, VOLUME_RULE, curved_volume, jacobians, split_wall_corners
 from geometry.air.soundness import estimated_elements
-from geometry.refusal import Refusal, counted
+from geometry.refusal import Refusal, counted, said_by
 
 if TYPE_CHECKING:
     import cadquery
@@ -233,7 +233,7 @@ def _run_gmsh(
     except Exception as error:
         if type(error) is not Exception:  # gmsh raises nothing else
             raise
-        raise MeshError(f"gmsh could not mesh the solid: {error}") from error
+        raise MeshError(f"gmsh could not mesh the solid: {said_by(error)}") from error
     finally:
         if started_here:
             gmsh.finalize()

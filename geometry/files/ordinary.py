@@ -13,7 +13,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from geometry.refusal import Refusal, counted
+from geometry.refusal import Refusal, counted, said_by
 
 LARGEST_DATA = 2**29
 """Most bytes of a file of numbers or sound: eight channels of 16 bits at 48 kHz for eleven minutes."""
@@ -98,8 +98,7 @@ def library_reads(path: str | os.PathLike[str], what: str, refusal: Callable[[st
     except Refusal:
         raise
     except Exception as error:
-        said = str(error) or type(error).__name__
-        raise refusal(f"{path}: cut short or not {what}: {said}") from None
+        raise refusal(f"{path}: cut short or not {what}: {said_by(error)}") from None
 
 
 def _reason(error: OSError) -> str:

@@ -14,7 +14,7 @@ from pydantic import BaseModel, ConfigDict, Field, TypeAdapter, ValidationError
 from pydantic.fields import FieldInfo
 from pydantic_core import ErrorDetails, PydanticUndefined
 
-from geometry.refusal import Refusal, counted
+from geometry.refusal import Refusal, counted, in_one_line
 
 _Stated = TypeVar("_Stated", bound=BaseModel)
 
@@ -156,7 +156,7 @@ def error_from_validation(
             len(e["loc"]) > len(loc) and e["loc"][: len(loc)] == loc for e in details
         ):
             continue  # pydantic counts the good entries only; the bad one has its own line
-        lines.append((f"{source}: " if source else "") + _one_line(_sentence(detail, model, given, what)))
+        lines.append((f"{source}: " if source else "") + in_one_line(_sentence(detail, model, given, what)))
     return DesignError(*lines)
 
 
@@ -205,7 +205,7 @@ def check_value(model: type[BaseModel], name: str, value: object, source: str) -
         _adapter(model, loc).validate_python(value)
     except ValidationError as error:
         detail: Any = {**error.errors(include_url=False)[0], "loc": loc}
-        raise DesignError(f"{source}: {_one_line(_sentence(detail, model, {}, 'design'))}") from None
+        raise DesignError(f"{source}: {in_one_line(_sentence(detail, model, {}, 'design'))}") from None
 
 
 @lru_cache(maxsize=256)
@@ -408,7 +408,3 @@ def _quote(value: object) -> str:
         value = value.model_dump()
     text = repr(value)
     return text if len(text) <= 80 else text[:77] + "..."
-
-
-def _one_line(text: str) -> str:
-    return " ".join(text.split())

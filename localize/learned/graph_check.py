@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from geometry.refusal import Refusal
+from geometry.refusal import Refusal, said_by
 from localize.signals.frames import FRAME
 
 if TYPE_CHECKING:
@@ -70,7 +70,7 @@ def check_interface(model: ModelProto, microphones: int, points: int) -> None:
             try:
                 values = numpy_helper.to_array(tensor)
             except Exception as error:  # whatever a library says of a tensor that it cannot read
-                raise Refusal(f"the values of {tensor.name} are damaged: {error}") from None
+                raise Refusal(f"the values of {tensor.name} are damaged: {said_by(error)}") from None
             if not np.isfinite(values).all():
                 raise Refusal(f"the values of {tensor.name} are not all finite")
 

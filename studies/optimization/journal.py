@@ -15,6 +15,7 @@ from pydantic import BaseModel, ConfigDict, NonNegativeInt, ValidationError
 from geometry.files.ordinary import read_bytes
 from geometry.files.reading import read_text
 from geometry.files.writing import write_text
+from geometry.refusal import said_by
 from studies.study.study import StudyError
 
 if TYPE_CHECKING:
@@ -140,7 +141,7 @@ def _study(path: Path, directions: Directions) -> optuna.Study:
             load_if_exists=True,
         )
     except (ValueError, KeyError, TypeError, AttributeError) as error:  # lines of others, beyond what was sealed
-        raise StudyError(f"{JOURNAL}: is no journal of a search: {type(error).__name__}: {error}") from None
+        raise StudyError(f"{JOURNAL}: is no journal of a search: {type(error).__name__}: {said_by(error)}") from None
 
 
 def _check_owner(path: Path, of_whom: object, identity: dict[str, Any]) -> None:

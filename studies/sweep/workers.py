@@ -9,7 +9,7 @@ from contextlib import contextmanager
 from typing import Any, Protocol
 
 from acoustic_fem.numerics.processors import cores
-from geometry.refusal import Refusal, counted
+from geometry.refusal import Refusal, counted, said_by
 
 #: Tasks handed out per worker thread: one is computed while the next waits beside it.
 _AHEAD = 2
@@ -195,7 +195,7 @@ def _connected(address: str) -> Iterator[_Dask]:
     try:
         client = Client(address, timeout=_PATIENCE, set_as_default=False)
     except (OSError, TimeoutError, ValueError) as error:
-        raise WorkersLost(f"no scheduler answers at {address}: {error}") from None
+        raise WorkersLost(f"no scheduler answers at {address}: {said_by(error)}") from None
     with client:
         try:
             client.wait_for_workers(1, timeout=_PATIENCE)

@@ -8,7 +8,7 @@ import unicodedata
 import pytest
 from hypothesis import given, strategies as st
 
-from geometry.refusal import Refusal, counted, in_one_line
+from geometry.refusal import Refusal, counted, in_one_line, said_by
 from geometry.stated.fields import DesignError
 
 
@@ -29,10 +29,10 @@ def test_a_message_that_is_one_line_stays_as_it_is() -> None:
 @pytest.mark.parametrize(
     ("text", "line"),
     [
-        ("a\nb\t c", "a b c"),
+        ("a\nb\t c", "a\\nb\\t c"),
         ("\x1b[31mred\x00", "\\x1b[31mred\\x00"),
         ("file\u202egnp.exe", "file\\u202egnp.exe"),
-        ("one\u2028two \udcff", "one two \\udcff"),
+        ("one\u2028two \udcff", "one\\u2028two \\udcff"),
         ("x" * 10_000 + " must be short", "x" * 197 + " ... " + "x" * 98 + " must be short"),
     ],
 )
@@ -41,8 +41,13 @@ def test_what_breaks_or_turns_a_line_is_shown_as_what_it_is(text: str, line: str
     assert str(Refusal(text)) == str(pickle.loads(pickle.dumps(Refusal(text)))) == line
 
 
+def test_what_a_library_says_in_lines_is_quoted_as_one() -> None:
+    assert said_by(OSError("no memory\n  at 0x7f\n")) == "no memory at 0x7f"
+    assert said_by(KeyError()) == "KeyError"
+
+
 def test_errors_of_designs_are_such_lines_too() -> None:
-    assert str(DesignError("a\nb", "c")) == "a b (and 1 more problem)"
+    assert str(DesignError("a\nb", "c")) == "a\\nb (and 1 more problem)"
 
 
 @pytest.mark.parametrize(

@@ -603,11 +603,10 @@ def test_names_that_break_or_turn_a_line_are_shown_escaped(command: Command, pla
     folder.mkdir(exist_ok=True)
     scipy.io.wavfile.write(folder / "r.wav", 1000, np.random.default_rng(0).uniform(-1, 1, (500, 2)).astype(np.float32))
     told = command("locate", places["library.nc"], folder / "r.wav")
-    assert (told.code, "a b\\u202ec\\udcff/r.wav: " in told.out) == (0, True), told
+    assert (told.code, "a\\nb\\u202ec\\udcff/r.wav: " in told.out) == (0, True), told
     told = command("locate", places["library.nc"], folder / "none.wav")
-    assert (told.code, told.err.splitlines()[-1].endswith("a b\\u202ec\\udcff/none.wav: no such file")) == (1, True), (
-        told
-    )
+    assert told.code == 1
+    assert told.err.splitlines()[-1].endswith("a\\nb\\u202ec\\udcff/none.wav: no such file")
 
 
 def test_an_argument_longer_than_any_path_is_refused_in_one_line(command: Command) -> None:
