@@ -15,9 +15,10 @@ import numpy as np
 
 from acoustic_fem.batch.interpolation import cylinder_means, disc_means
 from acoustic_fem.batch.means import ball_mean, hyperbolic
-from acoustic_fem.batch.numpy_or_torch import Array, inverse, joined, largest, namespace
+from acoustic_fem.batch.numpy_or_torch import Array, inverse, largest
 from acoustic_fem.batch.parameters import ArrayParameters, MediumParameters
 from acoustic_fem.duct.opening import INERTANCE, LARGEST_SHEAR_NUMBER, RESISTANCE
+from acoustic_fem.membrane.rubber import causal_slope, modulus_ratio
 from acoustic_fem.quantities.medium import Medium
 
 #: Largest (f/f_1)^2 at which the membrane's modes are summed as a power series; it has then up to 29 terms.
@@ -117,32 +118,40 @@ def points(parameters: ArrayParameters, air: Conditions) -> Array:
 
 
 def _modes(parameters: ArrayParameters, air: Conditions) -> Array:
-    """Sum of share / (1 - (f/f_k)^2 + j eta) over the modes, (n_design, n_column, n_freq).
+    """Sum of share / (e - (f/f_k)^2) over the modes, (n_design, n_column, n_freq); e is the modulus by the stated one.
 
-    Well below the first mode it is a power series in f^2 with moments of the modes: a product of matrices.
+    Well below the first mode it is a power series in f^2 / e with moments of the modes.
     """
-    modes, shares, loss = parameters.membrane_frequency, parameters.membrane_share, parameters.membrane_loss[..., None]
+    modes, shares = parameters.membrane_frequency, parameters.membrane_share
+    softness = inverse(_modulus(parameters, air))
     highest = largest(air.omega) / (2 * np.pi)
     square = (air.omega / (2 * np.pi * highest)) ** 2
     places = (highest / modes) ** 2
-    ratio = largest(places)
+    dynamic = square * softness
+    ratio = largest(places) * largest(dynamic)
     if ratio > _SERIES:
-        real, imag = 0.0, 0.0
-        for mode in range(modes.shape[-1]):
-            dynamic = 1 - square * places[..., mode, None]
-            weight = shares[..., mode, None] / (dynamic * dynamic + loss * loss)
-            real, imag = real + weight * dynamic, imag + weight
-        return joined(real, -loss * imag)
-    xp, terms = namespace(modes), int(np.ceil(np.log(1e-17) / np.log(max(ratio, 1e-17))))
-    factor = 1 / (1 + 1j * loss)
-    moments, rising = shares * factor, [square * 0 + 1]
-    series = [moments.sum(-1)]
-    for _ in range(terms):
-        moments = moments * (places * factor)
-        series.append(moments.sum(-1))
-        rising.append(rising[-1] * square)
-    coefficients, powers = xp.stack(series, -1), xp.stack(rising, 0)
-    return joined(coefficients.real @ powers, coefficients.imag @ powers)
+        return softness * sum(
+            shares[..., k, None] * inverse(1 - dynamic * places[..., k, None]) for k in range(modes.shape[-1])
+        )
+    terms = int(np.ceil(np.log(1e-17) / np.log(max(ratio, 1e-17))))
+    moments = [(shares * places**power).sum(-1)[..., None] for power in range(terms + 1)]
+    series = moments[-1]
+    for moment in reversed(moments[:-1]):
+        series = series * dynamic + moment
+    return series * softness
+
+
+def _modulus(parameters: ArrayParameters, air: Conditions) -> Array:
+    """Complex modulus of the membranes by the stated one, (n_design, n_column, n_freq)."""
+    loss = parameters.membrane_loss[..., None]
+    return modulus_ratio(
+        air.omega / (2 * np.pi),
+        loss,
+        parameters.membrane_slope[..., None] * causal_slope(loss),
+        parameters.membrane_reference[..., None],
+        parameters.membrane_relaxation[..., None, :],
+        parameters.membrane_relaxation_time[..., None, :],
+    )
 
 
 def chambers(parameters: ArrayParameters, air: Conditions) -> Chambers:

@@ -16,7 +16,7 @@ import numpy as np
 
 from acoustic_fem.batch.numpy_or_torch import Array, namespace
 from acoustic_fem.batch.topology import Topology, tubes_of_line
-from acoustic_fem.membrane.disc import KnownDiscs, design_disc
+from acoustic_fem.membrane.disc import KnownDiscs, design_disc, design_rubber
 from acoustic_fem.network.microphone import circuit_elements as elements
 from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.quantities.medium import Medium
@@ -38,14 +38,23 @@ class ArrayParameters:
     cavity_height: Array
     """Height of the cavity, (n_design, n_point_column) float64, m."""
     membrane_compliance: Array
-    """Static volume compliance of the membrane, (n_design, n_point_column) float64, m^3/Pa."""
+    """Static volume compliance of the membrane at its stated modulus, (n_design, n_point_column) float64, m^3/Pa."""
     membrane_loss: Array
-    """Loss factor of the membrane, (n_design, n_point_column) float64."""
+    """Loss factor of the membrane, without that of its relaxations, (n_design, n_point_column) float64."""
+    membrane_slope: Array
+    """Slope of its modulus over frequency by that which the loss factor asks for, (n_design, n_point_column) float64: 1
+    for a spring-pot, 0 for a modulus that stays, which is not causal."""
+    membrane_reference: Array
+    """Frequency of the modulus that the compliance and the modes belong to, (n_design, n_point_column) float64, Hz."""
+    membrane_relaxation: Array
+    """Relaxing moduli by that one, (n_design, n_point_column, n_term) float64; n_term may be 0."""
+    membrane_relaxation_time: Array
+    """Relaxation times, (n_design, n_point_column, n_term) float64, s."""
     membrane_share: Array
     """Share of each mode in the static compliance, (n_design, n_point_column, n_mode) float64; sum 1."""
     membrane_frequency: Array
-    """Frequency of each mode in vacuo, (n_design, n_point_column, n_mode) float64, ascending, Hz. Modes from a design
-    end with two that correct the statics (:class:`acoustic_fem.membrane.DiscSolution`).
+    """Frequency of each mode in vacuo at that modulus, (n_design, n_point_column, n_mode) float64, ascending, Hz. Modes
+    from a design end with two that correct the statics (:class:`acoustic_fem.membrane.DiscSolution`).
     """
     chamber_radius: Array
     """Radius of the microphone's chamber, (n_design, n_microphone_column) float64, m."""
@@ -97,6 +106,11 @@ class ArrayParameters:
             if Topology.of(design) != topology:
                 raise Refusal(f"designs.{number} ({design.name}) is not wired as designs.0 ({designs[0].name})")
         rows = [_row(design, medium or design_air(design), known) for design in designs]
+        terms = max(len(row["membrane_relaxation"][0]) for row in rows)
+        for row in rows:
+            more = terms - len(row["membrane_relaxation"][0])
+            row["membrane_relaxation"] = [[*row["membrane_relaxation"][0], *[0.0] * more]]
+            row["membrane_relaxation_time"] = [[*row["membrane_relaxation_time"][0], *[1.0] * more]]
         return cls(**{name: np.array([row[name] for row in rows], dtype=np.float64) for name in rows[0]})
 
     @property
@@ -143,6 +157,16 @@ PART = {
 }
 
 
+#: The last axis of the fields that have three, and the fields that may be 0.
+_THIRD_AXIS = {
+    "membrane_share": ", n_mode",
+    "membrane_frequency": ", n_mode",
+    "membrane_relaxation": ", n_term",
+    "membrane_relaxation_time": ", n_term",
+}
+_MAY_VANISH = ("membrane_loss", "membrane_slope", "membrane_share", "membrane_relaxation")
+
+
 @dataclass(frozen=True, eq=False)
 class MediumParameters:
     """A gas for each design, as arrays or tensors; fields as :class:`acoustic_fem.quantities.Medium`."""
@@ -185,16 +209,21 @@ def check_parameters(parameters: ArrayParameters, topology: Topology) -> None:
         if values.dtype != xp.float64:
             raise Refusal(f"{field.name} is {values.dtype}; it must be float64")
         shape, needed = tuple(values.shape), columns[PART[field.name]]
-        more = ", n_mode" if field.name in ("membrane_share", "membrane_frequency") else ""
+        more = _THIRD_AXIS.get(field.name, "")
         if len(shape) != (3 if more else 2) or shape[0] not in (1, count) or shape[1] != needed:
             raise Refusal(
                 f"{field.name} has shape {shape}; it must be ({count}, {needed}{more}) or (1, {needed}{more})"
             )
-        may_vanish = field.name in ("membrane_loss", "membrane_share")
+        may_vanish = field.name in _MAY_VANISH
         fits = xp.isfinite(values) & ((values >= 0) if may_vanish else (values > 0))
         if not bool(fits.all()):
             bound = "at least 0" if may_vanish else "above 0"
             raise Refusal(f"{field.name} = {float(values[~fits].flatten()[0]):g} must be finite and {bound}")
+    terms = tuple(parameters.membrane_relaxation.shape)[2], tuple(parameters.membrane_relaxation_time.shape)[2]
+    if terms[0] != terms[1]:
+        raise Refusal(
+            f"membrane_relaxation has {terms[0]} terms and membrane_relaxation_time {terms[1]}; both need the same"
+        )
     modes = tuple(parameters.membrane_share.shape)[2], tuple(parameters.membrane_frequency.shape)[2]
     if modes[0] != modes[1] or modes[0] == 0:
         raise Refusal(
@@ -224,11 +253,11 @@ def check_medium(medium: MediumParameters, count: int, xp: ModuleType) -> int:
 def _row(design: ArrayDesign, medium: Medium, known: KnownDiscs | None) -> dict[str, list[Any]]:
     tubes = list(tubes_of_line(design).values())
     disc = design_disc(design, known=known)
-    loss = design.material(design.membrane.material).loss_factor
-    if np.any(disc.model.geometric) and loss > 0:
+    rubber = design_rubber(design)
+    if np.any(disc.model.geometric) and not rubber.elastic:
         raise Refusal(
             f"membrane.stretch = {design.membrane.stretch:g} must be 1 in a batch: the tension has no loss, so the "
-            f"modes do not share the loss factor {loss:g} of {design.membrane.material!r}; solve() takes it"
+            f"modes do not share that of {design.membrane.material!r}; solve() takes it"
         )
     if design.resonator.shape != "cylinder":
         raise Refusal(
@@ -245,7 +274,11 @@ def _row(design: ArrayDesign, medium: Medium, known: KnownDiscs | None) -> dict[
         "cavity_radius": [metres(design.resonator.cavity_diameter) / 2],
         "cavity_height": [metres(design.resonator.cavity_height)],
         "membrane_compliance": [float(share.sum()) * disc.opening**3 / disc.modulus],
-        "membrane_loss": [loss],
+        "membrane_loss": [rubber.loss_factor],
+        "membrane_slope": [1.0 if rubber.slope > 0 else 0.0],
+        "membrane_reference": [rubber.reference],
+        "membrane_relaxation": [list(rubber.strengths)],
+        "membrane_relaxation_time": [list(rubber.times)],
         "membrane_share": [share / share.sum()],
         "membrane_frequency": [mode_frequency],
         "chamber_radius": [metres(microphone.chamber_diameter) / 2],

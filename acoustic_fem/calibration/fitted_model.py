@@ -44,7 +44,7 @@ class Priors:
     modulus: float = 0.15
     """Deviation of the modulus of all membranes together."""
     loss: float = 0.3
-    """Deviation of the loss factor of all membranes together."""
+    """Deviation of the loss factor of all membranes together; their modulus changes over frequency as it asks for."""
     gain: float = 0.05
     """Deviation of the gain of each microphone against the reference."""
     corner: float = 0.10
@@ -136,6 +136,7 @@ class UpdatedModel:
             membrane_compliance=nominal.membrane_compliance * factor["compliance"] / stiffness,
             membrane_frequency=nominal.membrane_frequency * xp.sqrt(stiffness)[:, :, None],
             membrane_loss=nominal.membrane_loss * factor["loss"],
+            membrane_relaxation=nominal.membrane_relaxation * factor["loss"][:, :, None],
             chamber_height=nominal.chamber_height * factor["chamber"],
             vent_admittance=nominal.vent_admittance * factor["corner"],
         )

@@ -36,7 +36,7 @@ from acoustic_fem.library.result import Library
 from acoustic_fem.library.sealed_netcdf import read_netcdf, seal
 from acoustic_fem.quantities.units import metres
 from geometry.design.array_design import ArrayDesign
-from geometry.design.design_file import read_design
+from geometry.design.design_file import read_stored_design
 from geometry.files.arrays import read_npz
 from geometry.files.ordinary import MOST_NUMBERS, ordinary_file
 from geometry.files.reading import parse_json
@@ -129,7 +129,7 @@ def _design(attributes: dict[str, Any]) -> ArrayDesign:
     missing = [name for name in ATTRIBUTES if not isinstance(attributes.get(name), str)]
     if missing:
         raise Refusal(f"was not written by this program: it has no {missing[0]}")
-    return read_design(attributes["design_toml"], "design_toml")
+    return read_stored_design(attributes["design_toml"], "design_toml")
 
 
 # -- SOFA -----------------------------------------------------------------------------------------------------------

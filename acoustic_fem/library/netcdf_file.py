@@ -29,7 +29,7 @@ from acoustic_fem.library.sealed_netcdf import read_netcdf, seal
 from acoustic_fem.quantities.checks import frequency_grid
 from acoustic_fem.quantities.fidelity import FIDELITIES
 from acoustic_fem.quantities.medium import Medium
-from geometry.design.design_file import read_design, write_design
+from geometry.design.design_file import read_stored_design, write_design
 from geometry.files.writing import whole_file
 from geometry.layout.placement import point_places
 from geometry.refusal import Refusal, counted
@@ -88,7 +88,7 @@ def dataset_of(library: Library, names: Iterable[str] = tuple(VARIABLES)) -> xr.
             "layout_version": _LAYOUT_VERSION,
             "fidelity": library.fidelity,
             "time_convention": "exp(+j omega t)",
-            "design_toml": write_design(library.design),
+            "design_toml": write_design(library.design.completed()),
             "medium": json.dumps(asdict(library.medium)),
             "provenance": json.dumps(dict(library.provenance)),
         },
@@ -178,7 +178,7 @@ def library_of(dataset: xr.Dataset) -> Library:
     known = (*FIDELITIES, MEASURED)
     if fidelity not in known:
         raise Refusal(f"attribute fidelity = {fidelity!r} must be one of: {', '.join(known)}")
-    design = read_design(dataset.attrs["design_toml"], "attribute design_toml")
+    design = read_stored_design(dataset.attrs["design_toml"], "attribute design_toml")
     lines, places = zip(*point_places(design), strict=True)
     for name, expected in (
         ("point", list(range(1, len(lines) + 1))),

@@ -47,13 +47,13 @@ def touch_response(
         Refusal: an unknown touch, or a contact radius out of range.
     """
     # Here, so that a library can be read and looked at without the finite elements.
-    from acoustic_fem.membrane.disc import design_disc
+    from acoustic_fem.membrane.disc import design_disc, design_rubber
 
     if touch not in TOUCHES:
         raise Refusal(f"touch = {touch!r} must be one of: {', '.join(TOUCHES)}")
     grid = np.asarray(source_response["frequency"].values)
     disc = design_disc(design, contact_radius=contact_radius)
-    vacuum = disc.response(grid, design.material(design.membrane.material).loss_factor)
+    vacuum = disc.response(grid, design_rubber(design))
     source = source_response.transpose("point", "microphone", "frequency")
     injected = injected_flow(touch, grid, vacuum, point_impedance.transpose("point", "frequency").values)
     return (

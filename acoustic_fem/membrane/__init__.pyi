@@ -4,6 +4,7 @@ from .disc import (
     KnownDiscs as KnownDiscs,
     design_compliance as design_compliance,
     design_disc as design_disc,
+    design_rubber as design_rubber,
     design_shape as design_shape,
     disc_compliance as disc_compliance,
     solve_disc as solve_disc,
@@ -15,3 +16,9 @@ from .disc_table import (
     disc_tables as disc_tables,
 )
 from .elasticity import DiscShape as DiscShape, ElasticDisc as ElasticDisc, solve_dimensionless as solve_dimensionless
+from .rubber import (
+    ELASTIC as ELASTIC,
+    Rubber as Rubber,
+    causal_slope as causal_slope,
+    modulus_ratio as modulus_ratio,
+)

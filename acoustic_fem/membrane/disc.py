@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from acoustic_fem.membrane.elasticity import DiscShape, ElasticDisc, solve_dimensionless
+from acoustic_fem.membrane.rubber import ELASTIC, Rubber
 from acoustic_fem.quantities.checks import in_range, positive
 from acoustic_fem.quantities.units import metres, pascals
 from geometry.design.array_design import ArrayDesign
@@ -74,7 +75,7 @@ class DiscModes:
     amplitude; not negative.
     """
     elastic_share: NDArray[np.float64]
-    """Share of the modal stiffness that is elastic and carries the loss factor, (n,) float64; the rest is pre-stress.
+    """Share of the modal stiffness that is elastic and carries the loss, (n,) float64; the rest is pre-stress.
     """
     shape: NDArray[np.float64]
     """Coupling shapes, (n, n_radius) float64: deflection of the lower face at the radii of :attr:`DiscSolution.radius`;
@@ -125,29 +126,28 @@ class DiscSolution:
     opening: float
     """Radius of the opening, m."""
     modulus: float
-    """Young's modulus of the mounted disc, Pa."""
+    """Young's modulus of the mounted disc as it is stated, Pa."""
     density: float
     """Density, kg/m^3."""
     model: ElasticDisc
     """The dimensionless dynamic model."""
 
-    def response(self, frequency: ArrayLike, loss_factor: float = 0.0) -> DiscResponse:
+    def response(self, frequency: ArrayLike, rubber: Rubber = ELASTIC) -> DiscResponse:
         """Responses to pressures and to a force on the patch as sums over modes with static correction.
 
-        The stiffness is (1 + j eta) times its elastic part plus that of the pre-stress, projected on the
-        modes and on the static answers to pressure and force (mode acceleration; Craig, Structural
-        Dynamics (1981), chapter 15): statics are exact, and at any frequency a passive system remains.
-        Valid below half the highest mode that is kept; above that it warns.
+        The stiffness is the complex modulus, by the stated one, times its elastic part plus that of the pre-stress,
+        which has no loss, projected on the modes and on the static answers to pressure and force (mode acceleration;
+        Craig, Structural Dynamics (1981), chapter 15): statics are exact, and at any frequency a passive system
+        remains. Valid below half the highest mode that is kept; above that it warns.
 
         Args:
             frequency: Hz, any shape.
-            loss_factor: eta, 0 to 1, of the modulus E (1 + j eta), the same at all frequencies.
+            rubber: law of the modulus over frequency; by default there is no loss.
 
         Raises:
-            Refusal: a frequency that is not finite and positive, or a loss factor out of range.
+            Refusal: a frequency that is not finite and positive.
         """
         frequency = positive("frequency", frequency, "Hz")
-        in_range("loss_factor", loss_factor, 0, 1)
         if frequency.size and frequency.max() > self.modes.frequency[-1] / 2:
             warnings.warn(
                 f"membrane: {frequency.max():.4g} Hz is above half of the highest mode that is kept "
@@ -157,8 +157,8 @@ class DiscSolution:
         model = self.model
         square = (2 * np.pi * frequency * self.opening) ** 2 * self.density / self.modulus
         total = np.diag(model.eigenvalues)
-        stiffness = total + 1j * loss_factor * (total - model.geometric)
-        system = stiffness - square[..., None, None] * np.eye(len(total))
+        more = rubber.ratio(frequency)[..., None, None] - 1
+        system = total + more * (total - model.geometric) - square[..., None, None] * np.eye(len(total))
         loads = np.stack([model.swept, model.patch, model.swept_above], axis=-1)
         shape = (*square.shape, *loads.shape)
         answer = np.asarray(loads.T @ np.linalg.solve(system, np.broadcast_to(loads, shape)), dtype=np.complex128)
@@ -170,13 +170,13 @@ class DiscSolution:
             volume_per_pressure=answer[..., 0, 2] * volume,
         )
 
-    def compliance(self, frequency: ArrayLike, loss_factor: float = 0.0) -> NDArray[np.complex128]:
+    def compliance(self, frequency: ArrayLike, rubber: Rubber = ELASTIC) -> NDArray[np.complex128]:
         """Volume compliance C(w); arguments, validity and errors as :meth:`response`.
 
         Returns:
             Shape of frequency, complex128, m^3/Pa.
         """
-        return self.response(frequency, loss_factor).compliance
+        return self.response(frequency, rubber).compliance
 
 
 def solve_disc(
@@ -387,10 +387,15 @@ def _membrane_of(
     ), options
 
 
+def design_rubber(design: ArrayDesign) -> Rubber:
+    """The law of the material of a design's membranes."""
+    return Rubber.of(design.material(design.membrane.material))
+
+
 def design_compliance(
     design: ArrayDesign, frequency: ArrayLike, known: KnownDiscs | None = None
 ) -> NDArray[np.complex128]:
-    """Volume compliance of a design's membrane with the loss factor of its material, m^3/Pa.
+    """Volume compliance of a design's membrane by the law of its material, m^3/Pa.
 
     Args:
         design: the array.
@@ -401,4 +406,4 @@ def design_compliance(
         Complex128 of the shape of the frequency.
     """
     disc = design_disc(design, known=known)
-    return disc.compliance(frequency, design.material(design.membrane.material).loss_factor)
+    return disc.compliance(frequency, design_rubber(design))

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from acoustic_fem.batch.parameters import ArrayParameters
 from acoustic_fem.batch.topology import Topology
-from acoustic_fem.membrane.disc import DiscOptions, DiscSolution, KnownDiscs, solve_disc
+from acoustic_fem.membrane.disc import DiscOptions, DiscSolution, KnownDiscs, design_rubber, solve_disc
 from acoustic_fem.quantities.units import metres, pascals
 from geometry.design.array_design import ArrayDesign
 from geometry.files.reading import read_toml
@@ -160,12 +160,11 @@ class ScatteredDesign:
         names = [tolerance.quantity for tolerance in tolerances]
         if len(set(names)) != len(names):
             raise Refusal(f"tolerances: {max(names, key=names.count)} is given twice")
-        loss = design.material(design.membrane.material).loss_factor
-        if design.membrane.stretch != 1 and loss > 0:
+        if design.membrane.stretch != 1 and not design_rubber(design).elastic:
             raise UnknownScatterError(
                 f"membrane.stretch = {design.membrane.stretch:g} must be 1 for manufacturing scatter, unless "
-                f"materials.{design.membrane.material}.loss_factor = {loss:g} is 0: how a stretched membrane with loss "
-                "scatters is not computed"
+                f"materials.{design.membrane.material}.loss_factor is 0: how a stretched membrane with loss scatters "
+                "is not computed"
             )
         if design.resonator.shape != "cylinder":
             raise UnknownScatterError(

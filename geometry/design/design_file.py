@@ -22,6 +22,7 @@ from geometry.design.changes import as_lists, keys_of
 from geometry.files.reading import parse_toml, read_text
 from geometry.files.writing import write_text
 from geometry.stated.fields import DesignError, UnknownField, fields_of, nearest
+from geometry.stated.materials import MATERIALS
 
 
 def load_design(path: str | os.PathLike[str]) -> ArrayDesign:
@@ -44,6 +45,28 @@ def read_design(text: str, source: str = "design.toml") -> ArrayDesign:
         DesignError: not TOML, or not a valid design.
     """
     return validated(parse_toml(text, source, DesignError), source)
+
+
+def read_stored_design(text: str, source: str) -> ArrayDesign:
+    """Read a design that a result holds, as that result was computed.
+
+    Results that state no law of their membranes were computed with a constant modulus and loss factor.
+
+    Args:
+        text: TOML, of :func:`write_design` of a completed design.
+        source: name of the file and of its part, for messages.
+
+    Raises:
+        DesignError: not TOML, or not a valid design.
+    """
+    data = parse_toml(text, source, DesignError)
+    validated(data, source)
+    name = data["membrane"]["material"]
+    materials = dict(data.get("materials", {}))
+    material = materials.get(name) or MATERIALS[name].model_dump(exclude_none=True, exclude={"law"})
+    if "law" not in material:
+        materials[name] = {**material, "law": "constant"}
+    return validated({**data, "materials": materials}, source)
 
 
 def write_design(design: ArrayDesign) -> str:

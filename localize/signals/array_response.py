@@ -280,7 +280,7 @@ def response_of(library: Library | ArrayResponse) -> ArrayResponse:
         microphones=tuple(str(name) for name in h.coords["microphone"].values),
         name=library.design.name,
         provenance={
-            "design": write_design(library.design),
+            "design": write_design(library.design.completed()),
             "fidelity": library.fidelity,
             "medium": asdict(library.medium),
             "frequency": [float(f) for f in h.coords["frequency"].values],

@@ -3,7 +3,7 @@
 The hidden sensor is computed by the lumped batch, and at ``navier-stokes`` fidelity multiplied by what that changes in
 the nominal design. Beside what a fit of the usual parameters knows (bores, compliances, modulus, loss, gains, corners,
 chambers) it has deviations that such a fit lacks: lengths of tubes, cavities apart from their membranes, a loss factor
-of each membrane, the temperature of the room, and the change of fidelity.
+of each membrane with the slope that it asks for, the temperature of the room, and the change of fidelity.
 """
 
 from __future__ import annotations
@@ -60,6 +60,8 @@ class HiddenScatter:
     """Deviation of the compliance of each membrane."""
     modulus: float = 1.0
     """Modulus of all membranes against the nominal one: a factor, not a deviation."""
+    rubber: float = 1.0
+    """Loss factor of all membranes against the nominal one, and with it the slope of their modulus: a factor."""
     gain: float = 0.05
     """Deviation of the gain of each microphone."""
     corner: float = 0.10
@@ -148,7 +150,9 @@ class Rig:
             / scatter.modulus,
             membrane_frequency=nominal.membrane_frequency * np.sqrt(scatter.modulus),
             tube_length=nominal.tube_length * factor(nominal.tube_length, scatter.length),
-            membrane_loss=nominal.membrane_loss * factor(nominal.membrane_loss, scatter.loss),
+            membrane_loss=nominal.membrane_loss
+            * (loss := scatter.rubber * factor(nominal.membrane_loss, scatter.loss)),
+            membrane_relaxation=nominal.membrane_relaxation * loss[:, :, None],
             chamber_height=nominal.chamber_height * factor(nominal.chamber_height, scatter.chamber),
         )
         self.gain = factor(np.ones(len(self.design.microphones)), scatter.gain)

@@ -112,7 +112,7 @@ def bandwidth(responses: Responses, response: Complex) -> Array:
 
 def _in_vacuo(responses: Responses) -> DiscResponse:
     """What the membrane of each design does in vacuo, arrays (n_design, n_freq)."""
-    from acoustic_fem.membrane.disc import DiscResponse, design_disc
+    from acoustic_fem.membrane.disc import DiscResponse, design_disc, design_rubber
 
     found: dict[tuple[object, ...], DiscResponse] = {}
     rows = []
@@ -120,7 +120,8 @@ def _in_vacuo(responses: Responses) -> DiscResponse:
         material = design.material(design.membrane.material)
         key = (design.resonator.cavity_diameter, design.membrane, material)
         if key not in found:
-            found[key] = design_disc(design, known=responses.discs).response(responses.frequency, material.loss_factor)
+            disc = design_disc(design, known=responses.discs)
+            found[key] = disc.response(responses.frequency, design_rubber(design))
         rows.append(found[key])
     return DiscResponse(**{each.name: np.stack([getattr(row, each.name) for row in rows])
                            for each in fields(DiscResponse)})  # fmt: skip

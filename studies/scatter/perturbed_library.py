@@ -25,7 +25,7 @@ from acoustic_fem.quantities.checks import frequency_grid
 from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.scatter.tolerances import TOLERANCES, ScatteredDesign, Tolerance
 from geometry.design.array_design import ArrayDesign
-from geometry.design.design_file import read_design, write_design
+from geometry.design.design_file import read_stored_design, write_design
 from geometry.refusal import Refusal
 from studies.output.checked_store import CheckedStore, add_checksums, create_checked, read_store
 from studies.output.folders import check_folder
@@ -171,7 +171,7 @@ class PerturbedLibrary:
     @property
     def design(self) -> ArrayDesign:
         """Nominal design."""
-        return read_design(str(self.attributes["design"]), f"{self.path}: design")
+        return read_stored_design(str(self.attributes["design"]), f"{self.path}: design")
 
     @property
     def microphones(self) -> tuple[str, ...]:

@@ -24,6 +24,7 @@ from acoustic_fem.batch.topology import Topology
 from acoustic_fem.cell.design_cells import solve_cells
 from acoustic_fem.cell.lumped import lumped_admittance
 from acoustic_fem.cell.one_cell import CellError
+from acoustic_fem.membrane.disc import design_rubber
 from acoustic_fem.membrane.disc_table import DiscTables
 from acoustic_fem.network.array_network import solve_network
 from acoustic_fem.quantities.local_air import design_air
@@ -170,7 +171,7 @@ def _responses(
     groups: dict[Topology, list[int]] = {}
     alone: list[int] = []
     for number, design in designs.items():
-        stretched = design.membrane.stretch != 1 and design.material(design.membrane.material).loss_factor > 0
+        stretched = design.membrane.stretch != 1 and not design_rubber(design).elastic
         if job.fidelity != "lumped" or stretched:
             alone.append(number)
         else:

@@ -24,7 +24,7 @@ from xarray.backends import BackendArray
 from xarray.core.indexing import ExplicitIndexer, IndexingSupport, LazilyIndexedArray, explicit_indexing_adapter
 
 from geometry import ArrayDesign
-from geometry.design.design_file import read_design
+from geometry.design.design_file import read_stored_design
 from geometry.files.ordinary import library_reads
 from geometry.files.writing import write_text
 from studies.output.checked_store import METADATA, CheckedStore, read_store, take_checksums
@@ -363,7 +363,7 @@ def open_sweep(path: str | os.PathLike[str]) -> Sweep:
         dataset = xr.Dataset(
             {name: (*row, attributes[name]) for name, row in variables.items()}, attrs=stored.attributes
         )
-    base = read_design(about.base_design, f"{path}: base design")
+    base = read_stored_design(about.base_design, f"{path}: base design")
     return Sweep(dataset, base, tuple(about.parameter_names), tuple(about.metric_names))
 
 

@@ -20,6 +20,10 @@ RANGES = {  # SI
     "cavity_height": (8e-4, 6e-3),
     "membrane_compliance": (1e-14, 1e-12),
     "membrane_loss": (0.01, 0.3),
+    "membrane_slope": (0.3, 1.0),
+    "membrane_reference": (0.05, 20.0),
+    "membrane_relaxation": (0.01, 0.5),
+    "membrane_relaxation_time": (1e-4, 1.0),
     "membrane_frequency": (1.5e3, 2e4),
     "chamber_radius": (5e-4, 2e-3),
     "chamber_height": (4e-4, 3e-3),
@@ -67,10 +71,21 @@ def random_parameters(topology, seed, designs=1, modes=3):
         for field in fields(ArrayParameters)
         if field.name not in ("membrane_share", "membrane_frequency")
     }
+    for name in ("membrane_relaxation", "membrane_relaxation_time"):
+        values[name] = draw(name, designs, columns["point"], 2)
     shape = (designs, columns["point"], modes)
     values["membrane_share"] = generator.dirichlet(np.ones(modes), shape[:2])
     values["membrane_frequency"] = np.sort(draw("membrane_frequency", *shape), axis=-1)
     return ArrayParameters(**values)
+
+
+def _modulus(p, column, frequency):
+    """Complex modulus of a membrane by the stated one: a spring-pot of any slope beside relaxations."""
+    loss = p["membrane_loss"][column]
+    exponent = p["membrane_slope"][column] * 2 / np.pi * np.arctan(loss)
+    pot = (1 + 1j * loss) * (frequency / p["membrane_reference"][column]) ** exponent
+    rate = 2j * np.pi * frequency[:, None] * p["membrane_relaxation_time"][column]
+    return pot + (p["membrane_relaxation"][column] * rate / (1 + rate)).sum(-1)
 
 
 def every_node_at_once(parameters, topology, frequency, medium, cut=None):
@@ -97,7 +112,7 @@ def every_node_at_once(parameters, topology, frequency, medium, cut=None):
                 p["cavity_radius"][column], p["cavity_height"][column], frequency, medium
             )
             ratio = frequency / p["membrane_frequency"][column][:, None]
-            modes = p["membrane_share"][column][:, None] / (1 + 1j * p["membrane_loss"][column] - ratio**2)
+            modes = p["membrane_share"][column][:, None] / (_modulus(p, column, frequency) - ratio**2)
             total = rate * (cavity + p["membrane_compliance"][column] * modes.sum(0))
             entries.append(([cavities[place + 1]], total[:, None, None]))
         for place, column in enumerate(line.tubes):

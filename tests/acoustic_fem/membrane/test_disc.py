@@ -13,6 +13,7 @@ from acoustic_fem.fields.element_sizes import mesh_sizes
 from acoustic_fem.fields.navier_stokes import WallMotion
 from acoustic_fem.membrane.disc import DiscOptions, design_compliance, design_disc, disc_compliance, solve_disc
 from acoustic_fem.membrane.elasticity import DiscShape, solve_dimensionless
+from acoustic_fem.membrane.rubber import Rubber
 from acoustic_fem.quantities.medium import Medium
 from geometry import DesignError
 from geometry.air.cells import cell_catalogue
@@ -169,7 +170,7 @@ def test_at_low_frequency_the_modal_sum_is_the_static_answer(rim, thickness, pre
     assert static.compliance == pytest.approx(disc.static_compliance, rel=1e-9, abs=0)
     assert static.volume_per_force == pytest.approx(disc.volume_per_force, rel=1e-9, abs=0)
     assert static.displacement_per_force == pytest.approx(disc.displacement_per_force, rel=1e-9, abs=0)
-    lossy = disc.compliance(1e-4, loss)
+    lossy = disc.compliance(1e-4, Rubber(loss))
     if prestress == 0:
         assert lossy == pytest.approx(disc.static_compliance / (1 + 1j * loss), rel=1e-7, abs=0)
     elif loss > 0.01:  # tension takes a share of the stiffness and has no loss
@@ -183,8 +184,8 @@ def test_four_modes_and_two_corrections_are_as_good_as_many():
     many = solve_dimensionless(shape(0.5 / 3), modes=25)
     square = (2 * np.pi * frequency * 3e-3) ** 2 * 1070 / 1e6
     expected = (many.swept**2 / (many.eigenvalues * (1 + 0.1j) - square[:, None])).sum(axis=1) * 3e-3**3 / 1e6
-    np.testing.assert_allclose(disc.compliance(frequency[:3], 0.1), expected[:3], rtol=2e-6)
-    assert disc.compliance(frequency[3], 0.1) == pytest.approx(expected[3], rel=2e-4, abs=0)
+    np.testing.assert_allclose(disc.compliance(frequency[:3], Rubber(0.1)), expected[:3], rtol=2e-6)
+    assert disc.compliance(frequency[3], Rubber(0.1)) == pytest.approx(expected[3], rel=2e-4, abs=0)
     # without correction the modes alone sweep less
     alone = (many.swept[:4] ** 2 / many.eigenvalues[:4]).sum() * 3e-3**3 / 1e6
     assert 1e-3 < 1 - alone / disc.static_compliance < 1e-2
@@ -194,7 +195,7 @@ def test_four_modes_and_two_corrections_are_as_good_as_many():
 @given(st.floats(0.001, 1), st.floats(1, 3000))
 def test_a_lossy_disc_takes_power_at_any_frequency(loss, frequency):
     disc = solve_disc(3e-3, 0.5e-3, 1e6, rim_width=1.5e-3, options=DiscOptions(tension=20.0))
-    answer = disc.response(frequency, loss)
+    answer = disc.response(frequency, Rubber.spring_pot(loss, 10.0))
     power = np.array(
         [[answer.compliance, answer.volume_per_force], [answer.volume_per_force, answer.displacement_per_force]]
     )
@@ -239,7 +240,7 @@ def test_a_thin_disc_under_a_central_force_bends_as_a_plate():
 
 def test_pressure_from_above_sweeps_what_pressure_from_below_does():
     disc = solve_disc(3e-3, 0.3e-3, 1e6, rim_width=1.5e-3)
-    answer = disc.response([1.0, 50.0], 0.1)
+    answer = disc.response([1.0, 50.0], Rubber(0.1))
     np.testing.assert_allclose(answer.volume_per_pressure, answer.compliance, rtol=0.01)
 
 
@@ -412,7 +413,7 @@ def test_an_impossible_disc_is_refused_by_name(changes, message):
 )
 def test_an_impossible_frequency_or_loss_is_refused(frequency, loss, message):
     with pytest.raises(ValueError, match=message):
-        solve_disc(3e-3, 0.3e-3, 5e5).compliance(frequency, loss)
+        solve_disc(3e-3, 0.3e-3, 5e5).compliance(frequency, Rubber(loss))
 
 
 @pytest.mark.slow
@@ -455,7 +456,7 @@ def test_one_motion_of_the_cell_wall_stands_for_every_mode_of_the_membrane_up_to
     stiffness, mass = model.eigenvalues * disc.modulus * disc.opening, disc.density * disc.opening**3
     own = (stiffness * (1 + 1j * loss) + rate[:, None] ** 2 * mass) / (rate[:, None] * swept**2)
     every = pressure(list(range(1, 7)), own, np.broadcast_to(model.patch / swept, own.shape))
-    response = disc.response(frequency, loss)
+    response = disc.response(frequency, Rubber(loss))
     node = 1 / (rate * response.compliance)
     single = pressure([0], node[:, None], (response.volume_per_force / response.compliance)[:, None])
     first_alone = pressure([1], own[:, :1], np.broadcast_to(model.patch[:1] / swept[:1], own[:, :1].shape))

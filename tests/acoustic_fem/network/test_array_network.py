@@ -10,7 +10,7 @@ from hypothesis import given, settings, strategies as st
 from acoustic_fem.cell.design_cells import solve_cells
 from acoustic_fem.cell.lumped import lumped_admittance
 from acoustic_fem.duct.plane_wave import port_admittance
-from acoustic_fem.membrane.disc import design_compliance
+from acoustic_fem.membrane.disc import design_compliance, design_rubber
 from acoustic_fem.network.array_network import solve_network
 from acoustic_fem.network.microphone import load_admittance
 from acoustic_fem.quantities.medium import Medium
@@ -235,7 +235,7 @@ def test_random_sealed_arrays_have_one_pressure_at_low_frequency(design):
     response = solve(design, np.array([0.001, 0.01]))
     away = np.abs(response.source_response / response.point_impedance[:, None, :] - 1).max((0, 1))
     assert away[0] < 0.01
-    assert away[0] < 0.11 * away[1]
+    assert away[0] < 0.125 * away[1]  # as f, or as f^0.94 where the rubber's compliance rules
 
 
 @settings(max_examples=15)
@@ -265,7 +265,8 @@ def test_a_sealed_array_has_one_pressure_at_low_frequency():
     transfer = transfer_functions(response)
     assert transfer.shape == (12, 2, 2)
     assert np.abs(transfer - 1).max() < 0.01
-    assert np.abs(transfer[..., 0] - 1).max() < 0.11 * np.abs(transfer[..., 1] - 1).max()
+    ratio = np.abs(transfer[..., 0] - 1).max() / np.abs(transfer[..., 1] - 1).max()
+    assert 0.1 < ratio < 0.1 ** (1 - design_rubber(design).slope)  # between the air's f and the rubber's f^(1 - slope)
 
 
 def test_at_low_frequency_the_array_is_the_sum_of_its_compliances():
