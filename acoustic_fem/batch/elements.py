@@ -123,7 +123,7 @@ def _modes(parameters: ArrayParameters, air: Conditions) -> Array:
     Well below the first mode it is a power series in f^2 / e with moments of the modes.
     """
     modes, shares = parameters.membrane_frequency, parameters.membrane_share
-    softness = inverse(_modulus(parameters, air))
+    softness = inverse(membrane_modulus(parameters, air.omega / (2 * np.pi)))
     highest = largest(air.omega) / (2 * np.pi)
     square = (air.omega / (2 * np.pi * highest)) ** 2
     places = (highest / modes) ** 2
@@ -141,11 +141,19 @@ def _modes(parameters: ArrayParameters, air: Conditions) -> Array:
     return series * softness
 
 
-def _modulus(parameters: ArrayParameters, air: Conditions) -> Array:
-    """Complex modulus of the membranes by the stated one, (n_design, n_column, n_freq)."""
+def membrane_modulus(parameters: ArrayParameters, frequency: Array) -> Array:
+    """Complex modulus of the membranes by the stated one.
+
+    Args:
+        parameters: of the designs.
+        frequency: (n_freq,) float64, Hz, an array or tensor as the parameters are.
+
+    Returns:
+        (n_design, n_point_column, n_freq) complex128.
+    """
     loss = parameters.membrane_loss[..., None]
     return modulus_ratio(
-        air.omega / (2 * np.pi),
+        frequency,
         loss,
         parameters.membrane_slope[..., None] * causal_slope(loss),
         parameters.membrane_reference[..., None],

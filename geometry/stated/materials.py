@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import math
 from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
 
-from geometry.refusal import Refusal
+from geometry.refusal import Refusal, counted
 from geometry.stated.fields import Number, Section
 
 #: Frequency of a modulus that comes from a hardness or from another static test, Hz. A rubber's hardness is read one
@@ -52,6 +53,25 @@ class Material(Section):
         default=None, min_length=1, max_length=40, description="relaxing moduli in MPa, one for each of those times"
     )
     source: str = Field(description="where the values come from")
+
+    @property
+    def law_in_words(self) -> str:
+        """Its modulus over frequency, for people."""
+        if self.law == "prony":
+            relaxations = counted(len(self.relaxation_times or ()), "relaxation")
+            return f"E = {self.youngs_modulus:g} MPa after long rest, {relaxations}"
+        if self.law == "constant" and self.loss_factor:
+            return (
+                f"E = {self.youngs_modulus:g} MPa and loss factor {self.loss_factor:g} at all frequencies, "
+                "which is not causal: no material has both"
+            )
+        if not self.loss_factor:
+            return f"E = {self.youngs_modulus:g} MPa without loss"
+        slope = 2 / math.pi * math.atan(self.loss_factor)
+        return (
+            f"E = {self.youngs_modulus:g} MPa at {self.modulus_frequency:g} Hz, loss factor {self.loss_factor:g}, "
+            f"so that E rises as f^{slope:.3f}"
+        )
 
     @model_validator(mode="after")
     def _law_is_complete(self) -> Self:

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 from numpy.typing import NDArray
 
+from acoustic_fem.batch.elements import membrane_modulus
 from acoustic_fem.batch.parameters import ArrayParameters
 from acoustic_fem.calibration.fitted_model import Posterior, UpdatedModel
 from acoustic_fem.scatter.tolerances import Tolerance
@@ -12,6 +15,8 @@ from studies.made_sensor.rig import HiddenScatter, Rig
 
 Array = NDArray[np.float64]
 
+#: Hz, where compliances of membranes are compared; and the step of a difference.
+_MID_BAND, _STEP = np.array([10.0]), 1e-4
 _SOURCE = "of the virtual rig"
 
 
@@ -36,7 +41,8 @@ def hidden_parameters(rig: Rig, model: UpdatedModel) -> dict[str, tuple[float, A
     """True values of what a fit states, as far as the rig's sensor has them.
 
     A longer tube counts as a narrower one, by the resistance, length / bore^4; a cavity counts as its membrane, by the
-    compliance of both; membranes are stiffer one by one and all together, and only the product is true.
+    compliance of both; membranes are stiffer one by one, all together and by the slope that their loss factor asks for,
+    and only the product at 10 Hz is true.
 
     Args:
         rig: of the design of the model.
@@ -53,11 +59,13 @@ def hidden_parameters(rig: Rig, model: UpdatedModel) -> dict[str, tuple[float, A
         area = np.pi * parameters.cavity_radius**2
         return np.asarray(area * parameters.cavity_height / (medium.gamma * medium.pressure))
 
-    node = hidden.membrane_compliance + volume(hidden)
+    node, membrane = _compliance(hidden) + volume(hidden), _compliance(nominal)
+    lossier = replace(nominal, membrane_loss=nominal.membrane_loss * np.exp(_STEP))
+    by_loss = float(np.mean(np.log(_compliance(lossier) / membrane))) / _STEP
     values = np.concatenate(
         [
             np.ravel(hidden.tube_radius / nominal.tube_radius * (nominal.tube_length / hidden.tube_length) ** 0.25),
-            np.ravel((node - volume(nominal)) / nominal.membrane_compliance),
+            np.ravel((node - volume(nominal)) / membrane),
             rig.gain,
             rig.corner,
             np.ravel(hidden.chamber_height / nominal.chamber_height),
@@ -67,8 +75,15 @@ def hidden_parameters(rig: Rig, model: UpdatedModel) -> dict[str, tuple[float, A
     common = model.groups.index("modulus")
     own = [n for n, group in enumerate(model.groups) if group == "compliance"]
     rows[own, common] = -model.scale[common]
+    of_loss = model.groups.index("loss")
+    rows[own, of_loss] = by_loss * model.scale[of_loss]
     stated = [n for n, group in enumerate(model.groups) if group not in ("modulus", "loss")]
     return {model.names[n]: (float(value), rows[n]) for n, value in zip(stated, values, strict=True)}
+
+
+def _compliance(parameters: ArrayParameters) -> Array:
+    """Compliance of the membranes in mid-band, well below their modes, (n_design, n_point_column) float64, m^3/Pa."""
+    return np.asarray(parameters.membrane_compliance / np.abs(membrane_modulus(parameters, _MID_BAND)[..., 0]))
 
 
 def within_95(rig: Rig, fit: Posterior) -> list[tuple[str, bool]]:

@@ -259,6 +259,7 @@ def model_validity(design: ArrayDesign, medium: Medium, weakest_level: float) ->
     """
     from acoustic_fem.duct.opening import LARGEST_SHEAR_NUMBER
     from acoustic_fem.membrane.disc import design_disc
+    from acoustic_fem.membrane.rubber import causal_slope
     from localize.signals.noise import input_density
 
     highest = BAND[1]
@@ -272,6 +273,8 @@ def model_validity(design: ArrayDesign, medium: Medium, weakest_level: float) ->
     mean_free_path = medium.viscosity * math.sqrt(math.pi / (2 * medium.pressure * medium.density))
     slip = 8 * mean_free_path / (min(bores) * 1e-3)
     shear = max(bores) / 2 * 1e-3 * math.sqrt(2 * math.pi * highest / medium.kinematic_viscosity)
+    material = design.material(design.membrane.material)
+    missing = causal_slope(material.loss_factor or 0.0) if material.law == "constant" else 0.0
     noise = float(input_density(microphone, highest, medium)) / math.sqrt(FRAME_SECONDS)
     heard = weakest_level + 20 * math.log10(WEAKEST_SINUSOID / math.sqrt(2) / noise)
     return (
@@ -290,6 +293,14 @@ def model_validity(design: ArrayDesign, medium: Medium, weakest_level: float) ->
             3 * highest,
             "Hz",
             f"the membrane moves in one shape up to a third of it; the band ends at {highest:g} Hz",
+        ),
+        Validity(
+            "stiffening of the membrane that its loss asks for and its law lacks",
+            100 * ((BAND[1] / BAND[0]) ** float(missing) - 1),
+            "at most",
+            5.0,
+            "%",
+            f"from {BAND[0]:g} to {BAND[1]:g} Hz; {design.membrane.material}: {material.law_in_words}",
         ),
         Validity(
             "slip of the air in the narrowest bore",

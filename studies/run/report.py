@@ -137,8 +137,7 @@ def _assumptions(result: RunResult) -> list[str]:
         "Tubes are smooth round bores in which a plane wave travels; bends and the ribs of the spring are left out.",
         f"A membrane is {_MOUNTING[design.membrane.mounting]}, stretched by {design.membrane.stretch - 1:.3g}, and "
         "pushes the air in the shape of its first mode; its material: "
-        f"{design.membrane.material}, E = {membrane.youngs_modulus:g} MPa, loss factor {membrane.loss_factor:g} "
-        f"({membrane.source}).",
+        f"{design.membrane.material}, {membrane.law_in_words} ({membrane.source}).",
         noise_sentence(result),
         "One point is touched at a time. But where mis-made sensors are named, the made sensor is exactly the designed "
         "one. Mis-made ones have the scatter of bores, lengths, cavities and membranes of a careful workshop and are "

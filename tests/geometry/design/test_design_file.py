@@ -12,7 +12,7 @@ from hypothesis import given, strategies as st
 
 import geometry
 from geometry.design.array_design import ArrayDesign
-from geometry.design.design_file import prototype_text, read_design, write_design
+from geometry.design.design_file import prototype_text, read_design, read_stored_design, write_design
 from geometry.stated.fields import DesignError, fields_of
 from geometry.stated.materials import MATERIALS, Material, blend_modulus, youngs_modulus_from_shore_a
 from geometry.stated.parts import Tube
@@ -504,6 +504,48 @@ def test_every_field_is_described_and_every_length_has_its_unit() -> None:
             assert field.unit == "mm", field.name
         if field.kind == "a number":
             assert field.allowed, field.name
+
+
+def test_a_stored_design_without_a_law_was_computed_with_constant_loss() -> None:
+    design = geometry.prototype("array-2x6")
+    name = design.membrane.material
+    stated = write_design(design.completed())
+    assert read_stored_design(stated, "a library").material(name).law == "spring-pot"
+    older = [line for line in stated.splitlines() if not line.startswith(("law =", "modulus_frequency ="))]
+    for text in ("\n".join(older), write_design(design)):
+        found = read_stored_design(text, "a library").material(name)
+        assert found == design.material(name).model_copy(update={"law": "constant"})
+
+
+@pytest.mark.parametrize(
+    ("law", "message"),
+    [
+        ({}, r"loss_factor is missing; law = 'spring-pot' needs it"),
+        ({"loss_factor": 0.1, "relaxation_times": [1.0]}, r"need law = 'prony', not 'spring-pot'"),
+        ({"law": "prony"}, r"relaxation_times and relaxation_moduli must be given"),
+        ({"law": "prony", "relaxation_times": [1.0], "relaxation_moduli": [1.0, 2.0]}, r"has 1 values, .* 2; as many"),
+        (
+            {"law": "prony", "relaxation_times": [1.0], "relaxation_moduli": [1.0], "loss_factor": 0.1},
+            r"loss_factor = 0\.1 must not be given",
+        ),
+        ({"law": "prony", "relaxation_times": [-1.0], "relaxation_moduli": [1.0]}, r"relaxation_times"),
+    ],
+)
+def test_the_law_of_a_material_is_complete_or_refused(law: dict[str, object], message: str) -> None:
+    common = {"youngs_modulus": 1.0, "poisson_ratio": 0.49, "density": 1000.0, "source": "test"}
+    with pytest.raises(DesignError, match=message) as refused:
+        Material(**common, **law)
+    assert "\n" not in str(refused.value)
+
+
+def test_a_table_of_relaxations_is_written_and_read() -> None:
+    table = {"youngs_modulus": 1.0, "poisson_ratio": 0.49, "density": 1070.0, "source": "a test", "law": "prony"}
+    table |= {"relaxation_times": [0.1, 0.01], "relaxation_moduli": [0.2, 0.1]}
+    design = geometry.prototype("array-2x6").with_values({"materials.mine": table, "membrane.material": "mine"})
+    again = read_design(write_design(design))
+    assert again == design
+    assert again.material("mine").relaxation_times == (0.1, 0.01)
+    assert again.material("mine").law_in_words == "E = 1 MPa after long rest, 2 relaxations"
 
 
 def test_gent_moduli_are_the_published_ones() -> None:
