@@ -50,7 +50,8 @@ def read_design(text: str, source: str = "design.toml") -> ArrayDesign:
 def read_stored_design(text: str, source: str) -> ArrayDesign:
     """Read a design that a result holds, as that result was computed.
 
-    Results that state no law of their membranes were computed with a constant modulus and loss factor.
+    Results that state no law of their membranes were computed with a constant modulus and loss factor. Materials that
+    are the built-in ones are left to these again.
 
     Args:
         text: TOML, of :func:`write_design` of a completed design.
@@ -66,7 +67,9 @@ def read_stored_design(text: str, source: str) -> ArrayDesign:
     material = materials.get(name) or MATERIALS[name].model_dump(exclude_none=True, exclude={"law"})
     if "law" not in material:
         materials[name] = {**material, "law": "constant"}
-    return validated({**data, "materials": materials}, source)
+    design = validated({**data, "materials": materials}, source)
+    own = {key: value for key, value in design.materials.items() if MATERIALS.get(key) != value}
+    return design.model_copy(update={"materials": own})
 
 
 def write_design(design: ArrayDesign) -> str:

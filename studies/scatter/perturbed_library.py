@@ -171,7 +171,7 @@ class PerturbedLibrary:
     @property
     def design(self) -> ArrayDesign:
         """Nominal design."""
-        return read_stored_design(str(self.attributes["design"]), f"{self.path}: design")
+        return read_stored_design(str(self.attributes["design"]), f"{self.path}: design").completed()
 
     @property
     def microphones(self) -> tuple[str, ...]:

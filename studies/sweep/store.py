@@ -363,7 +363,7 @@ def open_sweep(path: str | os.PathLike[str]) -> Sweep:
         dataset = xr.Dataset(
             {name: (*row, attributes[name]) for name, row in variables.items()}, attrs=stored.attributes
         )
-    base = read_stored_design(about.base_design, f"{path}: base design")
+    base = read_stored_design(about.base_design, f"{path}: base design").completed()
     return Sweep(dataset, base, tuple(about.parameter_names), tuple(about.metric_names))
 
 

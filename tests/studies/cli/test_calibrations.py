@@ -85,4 +85,4 @@ def test_a_sensor_that_no_fit_takes_is_calibrated_from_recordings_of_all_points(
     result = CliRunner().invoke(app, ["calibrate", str(tmp_path), "--out", str(out), "--frequencies", "1:100:8"])
     assert result.exit_code == 0, result.output
     assert "4 of 4 points measured\n" in result.output
-    assert acoustic_fem.load(out).design == shaped.completed()
+    assert acoustic_fem.load(out).design == shaped
