@@ -48,10 +48,15 @@ def test_another_number_of_points_is_refused(own):
 def test_another_design_is_refused_by_its_field_and_another_air_is_not(own):
     def of(**values):
         changed = {name.replace("__", "."): value for name, value in values.items()}
-        return replace(own, provenance={"design": geometry.design.write_design(DESIGN.with_values(changed))})
+        return replace(
+            own, provenance={"design": geometry.design.write_design(DESIGN.with_values(changed).completed())}
+        )
 
     check_same_design(own, of(name="another", air__temperature=30.0, description="of another day"), "other.nc")
     check_same_design(own, replace(own, provenance={}), "other.nc")
     assert design_difference(own, own) is None
     with pytest.raises(geometry.Refusal, match=r"other.nc: is of another design .*: tube.length = 20.0, must be 12\.5"):
         check_same_design(own, of(tube__length=20.0), "other.nc")
+    states_no_law = replace(own, provenance={"design": geometry.design.write_design(DESIGN)})
+    with pytest.raises(geometry.Refusal, match=r"materials\.silicone-shore-a-30\.law = constant, must be spring-pot"):
+        check_same_design(own, states_no_law, "older.nc")
