@@ -20,10 +20,7 @@ def plane_rules(design: StatedArray) -> Iterator[str]:
         shortest = min(design.tube_of(line).length for line in design.lines)
         reach = resonator.cavity_diameter + shortest
         if not resonator.outer_diameter <= layout.pitch <= reach + 1e-9:
-            yield (
-                f"layout.pitch = {layout.pitch:g} mm must be between {resonator.outer_diameter:g} mm (shells touch) "
-                f"and {reach:g} mm (tubes straight)"
-            )
+            yield f"layout.pitch = {layout.pitch:g} mm {_pitch_must(layout.pitch, resonator.outer_diameter, reach)}"
     if layout.kind == "ring":
         count = len(design.microphones)
         if count < 3:
@@ -46,6 +43,12 @@ def plane_rules(design: StatedArray) -> Iterator[str]:
                 f"layout.kind = 'ring': lines.{index}, {max(lengths):g} mm from microphone to microphone, must be "
                 f"shorter than the other lines together ({others:g} mm) for the ring to close"
             )
+
+
+def _pitch_must(pitch: float, touching: float, straight: float) -> str:
+    """What is wrong with a pitch, and one that can be built: where tubes are bowed, only the layout shows which can."""
+    wrong = f"is below {touching:g} mm, where shells touch" if pitch < touching else "is more than its tubes reach"
+    return f"{wrong}; it must be left out, or {straight:g} mm: the tubes then lie straight"
 
 
 def cylinder_rules(design: StatedArray) -> Iterator[str]:

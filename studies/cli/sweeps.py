@@ -121,7 +121,8 @@ def best(
     [bold]acoustic-fem best results.zarr 17 --out design-17.toml[/bold]
     """
     if (design is None) != (out is None):
-        raise typer.BadParameter("give the number of a DESIGN and --out together, or neither for the list")
+        missing = "--out is missing: its design file, such as design-17.toml" if out is None else "DESIGN is missing"
+        raise typer.BadParameter(f"{missing}; DESIGN must be a number that the list shows, 0 or more, or neither given")
     if count < 1:
         raise typer.BadParameter(f"--count {count} must be at least 1")
     if design is None or out is None:

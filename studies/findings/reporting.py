@@ -115,8 +115,8 @@ def save_best_design(results: str | os.PathLike[str], design: str | int, out: st
     rows = {table.label(row): row for row in range(len(table.number))}
     if str(design) not in rows:
         raise Refusal(
-            f"{results}: design {design} is not among the {len(rows)} that were computed, from {table.number.min()} to "
-            f"{table.number.max()}"
+            f"{results}: design {design} must be one of the {len(rows)} that were computed, from {table.number.min()} "
+            f"to {table.number.max()}"
         )
     save_design(design_of(table, rows[str(design)]), path)
     return path

@@ -44,6 +44,18 @@ def test_the_mend_of_an_overlap_can_be_built(values, field):
     refuse_overlaps(design.with_values({field: float(found[2])}))
 
 
+@pytest.mark.parametrize("pitch", [8.9, 17.6])
+def test_the_pitch_that_a_design_is_offered_can_be_built(pitch):
+    design = geometry.prototype("array-2x6")
+    with pytest.raises(geometry.DesignError) as refused:
+        design.with_values({**CLOSE, "layout.pitch": pitch})
+    offered = re.findall(r"([\d.]+) mm: the tubes then lie straight", str(refused.value))
+    assert len(offered) == 1
+    assert " between " not in str(refused.value)
+    for each in (float(offered[0]), None):
+        refuse_overlaps(design.with_values({**CLOSE, "layout.pitch": each}))
+
+
 def test_what_is_drawn_schematically_is_a_note_and_no_overlap():
     design = geometry.prototype("line-4")
     layout = lay_out(design)

@@ -24,6 +24,11 @@ def ended(words: list[str], monkeypatch: pytest.MonkeyPatch) -> int:
         (["solved"], "No such command 'solved'. Did you mean 'solve', 'live'?; try acoustic-fem --help"),
         (["solve", "array-2x6"], "Missing option '--out'; try acoustic-fem solve --help"),
         (["best", "--nope"], "No such option: --nope; try acoustic-fem best --help"),
+        (
+            ["best", "results.zarr", "--", "-1"],
+            "--out is missing: its design file, such as design-17.toml; DESIGN must be a number that the list shows, "
+            "0 or more, or neither given; try acoustic-fem best --help",
+        ),
         (["check"], "give a DESIGN, or --fields; try acoustic-fem check --help"),
         (["check", ""], "DESIGN is empty; try acoustic-fem check --help"),
         (["check", "array-2x6", "--out", ""], "--out is empty; try acoustic-fem check --help"),
