@@ -19,6 +19,5 @@ from .reconstruct import Reconstructor as Reconstructor
 from .sound_test import SoundTest as SoundTest
 from .tolerant import (
     TolerantDecoder as TolerantDecoder,
-    suited_decoder as suited_decoder,
     tolerant_decoder as tolerant_decoder,
 )

@@ -133,11 +133,3 @@ def tolerant_decoder(
         with suppress(UnknownScatterError):
             return TolerantDecoder(library, None, microphone_noise, ambient)
     return None
-
-
-def suited_decoder(library: Library, microphone_noise: NoiseChoice = 1e-3, ambient: Ambient = None) -> BayesDecoder:
-    """The decoder that suits a library: that of :func:`tolerant_decoder`, where there is none
-    :class:`localize.BayesDecoder`; arguments and errors as there.
-    """
-    tolerant = tolerant_decoder(library, microphone_noise, ambient)
-    return BayesDecoder(library, microphone_noise, ambient) if tolerant is None else tolerant

@@ -59,9 +59,8 @@ def open_trained(
     Raises:
         Refusal: a noise or air for a trained localizer, or a file that is neither.
     """
-    from localize import load_localizer
+    from localize import BayesDecoder, load_localizer
     from localize.decoders.bayes import sound_levels
-    from localize.decoders.tolerant import suited_decoder
 
     if _is_trained(model):
         if noise is not None:
@@ -69,7 +68,7 @@ def open_trained(
         _refuse_air(model, air)
         return load_localizer(model)
     level: NoiseChoice = "design" if noise is None else noise
-    return suited_decoder(_library_there(model, air), level, ambient=sound_levels(ambient))
+    return BayesDecoder(_library_there(model, air), level, ambient=sound_levels(ambient))
 
 
 def open_localizer(

@@ -14,7 +14,7 @@ import geometry
 import localize
 from acoustic_fem.library.result import MEASURED
 from acoustic_fem.scatter import ScatteredDesign, Tolerance, scatter_factors
-from localize.decoders import suited_decoder, tolerant_decoder
+from localize.decoders import tolerant_decoder
 from localize.decoders.tolerant import WARMTH
 from localize.signals.array_response import response_of
 
@@ -87,8 +87,7 @@ def test_a_measured_sensor_is_known_and_a_design_of_unknown_scatter_has_no_such_
     box = geometry.prototype("large-area-64").with_values({"resonator.shape": "dome"})
     for other in (replace(library, fidelity=MEASURED), replace(library, design=box)):
         assert tolerant_decoder(other) is None
-        assert type(suited_decoder(other)) is localize.BayesDecoder
-    assert type(suited_decoder(library)) is localize.TolerantDecoder
+    assert type(tolerant_decoder(library)) is localize.TolerantDecoder
 
 
 def test_bare_transfer_functions_are_refused(library: acoustic_fem.Library) -> None:
