@@ -57,14 +57,27 @@ def export(library: Library, path: str | os.PathLike[str]) -> None:
     """Write a library in the format of the name's suffix; the file is whole or not there.
 
     Raises:
-        LibraryError: another suffix than ``.nc``, ``.sofa``, ``.npz`` and ``.csv``, or a file that cannot be written.
+        LibraryError: another suffix than ``.nc``, ``.sofa``, ``.npz`` and ``.csv``, a file that cannot be written, or
+            one that is there and is no library.
     """
     path = Path(path)
     write = {".nc": save_netcdf, ".sofa": _write_sofa, ".npz": _write_npz, ".csv": _write_csv}[_suffix(path)]
+    if path.is_file():
+        _check_library(path)
     try:
         write(library, path)
     except OSError as error:
         raise LibraryError(f"{path}: cannot be written: {error.strerror or error}") from None
+
+
+def _check_library(path: Path) -> None:
+    """Refuse to write over what is no library: recordings have some of the suffixes too."""
+    try:
+        load(path)
+    except LibraryError:
+        raise LibraryError(
+            f"{path}: exists, and is no library that can be read; name another file, or remove this one"
+        ) from None
 
 
 def load(path: str | os.PathLike[str]) -> Library:

@@ -30,6 +30,7 @@ from acoustic_fem.quantities.checks import frequency_grid
 from acoustic_fem.quantities.fidelity import FIDELITIES
 from acoustic_fem.quantities.medium import Medium
 from geometry.design.design_file import read_stored_design, write_design
+from geometry.files.replacing import check_own_kind
 from geometry.files.writing import whole_file
 from geometry.layout.placement import point_places
 from geometry.refusal import Refusal, counted
@@ -55,9 +56,10 @@ def save(library: Library, path: str | os.PathLike[str]) -> None:
     :attr:`acoustic_fem.library.result.Library.force_response`, since it follows from the rest.
 
     Raises:
-        LibraryError: the file cannot be written.
+        LibraryError: the file cannot be written, or is there and is none in netCDF.
     """
     path = Path(path)
+    check_own_kind(path, ".nc", LibraryError)
     dataset = dataset_of(library, (*VARIABLES, "force_response"))
     checked: dict[Any, dict[str, Any]] = {name: {"fletcher32": True} for name in dataset.data_vars}
     try:

@@ -20,6 +20,7 @@ import geometry
 from geometry.design.array_design import ArrayDesign, validated
 from geometry.design.changes import as_lists, keys_of
 from geometry.files.reading import parse_toml, read_text
+from geometry.files.replacing import check_own_kind
 from geometry.files.writing import write_text
 from geometry.stated.fields import DesignError, UnknownField, fields_of, nearest
 from geometry.stated.materials import MATERIALS
@@ -87,8 +88,9 @@ def save_design(design: ArrayDesign, path: str | os.PathLike[str]) -> None:
     """Write a design file: written beside, then renamed, so that it is whole or not there.
 
     Raises:
-        DesignError: the file cannot be written.
+        DesignError: the file cannot be written, or is there and is none in TOML.
     """
+    check_own_kind(path, ".toml", DesignError)
     try:
         write_text(path, write_design(design))
     except OSError as error:

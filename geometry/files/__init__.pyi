@@ -6,5 +6,6 @@ from .reading import (
     read_text as read_text,
     read_toml as read_toml,
 )
+from .replacing import check_own_kind as check_own_kind
 from .tables import read_csv as read_csv
 from .writing import replace_section as replace_section, whole_file as whole_file, write_text as write_text

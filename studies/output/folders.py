@@ -20,6 +20,7 @@ from typing import Any
 
 from geometry.files.ordinary import read_bytes
 from geometry.files.reading import LARGEST_TEXT, read_text
+from geometry.files.replacing import check_own_kind
 from geometry.files.writing import write_text
 from geometry.refusal import Refusal
 
@@ -97,8 +98,8 @@ def check_new_file(
     if kept is not None and path.exists():
         raise Refusal(f"{path}: exists, and {kept} is never overwritten; name another file, or remove this one")
     _check_not_read(path, reads, option)
-    if path.exists() and suffix not in ("", path.suffix.lower()):
-        raise Refusal(f"{path}: exists, and only a {suffix} file is replaced; name another file, or remove this one")
+    if suffix:
+        check_own_kind(path, suffix, Refusal)
     if path.exists() and not path.is_file():
         raise Refusal(f"{path}: is no ordinary file; `{option}` must be one, or new")
     if not path.parent.is_dir():

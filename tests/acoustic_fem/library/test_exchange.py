@@ -145,3 +145,22 @@ def test_files_that_are_no_library_are_refused_in_one_line(library: Library, tmp
         assert str(refused.value).startswith(f"{tmp_path / name}: "), name
         assert message in str(refused.value), name
         assert "\n" not in str(refused.value), name
+
+
+@pytest.mark.parametrize("name", ["touches.csv", "touches.npz", "other.sofa", "other.nc"])
+def test_a_file_that_is_no_library_is_not_written_over(library: Library, tmp_path: Path, name: str) -> None:
+    path = tmp_path / name
+    path.write_text("time,A\n0,1\n")
+    with pytest.raises(LibraryError, match="exists, and is no library that can be read; name another file"):
+        export(library, path)
+    assert path.read_text() == "time,A\n0,1\n"
+
+
+def test_save_replaces_files_of_its_own_kind_only(library: Library, tmp_path: Path) -> None:
+    recording = tmp_path / "touches.wav"
+    recording.write_text("sound")
+    with pytest.raises(LibraryError, match=r"touches\.wav: exists, and only a \.nc file is replaced"):
+        acoustic_fem.save(library, recording)
+    assert recording.read_text() == "sound"
+    for _ in range(2):
+        acoustic_fem.save(library, tmp_path / "library.nc")
