@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from geometry.refusal import Refusal
@@ -21,7 +21,10 @@ def whole_file(path: str | os.PathLike[str]) -> Iterator[Path]:
         path: the file; its folder must exist.
     """
     path = Path(path)
-    beside = path.with_name(f".{path.stem}.{os.getpid()}{path.suffix}")
+    with suppress(FileNotFoundError):
+        path.lstat()  # a name that is too long is told of the file itself, before anything is written
+    # Of a name that is as long as can be only a part: nothing could be added to it.
+    beside = path.with_name(f".{path.stem[:40]}.{os.getpid()}{path.suffix}")
     try:
         yield beside
         # Without this a power cut may leave the new name before its content.

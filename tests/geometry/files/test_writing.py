@@ -32,6 +32,18 @@ def test_lines_between_marks_are_replaced_and_nothing_else(tmp_path: Path) -> No
         assert page.read_text() == "before <a>\n" + "\n".join(lines) + "\n</a> after </a>\n"
 
 
+def test_a_name_may_be_as_long_as_the_system_takes(tmp_path: Path) -> None:
+    longest = tmp_path / ("x" * 251 + ".txt")
+    with whole_file(longest) as beside:
+        beside.write_text("whole")
+    assert longest.read_text() == "whole"
+    too_long = tmp_path / ("x" * 252 + ".txt")
+    with pytest.raises(OSError, match="File name too long") as refused, whole_file(too_long) as beside:
+        beside.write_text("in vain")
+    assert refused.value.filename == str(too_long)
+    assert list(tmp_path.iterdir()) == [longest]
+
+
 @pytest.mark.parametrize("text", ["no marks", "<a> only", "</a> turned <a>", "<a> <a> twice </a>"])
 def test_a_text_without_the_marks_is_refused_and_kept(tmp_path: Path, text: str) -> None:
     page = tmp_path / "page.md"
