@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from acoustic_fem.batch.numpy_or_torch import Array, namespace
-from acoustic_fem.batch.topology import Topology, tubes_of_line
+from acoustic_fem.batch.topology import Topology, tubes_in_use
 from acoustic_fem.membrane.disc import KnownDiscs, design_disc, design_rubber
 from acoustic_fem.network.microphone import circuit_elements as elements
 from acoustic_fem.quantities.local_air import design_air
@@ -251,7 +251,26 @@ def check_medium(medium: MediumParameters, count: int, xp: ModuleType) -> int:
 
 
 def _row(design: ArrayDesign, medium: Medium, known: KnownDiscs | None) -> dict[str, list[Any]]:
-    tubes = list(tubes_of_line(design).values())
+    tubes = list(tubes_in_use(design).values())
+    points = [_point(design.of_kind(kind), known) for kind in design.kinds]
+    microphone = design.microphone
+    diaphragm, _, vent = elements(microphone, microphone.vent_corner, medium)
+    return {
+        "tube_radius": [metres(tube.inner_diameter) / 2 for tube in tubes],
+        "tube_length": [metres(tube.length) for tube in tubes],
+        **{name: [point[name] for point in points] for name in points[0]},
+        "chamber_radius": [metres(microphone.chamber_diameter) / 2],
+        "chamber_height": [metres(microphone.chamber_height)],
+        "hole_radius": [metres(microphone.sound_hole_diameter) / 2],
+        "hole_length": [metres(microphone.sound_hole_length)],
+        "diaphragm_compliance": [diaphragm],
+        "back_volume": [cubic_metres(microphone.back_volume)],
+        "vent_admittance": [vent],
+    }
+
+
+def _point(design: ArrayDesign, known: KnownDiscs | None) -> dict[str, Any]:
+    """The numbers of one column of points, all of which are alike."""
     disc = design_disc(design, known=known)
     rubber = design_rubber(design)
     if np.any(disc.model.geometric) and not rubber.elastic:
@@ -266,26 +285,15 @@ def _row(design: ArrayDesign, medium: Medium, known: KnownDiscs | None) -> dict[
         )
     share = disc.model.swept**2 / disc.model.eigenvalues
     mode_frequency = np.sqrt(disc.model.eigenvalues * disc.modulus / disc.density) / (2 * np.pi * disc.opening)
-    microphone = design.microphone
-    diaphragm, _, vent = elements(microphone, microphone.vent_corner, medium)
     return {
-        "tube_radius": [metres(tube.inner_diameter) / 2 for tube in tubes],
-        "tube_length": [metres(tube.length) for tube in tubes],
-        "cavity_radius": [metres(design.resonator.cavity_diameter) / 2],
-        "cavity_height": [metres(design.resonator.cavity_height)],
-        "membrane_compliance": [float(share.sum()) * disc.opening**3 / disc.modulus],
-        "membrane_loss": [rubber.loss_factor],
-        "membrane_slope": [1.0 if rubber.slope > 0 else 0.0],
-        "membrane_reference": [rubber.reference],
-        "membrane_relaxation": [list(rubber.strengths)],
-        "membrane_relaxation_time": [list(rubber.times)],
-        "membrane_share": [share / share.sum()],
-        "membrane_frequency": [mode_frequency],
-        "chamber_radius": [metres(microphone.chamber_diameter) / 2],
-        "chamber_height": [metres(microphone.chamber_height)],
-        "hole_radius": [metres(microphone.sound_hole_diameter) / 2],
-        "hole_length": [metres(microphone.sound_hole_length)],
-        "diaphragm_compliance": [diaphragm],
-        "back_volume": [cubic_metres(microphone.back_volume)],
-        "vent_admittance": [vent],
+        "cavity_radius": metres(design.resonator.cavity_diameter) / 2,
+        "cavity_height": metres(design.resonator.cavity_height),
+        "membrane_compliance": float(share.sum()) * disc.opening**3 / disc.modulus,
+        "membrane_loss": rubber.loss_factor,
+        "membrane_slope": 1.0 if rubber.slope > 0 else 0.0,
+        "membrane_reference": rubber.reference,
+        "membrane_relaxation": list(rubber.strengths),
+        "membrane_relaxation_time": list(rubber.times),
+        "membrane_share": share / share.sum(),
+        "membrane_frequency": mode_frequency,
     }

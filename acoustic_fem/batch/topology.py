@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Any
 
 from geometry.design.array_design import ArrayDesign
 from geometry.refusal import Refusal, counted
@@ -59,16 +58,18 @@ class Topology:
     def of(cls, design: ArrayDesign) -> Topology:
         """The wiring of a design.
 
-        One column for each tube of the design file that is in use, one for all points, one for all microphones.
+        One column for each tube of the design file that is in use, one for each kind of points, one for all
+        microphones.
         """
-        names = tuple(tubes_of_line(design))
+        names = tuple(tubes_in_use(design))
         columns = {name: column for column, name in enumerate(names)}
+        kinds, start = design.kind_of_point, 0
         lines = []
         for number, line in enumerate(design.lines):
-            outer, inner = (columns.get(name, -1) for name in _tube_names(design, number))
-            tubes = (outer, *(inner,) * (line.points - 1), outer)
+            tubes = tuple(columns[name] for name in design.tube_fields_of(number))
             first, last = (design.microphones.index(name) for name in line.between)
-            lines.append(LineWiring(first, last, tubes, (0,) * line.points))
+            lines.append(LineWiring(first, last, tubes, kinds[start : start + line.points]))
+            start += line.points
         return cls((0,) * len(design.microphones), tuple(lines), names)
 
     @property
@@ -89,21 +90,9 @@ class Topology:
         return Topology(tuple(range(len(self.microphones))), tuple(lines), tuple(names))
 
 
-def _tube_names(design: ArrayDesign, number: int) -> tuple[str, str]:
-    """Where the design file states a line's tubes: to its microphones, and between its points."""
-    line = design.lines[number]
-    return (
-        "microphone_tube" if line.microphone_tube is None else f"lines.{number}.microphone_tube",
-        "tube" if line.tube is None else f"lines.{number}.tube",
-    )
-
-
-def tubes_of_line(design: ArrayDesign) -> dict[str, Tube]:
-    """The tubes in use, by the name of their field."""
-    tubes: dict[str, Any] = {}
+def tubes_in_use(design: ArrayDesign) -> dict[str, Tube]:
+    """The tubes in use, by the name of the field that states them."""
+    tubes: dict[str, Tube] = {}
     for number, line in enumerate(design.lines):
-        outer, inner = _tube_names(design, number)
-        tubes[outer] = design.microphone_tube_of(line)
-        if line.points > 1:
-            tubes[inner] = design.tube_of(line)
+        tubes |= zip(design.tube_fields_of(number), design.tubes_of(line), strict=True)
     return tubes

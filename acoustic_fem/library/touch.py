@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from dataclasses import fields, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -34,7 +36,7 @@ def touch_response(
     the cavity pushes back. A displacement is that of the patch, on average.
 
     Args:
-        design: the array, for its membrane.
+        design: the array, for its membranes.
         source_response: (point, microphone, frequency) complex128, as in :class:`acoustic_fem.Library`.
         point_impedance: (point, frequency) complex128, as there.
         touch: "displacement" (m), "force" (N) or "pressure" (Pa).
@@ -52,8 +54,10 @@ def touch_response(
     if touch not in TOUCHES:
         raise Refusal(f"touch = {touch!r} must be one of: {', '.join(TOUCHES)}")
     grid = np.asarray(source_response["frequency"].values)
-    disc = design_disc(design, contact_radius=contact_radius)
-    vacuum = disc.response(grid, design_rubber(design))
+    rubber = design_rubber(design)
+    vacuum = membranes_in_vacuo(
+        design, lambda alike: design_disc(alike, contact_radius=contact_radius).response(grid, rubber)
+    )
     source = source_response.transpose("point", "microphone", "frequency")
     injected = injected_flow(touch, grid, vacuum, point_impedance.transpose("point", "frequency").values)
     return (
@@ -65,6 +69,23 @@ def touch_response(
     )
 
 
+def membranes_in_vacuo(design: ArrayDesign, response_of: Callable[[ArrayDesign], DiscResponse]) -> DiscResponse:
+    """What the membrane of each point does in vacuo.
+
+    Args:
+        design: the array.
+        response_of: gives the response, arrays (n_freq,), of the membranes of a design whose points are alike.
+
+    Returns:
+        Arrays (n_point, n_freq) complex128.
+    """
+    own = [response_of(design.of_kind(kind)) for kind in design.kinds]
+    of_points = list(design.kind_of_point)
+    return replace(
+        own[0], **{each.name: np.stack([getattr(one, each.name) for one in own])[of_points] for each in fields(own[0])}
+    )
+
+
 def injected_flow(
     touch: str, frequency: NDArray[np.float64], vacuum: DiscResponse, point_impedance: NDArray[np.complex128]
 ) -> NDArray[np.complex128]:
@@ -73,17 +94,17 @@ def injected_flow(
     Args:
         touch: one of :data:`TOUCHES`.
         frequency: (n_freq,) float64, Hz.
-        vacuum: what the membrane does in vacuo, arrays (..., n_freq) complex128.
+        vacuum: what the membranes do in vacuo, arrays (..., n_point, n_freq) complex128.
         point_impedance: (..., n_point, n_freq) complex128, Pa s/m^3; the air pushes back where a displacement is given.
 
     Returns:
-        (..., n_point or 1, n_freq) complex128, m^3/s per unit of the touch.
+        (..., n_point, n_freq) complex128, m^3/s per unit of the touch.
     """
     omega = 2j * np.pi * frequency
     if touch == "pressure":
-        return np.asarray((omega * vacuum.volume_per_pressure)[..., None, :])
+        return np.asarray(omega * vacuum.volume_per_pressure)
     per_force = omega * vacuum.volume_per_force
     if touch == "force":
-        return np.asarray(per_force[..., None, :])
-    pushed_back = (omega * vacuum.volume_per_force**2)[..., None, :] * point_impedance
-    return np.asarray(per_force[..., None, :] / (vacuum.displacement_per_force[..., None, :] - pushed_back))
+        return np.asarray(per_force)
+    pushed_back = omega * vacuum.volume_per_force**2 * point_impedance
+    return np.asarray(per_force / (vacuum.displacement_per_force - pushed_back))

@@ -91,19 +91,20 @@ def solve_network(
     Raises:
         Refusal: a cell is missing or its admittance has the wrong shape.
     """
-    membrane = 2j * np.pi * frequency * design_compliance(design, frequency, known)
+    membranes = np.stack(
+        [2j * np.pi * frequency * design_compliance(design.of_kind(kind), frequency, known) for kind in design.kinds]
+    )[list(design.kind_of_point)]
     ducts: dict[Tube, TwoPort] = {}
     lines = []
     for index, line in enumerate(design.lines):
-        tubes = [design.tube_of(line)] * (line.points + 1)
-        tubes[0] = tubes[-1] = design.microphone_tube_of(line)
+        tubes = design.tubes_of(line)
         for tube in tubes:
             if tube not in ducts:
                 ducts[tube] = _duct_between_stubs(tube, frequency, medium)
         points = [point for point, where in enumerate(layout.points) if where.line == index]
         points.sort(key=lambda point: layout.points[point].place)
         cells = np.stack([_at_place(catalogue.points[point], admittances, frequency) for point in points])
-        cells[:, :, 2, 2] += membrane
+        cells[:, :, 2, 2] += membranes[[layout.points[point].number - 1 for point in points]]
         lines.append((points, _Chain(cells, [ducts[tube] for tube in tubes])))
 
     impedance, ends, openings = _microphones(

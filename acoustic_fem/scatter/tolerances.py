@@ -181,7 +181,8 @@ class ScatteredDesign:
             "point": self.nominal.cavity_radius.shape[1],
             "array": 1,
         }
-        self._discs = _Discs(design, self.tolerances, known)
+        self._discs = [_Discs(design.of_kind(kind), self.tolerances, known) for kind in design.kinds]
+        self._kinds = np.array(design.kind_of_point)
 
     def draws(self, first: int, count: int, seed: int) -> dict[str, Array]:
         """Deviations of samples ``first`` to ``first + count - 1``.
@@ -230,9 +231,10 @@ class ScatteredDesign:
             unit = 2 * nominal.cavity_radius if tolerance.kind == "relative" else metres(1.0)
             overrun = np.abs(draws["glue_overrun"]) * tolerance.deviation * unit
         opening = np.maximum(diameter / 2 - overrun, LEAST * nominal.cavity_radius)
-        thickness = scattered("membrane_thickness", np.full_like(nominal.cavity_radius, self._discs.thickness))
+        designed = np.array([disc.thickness for disc in self._discs])[self._kinds][None]
+        thickness = scattered("membrane_thickness", designed)
         modulus = scattered("modulus_of_part", one) * scattered("modulus_of_batch", one)
-        compliance, share, frequency = self._discs.at(opening, thickness, modulus)
+        compliance, share, frequency = self._membranes(opening, thickness, modulus)
         return replace(
             nominal,
             tube_radius=scattered("bore", 2 * nominal.tube_radius) / 2,
@@ -243,6 +245,16 @@ class ScatteredDesign:
             membrane_share=share,
             membrane_frequency=frequency,
         )
+
+    def _membranes(self, opening: Array, thickness: Array, modulus: Array) -> tuple[Array, ...]:
+        """Compliance, shares and frequencies of the modes of every membrane, each by the discs of its kind."""
+        given = np.broadcast_arrays(opening, thickness, modulus)
+        of_kinds = [
+            disc.at(*(values[:, self._kinds == kind] for values in given)) for kind, disc in enumerate(self._discs)
+        ]
+        # Back from kind after kind to the order of the points.
+        order = np.argsort(np.argsort(self._kinds, kind="stable"), kind="stable")
+        return tuple(np.concatenate(values, axis=1)[:, order] for values in zip(*of_kinds, strict=True))
 
     def sample(self, first: int, count: int, seed: int) -> ArrayParameters:
         """Parameters of samples ``first`` to ``first + count - 1``."""

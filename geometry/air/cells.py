@@ -157,14 +157,15 @@ def resonator_cell(resonator: Resonator, ports: Sequence[Port]) -> CellUse:
 
 def cell_catalogue(design: ArrayDesign, layout: ArrayLayout) -> CellCatalogue:
     """Distinct cells of a design whose parts lie as the layout says."""
-    resonator, microphone = design.resonator, design.microphone
-    known: dict[tuple[Port, ...], CellUse] = {}
+    microphone = design.microphone
+    known: dict[tuple[Resonator, tuple[Port, ...]], CellUse] = {}
     points = []
     for placement in layout.points:
         ports = point_ports(design, placement)
-        if ports not in known:
-            known[ports] = resonator_cell(resonator, ports)
-        points.append(known[ports])
+        resonator = design.resonator_at(design.lines[placement.line], placement.place)
+        if (resonator, ports) not in known:
+            known[resonator, ports] = resonator_cell(resonator, ports)
+        points.append(known[resonator, ports])
     microphones = []
     for housing in layout.microphones:
         canonical, order = canonical_ports(

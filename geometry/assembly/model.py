@@ -13,6 +13,7 @@ from geometry.assembly.parts import Kind, PartSet, PlacedPart, build_parts, plac
 from geometry.design.array_design import ArrayDesign
 from geometry.layout.arrangement import lay_out
 from geometry.layout.placement import ArrayLayout, TubePlacement
+from geometry.solids.membrane import membranes_of
 from geometry.solids.tube import TubePiece, build_tube, piece_of
 
 if TYPE_CHECKING:
@@ -71,7 +72,7 @@ def array_model(
     placed = place_parts(design, layout)
     shapes = {name: parts[name].val() for name in dict.fromkeys(part.part for part in placed)}
     if design.membrane.stretch != 1:
-        shapes["membrane"] = _mounted_membrane(design)
+        shapes |= {name: _mounted_membrane(alike) for name, alike in membranes_of(design).items()}
     tubes, tube_shapes = _tubes(design, layout)
     packages, package = _packages(design, placed)
     return ArrayModel(

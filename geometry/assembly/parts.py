@@ -6,13 +6,14 @@ import math
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Literal, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import write_design
+from geometry.design.shell_rules import ledge_height
 from geometry.layout.arrangement import lay_out
 from geometry.layout.placement import (
     ArrayLayout,
@@ -23,11 +24,16 @@ from geometry.layout.placement import (
 )
 from geometry.molds.mold import MoldKind, mold_counts, mold_kinds
 from geometry.plan.cylinder import FLAT, Axes
+from geometry.solids.membrane import membrane_radius, membranes_of
+from geometry.stated.making import Printing
+from geometry.stated.parts import Membrane, Resonator
 from geometry.stated.ports import ANGLE_STEP, Port, in_common_rotation
 
 if TYPE_CHECKING:
     import cadquery as cq
 
+
+_T = TypeVar("_T")
 
 #: What a part of an array is.
 Kind = Literal["shell", "carrier", "membrane", "housing", "board", "package", "spring", "sheath"] | MoldKind
@@ -127,7 +133,9 @@ def build_parts(design: ArrayDesign, layout: ArrayLayout | None = None) -> PartS
         ``mold-base``, ``mold-lid``, ... in which membranes are cast, see :func:`geometry.molds.mold.build_mold`;
         ``microphone-housing``, with the angles of further ports where lines meet; ``microphone-board``. Where
         tubes of different diameters are used, the names of shells and housings end in bore x outside
-        of their ports' tubes. With ``printing.carrier`` also ``carrier``, the shells of all points in one piece:
+        of their ports' tubes; where kinds of points differ, those of shells in ``h`` and the height of the cavity
+        and ``t`` and the thickness of the membrane that the ledge is for, those of membranes and molds in the
+        thickness. With ``printing.carrier`` also ``carrier``, the shells of all points in one piece:
         the single shells are then spares, needed 0 times.
 
     Raises:
@@ -140,32 +148,35 @@ def build_parts(design: ArrayDesign, layout: ArrayLayout | None = None) -> PartS
     from geometry.solids.shell import build_shell
 
     plan = _plan(design, layout)
-    resonator, membrane, microphone, printing = design.resonator, design.membrane, design.microphone, design.printing
+    microphone, printing = design.microphone, design.printing
     parts = PartSet()
     about = _common_parameters(design)
-    for name, ports in plan.shells.items():
-        parts[name] = build_shell(resonator, membrane, printing, ports, design.shell)
-        parts.parameters[name] = {**about["shell"], **about["joints"], "ports": _describe(ports)}
-    parts["membrane"] = build_membrane(design)
-    mold = build_mold(design)
-    parts.update(mold.parts)
+    for name, form in plan.shells.items():
+        parts[name] = build_shell(form.resonator, form.membrane, printing, form.ports, design.shell)
+        own = _shell_parameters(form.resonator)
+        parts.parameters[name] = {**own, **about["joints"], "ports": _describe(form.ports)}
+    for name, alike in membranes_of(design).items():
+        parts[name] = build_membrane(alike)
+        parts.parameters[name] = disc = _disc_parameters(alike)
+        of_kind = name.removeprefix("membrane")
+        molds = {part + of_kind: solid for part, solid in build_mold(alike).parts.items()}
+        parts.update(molds)
+        for part in molds:
+            parts.parameters[part] = {**disc, **about["mold"]}
+        for step in range(1, design.mold.shim_count + 1):
+            if (part := f"mold-shim-{step}{of_kind}") in molds:
+                raised = step * design.mold.shim_step
+                parts.parameters[part] |= {"raises_lid": raised, "height": design.mold.land_height + raised}
     for name, ports in plan.housings.items():
         parts[name] = build_housing(microphone, printing, ports)
         parts.parameters[name] = {**about["chamber"], **about["joints"], "ports": _describe(ports)}
     parts["microphone-board"] = build_board(microphone)
     parts.parameters["microphone-board"] = about["board"]
-    parts.parameters["membrane"] = about["disc"]
-    for name in mold.parts:
-        parts.parameters[name] = {**about["disc"], **about["mold"]}
-    for step in range(1, design.mold.shim_count + 1):
-        if (name := f"mold-shim-{step}") in mold.parts:
-            raised = step * design.mold.shim_step
-            parts.parameters[name] |= {"raises_lid": raised, "height": design.mold.land_height + raised}
     if printing.carrier != "none":
-        carrier = array_carrier(design, [plan.shells[name] for name, _ in plan.point_shells])
+        carrier = array_carrier(design, [plan.shells[name].ports for name, _ in plan.point_shells])
         parts["carrier"] = carrier.part
-        own = {"shells": len(carrier.places), "necks": carrier.necks}
-        parts.parameters["carrier"] = {**about["shell"], **about["joints"], **own}
+        joined = {"shells": len(carrier.places), "necks": carrier.necks}
+        parts.parameters["carrier"] = {**_shell_parameters(design.resonator), **about["joints"], **joined}
     parts.counts, parts.kinds = _counts(design, plan), _kinds(design, plan)
     text = write_design(design.completed())
     for name in parts:
@@ -176,24 +187,9 @@ def build_parts(design: ArrayDesign, layout: ArrayLayout | None = None) -> PartS
 
 def _common_parameters(design: ArrayDesign) -> dict[str, dict[str, float | int | str]]:
     """What parts were drawn from, by what they have in common."""
-    from geometry.solids.membrane import membrane_radius
-
-    resonator, membrane, microphone, printing = design.resonator, design.membrane, design.microphone, design.printing
+    microphone, printing = design.microphone, design.printing
     return {
         "joints": {"glue_gap": printing.glue_gap, "port_lip": printing.port_lip},
-        "shell": {
-            "shape": resonator.shape,
-            "cavity_diameter": resonator.cavity_diameter,
-            "cavity_height": resonator.cavity_height,
-            "wall_thickness": resonator.wall_thickness,
-            "floor_thickness": resonator.floor_thickness,
-            "port_height": resonator.port_axis_height,
-        },
-        "disc": {
-            "diameter": 2 * membrane_radius(resonator, membrane),
-            "thickness": membrane.thickness,
-            "material": membrane.material,
-        },
         "mold": {"kind": design.mold.kind, "scale": design.mold.scale, "draft": design.mold.draft},
         "chamber": {
             "chamber_diameter": microphone.chamber_diameter,
@@ -209,6 +205,25 @@ def _common_parameters(design: ArrayDesign) -> dict[str, dict[str, float | int |
             "sound_hole_length": microphone.sound_hole_length,
             "model": microphone.model,
         },
+    }
+
+
+def _shell_parameters(resonator: Resonator) -> dict[str, float | int | str]:
+    return {
+        "shape": resonator.shape,
+        "cavity_diameter": resonator.cavity_diameter,
+        "cavity_height": resonator.cavity_height,
+        "wall_thickness": resonator.wall_thickness,
+        "floor_thickness": resonator.floor_thickness,
+        "port_height": resonator.port_axis_height,
+    }
+
+
+def _disc_parameters(design: ArrayDesign) -> dict[str, float | int | str]:
+    return {
+        "diameter": 2 * membrane_radius(design.resonator, design.membrane),
+        "thickness": design.membrane.thickness,
+        "material": design.membrane.material,
     }
 
 
@@ -229,11 +244,10 @@ def place_parts(design: ArrayDesign, layout: ArrayLayout) -> tuple[PlacedPart, .
         x, y, z = (round(float(c), 9) + 0.0 for c in frame.at(0.0, 0.0, height))
         placed.append(PlacedPart(part, kinds[part], label, (x, y, z), turn, frame.axes, group))
 
-    top = design.resonator.cavity_height
-    for point, (name, turn) in zip(layout.points, plan.point_shells, strict=True):
+    for point, (name, turn), membrane in zip(layout.points, plan.point_shells, plan.point_membranes, strict=True):
         group = f"point {point.number}"
         put(name, f"shell {point.number}", point, 0.0, turn, group)
-        put("membrane", f"membrane {point.number}", point, top, 0.0, group)
+        put(membrane, f"membrane {point.number}", point, plan.shells[name].resonator.cavity_height, 0.0, group)
     # The middle of a chamber is at the height of the resonators' ports.
     floor = design.resonator.port_axis_height - design.microphone.chamber_height / 2
     for microphone, (name, turn) in zip(layout.microphones, plan.microphone_housings, strict=True):
@@ -252,34 +266,76 @@ def place_parts(design: ArrayDesign, layout: ArrayLayout) -> tuple[PlacedPart, .
 
 # -- distinct housings ----------------------------------------------------------------------------------
 @dataclass(frozen=True)
-class _Plan:
-    """Ports of each distinct shell and housing by name; name and rotation at each place of the layout."""
+class _Form:
+    """What a shell is drawn from."""
 
-    shells: dict[str, tuple[Port, ...]]
+    resonator: Resonator
+    membrane: Membrane
+    """One that its ledge is for: those of other thickness have the same ledge, or none."""
+    ports: tuple[Port, ...]
+
+
+@dataclass(frozen=True)
+class _Plan:
+    """Each distinct shell and housing by name; name and rotation at each place of the layout, and the membranes."""
+
+    shells: dict[str, _Form]
     housings: dict[str, tuple[Port, ...]]
     point_shells: tuple[tuple[str, float], ...]
+    point_membranes: tuple[str, ...]
     microphone_housings: tuple[tuple[str, float], ...]
 
 
 def _plan(design: ArrayDesign, layout: ArrayLayout | None = None) -> _Plan:
     layout = layout or lay_out(design)
-    at_points = []
-    for point in layout.points:
-        at_points.append(in_common_rotation(point_ports(design, point), ANGLE_STEP))
+    at_points = [in_common_rotation(point_ports(design, point), ANGLE_STEP) for point in layout.points]
     at_microphones = [in_common_rotation(microphone_ports(design, each), ANGLE_STEP) for each in layout.microphones]
-    shells, point_shells = _named(at_points, _shell_name)
-    housings, microphone_housings = _named(at_microphones, _housing_name)
-    return _Plan(shells, housings, point_shells, microphone_housings)
+    forms = _forms(design, layout, [ports for ports, _ in at_points])
+    of_ports = _named([form.ports for form in forms], _shell_name)
+    of_sizes = _size_suffixes(forms, design.printing)
+    names = {form: of_ports[form.ports] + of_sizes[form] for form in forms}
+    housings = _named([ports for ports, _ in at_microphones], _housing_name)
+    membranes = {alike.membrane: name for name, alike in membranes_of(design).items()}
+    places = [(design.lines[point.line], point.place) for point in layout.points]
+    return _Plan(
+        {name: form for form, name in names.items()},
+        {name: ports for ports, name in housings.items()},
+        tuple((names[form], turn) for form, (_, turn) in zip(forms, at_points, strict=True)),
+        tuple(membranes[design.membrane_at(*place)] for place in places),
+        tuple((housings[ports], turn) for ports, turn in at_microphones),
+    )
+
+
+def _forms(design: ArrayDesign, layout: ArrayLayout, ports: Sequence[tuple[Port, ...]]) -> list[_Form]:
+    """What the shell of each point is drawn from, given its ports; shells that are alike have one form."""
+    known: dict[object, _Form] = {}
+    forms = []
+    for point, own in zip(layout.points, ports, strict=True):
+        line = design.lines[point.line]
+        form = _Form(design.resonator_at(line, point.place), design.membrane_at(line, point.place), own)
+        key = (form.resonator, ledge_height(form.resonator, form.membrane, design.printing), own)
+        forms.append(known.setdefault(key, form))
+    return forms
+
+
+def _size_suffixes(forms: Sequence[_Form], printing: Printing) -> dict[_Form, str]:
+    """Ends of the names of shells that differ in the height of their cavities or in their ledges."""
+    high = len({form.resonator.cavity_height for form in forms}) > 1
+    ledges = len({ledge_height(form.resonator, form.membrane, printing) for form in forms}) > 1
+    return {
+        form: (f"-h{form.resonator.cavity_height:g}" if high else "")
+        + (f"-t{form.membrane.thickness:g}" if ledges else "")
+        for form in forms
+    }
 
 
 def _named(
-    places: Sequence[tuple[tuple[Port, ...], float]], base_name: Callable[[tuple[Port, ...]], str]
-) -> tuple[dict[str, tuple[Port, ...]], tuple[tuple[str, float], ...]]:
-    """Name the distinct sets of ports, in order of first use."""
-    distinct = tuple(dict.fromkeys(ports for ports, _ in places))
+    places: Sequence[tuple[Port, ...]], base_name: Callable[[tuple[Port, ...]], str]
+) -> dict[tuple[Port, ...], str]:
+    """Names of the distinct sets of ports, in order of first use."""
+    distinct = tuple(dict.fromkeys(places))
     tubes_differ = len({(p.bore_diameter, p.tube_diameter) for ports in distinct for p in ports}) > 1
-    names = {ports: base_name(ports) + (_tubes_suffix(ports) if tubes_differ else "") for ports in distinct}
-    return {name: ports for ports, name in names.items()}, tuple((names[ports], turn) for ports, turn in places)
+    return {ports: base_name(ports) + (_tubes_suffix(ports) if tubes_differ else "") for ports in distinct}
 
 
 def _tubes_suffix(ports: tuple[Port, ...]) -> str:
@@ -301,20 +357,29 @@ def _counts(design: ArrayDesign, plan: _Plan) -> dict[str, int]:
     carried = design.printing.carrier != "none"
     return {
         **{name: 0 if carried else used[name] for name in plan.shells},
-        "membrane": len(plan.point_shells),
-        **mold_counts(design),
+        **_of_membranes(design, Counter(plan.point_membranes), mold_counts),
         **{name: used[name] for name in plan.housings},
         "microphone-board": len(plan.microphone_housings),
         **({"carrier": 1} if carried else {}),
     }
 
 
+def _of_membranes(
+    design: ArrayDesign, of_casts: Mapping[str, _T], of_mold: Callable[[ArrayDesign], Mapping[str, _T]]
+) -> dict[str, _T]:
+    """Something of every membrane and of the parts of its mold, by name."""
+    found: dict[str, _T] = {}
+    for name, alike in membranes_of(design).items():
+        found[name] = of_casts[name]
+        found |= {part + name.removeprefix("membrane"): value for part, value in of_mold(alike).items()}
+    return found
+
+
 def _kinds(design: ArrayDesign, plan: _Plan) -> dict[str, Kind]:
     carried: dict[str, Kind] = {} if design.printing.carrier == "none" else {"carrier": "carrier"}
     return {
         **dict.fromkeys(plan.shells, "shell"),
-        "membrane": "membrane",
-        **mold_kinds(design),
+        **_of_membranes(design, dict.fromkeys(plan.point_membranes, "membrane"), mold_kinds),
         **dict.fromkeys(plan.housings, "housing"),
         "microphone-board": "board",
         **carried,

@@ -23,6 +23,8 @@ _COLUMNS = (
     *("port before (degrees)", "port after (degrees)", "tube to the next", "bore (mm)", "outside (mm)"),
     *("sheath length (mm)", "spring length (mm)", "turns", "bend radius (mm)"),
 )
+#: Further columns of a design that names kinds.
+_KIND_COLUMNS = ("kind", "membrane", "kind of tube")
 
 
 @dataclass(frozen=True)
@@ -46,6 +48,8 @@ class JoinedTube:
     schematic: bool
     """Whether it is drawn to show what is joined: how it bends is not known, and its spring is that of a straight tube.
     """
+    kind: str = ""
+    """Name of its kind; empty where a line has no pattern of tubes."""
 
 
 @dataclass(frozen=True)
@@ -68,6 +72,10 @@ class AssemblyStep:
     """Port for the tube that follows, in the part's own degrees; None at the second microphone."""
     tube: JoinedTube | None
     """The tube that follows; None at the second microphone."""
+    kind: str = ""
+    """Name of the point's kind; empty at microphones and where a line has no pattern of points."""
+    membrane: str = ""
+    """Name of the membrane on the point, as of its files; empty at microphones."""
 
 
 def assembly_steps(array: ArrayDesign | ArrayModel) -> tuple[AssemblyStep, ...]:
@@ -82,6 +90,7 @@ def assembly_steps(array: ArrayDesign | ArrayModel) -> tuple[AssemblyStep, ...]:
         design, layout = array, lay_out(array)
         placed = place_parts(design, layout)
     parts = {part.group: part for part in placed if part.kind in ("shell", "housing")}
+    membranes = {part.group: part.part for part in placed if part.kind == "membrane"}
     tubes = {(tube.line, tube.segment): tube for tube in layout.tubes}
     ports = {m.name: {(p.line, p.end): p.angle for p in m.ports} for m in layout.microphones}
     steps = []
@@ -97,8 +106,10 @@ def assembly_steps(array: ArrayDesign | ArrayModel) -> tuple[AssemblyStep, ...]:
             part = parts[name]
             tube = _joined(design, tubes[index, number]) if number <= line.points else None
             own = [None if angle is None else _own(angle - part.rotation) for angle in (before, after)]
+            turned, cast = _own(part.rotation), membranes.get(name, "")
+            kind = design.kind_at(line, number - 1) if cast else ""
             steps.append(
-                AssemblyStep(index + 1, name, part.part, _own(part.rotation), part.position, own[0], own[1], tube)
+                AssemblyStep(index + 1, name, part.part, turned, part.position, own[0], own[1], tube, kind, cast)
             )
     return tuple(steps)
 
@@ -116,7 +127,7 @@ def write_assembly_table(array: ArrayDesign | ArrayModel, folder: str | os.PathL
     steps, folder = assembly_steps(array), Path(folder)
     design = array.design if isinstance(array, ArrayModel) else array
     table, page = folder / "assembly.csv", folder / "assembly.txt"
-    write_text(table, _csv(steps))
+    write_text(table, _csv(steps, _is_graded(steps)))
     write_text(page, assembly_text(design, steps))
     return table, page
 
@@ -129,18 +140,19 @@ def assembly_text(design: ArrayDesign, steps: Sequence[AssemblyStep] | None = No
         steps: of :func:`assembly_steps`, where they exist already.
     """
     steps = assembly_steps(design) if steps is None else steps
-    header = (
-        "place",
-        "part",
+    graded = _is_graded(steps)
+    header: tuple[str, ...] = (
+        *(("place", "kind", "part", "membrane") if graded else ("place", "part")),
         "turned",
         "ports in, out",
         "tube to the next",
+        *(("kind",) if graded else ()),
         "bore x outside",
         "sheath",
         "spring",
         "bent",
     )
-    rows = {step: _row(step) for step in steps}
+    rows = {step: _row(step, graded) for step in steps}
     widths = [max(len(row[k]) for row in (header, *rows.values())) for k in range(len(header))]
     lines = [
         f"Assembly of {design.name}, line by line",
@@ -157,21 +169,28 @@ def assembly_text(design: ArrayDesign, steps: Sequence[AssemblyStep] | None = No
     return "\n".join(lines) + "\n"
 
 
-def _row(step: AssemblyStep) -> tuple[str, ...]:
+def _row(step: AssemblyStep, graded: bool) -> tuple[str, ...]:
     ports = ", ".join("-" if angle is None else f"{angle:g}" for angle in (step.port_before, step.port_after))
-    cells = (step.place, step.part, f"{step.rotation:g}", ports)
+    what = (step.place, step.kind, step.part, step.membrane) if graded else (step.place, step.part)
+    cells = (*what, f"{step.rotation:g}", ports)
     if step.tube is None:
-        return (*cells, "", "", "", "", "")
+        return (*cells, *[""] * (6 if graded else 5))
     tube = step.tube
     bent = "*" if tube.schematic else "straight" if tube.bend_radius == float("inf") else f"to {tube.bend_radius:.3g}"
     spring = f"{tube.spring_length:g}, {tube.turns:.0f} turns"
-    return (*cells, tube.name, f"{tube.bore:g} x {tube.outside:g}", f"{tube.sheath_length:g}", spring, bent)
+    name = (tube.name, tube.kind) if graded else (tube.name,)
+    return (*cells, *name, f"{tube.bore:g} x {tube.outside:g}", f"{tube.sheath_length:g}", spring, bent)
 
 
-def _csv(steps: Sequence[AssemblyStep]) -> str:
+def _is_graded(steps: Sequence[AssemblyStep]) -> bool:
+    """Whether points or tubes are of named kinds: the tables then have columns for them."""
+    return any(step.kind or (step.tube is not None and step.tube.kind) for step in steps)
+
+
+def _csv(steps: Sequence[AssemblyStep], graded: bool) -> str:
     text = io.StringIO()
     table = csv.writer(text, lineterminator="\n")
-    table.writerow(_COLUMNS)
+    table.writerow(_COLUMNS + (_KIND_COLUMNS if graded else ()))
     for step in steps:
         ports = ["" if angle is None else f"{angle:g}" for angle in (step.port_before, step.port_after)]
         row = [step.line, step.place, step.part, f"{step.rotation:g}", *(f"{c:.4g}" for c in step.position), *ports]
@@ -180,7 +199,10 @@ def _csv(steps: Sequence[AssemblyStep]) -> str:
             bent = "schematic" if tube.schematic else f"{tube.bend_radius:.4g}"
             row += [tube.name, f"{tube.bore:g}", f"{tube.outside:g}", f"{tube.sheath_length:g}"]
             row += [f"{tube.spring_length:g}", f"{tube.turns:.0f}", bent]
-        table.writerow(row + [""] * (len(_COLUMNS) - len(row)))
+        row += [""] * (len(_COLUMNS) - len(row))
+        if graded:
+            row += [step.kind, step.membrane, "" if step.tube is None else step.tube.kind]
+        table.writerow(row)
     return text.getvalue()
 
 
@@ -195,6 +217,7 @@ def _joined(design: ArrayDesign, placed: TubePlacement) -> JoinedTube:
         turns=spring / tube.wire_diameter,
         bend_radius=tightest_bend(placed.course),
         schematic=placed.schematic,
+        kind=design.tube_kind_at(design.lines[placed.line], placed.segment),
     )
 
 

@@ -46,7 +46,7 @@ def check_name(data: Any, name: str, source: str) -> None:
             raise UnknownField(
                 f"{source}: {'.'.join(steps[:depth])} is not given; give the whole table, not {name} alone"
             )
-        free = steps[:depth] == ["materials"]  # the one table whose keys are the user's own
+        free = steps[:depth] in (["materials"], ["point_kinds"], ["tube_kinds"])  # keys are the user's own
         known = keys_of(place)
         if step not in known and not (free and depth == len(steps) - 1):
             raise UnknownField(f"{source}: {name} is not a field of this design{nearest(step, known)}")

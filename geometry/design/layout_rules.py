@@ -17,7 +17,9 @@ def plane_rules(design: StatedArray) -> Iterator[str]:
     """The pitch lets tubes reach; the lines of a ring join neighbours and close it."""
     resonator, layout = design.resonator, design.layout
     if layout.pitch is not None:
-        shortest = min(design.tube_of(line).length for line in design.lines)
+        shortest = min(
+            tube.length for line in design.lines for tube in (design.inner_tubes_of(line) or (design.tube_of(line),))
+        )
         reach = resonator.cavity_diameter + shortest
         if not resonator.outer_diameter <= layout.pitch <= reach + 1e-9:
             yield f"layout.pitch = {layout.pitch:g} mm {_pitch_must(layout.pitch, resonator.outer_diameter, reach)}"

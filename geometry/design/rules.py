@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from functools import partial
 from typing import TYPE_CHECKING
 
 from geometry.design import shell_rules
+from geometry.design.kind_rules import kind_rules, pattern_rules
 from geometry.design.layout_rules import cylinder_rules, hand_rules, plane_rules
 from geometry.design.tube_rules import microphone_socket_rules, socket_rules, stated_tubes, tube_rules
 from geometry.refusal import Refusal
@@ -27,8 +29,7 @@ def check_consistency(design: StatedArray) -> None:
     Raises:
         Refusal: the first broken rule, with field, value and range.
     """
-    for rule in (
-        _materials,
+    of_points = (
         _membrane,
         _membrane_shape,
         _mold,
@@ -36,6 +37,12 @@ def check_consistency(design: StatedArray) -> None:
         socket_rules,
         shell_rules.cavity_shape,
         shell_rules.shell_features,
+    )
+    for rule in (
+        pattern_rules,
+        _materials,
+        *of_points,
+        partial(kind_rules, rules=of_points),
         _sound_hole,
         _board,
         plane_rules,

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
+from geometry.design.tube_rules import stated_tubes
 from geometry.stated.cavity_shapes import WIDEST_BOX, Box, Dome
 from geometry.stated.parts import SOCKET_COVER
 
@@ -30,11 +31,7 @@ def cavity_shape(design: StatedArray) -> Iterator[str]:
     """Sizes of a box or a bowl, and where tubes enter them."""
     resonator = design.resonator
     yield from cavity_problems(resonator)
-    tubes = {"tube": design.tube, "microphone_tube": design.microphone_tube}
-    for number, line in enumerate(design.lines):
-        own = {f"lines.{number}.tube": line.tube, f"lines.{number}.microphone_tube": line.microphone_tube}
-        tubes |= {field: tube for field, tube in own.items() if tube is not None}
-    for field, tube in tubes.items():
+    for field, tube, _ in stated_tubes(design):
         problem = resonator.port_problem(resonator.port_axis_height, tube.inner_diameter)
         if problem:
             yield f"resonator.port_height: the port of {field} {problem}"
@@ -83,7 +80,7 @@ def shell_features(design: StatedArray) -> Iterator[str]:
     sockets = [
         (resonator.port_axis_height, tube.outer_diameter / 2 + printing.glue_gap)
         for line in design.lines
-        for tube in (design.tube_of(line), design.microphone_tube_of(line))
+        for tube in (*design.inner_tubes_of(line), design.tube_of(line), design.microphone_tube_of(line))
     ]
     yield from feature_problems(shell, resonator, design.membrane.rim_width, sockets)
     neck, floor = printing.carrier_neck, resonator.floor_thickness
@@ -95,7 +92,8 @@ def shell_features(design: StatedArray) -> Iterator[str]:
             "in a carrier each has its number"
         )
     if shell.feet:
-        apart = min(design.pitch_of(line) for line in design.lines) - resonator.outer_diameter
+        nearest = min(min(design.steps_of(line), default=design.pitch_of(line)) for line in design.lines)
+        apart = nearest - resonator.outer_diameter
         if 2 * shell.foot_length > apart and design.point_count > 1:
             yield (
                 f"shell.foot_length = {shell.foot_length:g} mm must be at most {apart / 2:g} mm, half of the space "

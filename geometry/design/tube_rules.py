@@ -134,3 +134,5 @@ def stated_tubes(design: StatedArray) -> Iterator[tuple[str, Tube, bool]]:
             yield f"lines.{index}.tube", line.tube, False
         if line.microphone_tube is not None:
             yield f"lines.{index}.microphone_tube", line.microphone_tube, True
+    for name, tube in design.tube_kinds.items():
+        yield f"tube_kinds.{name}", tube, False

@@ -111,10 +111,10 @@ def _points_and_tubes(
     points: list[PointPlacement] = []
     tubes: list[TubePlacement] = []
     for index, (line, run) in enumerate(zip(design.lines, runs, strict=True)):
-        tube, first, last = design.tube_of(line), *run.ends
+        tubes_between, first, last = design.segments_of(line), *run.ends
         backward, forward = [first.direction], []
         placed: list[TubePlacement] = []
-        for start, end, side in zip(run.positions[:-1], run.positions[1:], run.sides, strict=True):
+        for start, end, side, tube in zip(run.positions[:-1], run.positions[1:], run.sides, tubes_between, strict=True):
             # On a cylinder the points lie where unbowed tubes put them.
             distance = float(np.linalg.norm(end - start))
             bow = bow_angle(tube.length, distance, cavity, outer) if isinstance(surface, Plane) else 0.0
@@ -167,8 +167,9 @@ def _microphone_tube(
         gaps = np.linalg.norm(plan[:, None] - others[None], axis=2)
         if gaps.size and gaps.min() < clear:
             # Lead it over the membranes, so that the picture shows which ends are joined.
-            resonator = design.resonator
-            lift = resonator.cavity_height - resonator.port_axis_height + design.membrane.thickness
+            alike = [design.of_kind(kind) for kind in design.kinds]
+            top = max(each.resonator.cavity_height + each.membrane.thickness for each in alike)
+            lift = top - design.resonator.port_axis_height
             s = np.linspace(0, 1, len(plan) - 2)
             path[1:-1, 2] += (lift + 2 * tube.outer_diameter) * np.minimum(1, 4 * np.sin(np.pi * s) ** 2)
         course = surface.mapped(path)

@@ -77,8 +77,9 @@ def prisms(design: ArrayDesign, layout: ArrayLayout) -> Iterator[Prism]:
 
 
 def _shell(design: ArrayDesign, layout: ArrayLayout, body: int, point: PointPlacement) -> Iterator[Prism]:
-    resonator, features, frame = design.resonator, design.shell, layout.frame(point)
-    top = resonator.cavity_height + ledge_height(resonator, design.membrane, design.printing)
+    line, features, frame = design.lines[point.line], design.shell, layout.frame(point)
+    resonator, membrane = design.resonator_at(line, point.place), design.membrane_at(line, point.place)
+    top = resonator.cavity_height + ledge_height(resonator, membrane, design.printing)
     outer = resonator.outer_diameter / 2
     yield Prism(body, frame, np.zeros((1, 2)), outer, (-resonator.floor_thickness, top), is_trunk=True)
     if not features.feet:

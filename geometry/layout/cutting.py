@@ -33,6 +33,8 @@ class Cut:
     """Length of the coil before it is bent, mm, see :func:`spring_length`."""
     lines: tuple[int, ...]
     """Numbers of the lines that it is for, from 1."""
+    kind: str = ""
+    """Name of the kind of tube that a pattern gives; empty where there is no pattern."""
 
     @property
     def total_length(self) -> float:
@@ -48,7 +50,8 @@ class Cut:
     def place(self) -> str:
         """Words that say where it goes: ``between points of lines 2, 4``."""
         where = "between points of" if self.use == "segment" else "to microphones of"
-        return f"{where} line{'s' if len(self.lines) > 1 else ''} {', '.join(map(str, self.lines))}"
+        kind = f", kind {self.kind}" if self.kind else ""
+        return f"{where} line{'s' if len(self.lines) > 1 else ''} {', '.join(map(str, self.lines))}{kind}"
 
 
 def spring_length(tube: Tube, length: float, bend: float) -> float:
@@ -83,14 +86,15 @@ def cutting_list(design: ArrayDesign, layout: ArrayLayout | None = None) -> tupl
         layout: where its parts lie, where it is known already.
     """
     layout = lay_out(design) if layout is None else layout
-    pieces: dict[tuple[Literal["segment", "microphone"], Tube, float, float], list[int]] = {}
+    pieces: dict[tuple[Literal["segment", "microphone"], Tube, str, float, float], list[int]] = {}
     last = [line.points for line in design.lines]
     # Of every line its two ends first.
     tubes = sorted(layout.tubes, key=lambda placed: (placed.line, placed.segment not in (0, last[placed.line])))
     for placed in tubes:
         use: Literal["segment", "microphone"] = "microphone" if placed.segment in (0, last[placed.line]) else "segment"
-        pieces.setdefault((use, placed.tube, *cut_lengths(design, placed)), []).append(placed.line + 1)
+        kind = design.tube_kind_at(design.lines[placed.line], placed.segment)
+        pieces.setdefault((use, placed.tube, kind, *cut_lengths(design, placed)), []).append(placed.line + 1)
     return tuple(
-        Cut(use, tube, sheath, len(lines), spring, tuple(sorted(set(lines))))
-        for (use, tube, sheath, spring), lines in pieces.items()
+        Cut(use, tube, sheath, len(lines), spring, tuple(sorted(set(lines))), kind)
+        for (use, tube, kind, sheath, spring), lines in pieces.items()
     )

@@ -90,7 +90,11 @@ def serpentine_runs(design: ArrayDesign, surface: Plane | Cylinder) -> list[Run]
         column = np.where(row % 2 == 0, column, columns - 1 - column)
         # A wound array lies on both sides of the top of its cylinder.
         middle = (columns - 1) / 2 if isinstance(surface, Cylinder) else 0.0
-        positions = np.column_stack([(column - middle) * _pitch_around(design, index, surface), row * pitch + bottom])
+        if len(set(design.steps_of(line))) > 1:
+            positions = _walked(design.steps_of(line), row) + np.array([0.0, bottom])
+        else:
+            around = _pitch_around(design, index, surface)
+            positions = np.column_stack([(column - middle) * around, row * pitch + bottom])
         sides = []
         for k in range(1, line.points):
             backwards = row[k - 1] % 2 == 1
@@ -105,6 +109,18 @@ def serpentine_runs(design: ArrayDesign, surface: Plane | Cylinder) -> list[Run]
     return runs
 
 
+def _walked(steps: tuple[float, ...], row: NDArray[np.int_]) -> NDArray[np.float64]:
+    """Axes of points at these distances from each other, (n_point, 2) float64, mm: along the rows and up between them.
+
+    Rows of tubes of different lengths do not lie point above point: each begins above the end of the one before.
+    """
+    ways = [
+        (0.0, step) if row[k] != row[k - 1] else (step if row[k] % 2 == 0 else -step, 0.0)
+        for k, step in enumerate(steps, start=1)
+    ]
+    return np.cumsum(np.array([(0.0, 0.0), *ways]), axis=0)
+
+
 def ring_runs(design: ArrayDesign, surface: Plane | Cylinder) -> list[Run]:
     """The sides of the polygon whose corners are the microphones."""
     # Lines join neighbouring corners only (a rule of the design), so every line is a side.
@@ -114,8 +130,11 @@ def ring_runs(design: ArrayDesign, surface: Plane | Cylinder) -> list[Run]:
         start, end = (corners[name] for name in line.between)
         direction = bearing(start, end)
         middle, along = (start + end) / 2, (end - start) / np.linalg.norm(end - start)
-        steps = (np.arange(line.points) - (line.points - 1) / 2) * design.pitch_of(line)
-        positions = middle + np.outer(steps, along)
+        if len(set(design.steps_of(line))) > 1:
+            along_side = np.cumsum([0.0, *design.steps_of(line)]) - design.span_of(line) / 2
+        else:
+            along_side = (np.arange(line.points) - (line.points - 1) / 2) * design.pitch_of(line)
+        positions = middle + np.outer(along_side, along)
         outward = float(middle @ unit(direction + 90)) > 0
         sides = (1 if outward else -1,) * (line.points - 1)
         runs.append(run_of(design, index, positions, sides, ((direction + 180) % 360, direction), surface))

@@ -60,8 +60,10 @@ def _changes(design: ArrayDesign) -> Iterator[tuple[str, dict[str, Any]]]:
                     f"{change} and resonator.wall_thickness below half of it, such as {thin:g} mm",
                     {**lengths, **_walls(design, thin)},
                 )
+        graded = any(len(design.inner_tubes_of(line)) > 1 for line in design.lines)
+        own = "" if graded else f", or {cavity + design.tube.length:g} mm"
         yield (
-            f"mend: leave out layout.pitch, or {cavity + design.tube.length:g} mm: the tubes then lie straight",
+            f"mend: leave out layout.pitch{own}: the tubes then lie straight",
             {"layout.pitch": None},
         )
     for name in _APART:

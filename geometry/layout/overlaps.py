@@ -245,15 +245,16 @@ def _tight_bends(tubes: list[_Tube]) -> Iterator[str]:
 
 def _thin_webs(design: ArrayDesign, layout: ArrayLayout) -> Iterator[str]:
     """Ports of a shell that leave no wall between them, as :func:`geometry.solids.shell.build_shell` refuses them."""
-    resonator, printing = design.resonator, design.printing
-    radius, height = resonator.cavity_diameter / 2, resonator.port_axis_height
+    printing, radius = design.printing, design.resonator.cavity_diameter / 2
+    height = design.resonator.port_axis_height
     known: dict[object, str] = {}
     for point in layout.points:
         first, second = ports = in_common_rotation(point_ports(design, point), ANGLE_STEP)[0]
-        if ports not in known:
-            mouths = [wall_distance(resonator.cavity_shape, radius, height, port.angle) for port in ports]
-            known[ports] = web_problem(
+        shape = design.resonator_at(design.lines[point.line], point.place).cavity_shape
+        if (ports, shape) not in known:
+            mouths = [wall_distance(shape, radius, height, port.angle) for port in ports]
+            known[ports, shape] = web_problem(
                 (first, second), (mouths[0], mouths[1]), radius + printing.port_lip, printing.glue_gap
             )
-        if known[ports]:
-            yield f"shell {point.number}: {known[ports]}"
+        if known[ports, shape]:
+            yield f"shell {point.number}: {known[ports, shape]}"

@@ -106,9 +106,7 @@ class ArrayLayout:
 def point_ports(design: ArrayDesign, placed: PointPlacement) -> tuple[Port, ...]:
     """The ports of a point's shell as it lies: of the tube to the previous node of its line and of that to the next."""
     line = design.lines[placed.line]
-    segment, outer = design.tube_of(line), design.microphone_tube_of(line)
-    before = outer if placed.place == 0 else segment
-    after = outer if placed.place == line.points - 1 else segment
+    before, after = (design.tube_at(line, segment) for segment in (placed.place, placed.place + 1))
     return tuple(
         Port(angle, tube.inner_diameter, tube.outer_diameter)
         for angle, tube in zip(placed.port_angles, (before, after), strict=True)

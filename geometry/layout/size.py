@@ -37,17 +37,13 @@ def array_size(design: ArrayDesign, layout: ArrayLayout | None = None) -> tuple[
 
 def _ends(design: ArrayDesign, layout: ArrayLayout) -> Iterator[Array]:
     """Per kind of part, points (n, 3) in space of which none of that kind reaches further along an axis."""
-    resonator, membrane, microphone = design.resonator, design.membrane, design.microphone
-    points = [layout.frame(point) for point in layout.points]
-    outer, top = resonator.outer_diameter / 2, resonator.cavity_height
-    disc = resonator.cavity_diameter / 2 + membrane.rim_width
-    ledge = ledge_height(resonator, membrane, design.printing)
-    yield _upright(points, outer, -resonator.floor_thickness, top + ledge)
-    raised = membrane.total_height - membrane.thickness
-    yield _upright(points, disc, top, top + membrane.mounted_thickness + raised)
+    microphone, kinds = design.microphone, design.kind_of_point
+    for number, kind in enumerate(design.kinds):
+        points = [layout.frame(point) for point, own in zip(layout.points, kinds, strict=True) if own == number]
+        yield from _shells(design.of_kind(kind), points)
     if design.shell.feet:
         yield _feet(design, layout)
-    floor = resonator.port_axis_height - microphone.chamber_height / 2
+    floor = design.resonator.port_axis_height - microphone.chamber_height / 2
     housings = [layout.frame(each) for each in layout.microphones]
     chamber = microphone.chamber_diameter / 2 + microphone.wall_thickness
     seat = floor + microphone.chamber_height
@@ -57,6 +53,17 @@ def _ends(design: ArrayDesign, layout: ArrayLayout) -> Iterator[Array]:
     real = [tube for tube in layout.tubes if not tube.schematic]
     if real:
         yield _tubes(real)
+
+
+def _shells(design: ArrayDesign, points: Sequence[Frame]) -> Iterator[Array]:
+    """Ends of the shells and membranes at some places of a design whose points are alike."""
+    resonator, membrane = design.resonator, design.membrane
+    outer, top = resonator.outer_diameter / 2, resonator.cavity_height
+    disc = resonator.cavity_diameter / 2 + membrane.rim_width
+    ledge = ledge_height(resonator, membrane, design.printing)
+    yield _upright(points, outer, -resonator.floor_thickness, top + ledge)
+    raised = membrane.total_height - membrane.thickness
+    yield _upright(points, disc, top, top + membrane.mounted_thickness + raised)
 
 
 def _upright(frames: Sequence[Frame], radius: float, bottom: float, top: float) -> Array:

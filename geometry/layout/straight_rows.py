@@ -28,19 +28,24 @@ def is_wide_apart(design: ArrayDesign) -> bool:
     seat = (side + 2 * (chamber.board_gap + chamber.wall_thickness) for side in chamber.board_size)
     housing = max(math.hypot(*seat) / 2, chamber.chamber_diameter / 2 + chamber.wall_thickness)
     for line in design.lines:
-        tubes = (design.tube_of(line), design.microphone_tube_of(line))
+        tubes = (design.tube_of(line), design.microphone_tube_of(line), *design.inner_tubes_of(line))
         tube = max(each.outer_diameter for each in tubes) / 2
         mesh = max(2 * shell, shell + housing, 2 * housing)
-        if design.pitch_of(line) < mesh or design.microphone_reach_of(line) < shell + housing:
+        lengths = [tube.length for tube in design.inner_tubes_of(line)]
+        if len(set(lengths)) > 1 and line.points > design.layout.columns:
+            return False  # rows of a graded line make no grid
+        shortest = resonator.cavity_diameter + min(lengths, default=design.tube_of(line).length)
+        if shortest < mesh or design.microphone_reach_of(line) < shell + housing:
             return False
         if tube > resonator.outer_diameter / 2 / math.sqrt(2):
             return False
         radius, height = resonator.cavity_diameter / 2, resonator.port_axis_height
         widest = [Port(angle, max(each.inner_diameter for each in tubes), 2 * tube) for angle in (0.0, 90.0)]
-        mouths = [wall_distance(resonator.cavity_shape, radius, height, port.angle) for port in widest]
         shoulder = radius + design.printing.port_lip
-        if web_problem((widest[0], widest[1]), (mouths[0], mouths[1]), shoulder, gap):
-            return False
+        for shape in {design.of_kind(kind).resonator.cavity_shape for kind in design.kinds}:
+            mouths = [wall_distance(shape, radius, height, port.angle) for port in widest]
+            if web_problem((widest[0], widest[1]), (mouths[0], mouths[1]), shoulder, gap):
+                return False
     return True
 
 

@@ -29,6 +29,7 @@ from geometry.pictures.canvas import (
 )
 from geometry.plan.cylinder import Cylinder
 from geometry.plan.routing import unit
+from geometry.solids.membrane import membranes_of
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -233,9 +234,12 @@ def draw_point(
     model = array_model(array)
     design, parts = model.design, model.parts
     shell = next(name for name in parts if parts.kinds[name] == "shell")
-    mold = parts["mold-base"].val().BoundingBox()
-    cover = "mold-scraper" if design.mold.kind == "open-face" else "mold-lid"
-    top, thickness = design.resonator.cavity_height, design.membrane.thickness
+    first = design.of_kind(design.kinds[0])
+    membrane = next(name for name in membranes_of(design))
+    base, cover = "mold-base", "mold-scraper" if design.mold.kind == "open-face" else "mold-lid"
+    base, cover = (name + membrane.removeprefix("membrane") for name in (base, cover))
+    mold = parts[base].val().BoundingBox()
+    top, thickness = first.resonator.cavity_height, first.membrane.thickness
     # The cover hangs clear of the pins, the mold clear of the shell although the view is oblique.
     lift, aside = 1.3 * max(mold.zmax - thickness, mold.zlen / 2), design.resonator.outer_diameter / 2 + 0.8 * mold.xlen
     plotter = open_plotter(size)
@@ -244,9 +248,9 @@ def draw_point(
     drawn: dict[bool, list[tuple[str, pv.PolyData]]] = {False: [], True: []}
     for name, offset, cut in (
         (shell, (0.0, 0.0, 0.0), True),
-        ("membrane", (0.0, 0.0, top + lift), False),
-        ("mold-base", (aside, 0.0, 0.0), True),
-        ("membrane", (aside, 0.0, 1.2 * lift), False),
+        (membrane, (0.0, 0.0, top + lift), False),
+        (base, (aside, 0.0, 0.0), True),
+        (membrane, (aside, 0.0, 1.2 * lift), False),
         (cover, (aside, 0.0, 3.2 * lift), True),
     ):
         solid = parts[name].val()
@@ -320,8 +324,13 @@ def _add_schematic(plotter: pv.Plotter, model: ArrayModel) -> None:
 
 def _add_labels(plotter: pv.Plotter, model: ArrayModel, seen_from: tuple[float, float, float]) -> None:
     design, layout = model.design, model.layout
-    top = design.resonator.cavity_height + design.membrane.total_height
-    numbers = [tuple(layout.frame(point).at(0.0, 0.0, top).tolist()) for point in layout.points]
+    alike = [design.of_kind(kind) for kind in design.kinds]
+    tops = [each.resonator.cavity_height + each.membrane.total_height for each in alike]
+    top = max(tops)
+    numbers = [
+        tuple(layout.frame(point).at(0.0, 0.0, tops[kind]).tolist())
+        for point, kind in zip(layout.points, design.kind_of_point, strict=True)
+    ]
     draw_labels(plotter, numbers, [str(point.number) for point in layout.points], 16)
     # Names stand behind their housing as seen in the picture, before it where its tubes lead away from the viewer.
     towards = np.array(seen_from[:2])

@@ -26,7 +26,7 @@ def side_lengths(design: StatedArray) -> tuple[float | None, ...]:
     for line in design.lines:
         first, second = (place[name] for name in line.between)
         start = first if (second - first) % len(place) == 1 else second
-        sides[start] = (line.points - 1) * design.pitch_of(line) + 2 * design.microphone_reach_of(line)
+        sides[start] = design.span_of(line) + 2 * design.microphone_reach_of(line)
     return tuple(sides)
 
 

@@ -54,10 +54,8 @@ def acoustic_effects(design: ArrayDesign, tolerance: float) -> tuple[AcousticEff
     if not tolerance > 0:
         raise Refusal(f"tolerance = {tolerance!r} mm must be above 0")
     lip = design.printing.port_lip
-    tubes = [design.tube_of(line) for line in design.lines if line.points > 1]
-    tubes += [design.microphone_tube_of(line) for line in design.lines]
     effects = []
-    for bore, length in dict.fromkeys((tube.inner_diameter, tube.length) for tube in tubes):
+    for bore, length in dict.fromkeys((tube.inner_diameter, tube.length) for tube in design.tubes):
         feature, share = f"bore of the ports, {bore:g} mm", min(2 * lip / length, 1.0)
         effects += [
             _effect(feature, (bore,), tolerance, "resistance of the printed bore", "d^-4", _resistance),
@@ -70,15 +68,21 @@ def acoustic_effects(design: ArrayDesign, tolerance: float) -> tuple[AcousticEff
                 partial(_resistance, share=share),
             ),
         ]
-    resonator, microphone, membrane = design.resonator, design.microphone, design.membrane
-    cavity = (resonator.cavity_diameter, resonator.cavity_height)
+    microphone, diameter = design.microphone, design.resonator.cavity_diameter
+    alike = [design.of_kind(kind) for kind in design.kinds]
+    heights = dict.fromkeys(each.resonator.cavity_height for each in alike)
+    thicknesses = dict.fromkeys(each.membrane.thickness for each in alike)
     chamber = (microphone.chamber_diameter, microphone.chamber_height)
-    effects += [
-        _effect("cavity", cavity, tolerance, "compliance of the cavity", "d^2 h", _volume),
+    for height in heights:
+        feature = "cavity" if len(heights) == 1 else f"cavity, {height:g} mm high"
+        effects.append(_effect(feature, (diameter, height), tolerance, "compliance of the cavity", "d^2 h", _volume))
+    effects.append(
         _effect("microphone chamber", chamber, tolerance, "compliance of the chamber", "d^2 h", _volume),
-        _effect("gap of the mold", (membrane.thickness,), tolerance, "compliance of the membrane", "h^-3", _stiffness),
-        _effect("rim of the cavity", cavity[:1], tolerance, "compliance of the membrane", "a^6", _disc),
-    ]
+    )
+    for thickness in thicknesses:
+        feature = "gap of the mold" if len(thicknesses) == 1 else f"gap of the mold of {thickness:g} mm"
+        effects.append(_effect(feature, (thickness,), tolerance, "compliance of the membrane", "h^-3", _stiffness))
+    effects.append(_effect("rim of the cavity", (diameter,), tolerance, "compliance of the membrane", "a^6", _disc))
     return tuple(effects)
 
 

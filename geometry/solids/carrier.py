@@ -56,19 +56,20 @@ def array_carrier(design: ArrayDesign, ports: Sequence[Sequence[Port]]) -> Carri
 
     Args:
         design: the array.
-        ports: of the shell of each point, in the order of their numbers from 1.
+        ports: of the shell of each point, in the order of their numbers from 1; fewer draw the first ones.
 
     Raises:
         Refusal: as :func:`geometry.solids.shell.build_shell` and :func:`build_carrier`.
     """
-    numbered = design.shell.label != "none"
+    numbered, alike = design.shell.label != "none", [design.of_kind(kind) for kind in design.kinds]
     drawn: dict[tuple[object, ...], cq.Workplane] = {}
     shells = []
-    for number, of_point in enumerate(ports, 1):
+    for number, (of_point, kind) in enumerate(zip(ports, design.kind_of_point, strict=False), 1):
         label = str(number) if numbered else None
-        key = (*of_point, label)
+        key = (*of_point, kind, label)
         if key not in drawn:
-            drawn[key] = build_shell(design.resonator, design.membrane, design.printing, of_point, design.shell, label)
+            resonator, membrane = alike[kind].resonator, alike[kind].membrane
+            drawn[key] = build_shell(resonator, membrane, design.printing, of_point, design.shell, label)
         shells.append(drawn[key])
     return build_carrier(design.resonator, design.printing, shells)
 

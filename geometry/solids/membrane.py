@@ -17,6 +17,20 @@ def membrane_radius(resonator: Resonator, membrane: Membrane) -> float:
     return (resonator.cavity_diameter / 2 + membrane.rim_width) / membrane.stretch
 
 
+def membranes_of(design: ArrayDesign) -> dict[str, ArrayDesign]:
+    """The distinct membranes of a design, by the names of their parts: each as the design whose points all have it.
+
+    Where there are several, their names end in their thickness in mm.
+    """
+    alike: dict[Membrane, ArrayDesign] = {}
+    for kind in design.kinds:
+        own = design.of_kind(kind)
+        alike.setdefault(own.membrane, own)
+    if len(alike) == 1:
+        return dict(zip(["membrane"], alike.values(), strict=True))
+    return {f"membrane-{membrane.thickness:g}": own for membrane, own in alike.items()}
+
+
 def membrane_profile(design: ArrayDesign) -> tuple[tuple[float, float], ...]:
     """Half section of the membrane as cast: corners (radius, height) in mm, the glued face at height 0.
 

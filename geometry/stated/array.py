@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+import math
+from collections import Counter
+from typing import Annotated, Literal, Self
 
 from pydantic import Field
 
 from geometry.stated.fields import Count, Millimetre, Number, Section
+from geometry.stated.kinds import PLAIN, Pattern, PointKind
 from geometry.stated.making import Molding, Printing
 from geometry.stated.materials import MATERIALS, Material
 from geometry.stated.parts import Membrane, Microphone, Resonator, Shell, Tube
@@ -21,6 +24,7 @@ class Line(Section):
     points: Count = Field(ge=1, le=1000, description="number of sensing points")
     tube: Tube | None = Field(default=None, description="tube between its points, where it differs")
     microphone_tube: Tube | None = Field(default=None, description="tube to its microphones, where it differs")
+    pattern: Pattern | None = Field(default=None, description="kinds of its points and tubes, where they differ")
 
 
 class Layout(Section):
@@ -88,6 +92,12 @@ class StatedArray(Section):
     printing: Printing = Field(default=Printing(), description="how the parts are made")
     mold: Molding = Field(default=Molding(), description="how the membranes are cast")
     materials: dict[str, Material] = Field(default_factory=dict, description="materials beside the built-in ones")
+    point_kinds: dict[str, PointKind] = Field(
+        default_factory=dict, description="kinds of points that the patterns of lines name"
+    )
+    tube_kinds: dict[str, Tube] = Field(
+        default_factory=dict, description="kinds of tubes that the patterns of lines name"
+    )
 
     @property
     def followers(self) -> frozenset[str]:
@@ -103,17 +113,123 @@ class StatedArray(Section):
         """The material of that name: the design's own, else the built-in one."""
         return self.materials[name] if name in self.materials else MATERIALS[name]
 
+    # -- kinds ------------------------------------------------------------------------------------------
+    def kind_at(self, line: Line, place: int) -> str:
+        """Name of the kind of a point, from 0 along its line; that of what is stated for all is empty."""
+        if line.pattern is None or line.pattern.points is None:
+            return PLAIN
+        return line.pattern.points[line.pattern.index(place, line.points)]
+
+    @property
+    def kinds(self) -> tuple[str, ...]:
+        """Names of the kinds of points in use, each once in the order of the points; see :meth:`kind_at`."""
+        if not self.point_kinds:
+            return (PLAIN,)
+        return tuple(dict.fromkeys(self.kind_at(line, place) for line in self.lines for place in range(line.points)))
+
+    @property
+    def kind_of_point(self) -> tuple[int, ...]:
+        """Index into :attr:`kinds` of every point, in the order of the numbers."""
+        if not self.point_kinds:
+            return (0,) * self.point_count
+        index = {name: k for k, name in enumerate(self.kinds)}
+        return tuple(index[self.kind_at(line, place)] for line in self.lines for place in range(line.points))
+
+    def of_kind(self, kind: str) -> Self:
+        """The same array with all its points of one kind: its resonator and membrane are those of the kind."""
+        if not self.point_kinds:
+            return self
+        own = PointKind() if kind == PLAIN else self.point_kinds[kind]
+        lines = [
+            line.model_copy(update={"pattern": line.pattern and line.pattern.model_copy(update={"points": None})})
+            for line in self.lines
+        ]
+        alike = {"resonator": own.resonator(self.resonator), "membrane": own.membrane(self.membrane)}
+        return self.model_copy(update={**alike, "lines": tuple(lines), "point_kinds": {}})
+
+    def resonator_at(self, line: Line, place: int) -> Resonator:
+        """Shell of a point, from 0 along its line."""
+        kind = self.kind_at(line, place)
+        return self.resonator if kind == PLAIN else self.point_kinds[kind].resonator(self.resonator)
+
+    def membrane_at(self, line: Line, place: int) -> Membrane:
+        """Membrane of a point, from 0 along its line."""
+        kind = self.kind_at(line, place)
+        return self.membrane if kind == PLAIN else self.point_kinds[kind].membrane(self.membrane)
+
     def tube_of(self, line: Line) -> Tube:
-        """Tube between the points of a line."""
+        """Tube between the points of a line that has no pattern of tubes."""
         return line.tube or self.tube
 
     def microphone_tube_of(self, line: Line) -> Tube:
         """Tube from the ends of a line to its microphones."""
         return line.microphone_tube or self.microphone_tube
 
+    def tube_kind_at(self, line: Line, segment: int) -> str:
+        """Name of the kind of tube that a pattern gives at a place of a line, as :meth:`tube_at`; else empty."""
+        count = line.points - 1
+        if line.pattern is None or line.pattern.tubes is None or not 0 < segment <= count:
+            return PLAIN
+        return line.pattern.tubes[line.pattern.index(segment - 1, count)]
+
+    def tube_at(self, line: Line, segment: int) -> Tube:
+        """Tube of a line that has so many of its points before it: 0 and all of them lead to its microphones."""
+        if segment in (0, line.points):
+            return self.microphone_tube_of(line)
+        kind = self.tube_kind_at(line, segment)
+        return self.tube_of(line) if kind == PLAIN else self.tube_kinds[kind]
+
+    def segments_of(self, line: Line) -> tuple[Tube, ...]:
+        """Tubes between the points of a line, in its order: one less than points."""
+        return tuple(self.tube_at(line, segment) for segment in range(1, line.points))
+
+    def segment_counts_of(self, line: Line) -> tuple[tuple[Tube, int], ...]:
+        """The different ones of :meth:`segments_of` by kind, each with how many there are."""
+        if line.points == 1:
+            return ()
+        if line.pattern is None or line.pattern.tubes is None:
+            return ((self.tube_of(line), line.points - 1),)
+        counts = Counter(self.tube_kind_at(line, segment) for segment in range(1, line.points))
+        return tuple((self.tube_kinds[kind], count) for kind, count in counts.items())
+
+    def inner_tubes_of(self, line: Line) -> tuple[Tube, ...]:
+        """The different ones of :meth:`segments_of` by kind."""
+        return tuple(tube for tube, _ in self.segment_counts_of(line))
+
+    @property
+    def tubes(self) -> tuple[Tube, ...]:
+        """Tubes that the array uses, one per kind and line: those between points, then those to microphones."""
+        inner = [tube for line in self.lines for tube in self.inner_tubes_of(line)]
+        return (*inner, *(self.microphone_tube_of(line) for line in self.lines))
+
+    def tubes_of(self, line: Line) -> tuple[Tube, ...]:
+        """Tubes of a line from its first microphone to its second: one more than points."""
+        return tuple(self.tube_at(line, segment) for segment in range(line.points + 1))
+
+    def tube_fields_of(self, number: int) -> tuple[str, ...]:
+        """Dotted names of where the design states the tubes of a line, by its index, as :meth:`tubes_of` has them."""
+        line = self.lines[number]
+        outer = "microphone_tube" if line.microphone_tube is None else f"lines.{number}.microphone_tube"
+        inner = "tube" if line.tube is None else f"lines.{number}.tube"
+        kinds = (self.tube_kind_at(line, segment) for segment in range(1, line.points))
+        return (outer, *(inner if kind == PLAIN else f"tube_kinds.{kind}" for kind in kinds), outer)
+
+    # -- lengths ----------------------------------------------------------------------------------------
+    def steps_of(self, line: Line) -> tuple[float, ...]:
+        """Distances of neighbouring axes along a line, one less than points, mm."""
+        diameter = self.resonator.cavity_diameter
+        return tuple(self.layout.pitch or diameter + tube.length for tube in self.segments_of(line))
+
+    def span_of(self, line: Line) -> float:
+        """Distance of the axes of a line's first and last point where its tubes lie as designed, mm."""
+        steps = self.steps_of(line)
+        # Equal steps are multiplied, not summed: the same to the last digit as for a line without a pattern.
+        return len(steps) * steps[0] if len(set(steps)) == 1 else math.fsum(steps)
+
     def pitch_of(self, line: Line) -> float:
-        """Distance of neighbouring axes on a line, mm."""
-        return self.layout.pitch or self.resonator.cavity_diameter + self.tube_of(line).length
+        """Largest distance of neighbouring axes on a line, mm."""
+        longest = max((tube.length for tube in self.inner_tubes_of(line)), default=self.tube_of(line).length)
+        return self.layout.pitch or self.resonator.cavity_diameter + longest
 
     def microphone_reach_of(self, line: Line) -> float:
         """Distance of the axes of a line's last point and its microphone's chamber if the tube is straight, mm."""

@@ -149,6 +149,11 @@ def show_check(found: DesignCheck) -> None:
     for cell, places in found.cells:
         table.add_row(cell.label, str(places))
     show(table)
+    if found.kinds:
+        table = table_of("kind", "of", "sizes", "count", numbers=(3,))
+        for kind in found.kinds:
+            table.add_row(kind.name or "as stated", kind.what, kind.sizes, str(kind.count))
+        show(table)
     for line in found.fidelities:
         tell(line)
     print()

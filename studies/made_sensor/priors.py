@@ -17,6 +17,8 @@ from geometry.design.array_design import ArrayDesign
 
 Array = NDArray[np.float64]
 
+_PER_VOLUME = math.pi / (1.4 * 101325)
+"""Compliance of a cylinder of air per its radius squared times its height, 1/Pa."""
 _DEVIATION_SENSORS, _PRIOR_SENSORS = 64, 256
 """Sensors drawn from the tolerances."""
 
@@ -50,8 +52,9 @@ def fit_priors(design: ArrayDesign, tolerances: Sequence[Tolerance] = TOLERANCES
     scattered = ScatteredDesign(design, kept)
     made, nominal = scattered.sample(0, _PRIOR_SENSORS, 0), scattered.nominal
     resistance = np.log(made.tube_length / nominal.tube_length) / 4 - np.log(made.tube_radius / nominal.tube_radius)
-    volume = made.cavity_radius**2 * made.cavity_height * (math.pi / (1.4 * 101325))
-    shift = np.log((made.membrane_compliance + volume).ravel() / (made.membrane_compliance + volume).mean())
+    volume = made.cavity_radius**2 * made.cavity_height * _PER_VOLUME
+    designed = nominal.membrane_compliance + nominal.cavity_radius**2 * nominal.cavity_height * _PER_VOLUME
+    shift = np.log((made.membrane_compliance + volume) / designed)
     of_membrane = float((made.membrane_compliance / (made.membrane_compliance + volume)).mean())
     return replace(
         Priors(),

@@ -7,6 +7,7 @@ materials; densities that a design file does not state are data here, each with 
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Iterator
 
 from geometry.assembly.bill import Prices
@@ -58,10 +59,11 @@ def smallest_wall(design: ArrayDesign) -> float:
 def _walls(design: ArrayDesign) -> Iterator[float]:
     resonator, microphone, printing = design.resonator, design.microphone, design.printing
     yield from (resonator.wall_thickness, resonator.floor_thickness, microphone.wall_thickness, printing.port_lip)
+    lowest = min(design.of_kind(kind).resonator.cavity_height for kind in design.kinds)
     for tube, _ in _tubes(design):
         hole = tube.outer_diameter / 2 + printing.glue_gap
         yield resonator.port_axis_height + resonator.floor_thickness - hole
-        yield resonator.cavity_height - resonator.port_axis_height - hole
+        yield lowest - resonator.port_axis_height - hole
     for line in design.lines:
         hole = design.microphone_tube_of(line).outer_diameter / 2 + printing.glue_gap
         yield microphone.chamber_height / 2 + microphone.wall_thickness - hole
@@ -75,24 +77,29 @@ def _volumes(design: ArrayDesign) -> dict[str, tuple[float, float]]:
     silicone = design.material(membrane.material).density
     sockets_of_shells = sockets_of_housings = 0.0
     for line in design.lines:
-        inner, outer = design.tube_of(line), design.microphone_tube_of(line)
+        outer = design.microphone_tube_of(line)
         wall, radius = resonator.wall_thickness, resonator.cavity_diameter / 2
-        sockets_of_shells += 2 * (line.points - 1) * _port(design, inner, radius, wall)
+        for inner, count in design.segment_counts_of(line):
+            sockets_of_shells += 2 * count * _port(design, inner, radius, wall)
         sockets_of_shells += 2 * _port(design, outer, radius, wall)
         sockets_of_housings += 2 * _port(design, outer, microphone.chamber_diameter / 2, microphone.wall_thickness)
-    shell = _disc(resonator.outer_diameter, resonator.floor_thickness + resonator.cavity_height)
-    shell -= resonator.cavity_volume
-    disc = _disc(resonator.cavity_diameter + 2 * membrane.rim_width, membrane.mounted_thickness)
+    shells = discs = 0.0
+    for kind, count in Counter(design.kind_of_point).items():
+        alike = design.of_kind(design.kinds[kind])
+        own = _disc(resonator.outer_diameter, resonator.floor_thickness + alike.resonator.cavity_height)
+        shells += count * (own - alike.resonator.cavity_volume)
+        width = resonator.cavity_diameter + 2 * membrane.rim_width
+        discs += count * _disc(width, alike.membrane.mounted_thickness)
     wire = sheath = 0.0
     for tube, count in _tubes(design):
         turns = math.pi / 4 * (tube.spring_outer_diameter**2 - tube.inner_diameter**2)
         wire += count * tube.length * turns * math.pi / 4  # a close-wound round wire fills pi/4 of its ring
         sheath += count * tube.length * math.pi / 4 * (tube.outer_diameter**2 - tube.spring_outer_diameter**2)
     return {
-        "shells": (design.point_count * shell - sockets_of_shells, resin),
+        "shells": (shells - sockets_of_shells, resin),
         "housings": (len(design.microphones) * _housing(microphone) - sockets_of_housings, resin),
         "boards": (len(design.microphones) * _board(microphone), DENSITIES["boards"][0]),
-        "membranes": (design.point_count * disc, silicone),
+        "membranes": (discs, silicone),
         "wire": (wire, DENSITIES["wire"][0]),
         "sheath": (sheath, DENSITIES["sheath"][0]),
     }
@@ -144,8 +151,7 @@ def _port(design: ArrayDesign, tube: Tube, radius: float, wall: float) -> float:
 def _tubes(design: ArrayDesign) -> Iterator[tuple[Tube, int]]:
     for line in design.lines:
         yield design.microphone_tube_of(line), 2
-        if line.points > 1:
-            yield design.tube_of(line), line.points - 1
+        yield from design.segment_counts_of(line)
 
 
 def _disc(diameter: float, height: float) -> float:

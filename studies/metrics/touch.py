@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acoustic_fem.library.noise import combined_snr, gas_temperature, port_noise
-from acoustic_fem.library.touch import injected_flow
+from acoustic_fem.library.touch import injected_flow, membranes_in_vacuo
 from acoustic_fem.network.microphone import noise_density
 from geometry.refusal import Refusal
 from studies.metrics.pairs import BAND, trapezoidal_weights
@@ -17,6 +17,7 @@ from studies.metrics.responses import Complex, Responses, known
 
 if TYPE_CHECKING:
     from acoustic_fem.membrane.disc import DiscResponse
+    from geometry.design.array_design import ArrayDesign
 
 Array = NDArray[np.float64]
 
@@ -111,18 +112,20 @@ def bandwidth(responses: Responses, response: Complex) -> Array:
 
 
 def _in_vacuo(responses: Responses) -> DiscResponse:
-    """What the membrane of each design does in vacuo, arrays (n_design, n_freq)."""
+    """What the membranes of each design do in vacuo, arrays (n_design, n_point, n_freq)."""
     from acoustic_fem.membrane.disc import DiscResponse, design_disc, design_rubber
 
     found: dict[tuple[object, ...], DiscResponse] = {}
-    rows = []
-    for design in known(responses.designs):
+
+    def response_of(design: ArrayDesign) -> DiscResponse:
         material = design.material(design.membrane.material)
         key = (design.resonator.cavity_diameter, design.membrane, material)
         if key not in found:
             disc = design_disc(design, known=responses.discs)
             found[key] = disc.response(responses.frequency, design_rubber(design))
-        rows.append(found[key])
+        return found[key]
+
+    rows = [membranes_in_vacuo(design, response_of) for design in known(responses.designs)]
     return DiscResponse(**{each.name: np.stack([getattr(row, each.name) for row in rows])
                            for each in fields(DiscResponse)})  # fmt: skip
 

@@ -66,9 +66,16 @@ def _measures(design: ArrayDesign, process: PrintProcess) -> Iterator[Measure]:
             if own is not None:
                 tubes[f"lines.{index}.{end}"] = own
                 yield Measure(f"lines.{index}.{end}.inner_diameter", own.inner_diameter, process.hole)
+    for name, tube in design.tube_kinds.items():
+        tubes[f"tube_kinds.{name}"] = tube
+        yield Measure(f"tube_kinds.{name}.inner_diameter", tube.inner_diameter, process.hole)
+    for name, point in design.point_kinds.items():
+        if point.membrane_thickness is not None:
+            yield Measure(f"point_kinds.{name}.membrane_thickness", point.membrane_thickness, _rule(process, "cast"))
+    lowest = min(design.of_kind(kind).resonator.cavity_height for kind in design.kinds)
     for name, tube in tubes.items():
         hole = tube.outer_diameter / 2 + gap
-        yield Measure(f"wall above the socket of {name}", resonator.cavity_height - axis - hole, process.wall)
+        yield Measure(f"wall above the socket of {name}", lowest - axis - hole, process.wall)
         yield Measure(f"wall below the socket of {name}", resonator.floor_thickness + axis - hole, process.wall)
         if name.endswith("microphone_tube"):
             yield Measure(f"wall beside the socket of {name}", chamber.chamber_height / 2 - hole, process.wall)

@@ -29,6 +29,7 @@ from studies.output.folders import check_new_file, write_json
 if TYPE_CHECKING:
     from acoustic_fem.quantities.medium import Medium
     from geometry.printing.report import PrintReport
+    from geometry.stated.parts import Tube
 
 #: Frequencies of the estimated attenuation, Hz.
 ATTENUATION_AT = (1.0, 10.0, 100.0)
@@ -64,6 +65,20 @@ class Validity:
 
 
 @dataclass(frozen=True)
+class KindUse:
+    """Kind of point or of tube that the patterns of a design name, and how many of it there are."""
+
+    name: str
+    """Name of the kind; empty for points and tubes of lines without a pattern."""
+    what: Literal["point", "tube"]
+    """Kind of what it is: of a sensing point, or of a tube between two."""
+    sizes: str
+    """Sizes that tell it from others, in words."""
+    count: int
+    """Number of places of all lines that have it."""
+
+
+@dataclass(frozen=True)
 class DesignCheck:
     """Findings on a design before it is solved: everything that ``acoustic-fem check`` says."""
 
@@ -75,6 +90,8 @@ class DesignCheck:
     """Extent along x, y and z, mm: that of :func:`geometry.layout.size.array_size`."""
     cells: tuple[tuple[Cell, int], ...]
     """Distinct cells and how many places of the array each fills."""
+    kinds: tuple[KindUse, ...]
+    """Kinds of points and tubes with their numbers; empty where no line has a pattern."""
     notes: tuple[str, ...]
     """Notes on microphones whose tubes are drawn for the eye only."""
     overlaps: tuple[str, ...]
@@ -139,6 +156,7 @@ class DesignCheck:
             "wiring": asdict(self.wiring),
             "size_mm": list(self.size),
             "cells": [{"cell": cell.label, "places": count} for cell, count in self.cells],
+            "kinds": [asdict(kind) for kind in self.kinds],
             "layout_notes": list(self.notes),
             "overlaps": list(self.overlaps),
             "mend": self.mend,
@@ -208,6 +226,7 @@ def _judged(design: ArrayDesign, report: Report) -> DesignCheck:
         wiring=wiring_counts(len(design.microphones), [line.points for line in design.lines]),
         size=array_size(design, layout),
         cells=cell_uses(design, layout),
+        kinds=kind_uses(design),
         notes=schematic_notes(design, layout),
         overlaps=found,
         mend=mend_of(design) if found else "",
@@ -243,6 +262,26 @@ def cell_uses(design: ArrayDesign, layout: ArrayLayout) -> tuple[tuple[Cell, int
     return tuple((cell, uses[cell]) for cell in catalogue.distinct)
 
 
+def kind_uses(design: ArrayDesign) -> tuple[KindUse, ...]:
+    """Kinds of points and tubes that a design uses, in order of first use; none where no line has a pattern."""
+    if all(line.pattern is None for line in design.lines):
+        return ()
+    found = []
+    points = Counter(design.kind_of_point)
+    for index, kind in enumerate(design.kinds):
+        alike = design.of_kind(kind)
+        sizes = f"cavity {alike.resonator.cavity_height:g} mm high, membrane {alike.membrane.thickness:g} mm"
+        found.append(KindUse(kind, "point", sizes, points[index]))
+    tubes: dict[tuple[str, Tube], int] = {}
+    for line in design.lines:
+        for segment in range(1, line.points):
+            key = design.tube_kind_at(line, segment), design.tube_at(line, segment)
+            tubes[key] = tubes.get(key, 0) + 1
+    for (kind, tube), count in tubes.items():
+        found.append(KindUse(kind, "tube", f"{tube.length:g} mm long, bore {tube.inner_diameter:g} mm", count))
+    return tuple(found)
+
+
 def model_validity(design: ArrayDesign, medium: Medium, weakest_level: float) -> tuple[Validity, ...]:
     """Assumptions of the models, each against its limit, for the band up to 100 Hz.
 
@@ -263,13 +302,14 @@ def model_validity(design: ArrayDesign, medium: Medium, weakest_level: float) ->
     from localize.signals.noise import input_density
 
     highest = BAND[1]
-    resonator, microphone = design.resonator, design.microphone
+    microphone, alike = design.microphone, [design.of_kind(kind) for kind in design.kinds]
     widest = max(
-        resonator.cavity_diameter, resonator.cavity_height, microphone.chamber_diameter, microphone.chamber_height
+        design.resonator.cavity_diameter,
+        *(each.resonator.cavity_height for each in alike),
+        microphone.chamber_diameter,
+        microphone.chamber_height,
     )
-    tubes = [design.tube_of(line) for line in design.lines if line.points > 1]
-    tubes += [design.microphone_tube_of(line) for line in design.lines]
-    bores = [tube.inner_diameter for tube in tubes]
+    bores = [tube.inner_diameter for tube in design.tubes]
     mean_free_path = medium.viscosity * math.sqrt(math.pi / (2 * medium.pressure * medium.density))
     slip = 8 * mean_free_path / (min(bores) * 1e-3)
     shear = max(bores) / 2 * 1e-3 * math.sqrt(2 * math.pi * highest / medium.kinematic_viscosity)
@@ -288,7 +328,7 @@ def model_validity(design: ArrayDesign, medium: Medium, weakest_level: float) ->
         ),
         Validity(
             "first resonance of the membrane, without air",
-            design_disc(design).first_frequency,
+            min(design_disc(each).first_frequency for each in alike),
             "at least",
             3 * highest,
             "Hz",

@@ -16,7 +16,6 @@ from studies.output.display import number
 from studies.output.folders import write_json
 
 if TYPE_CHECKING:
-    from geometry.design.array_design import ArrayDesign
     from studies.judging.headline import Headline
     from studies.run.result import RunResult
 
@@ -221,14 +220,16 @@ def key_figures(result: RunResult) -> list[KeyFigure]:
                 f"point {point} at its second-loudest microphone",
             )
         )
-    bores = sorted({tube.inner_diameter for tube in tubes_of(design)})
-    compliance, relative = membrane_compliance(result)
+    bores = sorted({tube.inner_diameter for tube in design.tubes})
+    compliances = membrane_compliances(result)
+    of_kinds = f"; kinds {', '.join(kind or 'as stated' for kind in design.kinds)}" if len(compliances) > 1 else ""
+    relatives = ", ".join(f"{relative:.2g}" for _, relative in compliances)
     figures += [
         KeyFigure("bore", ", ".join(f"{bore:g}" for bore in bores) + " mm", "of all tubes"),
         KeyFigure(
             "membrane compliance",
-            f"{compliance:.3g} mm³/kPa",
-            f"static; {relative:.2g} times that of the air in its cavity",
+            ", ".join(f"{compliance:.3g}" for compliance, _ in compliances) + " mm³/kPa",
+            f"static; {relatives} times that of the air in its cavity{of_kinds}",
         ),
     ]
     if result.disagreement is not None:
@@ -274,19 +275,17 @@ def point_rows(result: RunResult) -> list[dict[str, Any]]:
     return rows
 
 
-def tubes_of(design: ArrayDesign) -> list[Any]:
-    """Tubes that the array uses, one per kind and line."""
-    tubes = [design.tube_of(line) for line in design.lines if line.points > 1]
-    return tubes + [design.microphone_tube_of(line) for line in design.lines]
-
-
-def membrane_compliance(result: RunResult) -> tuple[float, float]:
-    """Static volume compliance of the membrane, mm^3/kPa, and its ratio to the isothermal V / p of its cavity."""
+def membrane_compliances(result: RunResult) -> list[tuple[float, float]]:
+    """Per kind of point the static compliance of the membrane, mm^3/kPa, and its ratio to the V / p of its cavity."""
     from acoustic_fem.membrane.disc import design_disc
 
-    compliance = design_disc(result.design).static_compliance
-    air = result.design.resonator.cavity_volume * 1e-9 / result.library.medium.pressure
-    return compliance * 1e12, compliance / air
+    found = []
+    for kind in result.design.kinds:
+        alike = result.design.of_kind(kind)
+        compliance = design_disc(alike).static_compliance
+        air = alike.resonator.cavity_volume * 1e-9 / result.library.medium.pressure
+        found.append((compliance * 1e12, compliance / air))
+    return found
 
 
 def write_results(result: RunResult, path: Path) -> None:

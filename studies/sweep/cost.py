@@ -62,7 +62,9 @@ def _seconds_per_case(study: Study, cases: Cases, numbers: Sequence[int]) -> flo
     chosen = []
     for number in np.array(numbers, int)[np.unique(np.linspace(0, len(numbers) - 1, _TIMED + 1).astype(int))]:
         try:
-            design_disc(cases.design(int(number)))  # the membrane: from now on known
+            design = cases.design(int(number))
+            for kind in design.kinds:
+                design_disc(design.of_kind(kind))  # the membranes: from now on known
         except FAILURES:
             continue  # the case fails by name when it is computed
         chosen.append(int(number))

@@ -17,7 +17,7 @@ from studies.sweep.block import CellKey, Job, cells_of, check_metrics
 #: Cases looked at for a valid one where nothing else asks for their designs.
 _LOOKED_AT = 1000
 #: Parameters that may change a membrane.
-_OF_MEMBRANES = ("membrane.", "materials.", "resonator.cavity_diameter")
+_OF_MEMBRANES = ("membrane.", "materials.", "resonator.cavity_diameter", "point_kinds.")
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,7 +71,7 @@ def surveyed(study: Study, every: bool = False) -> Survey:
             if not valid:
                 valid.append(design)
             if membranes:
-                discs[design_shape(design)] = None
+                discs.update((design_shape(design.of_kind(kind)), None) for kind in design.kinds)
         except Refusal as error:
             refused[number] = str(error)  # the case fails by name when it is computed
         cells.append(own)
