@@ -47,6 +47,7 @@ class UnknownField(DesignError):
 #: Numbers as a file states them: no text that looks like one, no true or false.
 Number = Annotated[float, Field(strict=True)]
 Count = Annotated[int, Field(strict=True)]
+Flag = Annotated[bool, Field(strict=True)]
 Millimetre = Annotated[Number, Field(gt=0, json_schema_extra={"unit": "mm"})]
 
 
@@ -77,7 +78,7 @@ class DesignField:
     name: str
     """Dotted name; ``*`` stands for an index or a name of the user's own."""
     kind: str
-    """Kind of value: ``a number``, ``a whole number``, ``a text``, ``a list`` or ``a table``."""
+    """Kind of value: ``a number``, ``a whole number``, ``a text``, ``true or false``, ``a list`` or ``a table``."""
     unit: str
     """Unit of the value; empty where it has none."""
     allowed: str
@@ -273,7 +274,8 @@ def _meant(value: object, allowed: str) -> str:
 # -- reading the model ------------------------------------------------------------------------------
 def _field(name: str, info: FieldInfo) -> DesignField:
     plain, metadata, unit = _unwrapped(info)
-    kind = {float: "a number", int: "a whole number", str: "a text"}.get(plain, "a table")
+    kinds = {float: "a number", int: "a whole number", str: "a text", bool: "true or false"}
+    kind = kinds.get(plain, "a table")
     if get_origin(plain) is tuple:
         kind = "a list"
     if get_origin(plain) is Literal:

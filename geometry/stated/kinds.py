@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pydantic import Field
 
-from geometry.stated.fields import Millimetre, Section
+from geometry.stated.fields import Flag, Millimetre, Section
 from geometry.stated.parts import Membrane, Resonator
 
 #: Name of what :class:`geometry.stated.array.StatedArray` states for all points, where a line has no pattern.
@@ -48,7 +48,7 @@ class Pattern(Section):
     tubes: tuple[str, ...] | None = Field(
         default=None, description="name of a kind for each tube between its points; default: all as stated"
     )
-    mirrored: bool = Field(
+    mirrored: Flag = Field(
         default=False, description="both lists end in the middle of the line, and its second half is the mirror image"
     )
 

@@ -128,7 +128,8 @@ def show_fields() -> None:
 
     table = table_of("field", "range", "default")
     for field in fields_of(ArrayDesign):
-        default = "required" if field.required else "" if field.default in (None, "", {}) else str(field.default)
+        stated = str(field.default).lower() if isinstance(field.default, bool) else str(field.default)
+        default = "required" if field.required else "" if field.default in (None, "", {}) else stated
         allowed = field.allowed or field.kind
         name = f"{field.name}\n  {field.description}"
         table.add_row(name, allowed, default if field.kind != "a table" else "")

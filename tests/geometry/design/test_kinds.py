@@ -93,6 +93,7 @@ def test_a_kind_keeps_what_it_does_not_state_and_its_ports_lie_as_high_as_those_
          "lines.0.pattern.points.1 = 'dep' must be the name of a kind under [point_kinds.NAME]; did you mean 'deep'?"),
         ({"lines.0.pattern.tubes": ["deep", "long"]},
          "lines.0.pattern.tubes.0 = 'deep' must be the name of a kind under [tube_kinds.NAME]; known: "),
+        ({"lines.0.pattern.mirrored": 1}, "lines.0.pattern.mirrored = 1 must be true or false"),
         ({"tube_kinds": {}}, "must be the name of a kind under [tube_kinds.NAME]; none is given"),
         ({"lines.0.pattern": {}}, "lines.0.pattern must give points, tubes or both"),
         ({"lines.0.tube": TUBE}, "lines.0.tube must not be given beside lines.0.pattern.tubes, which names every tube"),

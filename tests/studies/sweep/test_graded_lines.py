@@ -100,10 +100,12 @@ batch = 8
 metric = "distance_smallest"
 """
     )
-    found = search_designs(problem, folder / "out")
-    best = found.front[0].design if hasattr(found.front[0], "design") else None
+    found = search_designs(problem, folder)
     assert found.front
-    assert best is None or best.of_kind("well").membrane.thickness >= 0.2
+    for candidate in found.front:
+        # Thinner discs are below what the process casts.
+        assert candidate.values["point_kinds.well.membrane_thickness"] >= 0.2
+        assert 6.0 <= candidate.values["tube_kinds.short.length"] <= 14.0
 
 
 def test_print_rules_measure_every_kind() -> None:
