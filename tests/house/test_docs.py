@@ -169,7 +169,8 @@ def test_the_design_page_lists_every_field_with_its_range() -> None:
     fields = {
         field.name: field
         for field in fields_of(ArrayDesign)
-        if field.kind != "a table" and not field.name.startswith(("microphone_tube.", "lines.*.tube.", "lines.*.micro", "tube_kinds."))
+        if field.kind != "a table"
+        and not field.name.startswith(("microphone_tube.", "lines.*.tube.", "lines.*.micro", "tube_kinds."))
     }
     assert rows.keys() == fields.keys()
     for name, field in fields.items():

@@ -72,7 +72,9 @@ def test_a_graded_line_is_the_network_built_by_hand(stated, library):
             "resonator.cavity_height": height, "resonator.port_height": 1.25, "membrane.thickness": thickness,
         })  # fmt: skip
         outside = stated.tube.outer_diameter
-        ports = [Port(angle, bore, outside) for angle, (_, bore) in zip((180.0, 0.0), tubes[place : place + 2], strict=True)]
+        ports = [
+            Port(angle, bore, outside) for angle, (_, bore) in zip((180.0, 0.0), tubes[place : place + 2], strict=True)
+        ]
         use = resonator_cell(alike.resonator, ports)
         inside = [3 * place, 3 * place + 1]
         nodes = [inside[use.order.index(port)] for port in range(2)]
@@ -102,8 +104,10 @@ def test_the_batch_solves_a_graded_line_as_solve_in_columns_of_kinds_and_of_its_
     assert topology.tube_names == ("microphone_tube", "tube_kinds.long", "tube_kinds.short")
     assert (line.tubes, line.points) == ((0, 1, 2, 2, 1, 0), (0, 0, 1, 2, 0))
     for numbers, wiring in (
-        (parameters, topology), (parameters.individual(topology), topology.individual()), (parameters.tensors(), topology),
-    ):  # fmt: skip
+        (parameters, topology),
+        (parameters.individual(topology), topology.individual()),
+        (parameters.tensors(), topology),
+    ):
         response = batch_response(numbers, wiring, BAND, library.medium)
         for result in RESULTS:
             np.testing.assert_allclose(
@@ -129,9 +133,7 @@ def test_a_graded_line_read_backwards_is_its_mirror_image(design, library):
     pattern = design.lines[0].pattern
     backwards = pattern.model_copy(update={"points": pattern.points[::-1], "tubes": pattern.tubes[::-1]})
     turned = acoustic_fem.solve(design.with_values({"lines.0.pattern": backwards}), BAND, "lumped")
-    np.testing.assert_allclose(
-        turned.source_response.values[::-1, ::-1], library.source_response.values, rtol=1e-11
-    )
+    np.testing.assert_allclose(turned.source_response.values[::-1, ::-1], library.source_response.values, rtol=1e-11)
     mutual = library.microphone_impedance.values
     np.testing.assert_allclose(mutual[0, 1], mutual[1, 0], rtol=1e-12)
 
@@ -165,5 +167,7 @@ def test_a_force_moves_the_membrane_that_it_touches(design, library):
     """The response to a force is that of a line of the kind's membranes by the network of this one."""
     response = library.touch_response("force").values
     for place, (_, thickness) in enumerate(POINTS):
-        alike = replace(library, design=design.with_values({"lines.0.pattern.points": None, "membrane.thickness": thickness}))
+        alike = replace(
+            library, design=design.with_values({"lines.0.pattern.points": None, "membrane.thickness": thickness})
+        )
         np.testing.assert_allclose(response[place], alike.touch_response("force").values[place], rtol=1e-12)

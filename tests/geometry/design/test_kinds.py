@@ -46,7 +46,8 @@ def test_a_design_with_kinds_is_the_same_after_it_is_written_and_read():
     ("points", "pattern", "heights", "lengths"),
     [
         (4, {"points": ["plain", "deep"], "tubes": ["long", "short"]}, [2.5, 4, 4, 2.5], [14, 8, 14]),
-        (5, {"points": ["plain", "plain", "deep"], "tubes": ["long", "short"]}, [2.5, 2.5, 4, 2.5, 2.5], [14, 8, 8, 14]),
+        (5, {"points": ["plain", "plain", "deep"], "tubes": ["long", "short"]},
+         [2.5, 2.5, 4, 2.5, 2.5], [14, 8, 8, 14]),
         (2, {"points": ["deep"], "tubes": ["short"]}, [4, 4], [8]),
         (1, {"points": ["deep"]}, [4], []),
     ],
@@ -100,7 +101,7 @@ def test_a_kind_keeps_what_it_does_not_state_and_its_ports_lie_as_high_as_those_
         ({"point_kinds.a-b": {}}, "point_kinds: 'a-b' must be a name of letters, digits and _ that starts with a"),
         ({"layout.kind": "hand"}, "lines.0.pattern.tubes must not be given for layout.kind = 'hand', which lays tubes"),
         ({"layout.kind": "cylinder", "layout.diameter": 90.0}, "must not be given for layout.kind = 'cylinder'"),
-        ({"layout.pitch": 16.0}, "layout.pitch = 16 mm must be between 10 mm (shells touch) and 14 mm (tubes straight)"),
+        ({"layout.pitch": 16.0}, "layout.pitch = 16 mm must be between 10 mm (shells touch) and 14 mm (tubes"),
         ({"point_kinds.deep.membrane_thickness": 9.0},
          "point_kinds.deep.membrane_thickness = 9 mm must be at most 6 mm, 2 radii of resonator.cavity_diameter"),
         ({"point_kinds.deep.cavity_height": 1.3},
@@ -163,7 +164,9 @@ def test_the_sides_of_a_ring_are_as_long_as_their_graded_lines():
     layout = lay_out(design)
     places = np.array([point.position for point in layout.points if point.line == 0])
     diameter = design.resonator.cavity_diameter
-    assert np.linalg.norm(np.diff(places, axis=0), axis=1) == pytest.approx([diameter + length for length in (14, 9, 14)])
+    assert np.linalg.norm(np.diff(places, axis=0), axis=1) == pytest.approx(
+        [diameter + length for length in (14, 9, 14)]
+    )
     for tube in layout.tubes:
         if tube.line == 0 and 0 < tube.segment < 4:
             assert np.linalg.norm(tube.path[-1] - tube.path[0]) == pytest.approx(tube.tube.length)

@@ -11,6 +11,7 @@ import acoustic_fem
 from acoustic_fem.batch.network import batch_transfer_function
 from acoustic_fem.batch.parameters import design_air
 from acoustic_fem.membrane.disc import design_disc
+from acoustic_fem.scatter.tolerances import ScatteredDesign
 from geometry import ArrayDesign, prototype
 from geometry.design.design_file import save_design
 from studies.metrics import build
@@ -18,7 +19,6 @@ from studies.optimization.printable import measures
 from studies.optimization.problem import read_optimization
 from studies.optimization.search import search_designs
 from studies.run.check import kind_uses, model_validity
-from studies.scatter.tolerances import ScatteredDesign
 from studies.study.file import load_study, read_study
 from studies.study.metric_registry import METRICS
 from studies.study.study import StudyError
@@ -76,7 +76,9 @@ def test_a_sweep_over_the_fields_of_kinds_has_the_values_of_each_design_solved_a
 
 
 def test_a_kind_that_is_not_there_is_refused_by_name(folder: Path) -> None:
-    (folder / "study.toml").write_text(STUDY + '[parameters]\n"point_kinds.wel.cavity_height" = [3.0]\n', encoding="utf-8")
+    (folder / "study.toml").write_text(
+        STUDY + '[parameters]\n"point_kinds.wel.cavity_height" = [3.0]\n', encoding="utf-8"
+    )
     with pytest.raises(StudyError, match=r"point_kinds\.wel\.cavity_height is not a field of this design"):
         load_study(folder / "study.toml")
     with pytest.raises(StudyError, match=r"point_kinds\.well\.cavity_height.* must be between 0\.4 and 50 mm"):
