@@ -168,8 +168,8 @@ def _microphone_tube(
         if gaps.size and gaps.min() < clear:
             # Lead it over the membranes, so that the picture shows which ends are joined.
             alike = [design.of_kind(kind) for kind in design.kinds]
-            top = max(each.resonator.cavity_height + each.membrane.thickness for each in alike)
-            lift = top - design.resonator.port_axis_height
+            axis = design.resonator.port_axis_height
+            lift = max(each.resonator.cavity_height - axis + each.membrane.thickness for each in alike)
             s = np.linspace(0, 1, len(plan) - 2)
             path[1:-1, 2] += (lift + 2 * tube.outer_diameter) * np.minimum(1, 4 * np.sin(np.pi * s) ** 2)
         course = surface.mapped(path)
