@@ -133,7 +133,8 @@ def ring_runs(design: ArrayDesign, surface: Plane | Cylinder) -> list[Run]:
         if len(set(design.steps_of(line))) > 1:
             along_side = np.cumsum([0.0, *design.steps_of(line)]) - design.span_of(line) / 2
         else:
-            along_side = np.asarray((np.arange(line.points) - (line.points - 1) / 2) * design.pitch_of(line), np.float64)
+            from_middle = np.arange(line.points) - (line.points - 1) / 2
+            along_side = np.asarray(from_middle * design.pitch_of(line), np.float64)
         positions = middle + np.outer(along_side, along)
         outward = float(middle @ unit(direction + 90)) > 0
         sides = (1 if outward else -1,) * (line.points - 1)

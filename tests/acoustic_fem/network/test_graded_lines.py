@@ -1,6 +1,7 @@
 """Lines whose points and tubes are of several kinds: every solver takes at each place what stands there."""
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -14,7 +15,7 @@ from acoustic_fem.duct.plane_wave import port_admittance
 from acoustic_fem.membrane.disc import design_compliance
 from acoustic_fem.network.microphone import load_admittance
 from geometry.air.cells import cell_catalogue, resonator_cell
-from geometry.design.design_file import prototype
+from geometry.design.design_file import load_design, prototype
 from geometry.layout.arrangement import lay_out
 from geometry.stated.ports import Port
 
@@ -171,3 +172,21 @@ def test_a_force_moves_the_membrane_that_it_touches(design, library):
             library, design=design.with_values({"lines.0.pattern.points": None, "membrane.thickness": thickness})
         )
         np.testing.assert_allclose(response[place], alike.touch_response("force").values[place], rtol=1e-12)
+
+
+@pytest.mark.filterwarnings("ignore:entrance loss")
+def test_the_graded_example_pays_in_loudness_what_its_page_says():
+    graded = load_design(Path(__file__).parents[3] / "docs" / "examples" / "graded-line-36.toml")
+    tube = {"length": 9.35, "inner_diameter": 0.94, "outer_diameter": 1.3, "wire_diameter": 0.1}
+    uniform = graded.with_values({
+        "lines.0.pattern": None, "tube": tube, "microphone_tube": tube,
+        "resonator.cavity_height": 4.7, "membrane.thickness": 1.66,
+    })  # fmt: skip
+    spread, quieter = [], []
+    for design in (graded, uniform):
+        response = acoustic_fem.solve(design, np.linspace(1, 100, 12), "lumped").touch_response("force").values
+        level = 10 * np.log10((np.abs(response) ** 2).mean(axis=-1))
+        spread.append(np.ptp(level.max(axis=1)))
+        quieter.append(level.min())
+    assert spread == pytest.approx([26, 7], abs=1)
+    assert quieter[1] - quieter[0] == pytest.approx(12, abs=1)
