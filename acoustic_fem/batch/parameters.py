@@ -106,11 +106,10 @@ class ArrayParameters:
             if Topology.of(design) != topology:
                 raise Refusal(f"designs.{number} ({design.name}) is not wired as designs.0 ({designs[0].name})")
         rows = [_row(design, medium or design_air(design), known) for design in designs]
-        terms = max(len(row["membrane_relaxation"][0]) for row in rows)
+        terms = max(len(column) for row in rows for column in row["membrane_relaxation"])
         for row in rows:
-            more = terms - len(row["membrane_relaxation"][0])
-            row["membrane_relaxation"] = [[*row["membrane_relaxation"][0], *[0.0] * more]]
-            row["membrane_relaxation_time"] = [[*row["membrane_relaxation_time"][0], *[1.0] * more]]
+            for name, nothing in (("membrane_relaxation", 0.0), ("membrane_relaxation_time", 1.0)):
+                row[name] = [[*column, *[nothing] * (terms - len(column))] for column in row[name]]
         return cls(**{name: np.array([row[name] for row in rows], dtype=np.float64) for name in rows[0]})
 
     @property
