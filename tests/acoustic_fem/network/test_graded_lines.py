@@ -189,4 +189,4 @@ def test_the_graded_example_pays_in_loudness_what_its_page_says():
         spread.append(np.ptp(level.max(axis=1)))
         quieter.append(level.min())
     assert spread == pytest.approx([26, 7], abs=1)
-    assert quieter[1] - quieter[0] == pytest.approx(12, abs=1)
+    assert quieter[1] - quieter[0] == pytest.approx(10, abs=1)
