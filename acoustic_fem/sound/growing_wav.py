@@ -18,6 +18,7 @@ from typing import Self
 import numpy as np
 from numpy.typing import NDArray
 
+from geometry.files.writing import writing
 from geometry.refusal import Refusal
 
 LARGEST = 2**31
@@ -48,7 +49,14 @@ class GrowingWav:
         self.samples = 0
         """Written per channel."""
         self._file = FileIO(self.path, "wb")
-        self._write_head()
+        try:
+            with writing(self.path):
+                self._write_head()
+        except OSError:  # a disk that is full from the beginning leaves no file
+            self._file.close()
+            if self.path.is_file():  # and no device
+                self.path.unlink()
+            raise
 
     @property
     def full(self) -> bool:
@@ -68,10 +76,11 @@ class GrowingWav:
             raise Refusal(f"{self.path}: a WAV file cannot hold {self.samples + samples.shape[1]} samples")
         self._file.seek(_HEAD_BYTES + 4 * self.channels * self.samples)
         rest = memoryview(np.ascontiguousarray(samples.T, "<f4").tobytes())
-        while rest:
-            rest = rest[self._file.write(rest) :]
-        self.samples += samples.shape[1]
-        self._write_head()
+        with writing(self.path):
+            while rest:
+                rest = rest[self._file.write(rest) :]
+            self.samples += samples.shape[1]
+            self._write_head()
 
     def close(self) -> None:
         """Close the file, with all of it on the disk."""

@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
+import errno
 import os
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from geometry.refusal import Refusal
+
+FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
+"""What the system says where nothing more can be written: to the disk, by this user, or to a file so long."""
+#: Bytes that are tried where a library failed: more than any of them leaves of a full disk.
+_TRIED = 1 << 20
 
 
 @contextmanager
@@ -19,6 +25,9 @@ def whole_file(path: str | os.PathLike[str]) -> Iterator[Path]:
 
     Args:
         path: the file; its folder must exist.
+
+    Raises:
+        OSError: the disk is full, whatever the library says that met it; names the file.
     """
     path = Path(path)
     with suppress(FileNotFoundError):
@@ -31,8 +40,42 @@ def whole_file(path: str | os.PathLike[str]) -> Iterator[Path]:
         with open(beside, "rb") as written:
             os.fsync(written.fileno())
         os.replace(beside, path)
+    except Exception as error:
+        full = _full(beside, error)
+        if full is not None:
+            raise OSError(full, os.strerror(full), str(path)) from error
+        raise
     finally:
         beside.unlink(missing_ok=True)
+
+
+@contextmanager
+def writing(path: str | os.PathLike[str]) -> Iterator[None]:
+    """Name a file or folder in what the system says of a disk that is full; a name that it says itself stays."""
+    try:
+        yield
+    except OSError as error:
+        if error.filename is None and error.errno in FULL:
+            error.filename = os.fspath(path)
+        raise
+
+
+def _full(beside: Path, error: Exception) -> int | None:
+    """What the system says of a disk that is full, where that is why something failed.
+
+    Libraries that write files themselves seldom hand it on: HDF5 says "HDF error", others write half a file in
+    silence, which is then not what should be in it. So a little more is written, where they failed.
+    """
+    if isinstance(error, OSError) and error.errno in FULL:
+        return error.errno
+    try:
+        with open(beside, "ab") as file:
+            file.write(bytes(_TRIED))
+            file.flush()
+            os.fsync(file.fileno())
+    except OSError as found:
+        return found.errno if found.errno in FULL else None
+    return None
 
 
 def write_text(path: str | os.PathLike[str], text: str) -> None:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Generator, Iterator
+from contextlib import suppress
 from dataclasses import dataclass
 from time import perf_counter, sleep
 from typing import Literal
@@ -80,6 +81,8 @@ class LiveListener:
         wait: Callable[[float], None] = sleep,
     ) -> None:
         self.source, self.stream, self.recorder = source, stream, recorder
+        self.stopped = ""
+        """Why the recording was stopped while the listening went on, in one line with its file; empty if it was not."""
         self._wait = wait
         self._channels = len(stream.locator.microphones)
         self.recent: NDArray[np.float64] = np.zeros((self._channels, RECENT))
@@ -93,10 +96,12 @@ class LiveListener:
 
         Raises:
             SourceError: the source is not there at the beginning; later it is waited for.
+            OSError: the recording cannot be begun; later it is stopped, and :attr:`stopped` says why.
         """
         try:
             queue = self.source.open()
-            yield from self._record(LiveRecorder.begin)
+            if self.recorder is not None:
+                self.recorder.begin()
             while True:
                 reason = yield from self._run(queue)
                 if reason is None:
@@ -199,6 +204,9 @@ class LiveListener:
         try:
             act(self.recorder)
         except OSError as error:
+            self.stopped = f"{error.filename or 'the recording'}: cannot be written: {error.strerror or error}"
+            with suppress(OSError):
+                self.recorder.close()
             self.recorder = None
             yield self._notice("recording stopped", error.strerror or str(error))
 

@@ -12,10 +12,12 @@ import sysconfig
 import warnings
 from io import TextIOWrapper
 from pathlib import Path
+from types import FrameType
 from typing import Annotated, Any, NoReturn, TextIO
 
 import typer
 
+from geometry.files.writing import FULL
 from geometry.refusal import Refusal, in_one_line
 from studies.cli import (
     bending,
@@ -78,13 +80,15 @@ VERBS = (
 )
 
 
+#: Exit code of what Ctrl-C ended, as shells have it.
+_INTERRUPTED = 130
 _LONGEST_ARGUMENT = 4096  # no system has longer paths
 
 
 #: Wrong command lines: what typer raises for them all.
 _USAGE: Any = typer.BadParameter.__base__
 #: What the system says of a disk that takes nothing more, whoever writes to it.
-_FULL = (errno.ENOSPC, errno.EDQUOT, errno.EROFS)
+_FULL = (*FULL, errno.EROFS)
 
 
 def main() -> NoReturn:
@@ -96,28 +100,51 @@ def main() -> NoReturn:
         if len(argument) > _LONGEST_ARGUMENT:
             fail(f"{argument}: an argument of {len(argument)} characters must have at most {_LONGEST_ARGUMENT}", 2)
     signal.signal(signal.SIGTERM, _stop)
+    interrupt = _Interrupt()
+    if signal.getsignal(signal.SIGINT) not in (signal.SIG_IGN, None):  # else nobody wants to be stopped by it
+        signal.signal(signal.SIGINT, interrupt)
     try:
         code = app(sys.argv[1:] or ["--help"], prog_name="acoustic-fem", standalone_mode=False)
-    except _USAGE as error:
+    except (KeyboardInterrupt, typer.Abort):
+        fail("stopped", _INTERRUPTED)
+    except Exception as error:
+        if interrupt.pressed:  # libraries that were being imported make other errors of it
+            fail("stopped", _INTERRUPTED)
+        _tell(error)
+        raise  # a mistake of the program: its traceback says where
+    sys.exit(code if isinstance(code, int) else 0)
+
+
+class _Interrupt:
+    """Handler of Ctrl-C, which remembers that it was pressed."""
+
+    pressed = False
+
+    def __call__(self, number: int, frame: FrameType | None) -> None:
+        """Interrupt what is done, as Python does it."""
+        self.pressed = True
+        signal.default_int_handler(number, frame)
+
+
+def _tell(error: Exception) -> None:
+    """End with one line where something was refused, or the command line, the system or an installation is wrong."""
+    if isinstance(error, Refusal):
+        fail(in_options(str(error)))
+    if isinstance(error, _USAGE):
         message = error.format_message().removeprefix("Invalid value: ").rstrip(".")
         fail(f"{message}; try {error.ctx.command_path if error.ctx else 'acoustic-fem'} --help", 2)
-    except typer.Abort:
-        fail("stopped")
-    except KeyboardInterrupt:
-        fail("stopped", 130)
-    except Refusal as error:
-        fail(in_options(str(error)))
-    except (ImportError, OSError) as error:
-        from studies.output.system_libraries import what_is_missing
+    if not isinstance(error, (ImportError, OSError)):
+        return
+    from studies.output.system_libraries import what_is_missing
 
-        if missing := what_is_missing(str(error)):
-            fail(missing)
-        if isinstance(error, OSError) and error.errno in _FULL:
-            fail(f"{error.filename or 'the output'}: cannot be written: {error.strerror}")
-        if isinstance(error, ImportError) or (error.filename is None and error.errno != errno.EIO):
-            raise  # a mistake of the program: its traceback says where
+    if missing := what_is_missing(str(error)):
+        fail(missing)
+    if isinstance(error, ImportError):
+        return
+    if error.errno in _FULL:
+        fail(f"{error.filename or 'the output'}: cannot be written: {error.strerror}")
+    if error.filename is not None or error.errno == errno.EIO:
         fail(f"{error.filename or 'a file'}: {error.strerror}")
-    sys.exit(code if isinstance(code, int) else 0)
 
 
 def _stop(*_: object) -> NoReturn:

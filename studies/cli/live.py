@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Self
 
 import typer
 
-from geometry.refusal import counted
+from geometry.refusal import Refusal, counted
 from studies.cli.locating import ArrayLibrary, DecoderAmbient, DecoderNoise, RefusedShare
 from studies.cli.options import AIR_OPTIONS, Altitude, Pressure, Temperature, named
 from studies.cli.tables import show, table_of
@@ -112,6 +112,8 @@ def live(
         decoding = Decoding(noise, library, waveform, ambient, refuse, LocalAir(pressure, altitude, temperature))
         summary = listen(model, source, out, record=record, decoding=decoding, hear=output.hear)
     _print_summary(summary)
+    if summary.unrecorded:
+        raise Refusal(f"{summary.unrecorded}; what came in until then is in the file")
 
 
 class _Output:

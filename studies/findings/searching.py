@@ -7,9 +7,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from geometry.files.writing import writing
 from geometry.refusal import Refusal, counted
 from studies.output.display import Display
 from studies.output.folders import check_folder
+from studies.output.sole_writer import sole_writer_of
 
 if TYPE_CHECKING:
     from studies.optimization.problem import Optimization
@@ -48,8 +50,8 @@ def optimize(
         display: shows what is being done.
 
     Raises:
-        Refusal: a study that cannot be read, a folder with files of others or of another search, or no design that
-            keeps the limits and can be printed.
+        Refusal: a study that cannot be read, a folder with files of others or of another search, or to which one is
+            writing, or no design that keeps the limits and can be printed.
     """
     from studies.findings.search_files import save_search, unprintable_designs
     from studies.optimization.journal import JOURNAL, seal
@@ -59,18 +61,18 @@ def optimize(
     folder, show = Path(out), display or Display()
     problem = study if isinstance(study, Optimization) else load_optimization(study)
     check_folder(folder, "search", JOURNAL)
-    folder.mkdir(parents=True, exist_ok=True)
-    with show.stage("Search") as report:
-        result = search_designs(problem, folder, workers=workers, scheduler=scheduler, progress=report)
-    if not result.front:
-        raise Refusal(
-            f"{problem.study.name}: none of {counted(problem.trials, 'design')} keeps the limits "
-            f"({'; '.join(map(str, problem.limits)) or 'none'}): widen the parameters, or loosen them"
-        )
-    with show.stage("Parts") as report:
-        failed = unprintable_designs(problem, result, report)
-        seal(folder, failed)  # whoever reads the search later must not take them back
-        result = without(problem, result, failed)
-    if not result.front:
-        raise Refusal(f"{problem.study.name}: of no design of the front do the drawn parts pass the print rules")
-    return Search(problem, result, tuple(save_search(problem, result, folder)))
+    with sole_writer_of(folder, "search", Refusal), writing(folder / JOURNAL):
+        with show.stage("Search") as report:
+            result = search_designs(problem, folder, workers=workers, scheduler=scheduler, progress=report)
+        if not result.front:
+            raise Refusal(
+                f"{problem.study.name}: none of {counted(problem.trials, 'design')} keeps the limits "
+                f"({'; '.join(map(str, problem.limits)) or 'none'}): widen the parameters, or loosen them"
+            )
+        with show.stage("Parts") as report:
+            failed = unprintable_designs(problem, result, report)
+            seal(folder, failed)  # whoever reads the search later must not take them back
+            result = without(problem, result, failed)
+        if not result.front:
+            raise Refusal(f"{problem.study.name}: of no design of the front do the drawn parts pass the print rules")
+        return Search(problem, result, tuple(save_search(problem, result, folder)))

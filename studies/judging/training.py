@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from geometry.refusal import Refusal
 from studies.output.display import Display
 from studies.output.folders import check_folder
+from studies.output.sole_writer import sole_writer_of
 
 if TYPE_CHECKING:
     from localize import Evaluation, Localizer, TrainingPlan
@@ -51,12 +52,11 @@ def train_localizer(
 
     Raises:
         Refusal: a folder that cannot be written or holds a finished localizer or another training, or a file that
-            cannot be read.
+            cannot be read; or another training is writing to the folder.
     """
     folder = Path(out)
     checkpoint = folder / _CHECKPOINT
-    if (folder / "localizer.json").exists() and not checkpoint.exists():
-        raise Refusal(f"{folder}: holds a finished localizer; remove it, or choose another folder")
+    _check_unfinished(folder)
     check_folder(folder, "train", _CHECKPOINT, reads=(library, recordings))
     import acoustic_fem
     from localize import TrainingPlan, evaluate, train
@@ -65,8 +65,8 @@ def train_localizer(
 
     plan = plan or TrainingPlan(microphone_noise="design")
     response = response_of(acoustic_fem.load(library))
-    folder.mkdir(parents=True, exist_ok=True)
-    with (display or Display()).stage("Localizer") as report:
+    with sole_writer_of(folder, "train", Refusal), (display or Display()).stage("Localizer") as report:
+        _check_unfinished(folder)  # by whoever wrote to it until now
         report("training", 0.0)
         localizer = train(
             response,
@@ -80,3 +80,8 @@ def train_localizer(
         write_training_files(folder, localizer, judged)
         checkpoint.unlink()
     return TrainedLocalizer(folder, localizer, judged)
+
+
+def _check_unfinished(folder: Path) -> None:
+    if (folder / "localizer.json").exists() and not (folder / _CHECKPOINT).exists():
+        raise Refusal(f"{folder}: holds a finished localizer; remove it, or choose another folder")

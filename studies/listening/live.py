@@ -12,6 +12,7 @@ from pathlib import Path
 from time import perf_counter
 from typing import TYPE_CHECKING
 
+from geometry.files.writing import writing
 from geometry.refusal import Refusal
 from studies.listening.opening import Decoding, open_localizer, open_stream
 from studies.output.folders import check_new_file
@@ -110,6 +111,8 @@ class LiveSummary:
     """Latencies of the decisions, from the last sample of their frame to the end of what was done with them."""
     recordings: tuple[Path, ...]
     """Files that were recorded."""
+    unrecorded: str = ""
+    """Why the recording was stopped while the listening went on, in one line with its file; empty if it was not."""
 
 
 def listen(
@@ -135,6 +138,7 @@ def listen(
 
     Raises:
         Refusal: a file that cannot be written or read, options that do not go together, or no such sound card.
+        OSError: a disk that is full: the lines cannot be written, or the recording cannot be begun.
     """
     lines = None if out is None else Path(out)
     heard_from, given = source or LiveInput(), decoding or Decoding()
@@ -147,6 +151,8 @@ def listen(
     counts = _Counts()
     with ExitStack() as stack:
         stack.enter_context(_nothing_freed())
+        if lines is not None:
+            stack.enter_context(writing(lines))
         # Lines are written as they come, and stand in the file whenever the program ends.
         file = None
         if lines is not None:
@@ -166,7 +172,7 @@ def listen(
                     break
         except KeyboardInterrupt:
             pass
-    return counts.summary(session)
+    return counts.summary(session, listener.stopped)
 
 
 def _opened(
@@ -222,7 +228,7 @@ class _Counts:
         elif isinstance(event, Notice):
             self._faults[event.kind] += 1
 
-    def summary(self, session: LiveSession) -> LiveSummary:
+    def summary(self, session: LiveSession, unrecorded: str) -> LiveSummary:
         """All of it."""
         return LiveSummary(
             perf_counter() - self._began,
@@ -231,4 +237,5 @@ class _Counts:
             self._lost,
             session.latencies,
             session.recordings,
+            unrecorded,
         )

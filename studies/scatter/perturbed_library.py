@@ -26,6 +26,7 @@ from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.scatter.tolerances import TOLERANCES, ScatteredDesign, Tolerance
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import read_stored_design, write_design
+from geometry.files.writing import writing
 from geometry.refusal import Refusal
 from studies.output.checked_store import CheckedStore, add_checksums, create_checked, read_store
 from studies.output.folders import check_folder
@@ -93,16 +94,17 @@ def write_perturbed_library(
     target.parent.mkdir(parents=True, exist_ok=True)
     beside = target.with_name(f".{target.name}.{os.getpid()}.new")
     try:
-        _new_store(beside, scattered, count, grid, seed)
-        stored, _ = _opened(beside)
-        parts, seals = [stored.array(name, writing=True) for name in _PARTS], Seals(stored, _PARTS, writing=True)
-        for first in range(0, count, BLOCK):
-            report("sensors", first / count)
-            size = min(BLOCK, count - first)
-            h = batch_transfer_function(scattered.sample(first, size, seed), scattered.topology, grid, air)
-            parts[0][first : first + size], parts[1][first : first + size] = h.real, h.imag
-            seals.write(first // BLOCK, {_PARTS[0]: h.real, _PARTS[1]: h.imag})
-        os.rename(beside, target)
+        with writing(target):
+            _new_store(beside, scattered, count, grid, seed)
+            stored, _ = _opened(beside)
+            parts, seals = [stored.array(name, writing=True) for name in _PARTS], Seals(stored, _PARTS, writing=True)
+            for first in range(0, count, BLOCK):
+                report("sensors", first / count)
+                size = min(BLOCK, count - first)
+                h = batch_transfer_function(scattered.sample(first, size, seed), scattered.topology, grid, air)
+                parts[0][first : first + size], parts[1][first : first + size] = h.real, h.imag
+                seals.write(first // BLOCK, {_PARTS[0]: h.real, _PARTS[1]: h.imag})
+            os.rename(beside, target)
     finally:
         shutil.rmtree(beside, ignore_errors=True)
     return PerturbedLibrary(target)

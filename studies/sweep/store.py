@@ -26,10 +26,11 @@ from xarray.core.indexing import ExplicitIndexer, IndexingSupport, LazilyIndexed
 from geometry import ArrayDesign
 from geometry.design.design_file import read_stored_design
 from geometry.files.ordinary import library_reads
-from geometry.files.writing import write_text
+from geometry.files.writing import write_text, writing
 from studies.output.checked_store import METADATA, CheckedStore, read_store, take_checksums
 from studies.output.folders import check_folder
 from studies.output.seals import SEALS, Seals
+from studies.output.sole_writer import hold
 from studies.study.cases import Cases
 from studies.study.differences import first_difference
 from studies.study.failure_reasons import by_kind
@@ -130,17 +131,20 @@ class SweepStore:
         """
         check_store(path)
         if not (path / METADATA).exists():
-            create_store(path, study, cases, metrics)
+            with writing(path):
+                create_store(path, study, cases, metrics)
         store = cls(path)
         differs = first_difference(store._about.study_content, study.content())
         if differs:
             raise StudyError(f"{path}: holds the results of another study: {differs}; give another `out`, or remove it")
         for left in path.rglob("*.partial"):  # of a run that was killed while it wrote
             left.unlink()
-        store._restore(study, cases, metrics)
+        with writing(path):
+            store._restore(study, cases, metrics)
         store._variables = {name: store._stored.array(name, writing=True) for name in store._filled}
         store._seals = Seals(store._stored, list(store._filled), writing=True)
-        store._forget_damaged()
+        with writing(path):
+            store._forget_damaged()
         return store
 
     def _restore(self, study: Study, cases: Cases, metrics: Sequence[Labelled]) -> None:
@@ -234,11 +238,12 @@ class SweepStore:
                 values[name] = np.full((len(result.state), *self._variables[name].shape[1:]), np.nan)
                 values[name][:, points] = each
         values["reason"] = np.array(result.reason, dtype=object)
-        for name, each in values.items():
-            self._variables[name][part] = each
-        values["state"] = np.asarray(result.state, np.int8)
-        self._seals.write(result.first // self.block, values)
-        self._variables["state"][part] = values["state"]  # last: from now on the block counts
+        with writing(self.path):
+            for name, each in values.items():
+                self._variables[name][part] = each
+            values["state"] = np.asarray(result.state, np.int8)
+            self._seals.write(result.first // self.block, values)
+            self._variables["state"][part] = values["state"]  # last: from now on the block counts
 
     def failures(self) -> dict[str, list[int]]:
         """Numbers of the failed cases by kind of reason, as :func:`studies.study.failure_reasons.by_kind`."""
@@ -271,16 +276,10 @@ def sole_writer(path: Path) -> Iterator[IO[str]]:
         StudyError: another sweep is writing, or the file system has no locks.
     """
     path.parent.mkdir(parents=True, exist_ok=True)
-    with path.with_name(f"{path.name}.log").open("a", encoding="utf-8") as log:
+    beside = path.with_name(f"{path.name}.log")
+    with writing(beside), beside.open("a", encoding="utf-8") as log:
         try:
-            import fcntl
-        except ImportError:  # not on this system: nobody watches
-            yield log
-            return
-        try:
-            fcntl.flock(log, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except BlockingIOError:
-            raise StudyError(f"{path}: another sweep is writing to it") from None
+            hold(log.fileno(), path, "sweep", StudyError)
         except OSError as error:
             raise StudyError(
                 f"{log.name}: cannot be locked ({error.strerror}); `out` must be where files can"

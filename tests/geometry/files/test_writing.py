@@ -2,11 +2,27 @@
 
 from __future__ import annotations
 
+import errno
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
 
-from geometry.files.writing import replace_section, whole_file
+from geometry.files.writing import replace_section, whole_file, writing
+
+resource = pytest.importorskip("resource")
+
+
+@contextmanager
+def no_room_beyond(count: int) -> Iterator[None]:
+    """Files that grow to at most so many bytes, as on a disk that is full."""
+    soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (count, hard))
+    try:
+        yield
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
 
 
 def test_a_block_that_fails_leaves_the_old_file_and_nothing_beside(tmp_path: Path) -> None:
@@ -22,6 +38,35 @@ def test_a_block_that_fails_leaves_the_old_file_and_nothing_beside(tmp_path: Pat
         half()
     assert path.read_text() == "old"
     assert [entry.name for entry in tmp_path.iterdir()] == ["a.txt"]
+
+
+@pytest.mark.parametrize("said", [RuntimeError("HDF error"), PermissionError(13, "Permission denied"), None])
+def test_a_full_disk_is_told_whatever_a_library_says_of_it(tmp_path: Path, said: Exception | None) -> None:
+    path = tmp_path / "a.nc"
+    path.write_text("old")
+
+    def half() -> None:
+        with whole_file(path) as beside:
+            if said is None:
+                beside.write_bytes(bytes(10_000))
+            raise said or AssertionError("written")
+
+    with no_room_beyond(5000), pytest.raises(OSError, match="File too large") as told:
+        half()
+    assert (told.value.errno, told.value.filename) == (errno.EFBIG, str(path))
+    assert path.read_text() == "old"
+    assert [entry.name for entry in tmp_path.iterdir()] == ["a.nc"]
+
+
+def test_what_the_system_says_of_a_full_disk_gets_the_name_that_it_lacks(tmp_path: Path) -> None:
+    for number, name, shown in (
+        (errno.ENOSPC, None, "store"),
+        (errno.ENOSPC, "other", "other"),
+        (errno.ECONNREFUSED, None, None),
+    ):
+        with pytest.raises(OSError) as told, writing("store"):
+            raise OSError(number, "why", name)
+        assert told.value.filename == shown
 
 
 def test_lines_between_marks_are_replaced_and_nothing_else(tmp_path: Path) -> None:

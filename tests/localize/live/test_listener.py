@@ -280,14 +280,34 @@ def test_latencies_are_counted_in_memory_that_does_not_grow() -> None:
         assert latencies.percentile(share) == pytest.approx(np.percentile(drawn, share), abs=2e-4)
 
 
-def test_a_full_disk_ends_the_recording_and_not_the_listening(decoder, signals) -> None:
+def test_a_full_disk_ends_the_recording_and_not_the_listening(decoder, signals, tmp_path, monkeypatch) -> None:
+    source = Given([blocks(signals, 1000.0, list(range(0, 6000, 50)))], 1000.0)
+    recorder = LiveRecorder(tmp_path / "a.wav", 1000.0, 2)
+    write = recorder.write
+
+    def fills(samples: np.ndarray) -> None:
+        if recorder._file is not None and recorder._file.samples >= 100:
+            raise OSError(28, "No space left on device", str(tmp_path / "a.wav"))
+        write(samples)
+
+    monkeypatch.setattr(recorder, "write", fills)
+    listener = LiveListener(source, TouchStream(decoder), recorder)
+    events = [heard.event for heard in listener.listen()]
+    (stopped,) = [event for event in events if isinstance(event, Notice)]
+    assert (stopped.kind, stopped.text) == ("recording stopped", "No space left on device")
+    assert [event for event in events if event != stopped] == TouchStream(decoder).push(signals)
+    assert listener.stopped == f"{tmp_path / 'a.wav'}: cannot be written: No space left on device"
+    assert len(read_wav(tmp_path / "a.wav").channels["1"]) == 100
+
+
+def test_a_recording_that_cannot_be_begun_ends_the_listening(decoder, signals) -> None:
     if not Path("/dev/full").exists():
         pytest.skip("needs /dev/full")
     source = Given([blocks(signals, 1000.0, list(range(0, 6000, 50)))], 1000.0)
-    recorder = LiveRecorder("/dev/full", 1000.0, 2)
-    events = [heard.event for heard in LiveListener(source, TouchStream(decoder), recorder).listen()]
-    assert events[0] == Notice(0.0, "recording stopped", "No space left on device")
-    assert events[1:] == TouchStream(decoder).push(signals)
+    listener = LiveListener(source, TouchStream(decoder), LiveRecorder("/dev/full", 1000.0, 2))
+    with pytest.raises(OSError, match="No space left on device: '/dev/full'"):
+        next(listener.listen())
+    assert Path("/dev/full").exists()
 
 
 def test_lost_samples_are_zeros_in_the_recording_and_no_file_is_replaced_by_a_second_one(tmp_path) -> None:

@@ -1,0 +1,182 @@
+"""Every wrong input ends in one line, every wrong command line with code 2."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import numpy as np
+import pytest
+import scipy.io.wavfile
+from command import Command
+from shared import solved
+from small_run import small_design, small_run
+
+import acoustic_fem
+import geometry
+from geometry.design.design_file import prototype_text
+
+
+@pytest.fixture(scope="module")
+def places(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
+    """Good and bad files by name; what is refused changes none of them."""
+    result, tmp_path = small_run(), tmp_path_factory.mktemp("places")
+    files = {name: tmp_path / name for name in ("text.nc", "short.nc", "bad.toml", "wide.toml", "full", "missing")}
+    files |= {"out.nc": tmp_path / "out.nc", "none/out.nc": tmp_path / "none" / "out.nc", "folder": tmp_path}
+    files["library.nc"] = result.folder / "library.nc"
+    files["localizer"] = result.folder / "localizer"
+    files["pipe"] = tmp_path / "pipe"
+    for suffix in (".toml", ".wav"):
+        os.mkfifo(tmp_path / f"pipe{suffix}")
+    for name in ("text.nc", "text.wav", "text.onnx"):
+        files[name] = tmp_path / name
+        files[name].write_text("neither sound nor numbers")
+    files["short.nc"].write_bytes(files["library.nc"].read_bytes()[:3000])
+    files["bad.toml"].write_text("name = [unclosed")
+    text = prototype_text("array-2x6").replace("cavity_diameter = 6.0", "cavity_diameter = 99.0")
+    files["wide.toml"].write_text(text)
+    files["one.toml"] = tmp_path / "one.toml"
+    geometry.save_design(small_design().with_values({"lines.0.points": 1}), files["one.toml"])
+    files["full"].mkdir()
+    (files["full"] / "thesis.txt").write_text("all my work")
+    acoustic_fem.save(solved("glove", np.arange(1.0, 101.0)), tmp_path / "glove.nc")
+    files["glove.nc"] = tmp_path / "glove.nc"
+    acoustic_fem.save(acoustic_fem.solve(small_design(), [1.0, 50.0, 60.0, 80.0], "lumped"), tmp_path / "narrow.nc")
+    files["narrow.nc"] = tmp_path / "narrow.nc"
+    return files
+
+
+@pytest.mark.parametrize(
+    ("words", "reason"),
+    [
+        ("check array-2x7", "neither a design file nor a prototype; did you mean 'array-2x6'?"),
+        ("check <missing>.toml", "no such file"),
+        ("check <pipe>.toml", "pipe.toml: is a pipe, not a design file"),
+        ("solve <pipe>.toml --out <out.nc>", "pipe.toml: is a pipe, not a design file"),
+        ("parts array-2x6 --out <out.nc> --process <pipe>.toml", "pipe.toml: is a pipe, not a file of a process"),
+        ("locate <library.nc> <pipe>.wav", "pipe.wav: is a pipe, not a"),
+        ("live <library.nc> --replay <pipe>.wav", "pipe.wav: is a pipe, not a WAV file"),
+        ("sweep <pipe>.toml --out <out.nc>", "pipe.toml: is a pipe, not a study file"),
+        ("optimize <pipe>.toml --out <out.nc>", "pipe.toml: is a pipe, not a study file"),
+        ("calibrate <pipe>.toml --out <out.nc>", "pipe.toml: is a pipe, not a manifest"),
+        ("check /dev/zero", "/dev/zero: is a device, not a design file"),
+        ("check " + 4000 * "x" + ".toml", "cannot be read: File name too long"),
+        ("check a\u202eb.toml", "a\\u202eb.toml: no such file"),
+        ("check <bad.toml>", "is not TOML"),
+        ("check <wide.toml>", "resonator.cavity_diameter = 99 mm must be between 0.8 and 50 mm"),
+        ("check array-2x6 --out <none/out.nc>", "must lie in a folder that exists"),
+        ("prototypes array", "no prototype is named 'array'"),
+        ("solve array-2x6 --out <folder> --fidelity lumped", "is a folder; --out must be a file"),
+        ("solve array-2x6 --out <text.wav>", "text.wav: --out must be a library, .nc"),
+        ("solve array-2x6 --out <none/out.nc>", "must lie in a folder that exists"),
+        ("solve array-2x6 --out <out.nc> --frequencies 0:100:64", "--frequencies = 0 Hz must be between 0.001 and"),
+        ("solve array-2x6 --out <out.nc> --frequencies 1:3000:64", "must be between 0.001 and 2000 Hz"),
+        ("solve array-2x6 --out <out.nc> --frequencies 100:1:64", "--frequencies must ascend"),
+        ("parts array-2x6 --out <text.nc>", "must be a folder"),
+        ("train <missing> --out <out.nc>", "no such file"),
+        ("train <text.nc> --out <out.nc>", "cut short, damaged or not a library in netCDF"),
+        ("train <short.nc> --out <out.nc>", "cut short, damaged or not a library in netCDF"),
+        ("train <narrow.nc> --out <out.nc>", "frequency runs from 1 to 80 Hz; it must cover 1 to 100 Hz"),
+        ("train <library.nc> --out <out.nc> --seconds -1", "acoustic-fem: --seconds = -1.0 must be between"),
+        ("train <library.nc> --out <out.nc> --epochs 0", "acoustic-fem: --epochs = 0 must be a whole number from 1"),
+        ("train <library.nc> --out <out.nc> --noise -1", "acoustic-fem: --noise = -1.0 must be between"),
+        ("train <library.nc> --out <out.nc> --seed -1", "acoustic-fem: --seed = -1 must be a whole number"),
+        ("train <library.nc> --out <out.nc> --network big", "acoustic-fem: --network = 'big' must be one of: patches"),
+        ("evaluate <missing> <library.nc>", "localizer.json: no such file"),
+        ("evaluate <localizer> <glove.nc>", "the localizer is for 3 points and microphones A, B; the library has 15"),
+        ("evaluate <localizer> <library.nc> --touches 0", "--touches = 0 must be between 1 and 1,000,000"),
+        ("evaluate <localizer> <library.nc> --noise -1", "acoustic-fem: --noise = -1.0 must be"),
+        ("evaluate <localizer> <library.nc> --noise 11", "acoustic-fem: --noise = 11.0 Pa must be between 1e-9 and 10"),
+        ("onnx <missing> --out <out.nc>", "localizer.json: no such file"),
+        ("onnx <localizer> --out <none/out.nc>", "must lie in a folder that exists"),
+        ("onnx <localizer> --out <out.nc> --noise 1e-3", "--noise = 0.001 is for a library"),
+        ("onnx <library.nc> --out <out.nc> --noise 11", "--noise = 11.0 Pa must be between 1e-9 and 10 Pa"),
+        ("locate <missing> <text.wav>", "localizer.json: no such file"),
+        ("locate <localizer> <text.wav>", "text.wav: cut short or not a WAV file"),
+        ("locate <localizer> <text.nc>", "its name must end with .wav, .csv, .npz or .mat"),
+        ("locate <localizer> <text.wav> --full-scale 0", "--full-scale = 0.0 Pa must be between 1e-12 and 1e+12"),
+        ("locate <localizer> <text.wav> --noise 1e-3", "--noise = 0.001 is for a library"),
+        ("locate <localizer> <text.wav> --library <library.nc>", "is for --waveform, --ambient and --refuse"),
+        ("locate <localizer> <text.wav> --ambient 60", "--ambient needs the library of the array"),
+        ("locate <library.nc> <text.wav> --refuse 2", "acoustic-fem: --refuse = 2.0 must be between 0 and 1"),
+        (
+            "locate <localizer> <text.wav> --library <glove.nc> --ambient 60",
+            "its microphones are A, B, C, must be A, B",
+        ),
+        ("onnx <localizer> --out <out.nc> --ambient 60", "--ambient = 60 is for a library"),
+        ("locate <text.onnx> <text.wav>", "text.onnx: cut short or not an ONNX file"),
+        (
+            "run <one.toml> --out <out.nc>",
+            "one.toml: lines.0.points = 1 must be at least 2: run needs at least 2 points",
+        ),
+        ("run array-2x6 --out <full>", "holds files that no run of this program made"),
+        ("run array-2x6 --out <text.nc>", "must be a folder"),
+    ],
+)
+def test_bad_input_ends_in_one_line(command: Command, places: dict[str, Path], words: str, reason: str) -> None:
+    for name, path in places.items():
+        words = words.replace(f"<{name}>", str(path))
+    told = command(*words.split())
+    assert told.code == 1, told.err
+    lines = [line for line in told.err.splitlines() if line.startswith("acoustic-fem: ")]
+    assert len(lines) == 1
+    assert told.err.splitlines()[-1] == lines[0]
+    assert reason in lines[0]
+    assert "Traceback" not in told.err
+    assert len(lines[0]) < 2100
+    assert not [line for line in told.err.splitlines() if line.startswith(("Evaluation:", "Localizer:", "Parts:"))]
+    assert not places["out.nc"].exists()
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "solved array-2x6",
+        "solve array-2x6",
+        "solve array-2x6 --out x.nc --frequencies 1-100",
+        "solve array-2x6 --out x.nc --frequencies 1:100",
+        "solve array-2x6 --out x.nc --frequencies 1:100:0",
+        "solve array-2x6 --out x.nc --fidelity exact",
+        "parts array-2x6 --out x --format obj",
+        "train library.nc --out x --seconds soon",
+        "check",
+        "prototypes --out x.toml",
+        "run --out x",
+        "evaluate localizer",
+    ],
+)
+def test_a_wrong_command_line_ends_with_code_2(
+    command: Command, words: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    told = command(*words.split())
+    assert told.code == 2
+    assert told.err
+    assert "Traceback" not in told.err
+    assert not list(tmp_path.iterdir())
+
+
+def test_names_that_break_or_turn_a_line_are_shown_escaped(command: Command, places: dict[str, Path]) -> None:
+    folder = places["folder"] / "a\nb\u202ec\udcff"
+    folder.mkdir(exist_ok=True)
+    scipy.io.wavfile.write(folder / "r.wav", 1000, np.random.default_rng(0).uniform(-1, 1, (500, 2)).astype(np.float32))
+    told = command("locate", places["library.nc"], folder / "r.wav")
+    assert (told.code, "a\\nb\\u202ec\\udcff/r.wav: " in told.out) == (0, True), told
+    told = command("locate", places["library.nc"], folder / "none.wav")
+    assert told.code == 1
+    assert told.err.splitlines()[-1].endswith("a\\nb\\u202ec\\udcff/none.wav: no such file")
+
+
+def test_an_argument_longer_than_any_path_is_refused_in_one_line(command: Command) -> None:
+    for words in (("check", "x" * 5000), ("solve", "array-2x6", "--fidelity", "x" * 5000)):
+        told = command(*words)
+        assert (told.code, told.err.count("\n")) == (2, 1)
+        assert "an argument of 5000 characters must have at most 4096" in told.err
+
+
+def test_out_and_record_of_live_are_two_files(command: Command, tmp_path: Path) -> None:
+    folder, played = small_run().folder, tmp_path / "played.wav"
+    scipy.io.wavfile.write(played, 1000, np.random.default_rng(0).standard_normal((2000, 2)).astype(np.float32))
+    both = tmp_path / "both.wav"
+    told = command("live", folder / "library.nc", "--replay", played, "--out", both, "--record", both)
+    assert (told.code, "out and record must be two files" in told.err, both.exists()) == (1, True, False)

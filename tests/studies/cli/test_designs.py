@@ -1,0 +1,157 @@
+"""Verbs on a design: prototypes, check and parts."""
+
+from __future__ import annotations
+
+import json
+import os
+from pathlib import Path
+
+import pytest
+import trimesh
+from command import Command
+from small_run import small_design
+
+import geometry
+from geometry.design.design_file import prototype_text
+
+
+def test_prototypes_are_listed_and_printed(command: Command, tmp_path: Path) -> None:
+    told = command("prototypes")
+    assert told.code == 0
+    for name in geometry.prototype_names():
+        design = geometry.prototype(name)
+        line = next(line for line in told.out.splitlines() if line.split()[:1] == [name])
+        assert line.split()[1:3] == [str(len(design.microphones)), str(design.point_count)]
+    assert command("prototypes", "glove").out == prototype_text("glove")
+    own = tmp_path / "mine.toml"
+    assert command("prototypes", "glove", "--out", own).code == 0
+    assert geometry.load_design(own) == geometry.prototype("glove")
+    assert "exists" in command("prototypes", "glove", "--out", own).err
+
+
+@pytest.mark.parametrize("name", geometry.prototype_names())
+def test_a_prototype_passes_the_check(command: Command, name: str, tmp_path: Path) -> None:
+    told = command("check", name, "--out", tmp_path / "check.json")
+    assert told.code == 0, told.err
+    design = geometry.prototype(name)
+    found = json.loads((tmp_path / "check.json").read_text(encoding="utf-8"))
+    assert found["wiring"]["points"] == design.point_count
+    assert found["printing"]["verdict"] in ("ok", "warn")
+    assert found["misfits"] == []  # no two placed parts are in each other's way, every tube fits its ports
+    assert sum(cell["places"] for cell in found["cells"]) == design.point_count + len(design.microphones)
+    levels = [entry["second_microphone_db"] for entry in found["attenuation"]]
+    assert 0 > levels[0] > levels[1] > levels[2]
+    for words in ("a valid design", "distinct cell", "estimated attenuation", "the models assume", "printing,"):
+        assert words in told.out
+    # What each fidelity costs, and how far off it is.
+    assert "lumped: milliseconds; from navier-stokes, 1 to 100 Hz, it was at most 0.3 % and 0.2 degrees on" in told.out
+    assert "1.1 % and 0.44 degrees on large-area-64" in told.out
+    count = len(found["cells"])
+    costs = f"about 13 s of one processor per distinct cell, here {count}: {13 * count} s; then from the cache"
+    assert f"navier-stokes, the default: {costs}" in told.out
+
+
+def test_the_check_of_a_design_that_cannot_be_printed_names_the_part(command: Command, tmp_path: Path) -> None:
+    thin = small_design().with_values({"printing.port_lip": 0.15, "printing.process": "sla-resin"})
+    geometry.save_design(thin, tmp_path / "thin.toml")
+    told = command("check", tmp_path / "thin.toml")
+    assert told.code == 1
+    last = told.err.splitlines()[-1]
+    assert last.startswith("acoustic-fem: row-3: cannot be printed: shell-straight: thinnest wall 0.15 mm must be at")
+
+
+def test_the_fields_of_a_design_file_are_listed(command: Command) -> None:
+    told = command("check", "--fields")
+    assert told.code == 0
+    for name in ("resonator.cavity_diameter", "lines.*.points", "air.humidity", "printing.process"):
+        assert name in told.out
+
+
+def test_parts_fill_a_folder_with_all_it_takes_to_make_the_array(command: Command, row: Path, tmp_path: Path) -> None:
+    told = command("parts", row, "--out", tmp_path / "parts", "--format", "stl", "--process", "dlp-fine")
+    assert told.code == 0, told.err
+    written = {path.name: path for path in (tmp_path / "parts").iterdir()}
+    made = ["shell-straight", "membrane", "mold-base", "mold-lid", "microphone-housing"]
+    for name in made:
+        assert trimesh.load_mesh(written[f"{name}.stl"]).is_volume
+        assert f"{name}.stl" in told.out
+        for doing in ("facets of", "files of", "print rules of"):
+            assert f"Parts: {doing} {name}" in told.err
+    assert not [name for name in written if name.startswith(".") or name == "membrane.step"]
+    report = json.loads(written["print-report.json"].read_text(encoding="utf-8"))
+    assert report["process"]["name"] == "dlp-fine"
+    assert {file["name"] for file in report["files"]} == {name for name in written if name.endswith(".stl")}
+    assert report["acoustic_effects"]
+    plate = trimesh.load(written["plate-1.3mf"])
+    assert "shell-straight" in plate.geometry
+    assert written["assembly.step"].read_text().startswith("ISO-10303-21")
+    assert json.loads(written["bill.json"].read_text(encoding="utf-8"))["items"]
+    for name in ("array.glb", "array.html", "bill.csv", "bill.txt", "print-report.html", "top-view.png",
+                 "exploded-view.png", "mold-section.png"):  # fmt: skip
+        assert written[name].stat().st_size > 500
+    assert "to microphones of line 1" in told.out
+    assert "which tube between: assembly.txt" in told.out
+    assert "point 3       shell-straight" in written["assembly.txt"].read_text(encoding="utf-8")
+    assert set(written["files.txt"].read_text(encoding="utf-8").split()) == set(written)
+    assert "resin" in told.out
+
+
+def test_a_folder_of_parts_never_mixes_two_designs_and_keeps_what_others_put_there(
+    command: Command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from studies.output.folders import replaced_files
+
+    folder = tmp_path / "parts"
+
+    def make(*names: str) -> None:
+        with replaced_files(folder) as fresh:
+            for name in names:
+                (fresh / name).write_text(f"{name} of {names}")
+
+    def names() -> set[str]:
+        return {path.name for path in folder.iterdir()}
+
+    make("mold-lid.stl", "plate-1.3mf", "plate-2.3mf")
+    (folder / "notes.md").write_text("mine")
+    make("mold-scraper.stl", "plate-1.3mf")
+    assert names() == {"mold-scraper.stl", "plate-1.3mf", "notes.md", "files.txt"}
+    assert "scraper" in (folder / "plate-1.3mf").read_text()
+    assert (folder / "notes.md").read_text() == "mine"
+
+    # What fails changes nothing; what is stopped while files move leaves none that the next call would not remove.
+    with pytest.raises(FileNotFoundError):
+        make("mold-lid.stl", "no-such-folder/plate-1.3mf")
+    assert names() == {"mold-scraper.stl", "plate-1.3mf", "notes.md", "files.txt"}
+    moved = os.replace
+
+    def stopped(source: Path, target: Path) -> None:
+        if Path(target).name.startswith("plate"):
+            raise KeyboardInterrupt
+        moved(source, target)
+
+    monkeypatch.setattr("studies.output.folders.os.replace", stopped)
+    with pytest.raises(KeyboardInterrupt):
+        make("mold-lid.stl", "plate-1.3mf", "plate-9.3mf")
+    monkeypatch.undo()
+    make("membrane.stl")
+    assert names() == {"membrane.stl", "notes.md", "files.txt"}
+
+    (folder / "files.txt").write_text("membrane.stl\n../precious\n")
+    (tmp_path / "precious").write_text("mine")
+    told = command("parts", "array-2x6", "--out", folder)
+    assert (told.code, "'../precious' must be the name of a file in" in told.err) == (1, True)
+    assert (tmp_path / "precious").read_text() == "mine"
+
+
+def test_parts_for_an_unknown_process_are_refused(command: Command, row: Path, tmp_path: Path) -> None:
+    told = command("parts", row, "--out", tmp_path / "parts", "--process", "sls")
+    assert (told.code, not (tmp_path / "parts").exists()) == (1, True)
+    assert "process = 'sls' must be one of: sla-resin, dlp-fine, fdm, mjf; or a .toml file" in told.err
+
+
+def test_one_point_is_enough_for_solve_and_parts(command: Command, tmp_path: Path) -> None:
+    geometry.save_design(small_design().with_values({"lines.0.points": 1}), tmp_path / "one.toml")
+    told = command("solve", tmp_path / "one.toml", "--out", tmp_path / "one.nc", "--fidelity", "lumped")
+    assert (told.code, "1 point," in told.out) == (0, True)
+    parts = geometry.build_parts(geometry.load_design(tmp_path / "one.toml"))
+    assert parts.counts["shell-straight"] == parts.counts["membrane"] == 1

@@ -1,0 +1,86 @@
+"""Verbs that put a localizer to work: onnx and locate."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+
+import numpy as np
+import scipy.io.wavfile
+from command import Command, Outcome
+from filelock import FileLock
+from shared import shared_folder
+from small_run import small_run
+
+import acoustic_fem
+import localize
+from localize.signals.array_response import response_of
+
+
+def assert_exported(told: Outcome) -> None:
+    assert (told.code, "3 points, 2 microphones" in told.out) == (0, True), told.err
+    assert [line for line in told.err.splitlines() if not line.startswith("note: entrance loss")] == []
+
+
+def decoder_graph(command: Command) -> Path:
+    """The decoder of the small run's library in a room with sound, made by the first who asks."""
+    graph = shared_folder() / "row-3-decoder.onnx"
+    with FileLock(graph.with_suffix(".lock")):
+        if not graph.exists():
+            words = ("--noise", 1e-3, "--ambient", 70)
+            assert_exported(command("onnx", small_run().folder / "library.nc", "--out", graph, *words))
+    return graph
+
+
+def test_a_recording_is_located_by_the_network_an_onnx_file_and_the_library_alike(
+    command: Command, tmp_path: Path
+) -> None:
+    folder = small_run().folder
+    library = acoustic_fem.load(folder / "library.nc")
+    touches = localize.TouchGenerator(response_of(library), 0, "evaluation").samples(0, 60)
+    loud = [
+        max((k for k in range(60) if touches.point[k] == point), key=lambda k: float(touches.signals[k].std()))
+        for point in (2, 0)
+    ]
+    samples = 2e-4 * np.random.default_rng(0).standard_normal((2, 5000))
+    for turn, sample in enumerate(loud):
+        samples[:, 500 + 2000 * turn : 1500 + 2000 * turn] += touches.signals[sample].numpy()
+    recording = tmp_path / "recording.wav"
+    scipy.io.wavfile.write(recording, 1000, samples.T.astype(np.float32))
+
+    network, decoder = tmp_path / "network.onnx", decoder_graph(command)
+    assert_exported(command("onnx", folder / "localizer", "--out", network))
+    for model in (folder / "localizer", folder / "library.nc", network, decoder):
+        told = command("locate", model, recording)
+        assert told.code == 0, told.err
+        assert "2 touches in 5.0 s" in told.out
+        rows = [line.split() for line in told.out.splitlines() if re.match(r" *\d", line)]
+        assert [row[2] for row in rows] == ["3", "1"]
+
+    lines = tmp_path / "touches.jsonl"
+    words = ("--out", lines, "--waveform", "--library", folder / "library.nc")
+    assert command("locate", decoder, recording, *words).code == 0
+    events = [json.loads(line) for line in lines.read_text(encoding="utf-8").splitlines()]
+    assert {event["state"] for event in events} == {"touch", "no touch"}
+    assert {len(event["waveform"]) for event in events if event["state"] == "touch" and event["time"] > 0.3} == {16}
+
+
+def test_sound_in_a_recording_and_what_no_point_explains_are_no_touches(command: Command, tmp_path: Path) -> None:
+    folder = small_run().folder
+    library = response_of(acoustic_fem.load(folder / "library.nc"))
+    touches = localize.TouchGenerator(library, 0, "evaluation", 1e-3, ambient=(70.0, 70.0)).samples(0, 3)
+    quiet = localize.TouchGenerator(library, 0, "evaluation", 0.0).samples(0, 3)
+    sound = (touches.signals - quiet.signals).numpy()
+    two = quiet.signals[0].numpy() + quiet.signals[2].numpy() + 1e-3 * np.random.default_rng(0).standard_normal((2, 1))
+    for name, signals in (("sound", sound[0]), ("two", two)):
+        scipy.io.wavfile.write(tmp_path / f"{name}.wav", 1000, signals.T.astype(np.float32))
+    network, graph = folder / "localizer", decoder_graph(command)
+
+    words = ("--library", folder / "library.nc", "--ambient", 80)
+    for model in (folder / "library.nc", network, graph):
+        assert " 0 touches" not in command("locate", model, tmp_path / "sound.wav").out
+        told = command("locate", model, tmp_path / "sound.wav", *words)
+        assert (told.code, "0 touches in 1.0 s, sound alone for 0.8 s" in told.out) == (0, True), told
+    told = command("locate", folder / "library.nc", tmp_path / "two.wav", "--refuse", 1e-6)
+    assert (told.code, "0 touches in 1.0 s, no single touch for 0.8 s" in told.out) == (0, True), told
