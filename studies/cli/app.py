@@ -112,6 +112,8 @@ def main() -> NoReturn:
             fail("stopped", _INTERRUPTED)
         _tell(error)
         raise  # a mistake of the program: its traceback says where
+    if code == _INTERRUPTED:  # which is what typer makes of Ctrl-C, in silence
+        fail("stopped", _INTERRUPTED)
     sys.exit(code if isinstance(code, int) else 0)
 
 
