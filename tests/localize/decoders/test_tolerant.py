@@ -84,8 +84,8 @@ def test_it_names_touches_of_made_sensors_that_the_nominal_library_does_not_and_
 def test_a_measured_sensor_is_known_and_a_design_of_unknown_scatter_has_no_such_decoder(
     library: acoustic_fem.Library,
 ) -> None:
-    box = geometry.prototype("large-area-64").with_values({"resonator.shape": "dome"})
-    for other in (replace(library, fidelity=MEASURED), replace(library, design=box)):
+    dome = library.design.with_values({"resonator.shape": "dome"})
+    for other in (replace(library, fidelity=MEASURED), replace(library, design=dome)):
         assert tolerant_decoder(other) is None
     assert type(tolerant_decoder(library)) is localize.TolerantDecoder
 

@@ -22,7 +22,7 @@ def _a_system_without_them(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_a_module_that_cannot_be_loaded_is_one_line(
     error: Exception, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    def loading(**_: object) -> None:
+    def loading(*_: object, **__: object) -> None:
         raise error
 
     monkeypatch.setattr(app, "app", loading)

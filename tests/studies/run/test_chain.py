@@ -25,7 +25,7 @@ from studies.output.display import Display
 from studies.output.folders import MARK, claim_folder
 from studies.run import chain as run_module
 from studies.run.chain import run_design, training_plan
-from studies.run.findings import membrane_compliance
+from studies.run.findings import membrane_compliances
 from studies.run.result import RunResult
 
 ROOT = Path(__file__).parents[3]
@@ -112,7 +112,7 @@ def test_the_size_and_the_compliance_are_those_of_the_design() -> None:
     height = 1.0 + 1.25 + 0.9 + 0.4 + 0.98
     figures = {figure["name"]: figure["value"] for figure in results()["key_figures"]}
     assert figures["size"] == f"{length:.1f} x 10.0 x {height:.1f} mm"
-    compliance, ratio = membrane_compliance(small_run())
+    ((compliance, ratio),) = membrane_compliances(small_run())
     # a disc of a = 3 mm, h = 0.5 mm glued on a rim of 1.5 mm has 1.64 times the pi a^6 / (192 D) of a thin plate
     rigidity = 1.1424 * 0.5**3 / (12 * (1 - 0.49**2))
     assert compliance == pytest.approx(1.64 * np.pi * 3**6 / (192 * rigidity) * 1e-3, rel=0.005)
