@@ -23,11 +23,24 @@ PYTHON = re.compile(r"^```python\n(.*?)^```", re.MULTILINE | re.DOTALL)
 LINK = re.compile(r"\]\(([^)#\s]+)(?:#[^)]*)?\)")
 
 
+#: Pages whose blocks take 4 s and more.
+LONG = {
+    "CONTRIBUTING.md",
+    *(f"docs/{name}.md" for name in ("bending", "calibration", "decoder", "localizer", "parts", "python")),
+}
+
+
 def page_name(page: Path) -> str:
     return str(page.relative_to(ROOT))
 
 
-@pytest.mark.parametrize("page", PAGES, ids=page_name)
+@pytest.mark.parametrize(
+    "page",
+    [
+        pytest.param(page, marks=pytest.mark.slow if page_name(page) in LONG else (), id=page_name(page))
+        for page in PAGES
+    ],
+)
 def test_the_python_of_a_page_runs(page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """The blocks of a page run one after the other, in one namespace and an empty folder."""
     monkeypatch.chdir(tmp_path)

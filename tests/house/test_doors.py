@@ -65,6 +65,7 @@ def test_a_localizer_is_trained_and_the_decoder_needs_no_training(library: acous
         np.testing.assert_allclose(probability.sum(1), 1, rtol=1e-5)
 
 
+@pytest.mark.slow
 def test_parts_are_built_exported_and_judged(tmp_path: Path) -> None:
     small = geometry.prototype("array-2x6").with_values(
         {"lines": [{"between": ["A", "B"], "points": 1}], "layout.columns": 1}

@@ -55,6 +55,7 @@ def test_every_order_is_as_expected_and_every_target_is_met():
     assert [check.what for check in COMMITTED.checks.values() if not check.met] == []
 
 
+@pytest.mark.slow
 def test_coarse_meshes_solved_again_give_the_errors_of_the_page(quick):
     """Up to half: another version of gmsh makes other meshes of the same size."""
     compared = 0

@@ -314,6 +314,7 @@ SMALL = Topology(
 )
 
 
+@pytest.mark.slow
 def test_torch_finds_the_gradient_by_every_parameter_and_by_the_air():
     parameters = random_parameters(SMALL, 5, modes=2)
     medium = MediumParameters.from_media([AIR])

@@ -42,6 +42,7 @@ def measured(path: Path, model: Library) -> Calibration:
 
 
 # -- estimates ------------------------------------------------------------------------------------------------------
+@pytest.mark.slow
 @pytest.mark.parametrize("excitation", ["noise", "sweep"])
 def test_the_stated_band_holds_the_truth_as_often_as_it_says(excitation: str, model: Library, tmp_path: Path) -> None:
     inside = []

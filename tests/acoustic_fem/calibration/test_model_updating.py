@@ -79,6 +79,7 @@ def test_three_points_bring_all_points_of_a_foreign_sensor_near(model: UpdatedMo
     assert np.mean(after) < np.mean(before) / 3
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("points", [(1, 4, 8, 12), tuple(range(1, 13))], ids=["four points", "all points"])
 def test_parameters_of_the_family_are_recovered_within_the_posterior(
     points: tuple[int, ...], model: UpdatedModel
@@ -92,6 +93,7 @@ def test_parameters_of_the_family_are_recovered_within_the_posterior(
     assert np.mean(np.abs(away) < 1.96) > 0.92
 
 
+@pytest.mark.slow
 def test_parts_of_foreign_sensors_lie_within_the_posterior(library: Library) -> None:
     """Exact measurements: all that stands between truth and fit is what the family lacks."""
     model = UpdatedModel(library, fit_priors(DESIGN, rig_tolerances(HiddenScatter())))
@@ -118,6 +120,7 @@ def test_what_one_point_cannot_tell_is_named(model: UpdatedModel) -> None:
     assert np.sqrt(np.diag(one.covariance)).max() <= 1 + 1e-9
 
 
+@pytest.mark.slow
 def test_a_sensor_of_another_kind_is_refused_by_chi_squared(model: UpdatedModel) -> None:
     other = DESIGN.with_values({"tube.length": 60.0})
     truth = acoustic_fem.solve(other, GRID, "lumped").transfer_function.values

@@ -130,6 +130,7 @@ def differences(cell, fidelity="navier-stokes"):
     return apart.max(), np.abs(lumped.sum((1, 2)) / solved.sum((1, 2)) - 1).max()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("shape", "angles", "accuracy"),
     [(Box(1.2, 0.8, 0.16, 0.26), (0.0,), 2e-3), (Dome(0.8), (0.0, 180.0), 8e-3)],
@@ -158,6 +159,7 @@ def test_lumped_boxes_and_domes_of_six_millimetres_agree_with_navier_stokes(shap
     assert compliance < 1e-3
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("shape", [Box(1.1, 1.1, 0.16, 0.26), Dome(0.4), Dome(0.8)], ids=repr)
 def test_boxes_and_domes_go_from_isothermal_to_adiabatic(shape):
     volume = shape.volume(0.8, 1.3) * 1e-9

@@ -87,6 +87,7 @@ def test_the_gas_of_a_bent_bore_yields_as_that_of_a_torus(flat):
     np.testing.assert_allclose(flat[4].shunt / straight - 1, exact, rtol=0, atol=1.5e-7)
 
 
+@pytest.mark.slow
 def test_a_whole_quarter_turn_in_one_mesh_is_two_eighths_and_the_line_of_the_short_piece(flat):
     rings, length, some = 2, FLAT.arc_length, FREQUENCY[2:3]
     whole = change(FLAT, layers(length, rings), rings, some)

@@ -114,6 +114,7 @@ def test_all_ports_at_one_pressure_see_the_compliance_of_the_air(straight):
     np.testing.assert_allclose(inflow, 1j * omega * cavity + 2 * stub, rtol=2e-3)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("cell", [STRAIGHT, CHAMBER], ids=["resonator", "microphone"])
 def test_closed_forms_and_finite_elements_agree_on_a_cell(cell):
     fem = solve_cells([cell], FREQUENCY, AIR)[cell].admittance
@@ -136,6 +137,7 @@ def tube():
     return solved, frequency, plane_wave.port_admittance(2.5e-4, 3e-3, frequency, AIR)
 
 
+@pytest.mark.slow
 def test_straight_tube_converges_to_the_exact_duct(tube):
     solved, frequency, exact = tube
     coarse = solved.body.nodal_admittance(frequency)
@@ -146,6 +148,7 @@ def test_straight_tube_converges_to_the_exact_duct(tube):
     assert errors[1] < errors[0]
 
 
+@pytest.mark.slow
 def test_half_a_symmetric_cell_answers_as_the_whole_one():
     """Turned by half a degree the same ports are off the mirror plane, and the whole cell is solved."""
     almost = Cell("resonator", 6.0, 2.5, 1.25, (CellPort(0.0, 0.5), CellPort(179.5, 0.5)), 6.0, 0.0)
@@ -157,6 +160,7 @@ def test_half_a_symmetric_cell_answers_as_the_whole_one():
     assert difference.max() < half.mesh_error + whole.mesh_error
 
 
+@pytest.mark.slow
 def test_half_a_body_of_any_shape_answers_as_the_whole_one():
     solid, ports = _with_tubes(cq.Solid.makeBox(5, 4, 3, cq.Vector(-2.5, -2, 0)), (0, 180), height=1.0)
     solid = solid.Solids()[0]
@@ -172,6 +176,7 @@ def test_half_a_body_of_any_shape_answers_as_the_whole_one():
     np.testing.assert_allclose(half.sum(axis=(1, 2)), entire.sum(axis=(1, 2)), rtol=2 * accuracy)
 
 
+@pytest.mark.slow
 def test_what_flows_at_one_port_for_a_pressure_at_the_other_is_the_same_both_ways():
     """Before the response is averaged with its transpose: each column is a solution of its own."""
     bent = cq.Workplane("YZ").circle(0.25).extrude(2).union(cq.Workplane("XZ").circle(0.4).extrude(-2))
@@ -196,6 +201,7 @@ def test_mesh_error_reported_covers_the_error_in_a_straight_tube(tube):
     assert solved.mesh_error <= 2e-3
 
 
+@pytest.mark.slow
 def test_helmholtz_is_exact_in_a_straight_tube_and_five_percent_off_at_openings():
     exact = plane_wave.port_admittance(2.5e-4, 3e-3, FREQUENCY, AIR)
     straight_tube = port_admittance(TUBE, ENDS, FREQUENCY, AIR, "helmholtz", accuracy=3e-3)
@@ -206,6 +212,7 @@ def test_helmholtz_is_exact_in_a_straight_tube_and_five_percent_off_at_openings(
     assert 0.04 < error < 0.06
 
 
+@pytest.mark.slow
 def test_cells_solved_side_by_side_are_those_solved_alone(tmp_path, monkeypatch):
     coarse_in_children(tmp_path)
     monkeypatch.syspath_prepend(tmp_path)
@@ -223,6 +230,7 @@ def test_cells_solved_side_by_side_are_those_solved_alone(tmp_path, monkeypatch)
     assert fractions[-1] == pytest.approx(1.0)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("count", [1, 2], ids=["in this process", "in processes"])
 def test_a_cell_that_cannot_be_drawn_is_named(count, monkeypatch, tmp_path):
     monkeypatch.setenv("ACOUSTIC_FEM_CACHE", str(tmp_path))
@@ -256,6 +264,7 @@ def test_a_task_comes_back_from_the_text_that_another_process_is_given(shape):
     assert CellTask.from_json(task.as_json()) == task
 
 
+@pytest.mark.slow
 def test_box_with_corners_keeps_its_whole_isothermal_compliance():
     box = cq.Workplane().box(4, 3, 2).union(cq.Workplane("YZ").circle(0.25).extrude(3))
     admittance = port_admittance(box, {"mouth": (3, 0, 0)}, [0.01, 0.1], AIR)[:, 0, 0]
@@ -263,6 +272,7 @@ def test_box_with_corners_keeps_its_whole_isothermal_compliance():
     np.testing.assert_allclose(compliance.real, box.val().Volume() * 1e-9 / AIR.pressure, rtol=1e-4)
 
 
+@pytest.mark.slow
 def test_cells_are_reused_from_the_cache_and_damaged_files_made_again(tmp_path, monkeypatch):
     monkeypatch.setenv("ACOUSTIC_FEM_CACHE", str(tmp_path))
     labels = []
@@ -310,6 +320,7 @@ def read_only(*_, **__):
     raise OSError(errno.EROFS, os.strerror(errno.EROFS))
 
 
+@pytest.mark.slow
 def test_a_full_disk_keeps_the_result_and_leaves_no_half_file(tmp_path, monkeypatch):
     monkeypatch.setenv("ACOUSTIC_FEM_CACHE", str(tmp_path))
 

@@ -119,6 +119,7 @@ def without(admittance, node):
 MESH_ERROR = 6e-3
 
 
+@pytest.mark.slow
 @settings(max_examples=4, phases=(Phase.explicit, Phase.generate))
 @given(bodies(), st.sampled_from(PHYSICS), st.booleans())
 def test_random_cells_are_reciprocal_passive_and_hold_their_isothermal_volume(body, physics, membrane):
@@ -140,6 +141,7 @@ def test_random_cells_are_reciprocal_passive_and_hold_their_isothermal_volume(bo
     assert passivity_margin(closed).min() > -1e-12
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("kind", "physics"), [("cylinder", "navier-stokes"), ("dome", "helmholtz")])
 def test_a_cell_turned_about_its_axis_answers_as_before_and_its_mirrored_ports_alike(kind, physics):
     body = Body(kind, (50.0, -50.0), (0.15, 0.15), (0.3, 0.3), (3.0, 3.0))
@@ -150,6 +152,7 @@ def test_a_cell_turned_about_its_axis_answers_as_before_and_its_mirrored_ports_a
     assert np.abs(one[-1, 0, 0] / one[0, 0, 0] - 1) > 0.05  # not all frequencies alike
 
 
+@pytest.mark.slow
 @settings(max_examples=1, phases=(Phase.explicit, Phase.generate))
 @given(bodies(ports=2), st.floats(0.3, 1.5), st.sampled_from(PHYSICS))
 def test_a_port_further_down_its_tube_is_a_duct_more(body, further, physics):

@@ -83,6 +83,7 @@ def test_the_compliance_of_a_cone_is_its_volume_over_the_pressure():
     assert admittance.sum().imag == pytest.approx(2 * np.pi * frequency * volume / AIR.pressure, rel=1e-6, abs=0)
 
 
+@pytest.mark.slow
 @settings(max_examples=20)
 @given(st.floats(1e-4, 1e-3), st.floats(1e-4, 1e-3), st.floats(0.1, 2000))
 def test_a_cone_is_reciprocal_passive_and_the_same_seen_from_its_other_end(first, last, frequency):

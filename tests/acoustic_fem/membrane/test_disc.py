@@ -61,6 +61,7 @@ def test_disc_glued_on_a_rim_is_softer_than_a_thin_plate_by_the_known_ratio(thic
     assert glued > disc_compliance(3e-3, thickness, 5e5)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("rim", [0.0, 0.5], ids=["clamped", "glued"])
 @pytest.mark.parametrize("thickness", [0.1, 0.27])
 def test_each_refinement_at_least_halves_the_error(thickness, rim):
@@ -71,6 +72,7 @@ def test_each_refinement_at_least_halves_the_error(thickness, rim):
     assert steps[-1] < 1.2e-4  # what refinement 4, the default, lacks
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("thickness", "rim", "contact"), [(0.05, 0.0, 0.25), (0.17, 0.5, 0.25), (1.0, 0.0, 0.02), (1.0, 0.5, 0.9)]
 )

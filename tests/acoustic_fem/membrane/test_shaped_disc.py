@@ -40,6 +40,7 @@ def test_a_clamped_boss_as_wide_as_the_disc_is_a_thicker_disc():
     assert boss.swept_above[0] == pytest.approx(thick.swept_above[0], rel=2e-4, abs=0)
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("coarse")
 @pytest.mark.parametrize("part", [(0.0, 0.4), (1.0, 1.5)], ids=["boss", "rim"])
 def test_a_higher_rim_or_boss_makes_a_stiffer_disc(part):
@@ -75,6 +76,7 @@ def test_what_an_incompressible_clamped_disc_sweeps_below_it_sweeps_above(part):
     assert disc.swept_above[:2] == pytest.approx(disc.swept[:2], rel=2e-4, abs=0)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("part", [(0.0, 0.4, H), (1.0, 1.5, H)], ids=["boss", "rim"])
 def test_shaped_discs_are_converged(part):
     coarse, fine = (figures(solve_dimensionless(glued(part), refinement)) for refinement in (4, 5))

@@ -137,6 +137,7 @@ def test_source_and_receiver_exchanged_give_the_same_pressure():
     np.testing.assert_allclose(response.source_response, received, rtol=1e-9)
 
 
+@pytest.mark.slow
 def test_source_and_receiver_exchanged_give_the_same_pressure_with_navier_stokes_cells(navier_stokes):
     design, solved = navier_stokes
     response = solve_network(design, *laid_out(design), solved, WIDE_BAND, AIR)

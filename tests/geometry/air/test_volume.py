@@ -93,6 +93,7 @@ def distinct_places(design):
     return list(found.values())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", geometry.prototype_names())
 def test_shell_air_and_tubes_fill_the_hull_of_every_shell_of_every_prototype(name):
     design = geometry.prototype(name)
@@ -104,6 +105,7 @@ def test_shell_air_and_tubes_fill_the_hull_of_every_shell_of_every_prototype(nam
         assert overlap < 1e-6
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("shape", [name for name in SHAPES if name != "cylinder"])
 def test_boxes_and_domes_are_filled_too_with_ports_at_any_angle(shape):
     resonator = geometry.prototype("array-2x6").with_values(SHAPES[shape]).resonator

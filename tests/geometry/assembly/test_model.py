@@ -149,6 +149,7 @@ def test_the_closest_parts_are_named_with_their_distance():
 
 
 # -- cylinder and hand ----------------------------------------------------------------------------------
+@pytest.mark.slow
 @pytest.mark.parametrize("design", [geometry.prototype("array-2x6").with_values(WOUND), hand()], ids=["wound", "hand"])
 def test_an_array_that_is_not_flat_or_not_square_fits_together_too(design):
     model = array_model(design)

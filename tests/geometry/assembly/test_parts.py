@@ -92,6 +92,7 @@ def test_a_shell_with_no_room_for_a_ledge_is_flat_on_top():
     assert shell.val().BoundingBox().zmax == pytest.approx(design.resonator.cavity_height, abs=1e-6)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "shape"),
     [("array-2x6", "cylinder"), ("fingertip-3x4", "cylinder"), ("line-4", "cylinder"), ("fingertip-3x4", "box")],
@@ -237,6 +238,7 @@ def test_springs_wound_around_a_cylinder_are_cut_shorter_than_their_sheaths():
     assert {piece for piece in lengths if piece[0] == "segment"} == {("segment", 11.5, wound), ("segment", 11.5, 11.5)}
 
 
+@pytest.mark.slow
 def test_a_carrier_takes_the_place_of_its_shells_on_plates_and_lists(tmp_path):
     design = geometry.prototype("array-2x6").with_values({"printing.carrier": "sheet", "mold.kind": "open-face"})
     parts = build_parts(design)
@@ -257,6 +259,7 @@ def test_a_carrier_takes_the_place_of_its_shells_on_plates_and_lists(tmp_path):
     assert not [name for plate in laid.plates for name in plate.copies if name.startswith("shell")]
 
 
+@pytest.mark.slow
 def test_a_part_is_drawn_again_from_what_its_parameters_hold(array, parts):
     changed = array.with_values({"resonator.shape": "box", "shell.feet": 2, "membrane.rim_width": 1.2, "mold.rows": 2})
     drawn = build_parts(changed)

@@ -37,6 +37,7 @@ def check(design):
 HEALTH = [HealthCheck.filter_too_much, HealthCheck.too_slow]
 
 
+@pytest.mark.slow
 @settings(max_examples=4, derandomize=True, deadline=None, suppress_health_check=HEALTH)
 @given(design=designs())
 def test_some_random_designs_that_are_said_to_be_buildable_have_no_overlap(design):

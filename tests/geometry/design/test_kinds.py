@@ -101,7 +101,7 @@ def test_a_kind_keeps_what_it_does_not_state_and_its_ports_lie_as_high_as_those_
         ({"point_kinds.a-b": {}}, "point_kinds: 'a-b' must be a name of letters, digits and _ that starts with a"),
         ({"layout.kind": "hand"}, "lines.0.pattern.tubes must not be given for layout.kind = 'hand', which lays tubes"),
         ({"layout.kind": "cylinder", "layout.diameter": 90.0}, "must not be given for layout.kind = 'cylinder'"),
-        ({"layout.pitch": 16.0}, "layout.pitch = 16 mm is more than its tubes reach; it must be left out, or 14 mm: the tubes then lie straight"),
+        ({"layout.pitch": 16.0}, "layout.pitch = 16 mm is more than its tubes reach; it must be left out, or 14 mm"),
         ({"point_kinds.deep.membrane_thickness": 9.0},
          "point_kinds.deep.membrane_thickness = 9 mm must be at most 6 mm, 2 radii of resonator.cavity_diameter"),
         ({"point_kinds.deep.cavity_height": 1.3},

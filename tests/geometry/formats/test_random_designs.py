@@ -185,6 +185,7 @@ def test_a_socket_that_would_graze_the_seat_of_the_board_leaves_a_wall() -> None
         assert mesh.euler_number == 2 - 2 * genus(housing) == 0
 
 
+@pytest.mark.slow
 def test_random_designs_build_or_are_refused_by_name() -> None:
     check_random_designs(3)
 

@@ -9,6 +9,7 @@ from geometry.layout.arrangement import lay_out
 from geometry.layout.size import array_size
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "values"),
     [

@@ -62,6 +62,7 @@ CASES = [(name, {}) for name in PHYSICAL]
 CASES += [("array-2x6", variant) for variant in VARIANTS]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "changes"), CASES)
 def test_the_cavity_of_the_closed_mold_is_the_compensated_membrane(name, changes, molds):
     design, mold, membrane = molds(name, **changes)
@@ -200,6 +201,7 @@ def test_shims_raise_the_lid_step_by_step(molds):
         assert base.BoundingBox().zmax - 0.05 * step > 2
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("pin", [1.0, 2.5])
 def test_a_shim_has_as_many_notches_as_steps(pin, molds):
     _, mold, _ = molds("array-2x6", **{"mold.shim_count": 10, "mold.pin_diameter": pin})
@@ -220,6 +222,7 @@ def test_shrinkage_of_silicone_and_resin_is_compensated(changes, thicker, molds)
     assert left.BoundingBox().zlen == pytest.approx(design.membrane.thickness, rel=1e-4)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("changes", [{}, TRAY, RIM], ids=["one", "tray", "rim"])
 def test_the_scraper_rides_on_the_lands_of_an_open_mold(changes, molds):
     design, mold, membrane = molds(

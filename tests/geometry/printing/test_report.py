@@ -95,6 +95,7 @@ def test_the_web_between_parallel_bores_is_exact():
     assert wall_of(cq.Solid.makeBox(10, 10, 5).cut(bore(5, 4.4))).value == pytest.approx(0.1, abs=1e-9)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("turn", [18.2, 20, 30, 60, 72])
 def test_the_web_between_diverging_sockets_is_exact(design, turn):
     ports = [Port(0.0, 0.44, 0.9), Port(turn, 0.44, 0.9)]
@@ -409,6 +410,7 @@ def test_the_disc_of_a_membrane_is_judged_not_its_boss_or_rim(design, shape):
     assert (found.value, found.verdict) == (pytest.approx(0.09), "fail")
 
 
+@pytest.mark.slow
 def test_gaps_to_what_is_put_in_are_judged_on_every_part_that_has_them(design):
     tight = design.with_values({"mold.kind": "open-face", "mold.pin_clearance": 0.02, "microphone.board_gap": 0.03})
     report = print_report(geometry.build_parts(tight), design=tight)
@@ -437,6 +439,7 @@ def test_shims_that_a_tolerance_mixes_up_are_warned_of(coarse, design):
     assert finding(print_report(parts, design=wide), "mold-shim-1", "step of shims").verdict == "ok"
 
 
+@pytest.mark.slow
 def test_the_worst_finding_is_the_verdict_and_comes_first():
     report = print_report({"plate": cq.Workplane().box(10, 10, 0.3).faces(">Z").workplane().hole(0.2)})
     assert report.verdict == "fail"

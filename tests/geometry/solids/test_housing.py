@@ -59,6 +59,7 @@ def test_chamber_and_sound_hole_hold_the_given_volume(count, gasket):
         assert any(void.Volume() == pytest.approx(ring, rel=1e-9) for void in voids)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("count", [1, 2, 6])
 def test_the_parts_leave_the_simulated_air(count):
     mic, sides = microphone(), ports(count)

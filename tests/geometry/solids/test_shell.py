@@ -55,6 +55,7 @@ def test_the_wall_between_two_holes_is_that_of_the_kernel(starts, radii, turn):
 
 
 # -- ports ------------------------------------------------------------------------------------------
+@pytest.mark.slow
 @pytest.mark.parametrize("count", range(1, 7))
 def test_one_to_six_ports_open_the_cavity_and_nothing_else(count):
     ports = [Port(360 / count * k, 0.44, 0.9) for k in range(count)]
@@ -239,6 +240,7 @@ def carrier_printing(kind, **values):
     return Printing(port_lip=0.5, carrier=kind, **values)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("kind", "links"), [("row", 4), ("sheet", 5)])
 def test_a_carrier_is_one_watertight_piece_open_at_the_top(kind, links):
     one = cq.Workplane(shell())
@@ -290,6 +292,7 @@ def test_the_shells_of_a_carrier_carry_the_numbers_of_their_points():
     assert sizes[1] == pytest.approx(sizes[2], rel=0.1)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["raised", "engraved"])
 @pytest.mark.parametrize("carrier", ["row", "sheet"])
 def test_the_numbers_in_a_carrier_keep_clear_of_its_webs_and_necks(kind, carrier):

@@ -29,6 +29,7 @@ def frames_of(array, noise, count=2400, stimuli=None, seed=0):
     return made.signals, made.point.numpy()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("noise", [0.03, 0.1, 0.2])
 def test_probabilities_agree_with_how_often_the_decoder_is_right(array, noise):
     signals, point = frames_of(array, noise)

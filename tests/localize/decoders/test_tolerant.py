@@ -56,6 +56,7 @@ def test_its_hypotheses_repeat_and_their_priors_sum_to_one(
     assert (localize.TolerantDecoder(library).locate(frames) == decoder.locate(frames)).all()
 
 
+@pytest.mark.slow
 def test_an_onnx_file_of_it_names_the_same(
     decoder: localize.TolerantDecoder, frames: np.ndarray, tmp_path: Path
 ) -> None:
@@ -64,6 +65,7 @@ def test_an_onnx_file_of_it_names_the_same(
     assert graph.locate(frames) == pytest.approx(decoder.locate(frames), abs=1e-5)
 
 
+@pytest.mark.slow
 @pytest.mark.physics
 def test_it_names_touches_of_made_sensors_that_the_nominal_library_does_not_and_says_how_surely() -> None:
     library = acoustic_fem.solve(geometry.prototype("line-2").with_values({"lines.0.points": 20}), GRID, "lumped")

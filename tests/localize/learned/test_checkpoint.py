@@ -45,6 +45,7 @@ class Stop(Exception):
     """Raised where a process might be killed."""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("step", [1, 3, 6, 11])
 def test_weights_after_a_stop_within_or_between_epochs_are_those_without(array, whole, tmp_path, monkeypatch, step):
     # A checkpoint at every step; the samples of one of them then fail.
@@ -94,6 +95,7 @@ localize.train(rc_line(4), localize.TrainingPlan(seconds_per_point=24, epochs=10
 """
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not hasattr(signal, "SIGKILL"), reason="needs a system that kills")
 def test_a_killed_process_leaves_a_whole_checkpoint_that_leads_to_the_same_weights(array, tmp_path):
     path, root = tmp_path / "checkpoint.safetensors", Path(__file__).parents[3]
@@ -157,6 +159,7 @@ def foreign(path):
     save_file({"x": torch.zeros(2)}, path)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("damage", "message"),
     [

@@ -63,6 +63,7 @@ def test_a_stride_of_2_does_not_survive_the_papers_mergings():
         replace(shape("paper"), patch=(2, 2))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("change", [{"network": "stride-2"}, {"bfloat16": True}, {"features": "paper"}])
 def test_other_networks_maps_and_precisions_learn_and_are_saved(change, tmp_path):
     plan = localize.TrainingPlan(seconds_per_point=60, epochs=4, seed=1, **change)

@@ -78,6 +78,7 @@ def test_training_leaves_the_global_random_state_alone(array):
     assert torch.equal(before, torch.get_rng_state())
 
 
+@pytest.mark.slow
 def test_a_time_limit_shortens_training_and_still_ends_it_well(array, monkeypatch):
     monkeypatch.setattr(training, "perf_counter", ticking(0.03))
     reports = []

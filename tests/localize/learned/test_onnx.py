@@ -61,6 +61,7 @@ def test_probabilities_agree_with_torch_at_every_noise(array, pair, noise):
     assert probability.dtype == np.float32
 
 
+@pytest.mark.slow
 def test_a_low_assumed_noise_needs_the_double_precision_and_has_it(array, tmp_path):
     """At 90 dB above the noise, differences of likelihoods are 1e-9 of what they are differences of."""
     decoder = localize.BayesDecoder(array, 1e-6)

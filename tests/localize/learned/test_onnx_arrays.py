@@ -67,6 +67,7 @@ def frames_of(array, stimulus, noise, ambient=None):
     return frames[heard.all(1)].contiguous()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("gain", [0.01, 1.0, 10.0])
 @pytest.mark.parametrize(("stimulus", "noise", "ambient"), [
     ("multi-sines", 0.0, None), ("multi-sines", 1e-3, None), ("taps", 0.0, None), ("taps", 1e-3, None),

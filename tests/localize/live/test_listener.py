@@ -184,6 +184,7 @@ def test_clipping_is_seen_before_the_filter_hides_it(decoder, signals) -> None:
     assert states[0.986] != "unreadable"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("end", ["stop", "stall"])
 def test_a_device_that_is_unplugged_is_waited_for(decoder, signals, tmp_path, monkeypatch, end) -> None:
     # Longer than a thread waits for its turn on a busy machine.

@@ -71,6 +71,7 @@ def test_a_stream_gives_what_a_batch_of_its_frames_gives(array, decoder, signals
 damage = st.sampled_from(["none", "not finite", "flat", "loud"])
 
 
+@pytest.mark.slow
 @settings(max_examples=30)
 @given(
     cuts=st.lists(st.integers(0, 2000), max_size=40),
@@ -256,6 +257,7 @@ def test_events_are_lines_of_json(decoder, signals):
     assert json.loads(Fault(1.0, "samples lost", samples=3).json_line())["samples"] == 3
 
 
+@pytest.mark.slow
 def test_a_network_and_an_onnx_file_listen_to_a_stream_as_well(array, tmp_path, signals):
     plan = localize.TrainingPlan(seconds_per_point=5, epochs=1, microphone_noise=NOISE)
     network = localize.train(array, plan)

@@ -94,6 +94,7 @@ def test_touches_of_unknown_loudness_do_not_tell_the_level_that_microphones_have
     assert against @ information @ against > 10
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("louder", [0.1, 10.0])
 def test_louder_touches_in_as_much_louder_noise_say_the_same(louder: float) -> None:
     model = UpdatedModel(nominal())
@@ -188,12 +189,14 @@ def test_three_channels_in_turn_are_put_back() -> None:
     assert order.differs
 
 
+@pytest.mark.slow
 def test_exchanged_channels_are_refused_by_name() -> None:
     found = self_calibrate(made(), touches(truth(), 110)[0][:, ::-1], NOISE)
     assert "the channels look exchanged: A, B are likelier B, A" in str(found.objection)
     assert found.library() is found.present
 
 
+@pytest.mark.slow
 def test_a_gain_that_is_6_db_higher_is_named() -> None:
     found = self_calibrate(made(), touches(truth(), 110)[0] * np.array([2.0, 1.0])[:, None], NOISE)
     assert "the sensor is not one of this tolerance (gain of microphone" in str(found.objection)

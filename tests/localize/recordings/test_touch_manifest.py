@@ -182,6 +182,7 @@ class Stop(Exception):
     """Raised where a process might be killed."""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("step", [2, 7])
 def test_a_training_with_recordings_goes_on_bit_for_bit(array, manifest, tmp_path, monkeypatch, step) -> None:
     whole = localize.train(array, PLAN, recordings=manifest)

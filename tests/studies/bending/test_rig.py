@@ -43,6 +43,7 @@ def bend(monkeypatch, capsys, *words):
     return int(ended.value.code or 0), told.out, told.err
 
 
+@pytest.mark.slow
 def test_the_publications_rig_transmits_the_same_however_it_is_bent(monkeypatch, capsys, tmp_path):
     code, out, err = bend(monkeypatch, capsys, "--out", tmp_path / "bending", "--frequencies", "1:100:3")
     assert code == 0, err

@@ -249,6 +249,7 @@ def test_a_library_is_brought_to_the_air_of_the_place(command: Callable[..., str
         studies.locate_recording(model, "r.wav", decoding=studies.Decoding(air=LocalAir(pressure=9e4)))
 
 
+@pytest.mark.slow
 def test_a_check_in_python_writes_what_it_found(place: Path) -> None:
     found = studies.check_design(small_design(), "call.json")
     assert found.objection is None
@@ -267,6 +268,7 @@ def test_scatter_and_bending_in_python_are_those_of_the_verbs(command: Callable[
     assert text("bent/bending.csv") == text("called/bending.csv")
 
 
+@pytest.mark.slow
 def test_a_localizer_in_python_is_that_of_the_verbs(command: Callable[..., str], place: Path) -> None:
     library = small_run().folder / "library.nc"
     command("train", library, "--out", "verb", "--epochs", 1)
@@ -287,6 +289,7 @@ def test_a_localizer_in_python_is_that_of_the_verbs(command: Callable[..., str],
             assert f"{100 * own.top1:.1f}" in line
 
 
+@pytest.mark.slow
 def test_touches_in_python_are_those_of_the_verbs(command: Callable[..., str], place: Path) -> None:
     library = small_run().folder / "library.nc"
     touches = localize.TouchGenerator(response_of(acoustic_fem.load(library)), 0, "evaluation", 1e-3).samples(0, 1)

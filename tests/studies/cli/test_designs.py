@@ -29,7 +29,12 @@ def test_prototypes_are_listed_and_printed(command: Command, tmp_path: Path) -> 
     assert "exists" in command("prototypes", "glove", "--out", own).err
 
 
-@pytest.mark.parametrize("name", geometry.prototype_names())
+def prototypes(quick: set[str]) -> list[object]:
+    """All prototypes, those that are not quick marked so."""
+    return [pytest.param(name, marks=() if name in quick else pytest.mark.slow) for name in geometry.prototype_names()]
+
+
+@pytest.mark.parametrize("name", prototypes(quick={"fingertip-3x4", "line-2"}))
 def test_a_prototype_passes_the_check(command: Command, name: str, tmp_path: Path) -> None:
     told = command("check", name, "--out", tmp_path / "check.json")
     assert told.code == 0, told.err
@@ -51,6 +56,7 @@ def test_a_prototype_passes_the_check(command: Command, name: str, tmp_path: Pat
     assert f"navier-stokes, the default: {costs}" in told.out
 
 
+@pytest.mark.slow
 def test_the_check_of_a_design_that_cannot_be_printed_names_the_part(command: Command, tmp_path: Path) -> None:
     thin = small_design().with_values({"printing.port_lip": 0.15, "printing.process": "sla-resin"})
     geometry.save_design(thin, tmp_path / "thin.toml")
@@ -67,6 +73,7 @@ def test_the_fields_of_a_design_file_are_listed(command: Command) -> None:
         assert name in told.out
 
 
+@pytest.mark.slow
 def test_parts_fill_a_folder_with_all_it_takes_to_make_the_array(command: Command, row: Path, tmp_path: Path) -> None:
     told = command("parts", row, "--out", tmp_path / "parts", "--format", "stl", "--process", "dlp-fine")
     assert told.code == 0, told.err

@@ -80,6 +80,7 @@ def wait_for(condition) -> None:
         time.sleep(0.05)
 
 
+@pytest.mark.slow
 def test_a_replay_gives_what_locate_gives_and_records_what_it_plays(folder, tmp_path):
     chosen = ("--channels", "left=2,right=1", "--full-scale", "4")
     with acoustic_fem(
@@ -111,6 +112,7 @@ def test_a_replay_gives_what_locate_gives_and_records_what_it_plays(folder, tmp_
     assert errors.rstrip().endswith(str(tmp_path / "again.wav"))
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not hasattr(signal, "SIGKILL"), reason="needs a system that kills")
 def test_a_killed_program_leaves_its_recording_and_its_lines(folder, tmp_path):
     played = read_wav(folder / "long.wav").channels
@@ -141,6 +143,7 @@ globals().update({{name: getattr(card, name) for name in dir(card) if not name.s
 """
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(sys.platform == "win32", reason="needs signals between processes")
 def test_a_sound_card_is_listened_to_until_ctrl_c_though_it_is_unplugged(folder, tmp_path):
     (tmp_path / "sounddevice.py").write_text(SOUND_CARD)
@@ -168,6 +171,7 @@ def test_a_sound_card_is_listened_to_until_ctrl_c_though_it_is_unplugged(folder,
     assert len(read_wav(tmp_path / "card.wav").channels["1"]) == 4000
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(sys.platform == "win32", reason="needs a pseudo-terminal")
 def test_a_terminal_shows_the_array_and_ctrl_c_ends_it(folder, tmp_path):
     import pty
@@ -200,6 +204,7 @@ def test_a_terminal_shows_the_array_and_ctrl_c_ends_it(folder, tmp_path):
     assert len((tmp_path / "live.jsonl").read_text().splitlines()) > 10
 
 
+@pytest.mark.slow
 def test_lines_into_a_program_that_ends_are_no_error(folder):
     with acoustic_fem("live", folder / "model.onnx", "--replay", folder / "play.wav", path=folder) as process:
         process.stdout.readline()

@@ -30,6 +30,7 @@ metric = "distance_smallest"
 """
 
 
+@pytest.mark.slow
 def test_solve_train_and_evaluate_lead_from_a_design_to_a_judged_localizer(
     command: Command, row: Path, tmp_path: Path
 ) -> None:
@@ -77,6 +78,7 @@ def test_a_network_is_trained_on_the_stimuli_that_are_named(command: Command, tm
     assert (told.code, "--stimuli" in told.err, (tmp_path / "none").exists()) == (1, True, False)
 
 
+@pytest.mark.slow
 def test_train_goes_on_where_it_was_stopped(command: Command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     library = small_run().folder / "library.nc"
     whole, stopped = tmp_path / "whole", tmp_path / "stopped"
@@ -121,6 +123,7 @@ def test_train_has_the_defaults_of_the_plan_and_the_noise_of_the_design(
     assert plans == [localize.TrainingPlan(microphone_noise="design")]
 
 
+@pytest.mark.slow
 def test_evaluate_takes_the_noise_of_the_design_unless_told(
     command: Command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -7,6 +7,7 @@ import re
 from pathlib import Path
 
 import numpy as np
+import pytest
 import scipy.io.wavfile
 from command import Command, Outcome
 from filelock import FileLock
@@ -33,6 +34,7 @@ def decoder_graph(command: Command) -> Path:
     return graph
 
 
+@pytest.mark.slow
 def test_a_recording_is_located_by_the_network_an_onnx_file_and_the_library_alike(
     command: Command, tmp_path: Path
 ) -> None:

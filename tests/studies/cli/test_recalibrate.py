@@ -26,6 +26,7 @@ def run(monkeypatch: pytest.MonkeyPatch, *arguments: object) -> int:
     return int(str(ended.value.code))
 
 
+@pytest.mark.slow
 def test_the_command_makes_the_same_library_from_recordings(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -40,6 +41,7 @@ def test_the_command_makes_the_same_library_from_recordings(
     assert np.array_equal(made.transfer_function.values, calibrated().library().transfer_function.values)
 
 
+@pytest.mark.slow
 def test_the_command_writes_nothing_when_it_refuses(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

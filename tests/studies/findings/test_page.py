@@ -19,6 +19,8 @@ from studies.findings.reporting import best_designs
 from studies.findings.result_table import Column, ResultTable, effect, table_of_sweep, with_base_metrics
 from studies.sweep.store import open_sweep
 
+pytestmark = pytest.mark.slow  # its 256 designs are computed, judged and drawn
+
 ROOT = Path(__file__).parents[3]
 PAGE = ROOT / "docs" / "first-study.md"
 

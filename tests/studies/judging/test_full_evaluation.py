@@ -44,6 +44,7 @@ def test_mis_made_sensors_scatter_around_the_library_whatever_its_fidelity(libra
     assert again[1][2] == pytest.approx(1.5j * sets[1][2])
 
 
+@pytest.mark.slow
 def test_a_design_whose_scatter_is_not_known_is_judged_without_it_and_told_why():
     box = small_design().with_values({"resonator.shape": "box"})
     library = acoustic_fem.solve(box, np.arange(1.0, 101.0), "lumped")

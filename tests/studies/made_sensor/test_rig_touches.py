@@ -76,6 +76,7 @@ def test_a_decoder_that_knows_the_made_sensor_names_its_touches(rig, library, ma
     assert 0.5 < found["taps"].right < 0.9
 
 
+@pytest.mark.slow
 def test_training_on_recordings_from_the_command_line(library, manifest, tmp_path, monkeypatch, capsys):
     acoustic_fem.save(library, tmp_path / "library.nc")
     arguments = ["train", "library.nc", "--out", "made", "--epochs", "2", "--noise", str(NOISE), "--seed", "7"]

@@ -20,6 +20,7 @@ def line(points: int, spread: float = 1.0) -> np.ndarray:
     return rc_line(points, GRID, spread).transfer_function[None]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("listener", ["network", "model"])
 def test_quiet_and_far_apart_is_never_confused_and_drowned_in_noise_is_chance(listener: str) -> None:
     quiet = predict_confusion(line(4), GRID, 1e-4, listener=listener)

@@ -124,6 +124,7 @@ def test_a_search_that_was_cut_short_ends_as_one_that_was_not(
     assert again.refused == found.refused
 
 
+@pytest.mark.slow
 def test_a_search_killed_for_real_goes_on(tmp_path: Path, problem: Optimization, found: OptimizationResult) -> None:
     study = tmp_path / "study.toml"
     study.write_text(SEARCH, encoding="utf-8")

@@ -18,6 +18,7 @@ AXES = '[parameters]\n"tube.length" = [20.0, 21.0]\n'
 NARROW = {"layout": {"kind": "cylinder", "columns": 6, "diameter": 9.0}, "lines.0.points": 4}
 
 
+@pytest.mark.slow
 def test_parts_in_each_others_way_are_named_by_check(capsys):
     found = check_design(prototype("array-2x6").with_values(NARROW))
     assert any(line.startswith("shell 1 and shell 4 are in each other's way: they share ") for line in found.misfits)
@@ -33,6 +34,7 @@ def test_parts_in_each_others_way_are_named_by_check(capsys):
     assert printed.count(" are in each other's way") == min(len(found.misfits), 10)
 
 
+@pytest.mark.slow
 def test_check_parts_run_and_sweep_count_the_same_problems(tmp_path):
     design = prototype("array-2x6").with_values(NARROW)
     found, told = check_design(design), []
@@ -49,6 +51,7 @@ def test_check_parts_run_and_sweep_count_the_same_problems(tmp_path):
     assert told == 3 * [found.objection]
 
 
+@pytest.mark.slow
 def test_a_tube_that_cannot_be_drawn_is_a_misfit_not_the_end_of_the_check(monkeypatch):
     def refused(*_):
         raise Refusal("sheath 0.44x0.9-1: bends to a radius of 0.4 mm, below its own 0.45 mm")

@@ -76,6 +76,7 @@ def test_membranes_between_the_nodes_are_those_of_the_elastic_solution(
     assert frequency == pytest.approx(exact.membrane_frequency, rel=2e-3, abs=0)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("quantity", "size", "values"),
     [

@@ -174,6 +174,7 @@ def begin_together(folder: Path, barrier: Any, told: Any) -> None:
             told.put((number, "done"))
 
 
+@pytest.mark.slow
 def test_of_two_sweeps_that_begin_at_once_one_computes_and_the_other_is_refused(tmp_path: Path) -> None:
     text = STUDY.replace("cases = 160", "cases = 4").replace(', "predicted_top1_loud"', "")
     (tmp_path / "study.toml").write_text(text)
@@ -237,6 +238,7 @@ def alive(process: psutil.Process) -> bool:
     return process.is_running() and process.status() != psutil.STATUS_ZOMBIE
 
 
+@pytest.mark.slow
 def test_a_scheduler_that_does_not_answer_is_named(
     uninterrupted: tuple[Path, Path], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

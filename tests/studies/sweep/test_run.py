@@ -151,6 +151,7 @@ class _Killed(BaseException):
     pass
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("after", [0, 1, 5])
 def test_a_sweep_that_was_cut_off_goes_on_to_the_same_store(
     after: int, study: Study, finished: tuple[Path, Summary], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
@@ -448,6 +449,7 @@ def test_a_cell_in_the_cache_is_known_without_reading_it(tmp_path: Path, monkeyp
     assert not design_cells.is_cached(cell, [10.0, 20.0], air, "helmholtz")
 
 
+@pytest.mark.slow
 def test_many_membranes_are_interpolated_between_few_that_are_solved(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
