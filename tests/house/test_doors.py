@@ -146,16 +146,16 @@ def test_a_wheel_holds_all_that_the_command_needs(tmp_path: Path) -> None:
         done = subprocess.run(
             [sys.executable, "-c", code, str(site), *arguments],
             cwd=tmp_path,
-            env={**os.environ, "PYTHONPATH": str(site)},
+            env={**os.environ, "PYTHONPATH": str(site), "PYTHONIOENCODING": "utf-8"},
             capture_output=True,
-            text=True,
+            encoding="utf-8",
         )
         assert done.returncode == 0, done.stderr
         return done.stdout
 
     assert "array-2x6" in run("prototypes")
     small = run("prototypes", "array-2x6").replace("points = 12", "points = 4")
-    (tmp_path / "small.toml").write_text(small)
+    (tmp_path / "small.toml").write_text(small, encoding="utf-8")
     assert "a valid design" in run("check", "small.toml")
     run("solve", "small.toml", "--fidelity", "lumped", "--out", "library.nc")
     run("parts", "small.toml", "--out", "parts")
