@@ -158,7 +158,10 @@ class Library:
         Raises:
             Refusal: a value out of range, pressure and altitude at once, or a library of other air than its design's.
         """
-        design = self.design.with_values(LocalAir(pressure, altitude, temperature_c, humidity).design_values)
+        values = LocalAir(pressure, altitude, temperature_c, humidity).design_values
+        if not values:
+            return self
+        design = self.design.with_values(values)
         medium, before = design_air(design), design_air(self.design)
         if not np.allclose(astuple(self.medium), astuple(before), rtol=1e-6):
             raise Refusal(

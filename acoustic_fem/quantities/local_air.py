@@ -47,12 +47,8 @@ class LocalAir:
             )
         if self.altitude is not None:
             standard_pressure(self.altitude)
-        for name, low, high, unit in (
-            ("pressure", 5e4, 1.2e5, "Pa"), ("temperature_c", -20, 60, "degC"), ("humidity", 0, 1, "")
-        ):  # fmt: skip
-            value = getattr(self, name)
-            if value is not None:
-                in_range(name, value, low, high, unit)
+        stated = {name: getattr(self, name) for name in ("pressure", "temperature_c", "humidity")}
+        Medium.at(**{name: value for name, value in stated.items() if value is not None})  # which knows the ranges
 
     @property
     def design_values(self) -> dict[str, float]:

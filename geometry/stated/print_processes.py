@@ -180,6 +180,8 @@ def find_process(process: str | os.PathLike[str] | PrintProcess) -> PrintProcess
     if path.suffix != ".toml":
         raise Refusal(f"process = {str(process)!r} must be one of: {', '.join(PROCESSES)}; or a .toml file")
     given = read_toml(path, "a file of a process", Refusal)
+    if not given:  # what was cut short to nothing would be taken for the default
+        raise Refusal(f"{path.name}: states nothing; it must state base, one of: {', '.join(PROCESSES)}, or a rule")
     base = given.pop("base", "sla-resin")
     if not isinstance(base, str) or base not in PROCESSES:
         raise Refusal(f"{path.name}: base = {base!r} must be one of: {', '.join(PROCESSES)}")

@@ -143,7 +143,7 @@ class BayesDecoder:
         self.provenance = response.provenance
         noise = response.noise(microphone_noise)
         self.noise_rms = noise.rms if isinstance(noise, NoiseSpectrum) else noise
-        touched = self._touched(response)
+        touched = self._touched(library, response)
         self.tables = tuple(
             _tables(touched, joint_whitening(response, share_of(noise), level), level) for level in self.ambient
         )
@@ -154,7 +154,7 @@ class BayesDecoder:
         """Number of sensing points."""
         return len(self.line)
 
-    def _touched(self, response: ArrayResponse) -> NDArray[np.float64]:
+    def _touched(self, library: Library | ArrayResponse, response: ArrayResponse) -> NDArray[np.float64]:
         """Covariances of what may have been touched, (n_table, n, n) float64, Pa^2: of the points."""
         return touch_covariances(response, np.eye(SAMPLES))
 

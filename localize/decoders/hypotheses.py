@@ -130,7 +130,7 @@ def _grouped(features: NDArray[np.float64], groups: int) -> NDArray[np.int64]:
     """Group of each draw, (n_draw,) int64."""
     if np.ptp(features, axis=0).max() < ALIKE:
         return np.zeros(len(features), np.int64)
-    with warnings.catch_warnings():
+    with warnings.catch_warnings():  # an empty one is expected where draws are few or alike; its prior is none
         warnings.filterwarnings("ignore", "One of the clusters is empty", UserWarning)
         _, label = kmeans2(features, groups, iter=30, minit="++", rng=np.random.default_rng(_SEED))
     return np.asarray(label, np.int64)

@@ -22,12 +22,12 @@ from geometry.refusal import Refusal
 from localize.decoders.bayes import SURE, Ambient, BayesDecoder, DecoderTables, Screen, ScreenedLevel
 from localize.decoders.frame_covariance import SAMPLES, touch_covariances
 from localize.decoders.hypotheses import made_hypotheses
+from localize.signals.array_response import ArrayResponse
 from localize.signals.noise import NoiseChoice
 
 if TYPE_CHECKING:
     from acoustic_fem import Library
     from acoustic_fem.scatter.tolerances import Tolerance
-    from localize.signals.array_response import ArrayResponse
 
 WARMTH = 1.5
 """Temperature over that of the decoder of a known sensor. Tried were 1 to 8: higher ones suit made sensors in quiet,
@@ -77,7 +77,8 @@ class TolerantDecoder(BayesDecoder):
         ambient: as of :class:`localize.BayesDecoder`.
 
     Raises:
-        Refusal: bare transfer functions, a design whose scatter is not known, or as :class:`localize.BayesDecoder`.
+        Refusal: bare transfer functions, a measured library, a design whose scatter is not known, or as
+            :class:`localize.BayesDecoder`.
     """
 
     def __init__(
@@ -87,17 +88,16 @@ class TolerantDecoder(BayesDecoder):
         microphone_noise: NoiseChoice = 1e-3,
         ambient: Ambient = None,
     ) -> None:
-        if not hasattr(library, "design"):
-            raise Refusal("library must be one of a design: bare transfer functions do not tell what its parts are")
         self.tolerances = UNCALIBRATED if tolerances is None else tuple(tolerances)
-        self._library: Library | None = library
         super().__init__(library, microphone_noise, ambient)
-        self._library = None
 
-    def _touched(self, response: ArrayResponse) -> NDArray[np.float64]:
+    def _touched(self, library: Library | ArrayResponse, response: ArrayResponse) -> NDArray[np.float64]:
         """Covariances of the hypotheses, point by point."""
-        assert self._library is not None
-        hypotheses = made_hypotheses(self._library, response, self.tolerances)
+        if isinstance(library, ArrayResponse):
+            raise Refusal("library must be one of a design: bare transfer functions do not tell what its parts are")
+        if _is_measured(library):
+            raise Refusal("library must be computed: a measured one knows its sensor; take localize.BayesDecoder")
+        hypotheses = made_hypotheses(library, response, self.tolerances)
         self.log_prior = hypotheses.log_prior
         each = [touch_covariances(one, np.eye(SAMPLES)) for one in hypotheses.responses]
         return np.stack(each, 1).reshape(-1, *each[0].shape[1:])
@@ -127,9 +127,13 @@ def tolerant_decoder(
     Raises:
         Refusal: as :class:`localize.BayesDecoder`.
     """
-    from acoustic_fem.library.result import MEASURED
-
-    if library.fidelity != MEASURED:
+    if not _is_measured(library):
         with suppress(UnknownScatterError):
             return TolerantDecoder(library, None, microphone_noise, ambient)
     return None
+
+
+def _is_measured(library: Library) -> bool:
+    from acoustic_fem.library.result import MEASURED
+
+    return library.fidelity == MEASURED

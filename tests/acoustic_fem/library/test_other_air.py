@@ -64,6 +64,7 @@ def test_the_file_says_in_which_air_it_is_and_from_which_it_came(library: Librar
 def test_a_library_in_a_medium_of_its_own_is_not_brought_elsewhere() -> None:
     helium = acoustic_fem.Medium(0.166, 1.96e-5, 0.152, 5193.0, 1.66, 101325.0)
     library = acoustic_fem.solve(geometry.prototype("array-2x6"), FREQUENCY, "lumped", helium)
+    assert library.in_air() is library
     with pytest.raises(Refusal, match="medium of its own"):
         library.in_air(pressure=9e4)
 

@@ -92,6 +92,11 @@ def test_a_measured_sensor_is_known_and_a_design_of_unknown_scatter_has_no_such_
     assert type(tolerant_decoder(library)) is localize.TolerantDecoder
 
 
+def test_a_measured_library_is_refused(library: acoustic_fem.Library) -> None:
+    with pytest.raises(geometry.Refusal, match="library must be computed: a measured one knows its sensor"):
+        localize.TolerantDecoder(replace(library, fidelity=MEASURED))
+
+
 def test_bare_transfer_functions_are_refused(library: acoustic_fem.Library) -> None:
     with pytest.raises(ValueError, match="library must be one of a design"):
         localize.TolerantDecoder(response_of(library))  # type: ignore[arg-type]

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 import pytest
 import scipy.io.wavfile
+from command import Command
 from small_run import small_design, small_run
 
 import acoustic_fem
@@ -94,18 +95,13 @@ metrics = ["distance_smallest", "volume"]
 """
 
 
-@pytest.fixture
-def command(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Callable[..., str]:
+@pytest.fixture(name="command")
+def printed(command: Command) -> Callable[..., str]:
     """Runs ``acoustic-fem`` with arguments in this process; what it printed."""
 
     def run(*arguments: object, code: int = 0) -> str:
-        monkeypatch.setattr(sys, "argv", ["acoustic-fem", *map(str, arguments)])
-        monkeypatch.setenv("COLUMNS", "200")  # what is told here, not how it is laid out
-        capsys.readouterr()
-        with pytest.raises(SystemExit) as ended:
-            app.main()
-        told = capsys.readouterr()
-        assert ended.value.code == code, told.err
+        told = command(*arguments)
+        assert told.code == code, told.err
         return told.out
 
     return run
