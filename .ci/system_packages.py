@@ -20,7 +20,7 @@ OLDEST_PYTHON = (3, 11)
 
 ROOT = Path(__file__).parents[1]
 #: Library as the loader knows it: Debian package.
-LIBRARIES = runpy.run_path(str(ROOT / "studies" / "output" / "system_libraries.py"))["LIBRARIES"]
+LIBRARIES = runpy.run_path(str(ROOT / "geometry" / "system" / "libraries.py"))["LIBRARIES"]
 
 
 def main() -> int:

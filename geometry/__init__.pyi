@@ -11,6 +11,7 @@ from . import (
     printing as printing,
     solids as solids,
     stated as stated,
+    system as system,
 )
 from .assembly.bill import bill_of_materials as bill_of_materials
 from .assembly.model import build_assembly as build_assembly

@@ -18,6 +18,7 @@ from geometry.air.cells import Cell
 from geometry.refusal import Refusal, said_by
 from geometry.stated.cavity_shapes import Box, Dome
 from geometry.stated.ports import CellPort
+from geometry.system.loading import MissingLibrary
 
 #: Cells of a design are solved over at least this band (Hz), so that another grid finds them in the cache.
 DESIGN_BAND = (1.0, 500.0)
@@ -152,6 +153,7 @@ def solve_task(task: CellTask, report: Callable[[float], None]) -> CellRecord:
 
     Raises:
         CellError: its air cannot be made or meshed, its solution misses the accuracy, or takes too much memory.
+        MissingLibrary: nothing can be meshed on this system.
     """
     from OCP.Standard import Standard_Failure
 
@@ -174,6 +176,8 @@ def solve_task(task: CellTask, report: Callable[[float], None]) -> CellRecord:
             MeshGoal(DESIGN_ACCURACY, cell.smallest_extent, checked_band, _FIRST_SCALE),
             report,
         )
+    except MissingLibrary:
+        raise  # no fault of this cell
     except (Refusal, Standard_Failure, MemoryError) as error:
         raise CellError(f"{cell.label}: {said_by(error)}") from error
     body = solved.body

@@ -14,9 +14,10 @@ from pathlib import Path
 
 from acoustic_fem.cell.one_cell import CellError, CellFault, CellRecord, CellTask, solve_task
 from acoustic_fem.numerics import disk_cache
+from geometry.system.loading import MissingLibrary
 
-#: Exit status of a process whose cell could not be solved, and of one that ended with a traceback.
-_NOT_SOLVED, _TRACEBACK = 3, 1
+#: Exit status of a process whose cell could not be solved, that lacks a library, and that ended with a traceback.
+_NOT_SOLVED, _LACKING, _TRACEBACK = 3, 4, 1
 
 
 def solve_side_by_side(
@@ -37,6 +38,7 @@ def solve_side_by_side(
 
     Raises:
         CellError: a cell cannot be solved.
+        MissingLibrary: nothing can be meshed on this system.
         CellFault: a process ended with a traceback.
     """
     waiting = list(tasks)
@@ -121,6 +123,7 @@ class _Children:
 
         Raises:
             CellError: the cell cannot be solved.
+            MissingLibrary: nothing can be meshed on this system.
             CellFault: the process ended with a traceback.
         """
         label, status = child.task.cell.label, child.process.wait()
@@ -129,6 +132,8 @@ class _Children:
             print(said, file=sys.stderr)
         if status == _TRACEBACK and said:
             raise CellFault(f"{label}: {said.splitlines()[-1]}")
+        if status == _LACKING and said:
+            raise MissingLibrary(said.splitlines()[-1])
         if status != 0:
             raise CellError(said.splitlines()[-1] if said else f"{label}: the solver ended with {status}")
         self.running.remove(child)
@@ -152,6 +157,9 @@ def solve_as_child() -> int:
     except CellError as error:
         print(error, file=sys.stderr)
         return _NOT_SOLVED
+    except MissingLibrary as error:
+        print(error, file=sys.stderr)
+        return _LACKING
     return 0
 
 

@@ -137,7 +137,7 @@ def _tell(error: Exception) -> None:
         fail(f"{message}; try {error.ctx.command_path if error.ctx else 'acoustic-fem'} --help", 2)
     if not isinstance(error, (ImportError, OSError)):
         return
-    from studies.output.system_libraries import what_is_missing
+    from geometry.system.libraries import what_is_missing
 
     if missing := what_is_missing(str(error)):
         fail(missing)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from geometry.files.writing import writing
 from geometry.refusal import Refusal, counted
+from geometry.system.loading import check_system_libraries
 from studies.output.display import Display
 from studies.output.folders import check_folder
 from studies.output.sole_writer import sole_writer_of
@@ -61,6 +62,7 @@ def optimize(
     folder, show = Path(out), display or Display()
     problem = study if isinstance(study, Optimization) else load_optimization(study)
     check_folder(folder, "search", JOURNAL)
+    check_system_libraries()  # at the end of the search its best designs are drawn
     with sole_writer_of(folder, "search", Refusal), writing(folder / JOURNAL):
         with show.stage("Search") as report:
             result = search_designs(problem, folder, workers=workers, scheduler=scheduler, progress=report)

@@ -18,12 +18,12 @@ from geometry.layout.mending import refuse_unbuildable
 from geometry.layout.overlaps import buildability_notes
 from geometry.layout.size import array_size
 from geometry.refusal import Refusal, counted
+from geometry.system.loading import check_system_libraries
 from studies.metrics.pairs import BAND, disagreement, worst_heard
 from studies.metrics.separation import Separability, separability
 from studies.output.display import Display, Report
 from studies.output.folders import claim_folder, replaced_folder
 from studies.output.frequencies import LIBRARY_FREQUENCIES, stated_frequencies
-from studies.output.system_libraries import check_system_libraries
 from studies.run.check import model_validity
 from studies.run.findings import AGREEMENT, write_results
 from studies.run.part_folder import ALL_THE_SAME

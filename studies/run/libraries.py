@@ -6,10 +6,10 @@ import os
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from geometry.system.loading import check_system_libraries
 from studies.output.display import Display
 from studies.output.folders import check_new_library
 from studies.output.frequencies import LIBRARY_FREQUENCIES, stated_frequencies
-from studies.output.system_libraries import check_system_libraries
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike

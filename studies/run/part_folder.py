@@ -14,9 +14,9 @@ from geometry.layout.mending import refuse_unbuildable
 from geometry.layout.overlaps import buildability_notes
 from geometry.stated.fields import DesignError
 from geometry.stated.print_processes import PrintProcess, find_process, process_of
+from geometry.system.loading import check_system_libraries
 from studies.output.display import Display, Report
 from studies.output.folders import FILES, check_folder, replaced_files
-from studies.output.system_libraries import check_system_libraries
 
 if TYPE_CHECKING:
     from geometry.assembly.bill import Bill

@@ -32,6 +32,7 @@ from geometry import ArrayDesign, DesignError
 from geometry.air.cells import Cell, cell_catalogue
 from geometry.layout.arrangement import lay_out
 from geometry.refusal import Refusal
+from geometry.system.loading import MissingLibrary
 from studies.metrics.responses import Responses
 from studies.metrics.shared import SharedFigures
 from studies.study.cases import Cases
@@ -334,7 +335,13 @@ def check_metrics(job: Job, design: ArrayDesign) -> None:
 
 
 def _reason(error: BaseException, where: str = "") -> str:
-    """Why a case failed, in one line; of a mistake of the program with the place in it."""
+    """Why a case failed, in one line; of a mistake of the program with the place in it.
+
+    Raises:
+        MissingLibrary: that is what failed, and no case is to blame for it.
+    """
+    if isinstance(error, MissingLibrary):
+        raise error
     message = " ".join(str(error).split())
     if not isinstance(error, FAILURES):
         last = traceback.extract_tb(error.__traceback__)[-1]

@@ -104,7 +104,7 @@ class _Dask:
 
         def hand_out() -> None:
             for number, task in waiting:
-                future = self._client.submit(_in_one_thread, function, *task, pure=False)
+                future = self._client.submit(_by_a_worker, function, *task, pure=False)
                 running[future] = number, task
                 future.add_done_callback(finished.put)
                 return
@@ -125,7 +125,10 @@ class _Dask:
                 else:
                     yield number, lost(*task)
             else:
-                yield number, future.result()
+                result = future.result()
+                if isinstance(result, Refusal):
+                    raise result
+                yield number, result
             future.release()
             hand_out()
         if ended:
@@ -162,6 +165,14 @@ def _in_one_thread(function: Callable[..., Any], *task: Any) -> Any:
         _libraries = len(sys.modules), controller
     with _libraries[1].limit(limits=1):
         return function(*task)
+
+
+def _by_a_worker(function: Callable[..., Any], *task: Any) -> Any:
+    """Result of a task; what it refuses is handed back, for a worker that raises it shows a traceback as well."""
+    try:
+        return _in_one_thread(function, *task)
+    except Refusal as refusal:
+        return refusal
 
 
 @contextmanager

@@ -27,6 +27,7 @@ from studies.sweep import survey
 from studies.sweep.retries import ENDED_WORKERS
 from studies.sweep.run import run_sweep
 from studies.sweep.store import open_sweep
+from studies.sweep.workers import open_workers
 
 STUDY = """
 base = "array-2x6"
@@ -247,3 +248,14 @@ def test_a_scheduler_that_does_not_answer_is_named(
         run_sweep(load_study(uninterrupted[0]), tmp_path / "r.zarr", scheduler="tcp://127.0.0.1:9")
     run_sweep(load_study(uninterrupted[0]), tmp_path / "r.zarr", workers=1)
     assert_same_store(tmp_path / "r.zarr", uninterrupted[1])
+
+
+def refuse(what: str) -> None:
+    raise Refusal(f"{what} cannot be had here")
+
+
+@pytest.mark.slow
+def test_what_a_worker_refuses_is_told_without_its_traceback(capfd: pytest.CaptureFixture[str]) -> None:
+    with open_workers(2, None) as team, pytest.raises(Refusal, match=r"^gmsh cannot be had here$"):
+        list(team.run(refuse, [("gmsh",)]))
+    assert "Traceback" not in capfd.readouterr().err

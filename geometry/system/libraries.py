@@ -23,19 +23,9 @@ LIBRARIES = {
 }
 
 
-def check_system_libraries() -> None:
-    """Refuse to draw parts, pictures and meshes, before any work is done for them, where a library is missing.
-
-    Child programs that lack one end with a traceback, and the renderer with a segmentation fault.
-
-    Raises:
-        Refusal: with what to install.
-    """
-    from geometry.refusal import Refusal  # the set-up reads this module before anything can be imported
-
-    missing = [each for each in LIBRARIES if not _can_load(each)] if sys.platform == "linux" else []
-    if missing:
-        raise Refusal(what_is_missing(f"{missing[0]}: cannot open shared object file"))
+def missing_libraries() -> list[str]:
+    """Those that this process cannot load; none on other systems than Linux, where wheels bring their own."""
+    return [each for each in LIBRARIES if not _can_load(each)] if sys.platform == "linux" else []
 
 
 def what_is_missing(message: str) -> str:
@@ -50,7 +40,7 @@ def what_is_missing(message: str) -> str:
     name = found[1]
     if name not in LIBRARIES:
         return f"{name}: this library of the system is missing; install the package that holds it"
-    packages = dict.fromkeys([LIBRARIES[name], *(LIBRARIES[each] for each in LIBRARIES if not _can_load(each))])
+    packages = dict.fromkeys([LIBRARIES[name], *(LIBRARIES[each] for each in missing_libraries())])
     return (
         f"{name}: this library of the system is missing; on Debian and Ubuntu type: sudo apt-get install -y "
         f"--no-install-recommends {' '.join(packages)}"

@@ -1,0 +1,1 @@
+from .loading import MissingLibrary as MissingLibrary, check_system_libraries as check_system_libraries
