@@ -1,10 +1,10 @@
-"""Files that appear whole or not at all: written beside, then renamed."""
+"""Files that appear whole or not at all: written beside, then renamed; or line by line."""
 
 from __future__ import annotations
 
 import errno
 import os
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
@@ -58,6 +58,31 @@ def writing(path: str | os.PathLike[str]) -> Iterator[None]:
         if error.filename is None and error.errno in FULL:
             error.filename = os.fspath(path)
         raise
+
+
+@contextmanager
+def whole_lines(path: str | os.PathLike[str]) -> Iterator[Callable[[str], None]]:
+    """What writes the lines of a new file as they come: each stands in it whole or not at all, also on a full disk.
+
+    Args:
+        path: the file; an earlier one is replaced, also where the name is a link, whose file stays.
+
+    Raises:
+        OSError: the disk is full; names the file.
+    """
+    Path(path).unlink(missing_ok=True)
+    with writing(path), open(path, "wb", buffering=0) as file:
+
+        def write(line: str) -> None:
+            end, rest = file.tell(), f"{line}\n".encode()
+            try:
+                while rest:  # of a line for which a disk has no more room its beginning is written
+                    rest = rest[file.write(rest) :]
+            except BaseException:
+                file.truncate(end)
+                raise
+
+        yield write
 
 
 def _full(beside: Path, error: Exception) -> int | None:

@@ -12,7 +12,7 @@ from pathlib import Path
 from time import perf_counter
 from typing import TYPE_CHECKING
 
-from geometry.files.writing import writing
+from geometry.files.writing import whole_lines
 from geometry.refusal import Refusal
 from studies.listening.opening import Decoding, open_localizer, open_stream
 from studies.output.folders import check_new_file
@@ -151,19 +151,14 @@ def listen(
     counts = _Counts()
     with ExitStack() as stack:
         stack.enter_context(_nothing_freed())
-        if lines is not None:
-            stack.enter_context(writing(lines))
         # Lines are written as they come, and stand in the file whenever the program ends.
-        file = None
-        if lines is not None:
-            lines.unlink(missing_ok=True)  # never through a link into a file of another name
-            file = stack.enter_context(lines.open("w", encoding="utf-8", newline="\n", buffering=1))
+        write = None if lines is None else stack.enter_context(whole_lines(lines))
         try:
             for heard in stack.enter_context(closing(listener.listen())):
                 available = heard.available
                 line = heard.json_line(None if available is None else perf_counter() - available)
-                if file is not None:
-                    file.write(line + "\n")
+                if write is not None:
+                    write(line)
                 goes_on = hear is None or hear(session, heard, line) is not False
                 if available is not None:
                     session.latencies.add(perf_counter() - available)

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from geometry.files.writing import replace_section, whole_file, writing
+from geometry.files.writing import replace_section, whole_file, whole_lines, writing
 
 resource = pytest.importorskip("resource")
 
@@ -96,3 +96,21 @@ def test_a_text_without_the_marks_is_refused_and_kept(tmp_path: Path, text: str)
     with pytest.raises(ValueError, match=r"page\.md: '<a>' and then '</a>' must each stand in it once"):
         replace_section(page, "<a>", "</a>", ["new"])
     assert page.read_text() == text
+
+
+def test_a_line_for_which_there_is_no_room_is_not_begun(tmp_path: Path) -> None:
+    path = tmp_path / "touches.jsonl"
+    with pytest.raises(OSError, match="File too large") as told, no_room_beyond(20), whole_lines(path) as write:
+        write("twelve bytes")
+        write("twelve bytes")
+    assert told.value.filename == str(path)
+    assert path.read_text() == "twelve bytes\n"
+
+
+def test_lines_take_the_place_of_a_link_and_leave_its_file(tmp_path: Path) -> None:
+    (tmp_path / "thesis.tex").write_text("years of work")
+    (tmp_path / "touches.jsonl").symlink_to(tmp_path / "thesis.tex")
+    with whole_lines(tmp_path / "touches.jsonl") as write:
+        write("new")
+        assert (tmp_path / "touches.jsonl").read_text() == "new\n"  # at once
+    assert (tmp_path / "thesis.tex").read_text() == "years of work"
