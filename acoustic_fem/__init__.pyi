@@ -13,8 +13,8 @@ from . import (
     scatter as scatter,
     sound as sound,
 )
-from .library.exchange import load as load
-from .library.netcdf_file import LibraryError as LibraryError, save as save
+from .library.exchange import load as load, save as save
+from .library.netcdf_file import LibraryError as LibraryError
 from .library.result import Library as Library
 from .library.solving import solve as solve
 from .quantities.fidelity import FIDELITIES as FIDELITIES

@@ -29,10 +29,10 @@ from acoustic_fem.library.netcdf_file import (
     library_in,
     load_netcdf,
     real_variables,
-    save as save_netcdf,
     with_checksums,
+    write_netcdf,
 )
-from acoustic_fem.library.result import Library
+from acoustic_fem.library.result import MEASURED, Library
 from acoustic_fem.library.sealed_netcdf import read_netcdf, seal
 from acoustic_fem.quantities.units import metres
 from geometry.design.array_design import ArrayDesign
@@ -40,6 +40,7 @@ from geometry.design.design_file import read_stored_design
 from geometry.files.arrays import read_npz
 from geometry.files.ordinary import MOST_NUMBERS, ordinary_file
 from geometry.files.reading import parse_json
+from geometry.files.replacing import check_own_kind
 from geometry.files.tables import read_csv
 from geometry.files.writing import whole_file
 from geometry.layout.arrangement import lay_out
@@ -53,31 +54,64 @@ _TEXTS = (*ATTRIBUTES, CHECKSUMS)
 _LETTERS = {"point": "E", "microphone": "R", "microphone_2": "R", "frequency": "N"}
 
 
+def save(library: Library, path: str | os.PathLike[str]) -> None:
+    """Write a library in netCDF; the file is whole or not there. What is there is replaced as :func:`export` does it.
+
+    Raises:
+        LibraryError: the file cannot be written, or is there and is none in netCDF, no library, or a measured one.
+    """
+    path = Path(path)
+    check_own_kind(path, ".nc", LibraryError)
+    check_replaceable(path)
+    write_netcdf(library, path)
+
+
 def export(library: Library, path: str | os.PathLike[str]) -> None:
     """Write a library in the format of the name's suffix; the file is whole or not there.
 
     Raises:
         LibraryError: another suffix than ``.nc``, ``.sofa``, ``.npz`` and ``.csv``, a file that cannot be written, or
-            one that is there and is no library.
+            one that is there and is no library, or a measured one.
     """
     path = Path(path)
-    write = {".nc": save_netcdf, ".sofa": _write_sofa, ".npz": _write_npz, ".csv": _write_csv}[_suffix(path)]
-    if path.is_file():
-        _check_library(path)
+    _suffix(path)
+    check_replaceable(path)
+    write_library(library, path)
+
+
+def check_replaceable(path: Path) -> None:
+    """Refuse to write over a file that cannot be computed again; recordings have some of the suffixes too.
+
+    Raises:
+        LibraryError: a file is there, and is no library, or a measured one.
+    """
+    if not path.is_file():
+        return
+    fidelity = fidelity_in(path)
+    if fidelity is None or fidelity == MEASURED:
+        what = "is no library that can be read" if fidelity is None else "a measured library is never overwritten"
+        raise LibraryError(f"{path}: exists, and {what}; name another file, or remove this one")
+
+
+def fidelity_in(path: Path) -> str | None:
+    """Fidelity of the library in a file; None where there is none that can be read."""
+    try:
+        return load(path).fidelity
+    except LibraryError:
+        return None
+
+
+def write_library(library: Library, path: Path) -> None:
+    """Write a library as :func:`export` does, over whatever is there: for who has looked at it already.
+
+    Raises:
+        LibraryError: another suffix than ``.nc``, ``.sofa``, ``.npz`` and ``.csv``, or a file that cannot be written.
+    """
+    write = {".nc": write_netcdf, ".sofa": _write_sofa, ".npz": _write_npz, ".csv": _write_csv}[_suffix(path)]
     try:
         write(library, path)
     except OSError as error:
         raise LibraryError(f"{path}: cannot be written: {error.strerror or error}") from None
-
-
-def _check_library(path: Path) -> None:
-    """Refuse to write over what is no library: recordings have some of the suffixes too."""
-    try:
-        load(path)
-    except LibraryError:
-        raise LibraryError(
-            f"{path}: exists, and is no library that can be read; name another file, or remove this one"
-        ) from None
 
 
 def load(path: str | os.PathLike[str]) -> Library:

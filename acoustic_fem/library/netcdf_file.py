@@ -30,7 +30,6 @@ from acoustic_fem.quantities.checks import frequency_grid
 from acoustic_fem.quantities.fidelity import FIDELITIES
 from acoustic_fem.quantities.medium import Medium
 from geometry.design.design_file import read_stored_design, write_design
-from geometry.files.replacing import check_own_kind
 from geometry.files.writing import whole_file
 from geometry.layout.placement import point_places
 from geometry.refusal import Refusal, counted
@@ -48,18 +47,16 @@ class LibraryError(Refusal):
     """A library file that cannot be read or written: one line that names the file and the reason."""
 
 
-def save(library: Library, path: str | os.PathLike[str]) -> None:
-    """Write a library; the file is whole or not there (written beside, then renamed).
+def write_netcdf(library: Library, path: Path) -> None:
+    """Write a library over whatever is there; the file is whole or not there (written beside, then renamed).
 
     Complex variables become NAME_real and NAME_imag; the design (TOML), the air and the provenance (JSON)
     are global attributes. The response per newton is written for other tools; :func:`load_netcdf` leaves it to
     :attr:`acoustic_fem.library.result.Library.force_response`, since it follows from the rest.
 
     Raises:
-        LibraryError: the file cannot be written, or is there and is none in netCDF.
+        LibraryError: the file cannot be written.
     """
-    path = Path(path)
-    check_own_kind(path, ".nc", LibraryError)
     dataset = dataset_of(library, (*VARIABLES, "force_response"))
     checked: dict[Any, dict[str, Any]] = {name: {"fletcher32": True} for name in dataset.data_vars}
     try:

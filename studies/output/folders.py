@@ -52,6 +52,7 @@ def claim_folder(out: str | os.PathLike[str], design: str) -> Path:
         Refusal: it is a file, it holds what no run made, its design was changed by hand or its library measured, or it
             cannot be written.
     """
+    from acoustic_fem.library.exchange import fidelity_in
     from acoustic_fem.library.result import MEASURED
 
     folder = Path(out)
@@ -62,7 +63,7 @@ def claim_folder(out: str | os.PathLike[str], design: str) -> Path:
     digests = [word for word in made if len(word) == len(_digest(b""))]
     if found is not None and digests and _digest(found) not in digests and found != design.encode():
         raise Refusal(f"{of_earlier}: was changed since a run wrote it, and would be replaced; move it out of `out`")
-    if _fidelity(library) == MEASURED:
+    if fidelity_in(library) == MEASURED:
         raise Refusal(f"{library}: exists, and a measured library is never overwritten; move it out of `out`")
     # Both designs, for a run may be killed before the one takes the place of the other.
     known = dict.fromkeys(_digest(text) for text in (found, design.encode()) if text is not None)
@@ -118,27 +119,12 @@ def check_new_library(path: Path, formats: Sequence[str], reads: Files = ()) -> 
     Raises:
         Refusal: another suffix, a measured library, a file that is read or no library, or one that cannot be written.
     """
-    from acoustic_fem.library.result import MEASURED
+    from acoustic_fem.library.exchange import check_replaceable
 
     if path.suffix.lower() not in formats and not path.is_dir():
         raise Refusal(f"{path}: `out` must be a library, {' or '.join(formats)}")
     check_new_file(path, reads=reads)
-    if path.exists():
-        fidelity = _fidelity(path)
-        if fidelity is None:
-            raise Refusal(f"{path}: exists, and is no library that can be read; name another file, or remove this one")
-        check_new_file(path, kept="a measured library" if fidelity == MEASURED else None)
-
-
-def _fidelity(path: Path) -> str | None:
-    """Fidelity of the library in a file; None where there is none that can be read."""
-    from acoustic_fem.library.exchange import load
-    from acoustic_fem.library.netcdf_file import LibraryError
-
-    try:
-        return load(path).fidelity
-    except LibraryError:
-        return None
+    check_replaceable(path)
 
 
 def check_folder(path: Path, maker: str | None = None, *marks: str, reads: Files = ()) -> None:

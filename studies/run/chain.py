@@ -223,12 +223,13 @@ def _solved(
 ) -> tuple[Library, Library | None, tuple[str, ...]]:
     """The library, that of closed forms in the band where it is another, and what was said of the models' limits."""
     import acoustic_fem
+    from acoustic_fem.library.exchange import write_library
 
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", UserWarning)
         with show.stage("Cells") as report:
             library = acoustic_fem.solve(design, grid, fidelity=fidelity, progress=report)
-            acoustic_fem.save(library, folder / "library.nc")
+            write_library(library, folder / "library.nc")
         for line in cell_lines(library):
             show.note(line)
         lumped = None

@@ -46,12 +46,13 @@ def solve_library(
     if fidelity != "lumped":
         check_system_libraries()
     import acoustic_fem
+    from acoustic_fem.library.exchange import write_library
     from studies.run.chain import cell_lines
 
     with show.stage("Cells") as report:
         there = design if air is None else design.with_values(air.design_values)
         library = acoustic_fem.solve(there, stated_frequencies(frequency), fidelity=fidelity, progress=report)
-        acoustic_fem.save(library, path)
+        write_library(library, path)
     for line in cell_lines(library):
         show.note(line)
     return library
@@ -67,10 +68,10 @@ def convert_library(library: str | os.PathLike[str], out: str | os.PathLike[str]
     Raises:
         Refusal: a file that is no library, or cannot be written.
     """
-    from acoustic_fem.library.exchange import FORMATS, export, load
+    from acoustic_fem.library.exchange import FORMATS, load, write_library
 
     path = Path(out)
     check_new_library(path, FORMATS, reads=(library,))
     loaded = load(Path(library))
-    export(loaded, path)
+    write_library(loaded, path)
     return loaded

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import csv
+from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -13,7 +15,7 @@ import acoustic_fem
 import geometry
 from acoustic_fem.library.exchange import export, load
 from acoustic_fem.library.netcdf_file import LibraryError
-from acoustic_fem.library.result import DEVIATION, VARIABLES, Library, library_from_arrays
+from acoustic_fem.library.result import DEVIATION, MEASURED, VARIABLES, Library, library_from_arrays
 
 GRID = np.linspace(1.0, 100.0, 7)
 
@@ -164,3 +166,20 @@ def test_save_replaces_files_of_its_own_kind_only(library: Library, tmp_path: Pa
     assert recording.read_text() == "sound"
     for _ in range(2):
         acoustic_fem.save(library, tmp_path / "library.nc")
+
+
+@pytest.mark.parametrize("write", [acoustic_fem.save, export], ids=["save", "export"])
+def test_what_cannot_be_computed_again_is_known_by_its_content(
+    library: Library, tmp_path: Path, write: Callable[[Library, Path], None]
+) -> None:
+    path = tmp_path / "library.nc"
+    path.write_bytes(b"CDF, of another program")
+    with pytest.raises(LibraryError, match=r"library\.nc: exists, and is no library that can be read; name another"):
+        write(library, path)
+    assert path.read_bytes() == b"CDF, of another program"
+    path.unlink()
+    write(replace(library, fidelity=MEASURED), path)
+    before = path.read_bytes()
+    with pytest.raises(LibraryError, match=r"library\.nc: exists, and a measured library is never overwritten; name"):
+        write(library, path)
+    assert path.read_bytes() == before

@@ -100,9 +100,14 @@ def test_a_text_without_the_marks_is_refused_and_kept(tmp_path: Path, text: str)
 
 def test_a_line_for_which_there_is_no_room_is_not_begun(tmp_path: Path) -> None:
     path = tmp_path / "touches.jsonl"
-    with pytest.raises(OSError, match="File too large") as told, no_room_beyond(20), whole_lines(path) as write:
-        write("twelve bytes")
-        write("twelve bytes")
+
+    def two_lines() -> None:
+        with whole_lines(path) as write:
+            write("twelve bytes")
+            write("twelve bytes")
+
+    with pytest.raises(OSError, match="File too large") as told, no_room_beyond(20):
+        two_lines()
     assert told.value.filename == str(path)
     assert path.read_text() == "twelve bytes\n"
 

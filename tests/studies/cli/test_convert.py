@@ -11,6 +11,7 @@ from typer.testing import CliRunner
 
 import acoustic_fem
 import geometry
+from acoustic_fem.library import exchange
 from acoustic_fem.library.exchange import export
 from acoustic_fem.library.result import DEVIATION, MEASURED, VARIABLES, Library, library_from_arrays
 from geometry.layout.arrangement import lay_out
@@ -121,3 +122,18 @@ def test_a_measured_library_is_not_replaced_but_a_computed_one_is(
         export(library, target)
         result = CliRunner().invoke(app, [*verb, "--out", str(target)])
         assert result.exit_code == 0, result.output
+
+
+def test_what_is_there_is_read_once(library: Library, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    source, target, read = tmp_path / "source.npz", tmp_path / "target.nc", []
+    for path in (source, target):
+        export(library, path)
+    own = exchange.load
+
+    def load(path: Path) -> Library:
+        read.append(Path(path))
+        return own(path)
+
+    monkeypatch.setattr(exchange, "load", load)
+    assert CliRunner().invoke(app, ["convert", str(source), "--out", str(target)]).exit_code == 0
+    assert sorted(read) == [source, target]
