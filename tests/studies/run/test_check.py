@@ -6,6 +6,7 @@ import pytest
 
 from geometry import prototype
 from geometry.layout.overlaps import OverlapError
+from geometry.pictures import mold_cut, viewer, views
 from geometry.refusal import Refusal
 from studies.cli.tables import show_check
 from studies.run.chain import run_design
@@ -15,6 +16,8 @@ from studies.study.file import read_study
 from studies.sweep.survey import surveyed
 
 AXES = '[parameters]\n"tube.length" = [20.0, 21.0]\n'
+#: They take ``array_model`` when they are first imported: here, before a test replaces it.
+DRAWING = (mold_cut, viewer, views)
 NARROW = {"layout": {"kind": "cylinder", "columns": 6, "diameter": 9.0}, "lines.0.points": 4}
 
 
