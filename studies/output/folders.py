@@ -192,7 +192,8 @@ def replaced_folder(folder: Path) -> Iterator[Path]:
     _remove(fresh)
     fresh.mkdir(parents=True)
     try:
-        yield fresh
+        with _called_as_in(folder, fresh):
+            yield fresh
         _remove(old)
         if folder.exists():
             os.replace(folder, old)
@@ -226,7 +227,8 @@ def replaced_files(folder: Path) -> Iterator[Path]:
     _remove(fresh)
     fresh.mkdir()
     try:
-        yield fresh
+        with _called_as_in(folder, fresh):
+            yield fresh
         names = {path.name for path in fresh.iterdir()} | {FILES}
         _write_list(listed, earlier | names)
         for name in names - {FILES}:
@@ -236,6 +238,18 @@ def replaced_files(folder: Path) -> Iterator[Path]:
         _write_list(listed, names)
     finally:
         _remove(fresh)
+
+
+@contextmanager
+def _called_as_in(folder: Path, fresh: Path) -> Iterator[None]:
+    """Name what cannot be written as it would be called: nobody knows of the folder beside, which is gone then."""
+    try:
+        yield
+    except OSError as error:
+        named = error.filename
+        if isinstance(named, (str, os.PathLike)) and Path(named).is_relative_to(fresh):
+            error.filename = str(folder / Path(named).relative_to(fresh))
+        raise
 
 
 def _write_list(path: Path, names: set[str]) -> None:

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import errno
 import os
+from collections.abc import Callable
+from contextlib import AbstractContextManager
 from pathlib import Path
 
 import pytest
 
 from studies.output import folders
-from studies.output.folders import MARK, check_folder, check_new_file, claim_folder, replaced_folder
+from studies.output.folders import MARK, check_folder, check_new_file, claim_folder, replaced_files, replaced_folder
 
 
 def earlier_run(folder: Path, design: str) -> None:
@@ -128,3 +131,16 @@ def test_a_file_system_in_which_nothing_can_be_made_is_refused() -> None:
     for check, place in ((check_folder, Path("/proc/foo")), (check_new_file, Path("/proc/foo.nc"))):
         with pytest.raises(ValueError, match=rf"{place}: `out` cannot be written: .*: /proc$"):
             check(place)
+
+
+@pytest.mark.parametrize("replaced", [replaced_files, replaced_folder])
+def test_a_file_that_cannot_be_written_is_called_as_it_would_be(
+    tmp_path: Path, replaced: Callable[[Path], AbstractContextManager[Path]]
+) -> None:
+    def write() -> None:
+        with replaced(tmp_path / "parts") as fresh:
+            raise OSError(errno.ENOSPC, "No space left on device", str(fresh / "shell.stl"))
+
+    with pytest.raises(OSError, match="No space left") as told:
+        write()
+    assert told.value.filename == str(tmp_path / "parts" / "shell.stl")
