@@ -41,7 +41,7 @@ def frame_time(locator: StreamLocator, response: ArrayResponse, frames: int = 20
         frames: how many are timed.
     """
     from localize import Decision, TouchStream
-    from localize.live.stream import HOP
+    from localize.live.events import HOP
     from localize.signals.frames import FRAME
 
     signals = _continuous(response, FRAME + (WARM_UP + frames) * HOP)

@@ -27,9 +27,11 @@ from .learned.localizer import (
 from .learned.onnx import OnnxLocalizer as OnnxLocalizer, export_onnx as export_onnx
 from .learned.plan import TrainingPlan as TrainingPlan
 from .learned.training import TrainingProgress as TrainingProgress, train as train
-from .live.stream import Decision as Decision, Fault as Fault, TouchStream as TouchStream
+from .live.events import Decision as Decision, Fault as Fault, TouchEvent as TouchEvent
+from .live.front_end import Listening as Listening
+from .live.stream import TouchStream as TouchStream
 from .live.touch_filter import TouchFilter as TouchFilter
-from .live.touches import Touch as Touch, touches_of as touches_of
+from .live.touches import Touch as Touch, TouchTracker as TouchTracker, touches_of as touches_of
 from .recalibration.self_calibration import (
     SelfCalibration as SelfCalibration,
     SelfCalibrationError as SelfCalibrationError,

@@ -31,7 +31,7 @@ FALSE_ALARM = 1e-6
 GAIN = 0.15
 """Largest share by which a microphone's gain may differ from their mean without mattering: gains are fitted to each
 frame."""
-MISMATCH = 0.04
+MISMATCH = 0.06
 """Share of a frame, in amplitude, that sound may leave beside its directions on a mis-made sensor, gains apart; see
 docs/decoder.md for how many sensors that holds of."""
 LEAK = 1e-2
@@ -93,11 +93,14 @@ class SoundTest:
         return np.asarray(scipy.special.chdtrc(self.freedom * frames.shape[1], _energy(frames, self._beside)))
 
     @one_thread()
-    def beside(self, signals: ArrayLike | Tensor) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    def beside(
+        self, signals: ArrayLike | Tensor, noise: float = 1.0
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Energy that sound does not explain, and the most that it and noise may leave, see :data:`MISMATCH`.
 
         Args:
             signals: (n, n_microphone, n_sample), as :meth:`p_value`.
+            noise: amplitude of the noise there is over that which the test was made for, 1 or above.
 
         Returns:
             Two of (n,) float64, energies; the unit is that of the noise in one direction.
@@ -119,7 +122,7 @@ class SoundTest:
         gains = 1 + change * np.minimum(1.0, GAIN / np.maximum(np.abs(change).max(1, keepdims=True), 1e-12))
         found = (gains * (gram @ gains)).sum((1, 2))
         usual = float(scipy.special.chdtri(self.freedom * frames.shape[1], FALSE_ALARM))
-        return found, usual + MISMATCH**2 * _energy(frames, self._all)
+        return found, noise**2 * usual + MISMATCH**2 * _energy(frames, self._all)
 
     def is_sound(self, signals: ArrayLike | Tensor) -> NDArray[np.bool_]:
         """Whether sound explains signals, on the library's sensor or on one that is made a little differently.

@@ -13,7 +13,9 @@ from numpy.typing import ArrayLike, NDArray
 from torch import Tensor
 
 from localize.evaluation.accuracy import Locator
-from localize.live.stream import Decision, TouchStream
+from localize.live.events import Decision
+from localize.live.front_end import AS_IT_COMES
+from localize.live.stream import TouchStream
 from localize.recordings.recording import read_recording
 from localize.recordings.same_take import find_same_take
 from localize.recordings.touch_manifest import (
@@ -212,7 +214,7 @@ class RecordedFrames:
 
 def _touched(signals: NDArray[np.float64], microphones: Sequence[str], noise_rms: float) -> NDArray[np.int64]:
     """First samples of the frames in which a stream hears a touch."""
-    events = TouchStream(_Ears(tuple(microphones), noise_rms)).push(signals)
+    events = TouchStream(_Ears(tuple(microphones), noise_rms), listening=AS_IT_COMES).push(signals)
     ends = [round(e.time * SAMPLE_RATE) for e in events if isinstance(e, Decision) and e.state == "touch"]
     return np.array(ends, np.int64) - FRAME
 

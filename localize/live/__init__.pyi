@@ -1,14 +1,8 @@
+from .events import HOP as HOP, Decision as Decision, Fault as Fault, State as State
+from .front_end import AS_IT_COMES as AS_IT_COMES, Listening as Listening
 from .listener import Heard as Heard, Latencies as Latencies, LiveListener as LiveListener, Notice as Notice
 from .recorder import LiveRecorder as LiveRecorder
 from .sound_device import DeviceSource as DeviceSource, input_devices as input_devices
 from .sources import ReplaySource as ReplaySource, Source as Source
-from .stream import (
-    HOP as HOP,
-    REFUSED as REFUSED,
-    Decision as Decision,
-    Fault as Fault,
-    State as State,
-    StreamLocator as StreamLocator,
-    TouchStream as TouchStream,
-)
+from .stream import REFUSED as REFUSED, StreamLocator as StreamLocator, TouchStream as TouchStream
 from .touches import Array as Array

@@ -9,16 +9,18 @@ from __future__ import annotations
 import json
 from collections.abc import Callable, Generator, Iterator
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from time import perf_counter, sleep
 from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
+from localize.live.events import Decision, Fault, TouchEvent
 from localize.live.recorder import LiveRecorder
 from localize.live.sources import Block, BlockQueue, Source, SourceError
-from localize.live.stream import Decision, Fault, TouchStream
+from localize.live.stream import TouchStream
+from localize.live.touches import TouchTracker
 from localize.signals.resampling import StreamResampler
 from localize.signals.stimulus import SAMPLE_RATE
 
@@ -52,13 +54,16 @@ class Notice:
 class Heard:
     """Event of a stream, with the time at which its samples were there."""
 
-    event: Decision | Fault | Notice
-    """Decision or fault of the stream, or notice of the listener."""
+    event: Decision | Fault | TouchEvent | Notice
+    """Decision or fault of the stream, touch, or notice of the listener."""
     available: float | None = None
-    """Time at which the last sample of the frame of a decision was there, s on the clock of ``time.perf_counter``."""
+    """Time at which what the frame of a decision shows last was there, s on the clock of ``time.perf_counter``: its
+    last sample, less the delay of the stream's high-pass."""
 
     def json_line(self, latency: float | None) -> str:
-        """Event as one line of JSON, of a decision with ``latency`` in s."""
+        """Event as one line of JSON, of a decision with ``latency`` in s, which adds to that of a touch."""
+        if isinstance(self.event, TouchEvent):
+            return replace(self.event, latency=self.event.latency + (latency or 0.0)).json_line()
         line = self.event.json_line()
         return line if latency is None else f'{line[:-1]}, "latency": {latency:.5f}}}'
 
@@ -71,6 +76,7 @@ class LiveListener:
         stream: listens to them; new.
         recorder: writes them as they come in.
         wait: called with the time to wait, s, before a lost source is opened again.
+        tracker: tells touches while they happen; by default nobody does.
     """
 
     def __init__(
@@ -79,8 +85,10 @@ class LiveListener:
         stream: TouchStream,
         recorder: LiveRecorder | None = None,
         wait: Callable[[float], None] = sleep,
+        tracker: TouchTracker | None = None,
     ) -> None:
         self.source, self.stream, self.recorder = source, stream, recorder
+        self._tracker = tracker
         self.stopped = ""
         """Why the recording was stopped while the listening went on, in one line with its file; empty if it was not."""
         self._wait = wait
@@ -175,6 +183,9 @@ class LiveListener:
         if self._offset is None:
             return
         yield from self._push(self._resampler.finish(), None)
+        if self._tracker is not None:
+            for told in self._tracker.finish():
+                yield Heard(told)
         if queue.end > self._input:
             end = -(-queue.end * self._resampler.up // self._resampler.down) + self._offset
             for event in self.stream.push(np.empty((self._channels, 0)), max(end, self._due + 1)):
@@ -187,7 +198,11 @@ class LiveListener:
         events = self.stream.push(samples, self._due - samples.shape[1])
         self.recent = np.concatenate([self.recent, samples], axis=1)[:, -RECENT:]
         for event in events:
-            yield Heard(event, self._available(event, block))
+            available = self._available(event, block)
+            yield Heard(event, available)
+            if self._tracker is not None:
+                for told in self._tracker.take(event):
+                    yield Heard(told, available)
 
     def _available(self, event: Decision | Fault, block: Block | None) -> float | None:
         """When the last sample of a decision's frame was there, by that of the block that came last."""
@@ -195,7 +210,7 @@ class LiveListener:
             return None
         number = round(event.time * SAMPLE_RATE) - 1 - self._offset
         place = number * self._resampler.down / self._resampler.up
-        return block.available + (place - (self._input - 1)) / self.source.rate
+        return block.available + (place - (self._input - 1)) / self.source.rate - self.stream.delay
 
     def _record(self, act: Callable[[LiveRecorder], None]) -> Iterator[Heard]:
         """Do something with the recorder; a disk that is full ends the recording, not the listening."""

@@ -1,22 +1,24 @@
 """Touches while they happen: samples in, in chunks of any size; a decision every 16 ms out.
 
-Every 16 samples the last 250 are judged. Where no microphone hears more than its noise there is no touch, and
-nothing is guessed; nor where sound explains what they hear, or where no point does, if the stream is given the tests of
-that. What goes wrong with a stream is reported and survived: lost or repeated samples, values that are
-not finite, clipping, a channel that is dead. Decisions depend on the samples alone, not on how they were cut up.
+Every 16 samples the last 250 are judged, behind the high-pass of :mod:`localize.live.front_end` and without the hum of
+mains. Where no microphone hears more than its noise there is no touch, and nothing is guessed; nor where a touch has
+ended and only what is left of it is heard, where sound explains what they hear, or where no point does, if the stream
+is given the tests of that. What goes wrong with a stream is reported and survived: lost or repeated samples, values
+that are not finite, clipping, a channel that is dead. Decisions depend on the samples alone, not on how they were cut
+up.
 """
 
 from __future__ import annotations
 
-import json
 import math
-from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Literal, Protocol
+from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from geometry.refusal import Refusal
+from localize.live.events import HOP, Decision, Fault, FaultKind
+from localize.live.front_end import WEAK, HighPass, Hum, Listening, NoiseFloor
 from localize.signals.frames import FRAME
 from localize.signals.stimulus import SAMPLE_RATE
 
@@ -25,8 +27,6 @@ if TYPE_CHECKING:
     from localize.decoders.reconstruct import Reconstructor
     from localize.decoders.sound_test import SoundTest
 
-HOP = 16
-"""Number of samples from one decision to the next."""
 SILENCE = 2.0
 """Multiple of its noise above which a microphone hears something."""
 LEAST_SILENCE = 1e-6
@@ -46,13 +46,14 @@ LARGEST_NUMBER = 2**53
 """Largest number of a sample; its time is exact below."""
 _SPARE = 64 * HOP
 """Samples of the ring buffer beyond those that are needed, so that it is moved seldom."""
-
-State = Literal["touch", "no touch", "sound", "other", "unreadable"]
-"""State that a frame shows. Sound: of a room, the same on all membranes, and no touch. Other: a touch of no single
-point explains what is heard. Unreadable: a channel is clipped or dead, or was not finite within the last 250
-samples."""
-
-FaultKind = Literal["samples lost", "samples repeated", "restarted", "not finite", "clipped", "dead channel"]
+NEWEST = 96
+"""Number of samples of :attr:`Decision.newest`."""
+FADED = 0.3
+"""Share of the loudest frame of a touch below which a frame holds only what is left of it."""
+FADES = 40.0
+"""Rate at which what may be left of a touch falls, dB/s."""
+RISEN = 2.0
+"""Factor by which the level must rise while a touch fades for another one."""
 
 
 class StreamLocator(Protocol):
@@ -77,59 +78,6 @@ class StreamLocator(Protocol):
         """
 
 
-@dataclass(frozen=True)
-class Decision:
-    """Decision that is made from one frame."""
-
-    time: float
-    """Time of the end of the frame, s; the stream's sample 0 is at 0."""
-    state: State
-    """State that the frame shows."""
-    level: float
-    """Level of the loudest microphone about its mean, Pa rms."""
-    point: int | None = None
-    """Most probable point, from 1; None unless there is a touch."""
-    probability: float | None = None
-    """Probability of that point; None unless there is a touch."""
-    distribution: NDArray[np.float64] | None = field(default=None, repr=False, compare=False)
-    """Probability of every point; (n_point,) float64, None unless there is a touch."""
-    weight: float | None = field(default=None, repr=False, compare=False)
-    """Amplitude that stands out of sound where sound is expected, in terms of the noise; None where it is not."""
-    waveform: tuple[float, ...] | None = None
-    """Pressure in the cavity of the point, Pa, over the newest 16 samples less the latency of the reconstructor; None
-    without one, without a touch, and before its window is full."""
-
-    def json_line(self) -> str:
-        """Decision as one line of JSON, without the distribution."""
-        line: dict[str, object] = {"time": round(self.time, 6), "state": self.state, "level": self.level}
-        if self.state == "touch":
-            line |= {"point": self.point, "probability": self.probability}
-        if self.waveform is not None:
-            line["waveform"] = [float(f"{value:.6g}") for value in self.waveform]
-        return json.dumps(line)
-
-
-@dataclass(frozen=True)
-class Fault:
-    """Fault of a stream, told once when it begins."""
-
-    time: float
-    """Time of the sample where it begins, s; of clipping and dead channels, the end of the frame that showed it."""
-    kind: FaultKind
-    """Kind of the fault."""
-    channel: str | None = None
-    """Name of the microphone; None where it is all of them."""
-    samples: int | None = None
-    """Number of samples that were lost, or repeated in this chunk; None for other faults."""
-
-    def json_line(self) -> str:
-        """Fault as one line of JSON."""
-        line: dict[str, object] = {"time": round(self.time, 6), "fault": self.kind}
-        line |= {} if self.channel is None else {"channel": self.channel}
-        line |= {} if self.samples is None else {"samples": self.samples}
-        return json.dumps(line)
-
-
 class TouchStream:
     """Stream of decisions from microphones, 250 samples at a time.
 
@@ -144,6 +92,7 @@ class TouchStream:
         residual_test: tells what no point explains from touches. By default the likeliest point is named whatever it
             is. On a sensor that differs from its library by a percent it refuses most touches.
         refused: share of the frames of true touches that the residual test may refuse, above 0, below 1.
+        listening: what is done with samples first, see :mod:`localize.live.front_end`.
 
     Raises:
         Refusal: a threshold that is not finite and positive; a reconstructor or a test for other microphones; a
@@ -159,6 +108,7 @@ class TouchStream:
         sound_test: SoundTest | None = None,
         residual_test: ResidualTest | None = None,
         refused: float = REFUSED,
+        listening: Listening | None = None,
     ) -> None:
         for name, part in (
             ("reconstructor", reconstructor), ("sound_test", sound_test), ("residual_test", residual_test)
@@ -179,13 +129,23 @@ class TouchStream:
             if value is not None and not 0 < value < np.inf:
                 raise Refusal(f"{name} = {value} Pa must be finite and above 0")
         self._microphones = locator.microphones
+        self.listening = listening or Listening()
+        channels = len(self._microphones)
+        self._high_pass = HighPass(channels, self.listening.high_pass)
+        self._hum, self._floor = Hum(channels), NoiseFloor(channels)
         # An estimate needs a window, the 16 of a hop some samples more.
         self._history = max(FRAME, 0 if reconstructor is None else reconstructor.window + HOP - 1)
-        self._buffer = np.empty((len(self._microphones), self._history + _SPARE))
+        # Samples as they come, and as they are judged.
+        self._buffer = np.empty((2, channels, self._history + _SPARE))
         self._next: int | None = None  # number of the sample that is due
         self._repeated_to: int | None = None  # where repeated samples so far end
         self._bad: dict[tuple[FaultKind, int], int] = {}  # number of the sample up to which a reported fault was seen
         self._restart()
+
+    @property
+    def delay(self) -> float:
+        """Group delay of the high-pass at 20 Hz, s."""
+        return self._high_pass.delay
 
     def push(self, chunk: ArrayLike, first: int | None = None) -> list[Decision | Fault]:
         """Take the next samples and say what they show.
@@ -249,6 +209,10 @@ class TouchStream:
         """
         self._end = 0
         self._due = FRAME % HOP if tell else FRAME
+        self._loudest, self._least = 0.0, np.inf  # levels: what may be left of a touch, and the least of it so far
+        self._hum.reset()
+        self._floor.reset()
+        self._hum_coming = self._hum.coming(self._due)  # up to the next decision
 
     def _skip(self, run: NDArray[np.float64], good: NDArray[np.bool_], events: list[Decision | Fault]) -> None:
         """A run of samples in which the same channels hold no pressure."""
@@ -262,11 +226,14 @@ class TouchStream:
         taken = 0
         while taken < run.shape[1]:
             count = min(self._due, run.shape[1] - taken)
-            if self._end + count > self._buffer.shape[1]:
+            if self._end + count > self._buffer.shape[2]:
                 kept = min(self._end, self._history)
-                self._buffer[:, :kept] = self._buffer[:, self._end - kept : self._end]
+                self._buffer[..., :kept] = self._buffer[..., self._end - kept : self._end]
                 self._end = kept
-            self._buffer[:, self._end : self._end + count] = run[:, taken : taken + count]
+            part = run[:, taken : taken + count]
+            self._buffer[0, :, self._end : self._end + count] = part
+            if self._end >= FRAME:
+                self._buffer[1, :, self._end : self._end + count] = self._conditioned(part)
             taken += count
             self._end += count
             self._due -= count
@@ -274,45 +241,87 @@ class TouchStream:
             if self._due == 0:
                 self._due = HOP
                 if self._end < FRAME:
-                    level = float(self._buffer[:, : self._end].std(1).max())
+                    level = float(self._buffer[0, :, : self._end].std(1).max())
                     events.append(Decision(self._time, "unreadable", level))
                 else:
-                    self._judge(self._buffer[:, self._end - FRAME : self._end], events)
+                    if self._end == FRAME:
+                        self._buffer[1, :, :FRAME] = self._high_pass.begin(self._buffer[0, :, :FRAME])
+                    raw, frame = self._buffer[..., self._end - FRAME : self._end]
+                    self._judge(raw, frame, events)
+                self._hum_coming = self._hum.coming(HOP)
 
-    def _judge(self, frame: NDArray[np.float64], events: list[Decision | Fault]) -> None:
-        highest, lowest = frame.max(1), frame.min(1)
-        deviation = frame.std(1)
-        dead = (highest == lowest) | (deviation < DEAD * self.locator.noise_rms)
+    def _conditioned(self, samples: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Samples that follow those before, as they are judged."""
+        passed = self._high_pass(samples)
+        first = self._hum_coming.shape[1] - self._due
+        return passed - self._hum_coming[:, first : first + samples.shape[1]]
+
+    def _judge(self, raw: NDArray[np.float64], frame: NDArray[np.float64], events: list[Decision | Fault]) -> None:
+        """Judge a frame, as it came and as it is judged."""
+        if self._is_unreadable(raw, events):
+            events.append(Decision(self._time, "unreadable", float(frame.std(1).max())))
+            return
+        level = float(frame.std(1).max())
+        newest = float(frame[:, -NEWEST:].std(1).max())
+        if self.listening.follow:
+            self._floor.take(frame)
+        self._loudest *= 10 ** (-FADES / 20 * HOP / SAMPLE_RATE)
+        loud = self._loudness(frame)
+        if loud <= 1.0:
+            if self.listening.follow:
+                self._hum.learn(frame[:, -HOP:])
+            events.append(Decision(self._time, "no touch", level, newest=newest))
+            return
+        if self.listening.fade and level < min(FADED * self._loudest, RISEN * self._least):
+            self._least = min(self._least, level)
+            events.append(Decision(self._time, "fading", level, newest=newest))
+            return
+        beside = self._beside_sound(frame)
+        if beside is not None and beside[0] > beside[1] and self.listening.follow and loud <= WEAK:
+            beside = self._beside_sound(self._hum.beside(frame))
+        if beside is not None and beside[0] <= beside[1]:
+            events.append(Decision(self._time, "sound", level, newest=newest))
+            return
+        if level < FADED * self._loudest:  # a new one
+            self._loudest = 0.0
+        if level > self._loudest:
+            self._loudest = self._least = level
+        self._least = min(self._least, level)
+        found = self.locator.locate(frame)
+        best = int(found.argmax())
+        if self.residual_test is not None and self.residual_test.p_value(frame[None], [best])[0] < self.refused:
+            events.append(Decision(self._time, "other", level, newest=newest))
+            return
+        weight = None if beside is None else math.sqrt(beside[0])
+        shape = self._waveform(best)
+        events.append(Decision(self._time, "touch", level, best + 1, float(found[best]), found, weight, newest, shape))
+
+    def _is_unreadable(self, raw: NDArray[np.float64], events: list[Decision | Fault]) -> bool:
+        """Whether a channel of a frame is dead or clipped, which is told."""
+        highest, lowest = raw.max(1), raw.min(1)
+        dead = (highest == lowest) | (raw.std(1) < DEAD * self.locator.noise_rms)
         clipped = np.maximum(highest, -lowest) >= (np.inf if self.limit is None else self.limit)
-        unreadable = bool((dead | clipped).any())
-        if unreadable:
-            for channel in range(len(frame)):
-                if dead[channel]:
-                    self._tell("dead channel", channel, self._number, events)
-                if clipped[channel]:
-                    self._tell("clipped", channel, self._number, events)
-        level = float(deviation.max())
-        if unreadable:
-            events.append(Decision(self._time, "unreadable", level))
-        elif level <= self.silence:
-            events.append(Decision(self._time, "no touch", level))
-        elif (beside := self._beside_sound(frame)) is not None and beside[0] <= beside[1]:
-            events.append(Decision(self._time, "sound", level))
-        else:
-            found = self.locator.locate(frame)
-            best = int(found.argmax())
-            if self.residual_test is not None and self.residual_test.p_value(frame[None], [best])[0] < self.refused:
-                events.append(Decision(self._time, "other", level))
-                return
-            weight = None if beside is None else math.sqrt(beside[0])
-            shape = self._waveform(best)
-            events.append(Decision(self._time, "touch", level, best + 1, float(found[best]), found, weight, shape))
+        for channel in np.flatnonzero(dead | clipped).tolist():
+            if dead[channel]:
+                self._tell("dead channel", channel, self._number, events)
+            if clipped[channel]:
+                self._tell("clipped", channel, self._number, events)
+        return bool((dead | clipped).any())
+
+    def _loudness(self, frame: NDArray[np.float64]) -> float:
+        """Level of the loudest microphone over that up to which it is silent; what may be hum is left out."""
+        least = np.maximum(self.silence, SILENCE * self._floor.rms)
+        loud = float((frame.std(1) / least).max())
+        if self.listening.follow and 1.0 < loud <= WEAK:
+            return float((self._hum.beside(frame).std(1) / least).max())
+        return loud
 
     def _beside_sound(self, frame: NDArray[np.float64]) -> tuple[float, float] | None:
         """Energy that sound does not explain, and the most that it leaves; None where it is not expected."""
         if self.sound_test is None:
             return None
-        found, most = self.sound_test.beside(frame[None])
+        noise = max(1.0, float(self._floor.rms.max()) / max(self.locator.noise_rms, 1e-300))
+        found, most = self.sound_test.beside(frame[None], noise)
         return float(found[0]), float(most[0])
 
     def _waveform(self, point: int) -> tuple[float, ...] | None:
@@ -320,7 +329,7 @@ class TouchStream:
         if self.reconstructor is None or self._end < self.reconstructor.window + HOP - 1:
             return None
         taps = self.reconstructor.filters(point)
-        newest = self._buffer[:, self._end - self.reconstructor.window - HOP + 1 : self._end]
+        newest = self._buffer[0, :, self._end - self.reconstructor.window - HOP + 1 : self._end]
         # Tap k takes the sample k before the newest: a window times the taps backwards.
         windows = np.lib.stride_tricks.sliding_window_view(newest, self.reconstructor.window, axis=1)
         return tuple(np.einsum("mhk,mk->h", windows, taps[:, ::-1]).tolist())

@@ -171,7 +171,7 @@ def _print_summary(summary: LiveSummary) -> None:
     lost = f" ({counted(summary.samples_lost, 'sample')})" if summary.samples_lost else ""
     p50, p99 = (1e3 * summary.latencies.percentile(share) for share in (50, 99))
     for line in (
-        f"listened for {summary.seconds:.1f} s; decisions: {states}",
+        f"listened for {summary.seconds:.1f} s: {counted(summary.touches, 'touch')}; decisions: {states}",
         f"faults: {faults}{lost}",
         f"latency: p50 {p50:.1f} ms, p99 {p99:.1f} ms, at most {1e3 * summary.latencies.largest:.1f} ms",
         *summary.recordings,

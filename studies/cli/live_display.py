@@ -77,8 +77,8 @@ class LivePicture:
 
     def hear(self, heard: Heard) -> None:
         """Take an event."""
+        from localize.live.events import Fault, TouchEvent
         from localize.live.listener import Notice
-        from localize.live.stream import Fault
 
         event = heard.event
         if isinstance(event, Fault):
@@ -88,7 +88,7 @@ class LivePicture:
             self._wrong.append(f"{event.time:9.2f} s  {event.kind}{samples}{channel}")
         elif isinstance(event, Notice):
             self._wrong.append(f"{event.time:9.2f} s  {event.kind}: {event.text}")
-        else:
+        elif not isinstance(event, TouchEvent):
             self._last = heard
             if self._waveform is not None:
                 self._waveform.extend(event.waveform or ())
@@ -147,7 +147,7 @@ class LivePicture:
     def _state(self) -> Text:
         from rich.text import Text
 
-        from localize.live.stream import Decision
+        from localize.live.events import Decision
 
         event = None if self._last is None else self._last.event
         if not isinstance(event, Decision):

@@ -15,7 +15,7 @@ from studies.listening.opening import Decoding
 from studies.listening.recorded import locate_recording
 
 if TYPE_CHECKING:
-    from localize.live.stream import State
+    from localize.live.events import State
     from studies.listening.recorded import LocatedTouches
 
 DecoderNoise = Annotated[
@@ -29,7 +29,7 @@ DecoderAmbient = Annotated[
     float | None,
     typer.Option(
         metavar="DB",
-        help="Expect sound in the room, up to this level in dB SPL.",
+        help="Name touches in sound up to this level, dB SPL; slower. Sound alone is told from touches in any case.",
         show_default="a quiet room",
         min=0,
         max=140,
@@ -38,7 +38,8 @@ DecoderAmbient = Annotated[
 ArrayLibrary = Annotated[
     Path | None,
     typer.Option(
-        help="The library of the array, for the options below.", show_default="MODEL, where that is a library"
+        help="The library of the array, which tells sound from touches, and for the options below.",
+        show_default="MODEL, where that is a library",
     ),
 ]
 RefusedShare = Annotated[

@@ -103,6 +103,8 @@ class LiveSummary:
     """Time that was listened, s."""
     states: Mapping[str, int]
     """Number of decisions by what they say."""
+    touches: int
+    """Number of touches that came down."""
     faults: Mapping[str, int]
     """Number of faults and notices by kind."""
     samples_lost: int
@@ -176,6 +178,7 @@ def _opened(
     """What listens, and what is told of it; nothing is heard or written yet."""
     from localize.live.listener import LiveListener
     from localize.live.recorder import LiveRecorder
+    from localize.live.touches import TouchTracker
     from localize.signals.resampling import check_full_scale
 
     check_full_scale(source.full_scale)
@@ -185,7 +188,7 @@ def _opened(
     recorder = None
     if record is not None:
         recorder = LiveRecorder(Path(record), samples.rate, len(locator.microphones), source.full_scale)
-    listener = LiveListener(samples, stream, recorder)
+    listener = LiveListener(samples, stream, recorder, tracker=TouchTracker(locator))
     return listener, LiveSession(listener, locator, recorder)
 
 
@@ -206,13 +209,13 @@ class _Counts:
     def __init__(self) -> None:
         self._states: Counter[str] = Counter()
         self._faults: Counter[str] = Counter()
-        self._lost = 0
+        self._lost = self._touches = 0
         self._began = perf_counter()
 
     def take(self, heard: Heard) -> None:
         """Count an event."""
+        from localize.live.events import Decision, Fault, TouchEvent
         from localize.live.listener import Notice
-        from localize.live.stream import Decision, Fault
 
         event = heard.event
         if isinstance(event, Decision):
@@ -220,6 +223,8 @@ class _Counts:
         elif isinstance(event, Fault):
             self._faults[event.kind] += 1
             self._lost += (event.samples or 0) if event.kind == "samples lost" else 0
+        elif isinstance(event, TouchEvent):
+            self._touches += event.kind == "down"
         elif isinstance(event, Notice):
             self._faults[event.kind] += 1
 
@@ -228,6 +233,7 @@ class _Counts:
         return LiveSummary(
             perf_counter() - self._began,
             dict(self._states),
+            self._touches,
             dict(self._faults),
             self._lost,
             session.latencies,

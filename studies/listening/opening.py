@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 
 #: White noise that waveforms are reconstructed with where a localizer knows none, Pa rms.
 LEAST_NOISE = 1e-6
+#: White noise that sound is told from at least where nobody asked for it, Pa rms: below, rounding is all there is.
+LEAST_SOUND_NOISE = 1e-5
 
 
 @dataclass(frozen=True)
@@ -27,11 +29,13 @@ class Decoding:
     """White noise, for a library as model: that of the microphones, Pa rms over 0 to 500 Hz; by default that of the
     design's."""
     library: str | os.PathLike[str] | None = None
-    """File of the library of the array, which the fields below need; by default the model, where that is one."""
+    """File of the library of the array, which tells sound from touches and which the fields below need; by default the
+    model, where that is one."""
     waveform: bool = False
     """Whether the pressure in the touched cavity is reconstructed."""
     ambient: float | None = None
-    """Level up to which sound is told from touches, dB SPL; by default a quiet room."""
+    """Level of sound in the room up to which touches are named in it, dB SPL; by default a quiet room. Sound alone is
+    told from touches in any case, up to 80 dB SPL or this level."""
     refuse: float | None = None
     """Share of the frames of true touches that may be refused with those that no single point explains; by default the
     likeliest point is named."""
@@ -104,27 +108,31 @@ def open_stream(
         limit: Pa; a sample that reaches it is clipped. By default nothing is.
 
     Raises:
-        Refusal: a field that needs a library without one, a library without such a field or of another design than the
-            localizer's, or a figure out of range.
+        Refusal: a field that needs a library without one, a library of another design than the localizer's, or a figure
+            out of range.
     """
-    from localize import BayesDecoder, Reconstructor, ResidualTest, SoundTest, TouchStream
+    from localize import BayesDecoder, Listening, Reconstructor, ResidualTest, SoundTest, TouchStream
     from localize.live.stream import REFUSED
     from localize.signals.array_response import response_of
     from localize.signals.same_array import check_same_design
 
+    # A noise that is told is what there is: then nothing is measured.
+    listening = Listening(follow=decoding.noise is None)
     needy = decoding.needs_library
-    if needy is None:
-        if decoding.library is not None:
-            raise Refusal(f"`library` {decoding.library} is for `waveform`, `ambient` and `refuse`; give one of them")
-        return TouchStream(localizer, limit=limit)
     path = decoding.library or (None if _is_trained(model) or model.suffix == ".onnx" else model)
+    if path is None and needy is None:
+        return TouchStream(localizer, limit=limit, listening=listening)
     if path is None:
         raise Refusal(f"`{needy}` needs the library of the array: {model} is none; give `library`")
     response = response_of(_library_there(path, decoding.air))
     check_same_design(localizer, response, path)
     noise = localizer.microphone_noise if isinstance(localizer, BayesDecoder) else localizer.noise_rms or "design"
     wave = Reconstructor(response, max(localizer.noise_rms, LEAST_NOISE)) if decoding.waveform else None
-    sound = None if decoding.ambient is None else SoundTest(response, noise, loudest=decoding.ambient)
+    heard = noise if isinstance(noise, str) else max(noise, LEAST_SOUND_NOISE)
+    if decoding.ambient is None:
+        sound = SoundTest(response, heard) if response.ambient_response is not None else None
+    else:
+        sound = SoundTest(response, noise, loudest=decoding.ambient)
     residual = None if decoding.refuse is None else ResidualTest(response, noise, ambient=decoding.ambient)
     return TouchStream(
         localizer,
@@ -133,6 +141,7 @@ def open_stream(
         sound_test=sound,
         residual_test=residual,
         refused=REFUSED if decoding.refuse is None else decoding.refuse,
+        listening=listening,
     )
 
 

@@ -14,8 +14,8 @@ from studies.listening.opening import Decoding, open_localizer, open_stream
 from studies.output.folders import check_new_file
 
 if TYPE_CHECKING:
-    from localize import Decision, Fault, Touch
-    from localize.live.stream import State
+    from localize import Decision, Fault, Touch, TouchEvent
+    from localize.live.events import State
     from localize.live.touches import Array as TouchedArray
 
 
@@ -25,8 +25,8 @@ class LocatedTouches:
 
     touches: tuple[Touch, ...]
     """Touches in the order of time."""
-    events: tuple[Decision | Fault, ...]
-    """Decisions, 16 ms apart, and faults."""
+    events: tuple[Decision | Fault | TouchEvent, ...]
+    """Decisions, 16 ms apart, faults, and touches as they would have been told while they happened."""
     array: TouchedArray
     """Array with the lines and places of its points."""
     seconds: float
@@ -37,7 +37,7 @@ class LocatedTouches:
     @property
     def seconds_by_state(self) -> dict[State, float]:
         """Time for which the decisions said what, s, for each state that there was."""
-        from localize.live.stream import HOP, Decision
+        from localize.live.events import HOP, Decision
         from localize.signals.stimulus import SAMPLE_RATE
 
         states = Counter(event.state for event in self.events if isinstance(event, Decision))
@@ -70,14 +70,17 @@ def locate_recording(
     check_new_file(path, ".jsonl", reads=(model, recording, given.library))
     if given.waveform and path is None:
         raise Refusal("`waveform` goes into the lines of `out`; give that too")
-    from localize import read_recording, touches_of
+    from localize import TouchTracker, read_recording, touches_of
 
     localizer = open_localizer(source, given.noise, given.ambient, given.air)
     stream = open_stream(source, localizer, given)
     heard = read_recording(Path(recording), localizer.microphones, full_scale)
-    events = stream.push(heard.signals)
+    decided = stream.push(heard.signals)
+    tracker = TouchTracker(localizer, stream.delay)
+    events = [each for event in decided for each in (event, *tracker.take(event))]
+    events += tracker.finish()
     if path is not None:
         write_text(path, "".join(event.json_line() + "\n" for event in events))
     return LocatedTouches(
-        tuple(touches_of(events, localizer)), tuple(events), localizer, heard.seconds, localizer.design
+        tuple(touches_of(decided, localizer)), tuple(events), localizer, heard.seconds, localizer.design
     )

@@ -100,10 +100,12 @@ def test_the_age_of_a_decision_is_that_of_the_last_sample_of_its_frame(decoder, 
     for rate, factor in ((1000.0, 1), (8000.0, 8)):
         samples = stretched(signals[:, :1000], factor)
         source = Given([blocks(samples, rate, list(range(0, samples.shape[1], 33)))], rate)
-        for heard in LiveListener(source, TouchStream(decoder)).listen():
+        stream = TouchStream(decoder)
+        assert 1e-3 < stream.delay < 3e-3
+        for heard in LiveListener(source, stream).listen():
             if heard.available is not None:
                 number = round(heard.event.time * 1000) - 1
-                assert heard.available == pytest.approx(100 + number / 1000, abs=1e-6)
+                assert heard.available == pytest.approx(100 + number / 1000 - stream.delay, abs=1e-6)
 
 
 def test_samples_that_found_no_room_are_told_by_their_number(decoder, signals) -> None:

@@ -14,6 +14,7 @@ from acoustic_fem.sound.sound_file import write_wav
 from localize.learned import training
 from localize.learned.checkpoint import CheckpointError
 from localize.learned.recorded_frames import JUDGED, RecordedFrames
+from localize.live import AS_IT_COMES
 from localize.recordings.touch_manifest import PARTS, read_touch_manifest, split
 
 NOISE = 1e-2
@@ -93,7 +94,7 @@ def test_frames_are_those_that_a_stream_hears_of_the_recordings_of_their_side(ar
     sides = {False: {}, True: {}}
     for each, held in zip(found.recordings, frames.held_out, strict=True):
         heard = localize.read_recording(each.path, array.microphones, 4.0).signals
-        for event in localize.TouchStream(decoder).push(heard):
+        for event in localize.TouchStream(decoder, listening=AS_IT_COMES).push(heard):
             if event.state == "touch":
                 end = round(event.time * 1000)
                 key = heard[:, end - 250 : end].astype(np.float32).tobytes()

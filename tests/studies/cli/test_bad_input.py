@@ -96,7 +96,7 @@ def places(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
         ("locate <localizer> <text.nc>", "its name must end with .wav, .csv, .npz or .mat"),
         ("locate <localizer> <text.wav> --full-scale 0", "--full-scale = 0.0 Pa must be between 1e-12 and 1e+12"),
         ("locate <localizer> <text.wav> --noise 1e-3", "--noise = 0.001 is for a library"),
-        ("locate <localizer> <text.wav> --library <library.nc>", "is for --waveform, --ambient and --refuse"),
+        ("locate <localizer> <text.wav> --library <glove.nc>", "its microphones are A, B, C, must be A, B"),
         ("locate <localizer> <text.wav> --ambient 60", "--ambient needs the library of the array"),
         ("locate <library.nc> <text.wav> --refuse 2", "acoustic-fem: --refuse = 2.0 must be between 0 and 1"),
         (

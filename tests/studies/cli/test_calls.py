@@ -204,9 +204,9 @@ def test_a_verb_without_options_has_the_defaults_of_its_call(
 
 def test_arguments_that_a_refusal_names_are_options_on_the_command_line() -> None:
     model = small_run().folder / "localizer"
-    with pytest.raises(geometry.Refusal, match=r"^`library` a.nc is for `waveform`, `ambient` and `refuse`") as refused:
-        studies.locate_recording(model, "r.wav", decoding=studies.Decoding(library="a.nc"))
-    assert in_options(str(refused.value)).startswith("--library a.nc is for --waveform, --ambient and --refuse")
+    with pytest.raises(geometry.Refusal, match=r"^`ambient` needs the library of the array") as refused:
+        studies.locate_recording(model, "r.wav", decoding=studies.Decoding(ambient=60.0))
+    assert in_options(str(refused.value)).startswith("--ambient needs the library of the array")
     assert in_options("`full_scale` of `a.b`") == "--full-scale of `a.b`"
 
 
@@ -302,9 +302,13 @@ def test_touches_in_python_are_those_of_the_verbs(command: Callable[..., str], p
         decoding=studies.Decoding(ambient=60.0), hear=lambda session, event, line: heard.append(line),
     )  # fmt: skip
     assert text("live.jsonl").splitlines() == heard
-    told = [{k: v for k, v in json.loads(line).items() if k != "latency"} for line in heard]
-    assert told == [json.loads(line) for line in text("call.jsonl").splitlines()]
-    assert sum(summary.states.values()) == len(heard)
+    told, located = (
+        [{k: v for k, v in json.loads(line).items() if k != "latency"} for line in lines]
+        for lines in (heard, text("call.jsonl").splitlines())
+    )
+    assert told == located
+    assert sum(summary.states.values()) == sum("state" in line for line in told)
+    assert summary.touches == sum(line.get("event") == "down" for line in told)
     assert summary.latencies.count >= len(heard) - 1  # the end of the filter may come when the file has ended
     assert summary.recordings == (Path("again.wav"),)
     first = studies.listen(library, studies.LiveInput(replay="r.wav"), hear=lambda *_: False)

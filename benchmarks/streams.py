@@ -1,0 +1,290 @@
+"""Streams that can be lived with, before and after. ``python benchmarks/streams.py [SENSORS [DESIGN ...]]`` writes the
+table of docs/realtime.md anew.
+
+Signals are not those of the decoder's generator: long records from the transfer functions of a made sensor (the
+workshop's tolerances, its microphones' gains by 5 %), computed at every line of a period of 16.7 s, 0.06 Hz apart, for
+sound of 60 s. Shapes of taps, presses and pulses are this file's. Nothing is told of noise, hum or sound. "Calibrated"
+is a library of the made sensor's own transfer functions, "not calibrated" that of its design. Before: the whole
+contents of a frame, no tests, the design's noise; after: the defaults. The seeds are not those that constants were
+chosen on (those were 101 to 109).
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+from functools import cached_property, lru_cache
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+import acoustic_fem
+import geometry
+import localize
+from acoustic_fem.batch.network import batch_response
+from acoustic_fem.batch.parameters import design_air
+from geometry.files.writing import replace_section
+from localize.live import AS_IT_COMES
+from localize.signals.array_response import ArrayResponse, response_of
+from studies.scatter.tolerances import ScatteredDesign
+
+PAGE = Path(__file__).parents[1] / "docs" / "realtime.md"
+BEGIN, END = "<!-- streams: made by benchmarks/streams.py -->", "<!-- end streams -->"
+FREQUENCY = np.concatenate([np.arange(0.25, 20.0, 0.25), np.arange(20.0, 501.0)])
+RATE, PERIOD, MINUTE = 1000, 16_667, 60_000
+DESIGNS, SENSORS, SEED, GAIN = ("array-2x6", "line-2"), 3, 2026, 0.05
+WINDOW = 0.35
+"""Time after the beginning of a touch within which it must be told, s."""
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Made:
+    """Touch that was made."""
+
+    begin: int
+    """First sample."""
+    end: int
+    """Last sample."""
+    point: int
+    """Point, from 1."""
+
+
+class Sensor:
+    """A sensor as it may come out, and what may be known of it."""
+
+    def __init__(self, name: str, nominal: ArrayResponse, number: int, seed: int = SEED) -> None:
+        self.design, self.seed = geometry.prototype(name), seed + number
+        self._nominal = nominal
+        self._scattered = ScatteredDesign(self.design)
+        self._draws = self._scattered.draws(number, 1, seed)
+        self.gain = 1 + GAIN * np.random.default_rng([seed, number]).standard_normal((len(nominal.microphones), 1))
+
+    def _responses(self, frequency: Array) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
+        """(n_point, n_microphone, n) and, of sound, (n_microphone, n)."""
+        parameters = self._scattered.parameters(self._draws)
+        found = batch_response(parameters, self._scattered.topology, frequency, design_air(self.design))
+        # Sound moves each membrane by its own compliance.
+        push = (found.source_response * parameters.membrane_compliance[:, :, None, None]).sum(1)[0] * 1j * frequency
+        return self.gain * found.transfer_function[0], self.gain * push
+
+    @cached_property
+    def _lines(self) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
+        return self._responses(np.arange(1, PERIOD // 2 + 1) * RATE / PERIOD)
+
+    @cached_property
+    def _sound_lines(self) -> NDArray[np.complex128]:
+        frequency = np.arange(1, MINUTE // 2) * RATE / MINUTE
+        known = np.geomspace(0.5, 500.0, 600)
+        h = self._responses(known)[1]
+        still = ScatteredDesign(self.design).nominal
+        unit = batch_response(still, self._scattered.topology, np.array([20.0]), design_air(self.design))
+        scale = (
+            20.0 * np.abs((unit.source_response * still.membrane_compliance[:, :, None, None]).sum(1)[0, :, 0]).mean()
+        )
+        assert self._nominal.ambient_response is not None
+        at = np.abs(self._nominal.frequency - 20.0).argmin()
+        h = h * np.abs(self._nominal.ambient_response[:, at]).mean() / scale
+        level, phase = np.log(np.abs(h)), np.unwrap(np.angle(h))
+        return np.stack([
+            np.exp(np.interp(np.log(frequency), np.log(known), level[k]))
+            * np.exp(1j * np.interp(np.log(frequency), np.log(known), phase[k]))
+            for k in range(len(h))
+        ])  # fmt: skip
+
+    @cached_property
+    def calibrated(self) -> ArrayResponse:
+        """What a calibration would find: the transfer functions, but of sound what the design says."""
+        return replace(self._nominal, transfer_function=self._responses(self._nominal.frequency)[0])
+
+    @property
+    def nominal(self) -> ArrayResponse:
+        """What the design says."""
+        return self._nominal
+
+    def heard(self, made: Iterable[tuple[Made, Array]]) -> Array:
+        """(n_microphone, PERIOD) Pa of pressures in cavities."""
+        spectrum = np.zeros((len(self._nominal.microphones), PERIOD // 2 + 1), np.complex128)
+        for touch, pressure in made:
+            whole = np.zeros(PERIOD)
+            whole[touch.begin : touch.begin + len(pressure)] = pressure
+            spectrum[:, 1:] += np.fft.rfft(whole)[1:] * self._lines[0][touch.point - 1]
+        return np.fft.irfft(spectrum, PERIOD)
+
+    def own_noise(self, count: int, random: np.random.Generator) -> Array:
+        """(n_microphone, count) Pa, of the design's microphones."""
+        noise = self._nominal.own_noise
+        assert noise is not None
+        frequency = np.fft.rfftfreq(count, 1 / RATE)
+        power = noise.power[np.minimum(np.rint(frequency).astype(int), len(noise.power) - 1)]
+        white = np.fft.rfft(random.standard_normal((len(self._nominal.microphones), count)))
+        return np.asarray(np.fft.irfft(white * np.sqrt(power * RATE / 2), count))
+
+    def sound(self, level: float, random: np.random.Generator, moving: bool = False) -> Array:
+        """(n_microphone, MINUTE) Pa of a minute of pink sound from 20 Hz on."""
+        frequency = np.arange(MINUTE // 2 + 1) * RATE / MINUTE
+        lines = np.fft.rfft(random.standard_normal(MINUTE)) / np.sqrt(np.maximum(frequency, 1.0))
+        lines[frequency < 20.0] = 0
+        pressure = np.fft.irfft(lines, MINUTE)
+        if moving:  # as speech does
+            slow = np.fft.rfft(random.standard_normal(MINUTE))
+            slow[frequency > 4.0] = 0
+            swell = np.fft.irfft(slow, MINUTE)
+            pressure *= np.exp(swell / swell.std())
+        pressure *= 20e-6 * 10 ** (level / 20) / pressure.std()
+        spectrum = np.fft.rfft(pressure)
+        heard = np.zeros((len(self._nominal.microphones), MINUTE // 2 + 1), np.complex128)
+        heard[:, 1:-1] = spectrum[1:-1] * self._sound_lines
+        return np.asarray(np.fft.irfft(heard, MINUTE))
+
+
+def pulse(peak: float, flank: int, length: int) -> Array:
+    """A pulse sin^2 of flanks in ms; where it is longer than both, held."""
+    since = np.arange(length)
+    share = np.clip(np.minimum(since, length - since) / min(flank, length / 2), 0.0, 1.0)
+    return np.asarray(peak * np.sin(0.5 * np.pi * share) ** 2)
+
+
+def drawn(kind: str, random: np.random.Generator) -> Array:
+    """Pressure of one touch of a kind, of 1 to 10 Pa; of a beat, of 0.8 to 1.2 Pa."""
+    peak = float(np.exp(random.uniform(np.log(1.0), np.log(10.0))))
+    if kind == "tap":
+        length = int(np.exp(random.uniform(np.log(20.0), np.log(80.0))))
+        return pulse(peak, length, length)
+    if kind == "press":
+        return pulse(peak, int(random.uniform(20.0, 60.0)), int(random.uniform(700.0, 1300.0)))
+    peak = random.uniform(0.8, 1.2)
+    # A beat: a steep rise, a slower fall and a second, lower wave.
+    time = np.arange(600) / RATE
+    rise, second = random.uniform(0.05, 0.07), random.uniform(0.25, 0.5)
+    wave = np.exp(-(((time - 0.18) / rise) ** 2) / 2) + second * np.exp(-(((time - 0.38) / 0.08) ** 2) / 2)
+    return np.asarray(peak * wave * np.sin(np.pi * time / 0.6) ** 0.25)
+
+
+def session(kind: str, points: int, random: np.random.Generator) -> list[tuple[Made, Array]]:
+    """Touches of one record: the first after 2.5 s, the others with a pause of half a second (taps, presses) or at 50
+    to 100 beats a minute.
+    """
+    at, made = 2500, []
+    point, period = int(random.integers(points)) + 1, int(60_000 / random.uniform(50.0, 100.0))
+    while True:
+        pressure = drawn(kind, random)
+        if at + len(pressure) > PERIOD - 1500:
+            return made
+        made.append((Made(at, at + len(pressure), point), pressure))
+        if kind == "pulse":
+            at += period
+        else:
+            at += len(pressure) + 500
+            point = int(random.integers(points)) + 1
+
+
+def told(response: ArrayResponse, signals: Array, after: bool) -> tuple[list[localize.Decision], list[localize.Touch]]:
+    """Decisions and touches of a recording."""
+    decoder = decoder_of(response)
+    if after:
+        stream = localize.TouchStream(decoder, sound_test=localize.SoundTest(response, "design"))
+    else:
+        stream = localize.TouchStream(decoder, listening=AS_IT_COMES)
+    events = stream.push(signals)
+    decisions = [event for event in events if isinstance(event, localize.Decision)]
+    return decisions, localize.touches_of(events, decoder)
+
+
+@lru_cache(4)
+def decoder_of(response: ArrayResponse) -> localize.BayesDecoder:
+    """Decoder of a library, told nothing."""
+    return localize.BayesDecoder(response, "design")
+
+
+def false_touches(sensor: Sensor, after: bool) -> dict[str, tuple[float, float]]:
+    """Touches in a minute with nobody touching, and the share of it in which a point is named, %."""
+    result: dict[str, tuple[float, float]] = {}
+    for title, kind, size in (
+        *((f"sound of {level} dB", "sound", level) for level in (40, 60, 70, 80)),
+        ("moving sound of 65 dB", "moving", 65), ("white noise of 3 mPa", "noise", 3e-3),
+        ("mains hum of 2.8 mPa", "hum", 2.8e-3), ("its own noise", "none", 0.0),
+    ):  # fmt: skip
+        random = np.random.default_rng([sensor.seed, len(result)])
+        signals = sensor.own_noise(MINUTE, random)
+        if kind in ("sound", "moving"):
+            signals += sensor.sound(size, random, kind == "moving")
+        elif kind == "noise":
+            signals += size * random.standard_normal(signals.shape)
+        elif kind == "hum":
+            time, mains = np.arange(MINUTE) / RATE, 50.0 + random.uniform(-0.05, 0.05)
+            turn = random.uniform(0, 2 * np.pi, (2, len(signals), 1))
+            wave = np.sin(2 * np.pi * mains * time + turn[0]) + np.sin(6 * np.pi * mains * time + turn[1]) / 3
+            signals += size * wave
+        decisions, touches = told(sensor.nominal, signals, after)
+        # One touch may last the whole minute: what counts then is how long.
+        lit = sum(decision.state == "touch" for decision in decisions) / len(decisions)
+        result[title] = len(touches), 100 * lit
+    return result
+
+
+def of_touches(sensor: Sensor, kind: str, response: ArrayResponse, after: bool, extra: float = 0.0) -> list[float]:
+    """Number of touches, of those kept (told within 0.35 s), kept and right, told once, wrong frames and phantoms."""
+    sums = np.zeros(6)
+    for record in range(3):
+        random = np.random.default_rng([sensor.seed, 77, record, len(kind)])
+        made = session(kind, response.point_count, random)
+        signals = sensor.heard(made) + sensor.own_noise(PERIOD, random) + extra * random.standard_normal((1, PERIOD))
+        decisions, touches = told(response, signals, after)
+        edges = [touch.begin for touch, _ in made] + [PERIOD]
+        for index, (touch, _) in enumerate(made):
+            here = [t for t in touches if edges[index] <= 1000 * t.start < edges[index + 1]]
+            soon = [t for t in here if 1000 * t.start < touch.begin + 1000 * WINDOW]
+            frames = [
+                d for d in decisions
+                if d.state == "touch" and edges[index] <= 1000 * d.time < edges[index + 1] and d.point != touch.point
+            ]  # fmt: skip
+            right = [t for t in here if t.point == touch.point]
+            sums += (
+                1, bool(soon), any(t.point == touch.point for t in soon), len(right) == 1,
+                len(frames), len(here) - len(right),
+            )  # fmt: skip
+    return sums.tolist()
+
+
+def rows(name: str, sensors: int) -> list[str]:
+    """Lines of the table."""
+    nominal = response_of(acoustic_fem.solve(geometry.prototype(name), FREQUENCY, "lumped"))
+    made = [Sensor(name, nominal, number) for number in range(sensors)]
+    lines = []
+    alone = [[false_touches(sensor, after) for sensor in made] for after in (False, True)]
+    for title in alone[0][0]:
+        cells = [np.array([each[title] for each in both]) for both in alone]
+        lines.append(
+            f"{name}: {title}, touches a minute | "
+            + " | ".join(f"{c[:, 0].mean():.1f} / {c[:, 1].mean():.1f}" for c in cells)
+        )
+        print(lines[-1], flush=True)
+    for kind in ("tap", "press", "pulse"):
+        for known in ("calibrated", "nominal"):
+            cells = []
+            for after in (False, True):
+                sums = np.sum([of_touches(sensor, kind, getattr(sensor, known), after) for sensor in made], axis=0)
+                count = sums[0]
+                share = 100 * sums / count
+                cells.append(
+                    f"{share[1]:.1f} / {share[2]:.1f} / {share[3]:.1f} / {sums[4] / count:.1f} / {sums[5] / count:.2f}"
+                )
+            title = "calibrated" if known == "calibrated" else "not calibrated"
+            lines.append(f"{name}, {title}: {kind} | " + " | ".join(cells))
+            print(lines[-1], flush=True)
+    return lines
+
+
+def main() -> None:
+    sensors = int(sys.argv[1]) if len(sys.argv) > 1 else SENSORS
+    lines = ["what | before | after", "---|---|---"]
+    for name in sys.argv[2:] or DESIGNS:
+        lines += rows(name, sensors)
+    replace_section(PAGE, BEGIN, END, [f"| {line} |" for line in lines])
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,102 @@
+"""What a stream says: a decision for every frame, faults, and the beginnings, moves and ends of touches."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass, field
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+HOP = 16
+"""Number of samples from one decision to the next."""
+
+State = Literal["touch", "no touch", "fading", "sound", "other", "unreadable"]
+"""State that a frame shows. Fading: what is left of a touch that has ended. Sound: of a room, the same on all
+membranes, and no touch. Other: a touch of no single point explains what is heard. Unreadable: a channel is clipped or
+dead, or was not finite within the last 250 samples."""
+
+FaultKind = Literal["samples lost", "samples repeated", "restarted", "not finite", "clipped", "dead channel"]
+
+
+@dataclass(frozen=True)
+class Decision:
+    """Decision that is made from one frame."""
+
+    time: float
+    """Time of the end of the frame, s; the stream's sample 0 is at 0."""
+    state: State
+    """State that the frame shows."""
+    level: float
+    """Level of the loudest microphone about its mean, Pa rms."""
+    point: int | None = None
+    """Most probable point, from 1; None unless there is a touch."""
+    probability: float | None = None
+    """Probability of that point; None unless there is a touch."""
+    distribution: NDArray[np.float64] | None = field(default=None, repr=False, compare=False)
+    """Probability of every point; (n_point,) float64, None unless there is a touch."""
+    weight: float | None = field(default=None, repr=False, compare=False)
+    """Amplitude that stands out of sound where sound is expected, in terms of the noise; None where it is not."""
+    newest: float | None = field(default=None, repr=False, compare=False)
+    """Level of the loudest microphone over the newest 96 samples, Pa rms."""
+    waveform: tuple[float, ...] | None = None
+    """Pressure in the cavity of the point, Pa, over the newest 16 samples less the latency of the reconstructor; None
+    without one, without a touch, and before its window is full."""
+
+    def json_line(self) -> str:
+        """Decision as one line of JSON, without the distribution."""
+        line: dict[str, object] = {"time": round(self.time, 6), "state": self.state, "level": self.level}
+        if self.state == "touch":
+            line |= {"point": self.point, "probability": self.probability}
+        if self.waveform is not None:
+            line["waveform"] = [float(f"{value:.6g}") for value in self.waveform]
+        return json.dumps(line)
+
+
+@dataclass(frozen=True)
+class Fault:
+    """Fault of a stream, told once when it begins."""
+
+    time: float
+    """Time of the sample where it begins, s; of clipping and dead channels, the end of the frame that showed it."""
+    kind: FaultKind
+    """Kind of the fault."""
+    channel: str | None = None
+    """Name of the microphone; None where it is all of them."""
+    samples: int | None = None
+    """Number of samples that were lost, or repeated in this chunk; None for other faults."""
+
+    def json_line(self) -> str:
+        """Fault as one line of JSON."""
+        line: dict[str, object] = {"time": round(self.time, 6), "fault": self.kind}
+        line |= {} if self.channel is None else {"channel": self.channel}
+        line |= {} if self.samples is None else {"samples": self.samples}
+        return json.dumps(line)
+
+
+@dataclass(frozen=True)
+class TouchEvent:
+    """Beginning, move or end of a touch, told while it happens."""
+
+    time: float
+    """Time at which it is told: the end of the frame that decided it, s."""
+    kind: Literal["down", "moved", "up"]
+    """Kind of what happened."""
+    touch: int
+    """Number of the touch, from 1, as touches come down."""
+    point: int
+    """Point that is touched from now on, or was until now, from 1."""
+    probability: float
+    """Probability of that point by all frames so far."""
+    level: float
+    """Level of the loudest microphone in the newest frame of the touch, Pa rms."""
+    latency: float
+    """Time at most from when it happened to when it is told, s: the frames that were waited for, and the delay of the
+    high-pass; what a source and a computer take comes on top."""
+
+    def json_line(self) -> str:
+        """Event as one line of JSON."""
+        line = {"time": round(self.time, 6), "event": self.kind, "touch": self.touch, "point": self.point}
+        line |= {"probability": self.probability, "level": self.level, "latency": round(self.latency, 5)}
+        return json.dumps(line)
