@@ -25,10 +25,10 @@ import geometry
 import localize
 from acoustic_fem.batch.network import batch_response
 from acoustic_fem.batch.parameters import design_air
+from acoustic_fem.scatter.tolerances import ScatteredDesign
 from geometry.files.writing import replace_section
 from localize.live import AS_IT_COMES
 from localize.signals.array_response import ArrayResponse, response_of
-from studies.scatter.tolerances import ScatteredDesign
 
 PAGE = Path(__file__).parents[1] / "docs" / "realtime.md"
 BEGIN, END = "<!-- streams: made by benchmarks/streams.py -->", "<!-- end streams -->"
