@@ -167,7 +167,8 @@ def session(kind: str, points: int, random: np.random.Generator) -> list[tuple[M
     """Touches of one record: the first after 2.5 s, the others with a pause of half a second (taps, presses) or at 50
     to 100 beats a minute.
     """
-    at, made = 2500, []
+    at = 2500
+    made: list[tuple[Made, Array]] = []
     point, period = int(random.integers(points)) + 1, int(60_000 / random.uniform(50.0, 100.0))
     while True:
         pressure = drawn(kind, random)
@@ -256,11 +257,8 @@ def rows(name: str, sensors: int) -> list[str]:
     lines = []
     alone = [[false_touches(sensor, after) for sensor in made] for after in (False, True)]
     for title in alone[0][0]:
-        cells = [np.array([each[title] for each in both]) for both in alone]
-        lines.append(
-            f"{name}: {title}, touches a minute | "
-            + " | ".join(f"{c[:, 0].mean():.1f} / {c[:, 1].mean():.1f}" for c in cells)
-        )
+        means = [np.mean([each[title] for each in both], axis=0) for both in alone]
+        lines.append(f"{name}: {title} | {means[0][0]:.1f} / {means[0][1]:.1f} | {means[1][0]:.1f} / {means[1][1]:.1f}")
         print(lines[-1], flush=True)
     for kind in ("tap", "press", "pulse"):
         for known in ("calibrated", "nominal"):

@@ -6,7 +6,8 @@ what they hear of each other stays as it was.
 
 Hum and noise are followed and need not be told. Hum: lines at the multiples of 50 and 60 Hz, whose amplitude, phase and
 slow change of phase are learned while nothing else is heard, and are taken to go on while something is. Noise: the
-density between 200 and 450 Hz, where touches hold next to nothing, as a low quantile of the last four seconds.
+density between 200 and 450 Hz, where touches hold next to nothing, of what the other microphones do not hear as well,
+as sound they do; a low quantile of the last four seconds.
 """
 
 from __future__ import annotations
@@ -44,8 +45,12 @@ WEAK = 20.0
 """Multiple of the threshold of silence up to which what lies on the lines of mains alone is hum, not a touch."""
 NOISE_BAND = (200.0, 450.0)
 """Band in which noise is measured, Hz."""
+SUBBANDS = 3
+"""Number of parts of that band, within each of which the way from one microphone to another is taken as constant."""
 NOISE_TIME = 4.0
 """Length of the past over which noise is measured, s."""
+LINES_SHARED = 1.5
+"""Number of neighbouring lines of a frame's spectrum that the window makes one."""
 NOISE_QUANTILE = 0.3
 """Quantile of the densities of that time that is the noise."""
 
@@ -179,8 +184,12 @@ class NoiseFloor:
     """
 
     def __init__(self, channels: int) -> None:
-        frequency = np.fft.rfftfreq(FRAME, 1 / SAMPLE_RATE)
-        self._inside = (frequency >= NOISE_BAND[0]) & (frequency <= NOISE_BAND[1])
+        spacing = SAMPLE_RATE / FRAME
+        self._first = round(NOISE_BAND[0] / spacing)
+        self._lines = round((NOISE_BAND[1] - NOISE_BAND[0]) / spacing / SUBBANDS)
+        # Of so few lines the others explain some of each microphone's own noise by chance; neighbours share some.
+        free = self._lines / LINES_SHARED
+        self._chance = free / max(free - channels + 1, 1.0)
         window = np.hanning(FRAME)
         self._window = window / math.sqrt((window**2).mean())
         self._past: deque[Array] = deque(maxlen=round(NOISE_TIME * SAMPLE_RATE / HOP))
@@ -195,8 +204,13 @@ class NoiseFloor:
 
     def take(self, frame: Array) -> None:
         """Take the next frame, (n_microphone, FRAME) float64, Pa."""
-        lines = np.abs(np.fft.rfft(frame * self._window, axis=1)[:, self._inside]) ** 2
-        # Mean square over all frequencies of white noise that is as dense as it is here.
-        self._past.append(lines.mean(1) / FRAME)
+        lines = np.fft.rfft(frame * self._window, axis=1)[:, self._first : self._first + SUBBANDS * self._lines]
+        parts = lines.reshape(len(frame), SUBBANDS, self._lines)
+        density = np.einsum("mbk,nbk->bmn", parts, parts.conj()) / self._lines
+        scale = np.trace(density, axis1=1, axis2=2).real[:, None, None]
+        inverse = np.linalg.inv(density + (1e-9 * scale + 1e-300) * np.eye(len(frame)))
+        # What is left of a microphone beside all that the others explain; mean square of white noise as dense as it is.
+        alone = self._chance / np.diagonal(inverse, axis1=1, axis2=2).real
+        self._past.append(alone.mean(0) / FRAME)
         rank = int(NOISE_QUANTILE * (len(self._past) - 1))
         self.rms = np.sqrt(np.partition(np.array(self._past), rank, axis=0)[rank])

@@ -83,3 +83,13 @@ def test_the_noise_is_found_beside_touches_and_followed() -> None:
 def test_a_corner_out_of_range_is_refused(corner) -> None:
     with pytest.raises(ValueError, match=r"high_pass = .* Hz must be between 0.5 and 20 Hz, or None for none"):
         Listening(high_pass=corner)
+
+
+def test_what_all_microphones_hear_is_no_noise() -> None:
+    random = np.random.default_rng(2)
+    sound = 0.1 * random.standard_normal(4002)
+    signals = np.stack([sound[2:], 0.8 * sound[1:-1]]) + 2e-3 * random.standard_normal((2, 4000))
+    floor = NoiseFloor(2)
+    for end in range(250, 4000, HOP):
+        floor.take(signals[:, end - 250 : end])
+    assert (floor.rms < 0.02).all()
