@@ -36,7 +36,7 @@ STAY, JUMP = 0.97, 1e-3
 FALLEN, RISEN = 0.4, 2.0
 """Share of a contact's loudest frame to which its level must fall, and factor by which it must rise from there, where a
 new touch begins."""
-AGREE = 2
+AGREE = 3
 """Number of frames in a row that must name the same point before it is told."""
 MOST = 3750
 """Number of frames, a minute, after which a contact is taken for a new one."""
