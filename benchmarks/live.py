@@ -27,6 +27,7 @@ from rich.table import Table
 import acoustic_fem
 import geometry
 import localize
+import studies
 from acoustic_fem.sound.sound_file import write_wav
 from localize.live.listener import Latencies
 from localize.signals.array_response import response_of
@@ -62,16 +63,15 @@ def measured(title: str, folder: Path, seconds: int) -> dict[str, Any]:
     response = response_of(library)
     recording, out = folder / "recording.wav", folder / "lines.jsonl"
     write_wav(recording, _signals(response, seconds) / FULL_SCALE, 1000, 24)
-    locator: localize.BayesDecoder | localize.OnnxLocalizer
+    noise: float | None = None
+    options: list[str] = []
     if title == "model-based":
         model = folder / "library.nc"
         acoustic_fem.save(library, model)
-        locator = localize.BayesDecoder(acoustic_fem.load(model), NOISE)
-        options = ["--noise", str(NOISE)]
+        noise, options = NOISE, ["--noise", str(NOISE)]
     else:
         model = folder / "network.onnx"
         localize.export_onnx(localize.train(response, PLAN), model)
-        locator, options = localize.OnnxLocalizer(model), []
     command = [sys.executable, "-m", "studies.cli", "live", model, "--replay", recording, "--out", out]
     command += ["--full-scale", str(FULL_SCALE), *options]
     environment = {**os.environ, "PYTHONPATH": str(ROOT)}
@@ -82,16 +82,20 @@ def measured(title: str, folder: Path, seconds: int) -> dict[str, Any]:
     told = [json.loads(line) for line in lines]
     latencies = Latencies()
     for line in told:
-        if "latency" in line:
-            latencies.add(line.pop("latency"))
-    heard = localize.read_recording(recording, response.microphones, FULL_SCALE)
-    offline = [json.loads(event.json_line()) for event in localize.TouchStream(locator).push(heard.signals)]
+        late = line.pop("latency", None)  # of a touch it is what the frames took as well
+        if late is not None and "state" in line:
+            latencies.add(late)
+    at_once = folder / f"{model.stem}.jsonl"
+    studies.locate_recording(model, recording, at_once, full_scale=FULL_SCALE, decoding=studies.Decoding(noise=noise))
+    offline = [json.loads(line) for line in at_once.read_text(encoding="utf-8").splitlines()]
+    for line in offline:
+        line.pop("latency", None)
     return {
         "decoder": title,
         "decisions": sum("state" in line for line in told),
-        "offline": len(offline),
+        "offline": sum("state" in line for line in offline),
         "same": told == offline,
-        "faults": sum("state" not in line for line in told),
+        "faults": sum("fault" in line or "notice" in line for line in told),
         "p50": 1e3 * latencies.percentile(50),
         "p99": 1e3 * latencies.percentile(99),
         "max": 1e3 * latencies.largest,

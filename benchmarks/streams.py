@@ -1,5 +1,5 @@
-"""Streams that can be lived with, before and after. ``python benchmarks/streams.py [SENSORS [DESIGN ...]]`` writes the
-table of docs/realtime.md anew.
+"""Streams that can be lived with, before and after. ``python benchmarks/streams.py`` writes the table of
+docs/realtime.md anew, in half an hour of one core.
 
 Signals are not those of the decoder's generator: long records from the transfer functions of a made sensor (the
 workshop's tolerances, its microphones' gains by 5 %), computed at every line of a period of 16.7 s, 0.06 Hz apart, for
@@ -11,7 +11,6 @@ chosen on (those were 101 to 109).
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
@@ -24,7 +23,7 @@ import acoustic_fem
 import geometry
 import localize
 from acoustic_fem.batch.network import batch_response
-from acoustic_fem.batch.parameters import design_air
+from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.scatter.tolerances import ScatteredDesign
 from geometry.files.writing import replace_section
 from localize.live import AS_IT_COMES
@@ -182,16 +181,31 @@ def session(kind: str, points: int, random: np.random.Generator) -> list[tuple[M
             point = int(random.integers(points)) + 1
 
 
-def told(response: ArrayResponse, signals: Array, after: bool) -> tuple[list[localize.Decision], list[localize.Touch]]:
-    """Decisions and touches of a recording."""
+@dataclass(frozen=True)
+class Told:
+    """What a recording was told to hold."""
+
+    decisions: list[localize.Decision]
+    touches: list[localize.Touch]
+    """Touches, as they are known afterwards."""
+    events: list[localize.TouchEvent]
+    """The same as they were told while they happened."""
+
+
+def told(response: ArrayResponse, signals: Array, after: bool) -> Told:
+    """What a stream tells of a recording."""
     decoder = decoder_of(response)
     if after:
         stream = localize.TouchStream(decoder, sound_test=localize.SoundTest(response, "design"))
     else:
         stream = localize.TouchStream(decoder, listening=AS_IT_COMES)
     events = stream.push(signals)
-    decisions = [event for event in events if isinstance(event, localize.Decision)]
-    return decisions, localize.touches_of(events, decoder)
+    tracker = localize.TouchTracker(decoder, stream.delay)
+    return Told(
+        [event for event in events if isinstance(event, localize.Decision)],
+        localize.touches_of(events, decoder),
+        [each for event in events for each in tracker.take(event)] + tracker.finish(),
+    )
 
 
 @lru_cache(4)
@@ -219,41 +233,47 @@ def false_touches(sensor: Sensor, after: bool) -> dict[str, tuple[float, float]]
             turn = random.uniform(0, 2 * np.pi, (2, len(signals), 1))
             wave = np.sin(2 * np.pi * mains * time + turn[0]) + np.sin(6 * np.pi * mains * time + turn[1]) / 3
             signals += size * wave
-        decisions, touches = told(sensor.nominal, signals, after)
+        found = told(sensor.nominal, signals, after)
         # One touch may last the whole minute: what counts then is how long.
-        lit = sum(decision.state == "touch" for decision in decisions) / len(decisions)
-        result[title] = len(touches), 100 * lit
+        lit = sum(decision.state == "touch" for decision in found.decisions) / len(found.decisions)
+        result[title] = len(found.touches), 100 * lit
     return result
 
 
-def of_touches(sensor: Sensor, kind: str, response: ArrayResponse, after: bool, extra: float = 0.0) -> list[float]:
-    """Number of touches, of those kept (told within 0.35 s), kept and right, told once, wrong frames and phantoms."""
-    sums = np.zeros(6)
+def of_touches(sensor: Sensor, kind: str, response: ArrayResponse, after: bool) -> tuple[Array, list[float]]:
+    """Number of touches, of those kept (told within 0.35 s), kept and right, told once, wrong frames and phantoms; and,
+    in ms, how long after its beginning a touch was told while it happened.
+    """
+    sums, late = np.zeros(6), list[float]()
     for record in range(3):
         random = np.random.default_rng([sensor.seed, 77, record, len(kind)])
         made = session(kind, response.point_count, random)
-        signals = sensor.heard(made) + sensor.own_noise(PERIOD, random) + extra * random.standard_normal((1, PERIOD))
-        decisions, touches = told(response, signals, after)
+        found = told(response, sensor.heard(made) + sensor.own_noise(PERIOD, random), after)
         edges = [touch.begin for touch, _ in made] + [PERIOD]
         for index, (touch, _) in enumerate(made):
-            here = [t for t in touches if edges[index] <= 1000 * t.start < edges[index + 1]]
+            here = [t for t in found.touches if edges[index] <= 1000 * t.start < edges[index + 1]]
             soon = [t for t in here if 1000 * t.start < touch.begin + 1000 * WINDOW]
             frames = [
-                d for d in decisions
+                d for d in found.decisions
                 if d.state == "touch" and edges[index] <= 1000 * d.time < edges[index + 1] and d.point != touch.point
             ]  # fmt: skip
             right = [t for t in here if t.point == touch.point]
+            down = [
+                1000 * event.time - touch.begin for event in found.events
+                if event.kind == "down" and edges[index] <= 1000 * event.time < edges[index + 1]
+            ]  # fmt: skip
+            late += down[:1]
             sums += (
                 1, bool(soon), any(t.point == touch.point for t in soon), len(right) == 1,
                 len(frames), len(here) - len(right),
             )  # fmt: skip
-    return sums.tolist()
+    return sums, late
 
 
-def rows(name: str, sensors: int) -> list[str]:
+def rows(name: str) -> list[str]:
     """Lines of the table."""
     nominal = response_of(acoustic_fem.solve(geometry.prototype(name), FREQUENCY, "lumped"))
-    made = [Sensor(name, nominal, number) for number in range(sensors)]
+    made = [Sensor(name, nominal, number) for number in range(SENSORS)]
     lines = []
     alone = [[false_touches(sensor, after) for sensor in made] for after in (False, True)]
     for title in alone[0][0]:
@@ -264,11 +284,14 @@ def rows(name: str, sensors: int) -> list[str]:
         for known in ("calibrated", "nominal"):
             cells = []
             for after in (False, True):
-                sums = np.sum([of_touches(sensor, kind, getattr(sensor, known), after) for sensor in made], axis=0)
+                found = [of_touches(sensor, kind, getattr(sensor, known), after) for sensor in made]
+                sums = np.sum([counts for counts, _ in found], axis=0)
                 count = sums[0]
                 share = 100 * sums / count
+                usual, most = np.percentile(np.concatenate([late for _, late in found]), (50, 95))
                 cells.append(
                     f"{share[1]:.1f} / {share[2]:.1f} / {share[3]:.1f} / {sums[4] / count:.1f} / {sums[5] / count:.2f}"
+                    f" / {usual:.0f}, {most:.0f}"
                 )
             title = "calibrated" if known == "calibrated" else "not calibrated"
             lines.append(f"{name}, {title}: {kind} | " + " | ".join(cells))
@@ -277,10 +300,9 @@ def rows(name: str, sensors: int) -> list[str]:
 
 
 def main() -> None:
-    sensors = int(sys.argv[1]) if len(sys.argv) > 1 else SENSORS
     lines = ["what | before | after", "---|---|---"]
-    for name in sys.argv[2:] or DESIGNS:
-        lines += rows(name, sensors)
+    for name in DESIGNS:
+        lines += rows(name)
     replace_section(PAGE, BEGIN, END, [f"| {line} |" for line in lines])
 
 

@@ -50,7 +50,7 @@ NEWEST = 96
 """Number of samples of :attr:`Decision.newest`."""
 FADED = 0.3
 """Share of the loudest frame of a touch below which a frame holds only what is left of it."""
-FADES = 40.0
+FADES = 20.0
 """Rate at which what may be left of a touch falls, dB/s."""
 RISEN = 2.0
 """Factor by which the level must rise while a touch fades for another one."""

@@ -159,7 +159,8 @@ class TouchTracker:
         if self._point is None:
             # The first frames hold next to nothing of the touch.
             agreed = count >= AGREE and {each.point for each in self._contact[-AGREE:]} == {best + 1}
-            return self._down(event.time, best) if agreed or count >= HELD else []
+            likely = count >= HELD and self._belief[best] >= LIKELY
+            return self._down(event.time, best) if agreed or likely else []
         self._other = self._other + 1 if best != self._point else 0
         if self._other < HELD:
             return []

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
@@ -69,6 +70,20 @@ def test_a_level_that_rises_again_is_a_new_touch_and_a_small_swell_is_none() -> 
 def test_frames_in_which_a_touch_only_begins_are_waited_for() -> None:
     wandering = [("touch", 1, 6, 0.1), ("touch", 1, 1, 0.3), ("touch", 20, 3, 1.0), ("no touch", 10, 0, 0.0)]
     assert told(frames(*wandering)) == [("down", 1, 3), ("up", 1, 3)]
+
+
+def test_frames_that_name_two_points_in_turn_are_waited_for_until_one_is_likely() -> None:
+    def unsure(count: int) -> list[Decision]:
+        even = np.array([0.02, 0.47, 0.02, 0.45, 0.02, 0.02])
+        turns = [even, even[[0, 3, 2, 1, 4, 5]]]
+        return [
+            Decision(0.25 + 0.016 * k, "touch", 1.0, int(turns[k % 2].argmax()) + 1, 0.47, turns[k % 2])
+            for k in range(count)
+        ]
+
+    assert told(unsure(12)) == []
+    sure = [replace(each, time=0.25 + 0.016 * (12 + k)) for k, each in enumerate(frames(("touch", 20, 4, 1.0)))]
+    assert told([*unsure(12), *sure]) == [("down", 1, 4), ("up", 1, 4)]
 
 
 def test_a_contact_of_a_frame_that_says_nothing_is_none() -> None:
