@@ -20,7 +20,7 @@ from geometry.refusal import Refusal
 from localize.decoders.frame_covariance import ambient_covariance, check_level, check_noise, low_pass, whitening
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.frames import checked_signals, cut_frames
-from localize.signals.noise import NoiseChoice
+from localize.signals.noise import NoiseChoice, NoiseSpectrum
 from localize.signals.threads import one_thread
 
 if TYPE_CHECKING:
@@ -60,8 +60,11 @@ class SoundTest:
         response = response_of(library)
         check_level(response, loudest)
         self.microphones = response.microphones
+        noise = response.noise(microphone_noise)
+        self.noise_rms = noise.rms if isinstance(noise, NoiseSpectrum) else noise
+        """Noise of a microphone that the test was made for, Pa rms over 0 to 500 Hz."""
         each = np.eye(len(response.microphones))
-        whiten = whitening(response.noise(microphone_noise))
+        whiten = whitening(noise)
         together = np.kron(each, whiten)
         values, vectors = np.linalg.eigh(together @ ambient_covariance(response, loudest) @ together.T)
         if values.max() * np.finfo(np.float64).eps > LEAK:

@@ -320,7 +320,7 @@ class TouchStream:
         """Energy that sound does not explain, and the most that it leaves; None where it is not expected."""
         if self.sound_test is None:
             return None
-        noise = max(1.0, float(self._floor.rms.max()) / max(self.locator.noise_rms, 1e-300))
+        noise = max(1.0, float(self._floor.rms.max()) / self.sound_test.noise_rms)
         found, most = self.sound_test.beside(frame[None], noise)
         return float(found[0]), float(most[0])
 

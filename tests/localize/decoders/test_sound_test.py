@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -86,6 +87,16 @@ def test_a_stream_tells_sound_from_a_touch_in_it(array, sound_test, decoder):
     assert all(event.point is None and "point" not in event.json_line() for event in outside)
     assert np.mean([event.point == points[turn] + 1 for event in within]) > 0.9
     assert [touch.point for touch in localize.touches_of(events, decoder)] == [points[turn] + 1]
+
+
+def test_a_touch_is_none_the_less_one_where_the_locator_knows_no_noise(array, sound_test, decoder):
+    signals, points = heard(array, None, 20)
+    unaware = SimpleNamespace(microphones=decoder.microphones, noise_rms=0.0, locate=decoder.locate)
+    turn = int(np.argmax(signals.std(-1).max(-1)))
+    events = TouchStream(unaware, sound_test=sound_test).push(signals[turn])
+    named = [event.point for event in events if event.state == "touch"]
+    assert len(named) > 30
+    assert np.mean(np.array(named) == points[turn] + 1) > 0.9
 
 
 def test_a_stream_names_no_point_for_two_touches_at_once(array, decoder):
