@@ -1,7 +1,7 @@
 """Taps in the stream: single frames by time since onset, and touches. ``python benchmarks/taps.py [DESIGN ...]``.
 
 The model-based decoder hears twelve points of each array, one at a time: pulses sin^2 of 30 ms and a press of a second,
-with 1 mPa of microphone noise.
+with 1 mPa of microphone noise, and are judged as they come.
 """
 
 from __future__ import annotations
@@ -14,6 +14,7 @@ import torch
 import acoustic_fem
 import geometry
 import localize
+from localize.live import AS_IT_COMES
 from localize.signals import finger_stimuli, propagation, stimulus
 from localize.signals.array_response import response_of
 
@@ -44,7 +45,7 @@ def main(names: list[str]) -> None:
             for point in points:
                 heard = propagation.microphone_signals(spectrum[None], h[point][None], LENGTH)[0].numpy()
                 heard = heard + NOISE * np.random.default_rng(point).standard_normal(heard.shape)
-                events = localize.TouchStream(decoder).push(heard)
+                events = localize.TouchStream(decoder, listening=AS_IT_COMES).push(heard)
                 frames += [
                     (1000 * event.time - ONSET, event.point == point + 1)
                     for event in events
