@@ -17,7 +17,7 @@ State = Literal["touch", "no touch", "fading", "sound", "other", "unreadable"]
 membranes, and no touch. Other: a touch of no single point explains what is heard. Unreadable: a channel is clipped or
 dead, or was not finite within the last 250 samples."""
 
-FaultKind = Literal["samples lost", "samples repeated", "restarted", "not finite", "clipped", "dead channel"]
+FaultKind = Literal["samples lost", "samples repeated", "restarted", "not finite", "clipped", "dead channel", "hissing"]
 
 
 @dataclass(frozen=True)

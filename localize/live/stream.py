@@ -4,7 +4,7 @@ Every 16 samples the last 250 are judged, behind the high-pass of :mod:`localize
 mains. Where no microphone hears more than its noise there is no touch, and nothing is guessed; nor where a touch has
 ended and only what is left of it is heard, where sound explains what they hear, or where no point does, if the stream
 is given the tests of that. What goes wrong with a stream is reported and survived: lost or repeated samples, values
-that are not finite, clipping, a channel that is dead. Decisions depend on the samples alone, not on how they were cut
+that are not finite, clipping, a channel that is dead or hisses. Decisions depend on the samples alone, not on how they were cut
 up.
 """
 
@@ -19,6 +19,7 @@ from numpy.typing import ArrayLike, NDArray
 from geometry.refusal import Refusal
 from localize.live.events import HOP, Decision, Fault, FaultKind
 from localize.live.front_end import WEAK, HighPass, Hum, Listening, NoiseFloor
+from localize.live.spare import Judges, JudgesOfTheRest, Spare
 from localize.signals.frames import FRAME
 from localize.signals.stimulus import SAMPLE_RATE
 
@@ -35,6 +36,9 @@ LARGEST_PRESSURE = 1e6
 """Largest value that is a pressure, Pa: ten atmospheres."""
 DEAD = 0.02
 """Share of a microphone's noise below whose level a channel is dead: its converter may still toggle."""
+HISSING = 10.0
+"""Multiple of the noise of the quietest microphone, and of that which the locator was made for, above which the measured
+noise of another one is that of a fault."""
 RESTART = 1000
 """Largest step back in the numbers of samples that repeats some, samples; a larger one is a device that was started
 anew."""
@@ -93,6 +97,9 @@ class TouchStream:
             is. On a sensor that differs from its library by a percent it refuses most touches.
         refused: share of the frames of true touches that the residual test may refuse, above 0, below 1.
         listening: what is done with samples first, see :mod:`localize.live.front_end`.
+        spare: makes what goes on without microphones that are dead, clipped or hissing where two or more are left, which
+            takes up to seconds, once; by default frames with a dead or clipped one are unreadable, and a hissing one is
+            only told.
 
     Raises:
         Refusal: a threshold that is not finite and positive; a reconstructor or a test for other microphones; a
@@ -109,6 +116,7 @@ class TouchStream:
         residual_test: ResidualTest | None = None,
         refused: float = REFUSED,
         listening: Listening | None = None,
+        spare: Spare | None = None,
     ) -> None:
         for name, part in (
             ("reconstructor", reconstructor), ("sound_test", sound_test), ("residual_test", residual_test)
@@ -128,7 +136,9 @@ class TouchStream:
         for name, value in (("silence", self.silence), ("limit", limit)):
             if value is not None and not 0 < value < np.inf:
                 raise Refusal(f"{name} = {value} Pa must be finite and above 0")
-        self._microphones = locator.microphones
+        self._microphones = tuple(locator.microphones)
+        self._judges = Judges(locator, sound_test, residual_test)
+        self._judges_of = JudgesOfTheRest(self._microphones, spare)
         self.listening = listening or Listening()
         channels = len(self._microphones)
         self._high_pass = HighPass(channels, self.listening.high_pass)
@@ -258,27 +268,39 @@ class TouchStream:
 
     def _judge(self, raw: NDArray[np.float64], frame: NDArray[np.float64], events: list[Decision | Fault]) -> None:
         """Judge a frame, as it came and as it is judged."""
-        if self._is_unreadable(raw, events):
+        silent, hissing = self._bad_channels(raw, events)
+        judges = self._judges_of(~(silent | hissing)) if (silent | hissing).any() else self._judges
+        if judges is None and silent.any():
             events.append(Decision(self._time, "unreadable", float(frame.std(1).max())))
             return
-        level = float(frame.std(1).max())
-        newest = float(frame[:, -NEWEST:].std(1).max())
         if self.listening.follow:
             self._floor.take(frame)
+        if judges is None or judges is self._judges:
+            self._judge_by(self._judges, np.ones(len(frame), np.bool_), frame, events)
+        else:
+            self._judge_by(judges, ~(silent | hissing), frame, events)
+
+    def _judge_by(
+        self, judges: Judges, good: NDArray[np.bool_], whole: NDArray[np.float64], events: list[Decision | Fault]
+    ) -> None:
+        """Judge a frame by those of its channels that are good."""
+        frame, noise = whole[good], self._floor.rms[good]
+        level = float(frame.std(1).max())
+        newest = float(frame[:, -NEWEST:].std(1).max())
         self._loudest *= 10 ** (-FADES / 20 * HOP / SAMPLE_RATE)
-        loud = self._loudness(frame)
+        loud = self._loudness(frame, noise)
         if loud <= 1.0:
             if self.listening.follow:
-                self._hum.learn(frame[:, -HOP:])
+                self._hum.learn(whole[:, -HOP:])
             events.append(Decision(self._time, "no touch", level, newest=newest))
             return
         if self.listening.fade and level < min(FADED * self._loudest, RISEN * self._least):
             self._least = min(self._least, level)
             events.append(Decision(self._time, "fading", level, newest=newest))
             return
-        beside = self._beside_sound(frame)
+        beside = _beside_sound(judges, frame, noise)
         if beside is not None and beside[0] > beside[1] and self.listening.follow and loud <= WEAK:
-            beside = self._beside_sound(self._hum.beside(frame))
+            beside = _beside_sound(judges, self._hum.beside(frame), noise)
         if beside is not None and beside[0] <= beside[1]:
             events.append(Decision(self._time, "sound", level, newest=newest))
             return
@@ -287,42 +309,39 @@ class TouchStream:
         if level > self._loudest:
             self._loudest = self._least = level
         self._least = min(self._least, level)
-        found = self.locator.locate(frame)
+        found = judges.locator.locate(frame)
         best = int(found.argmax())
-        if self.residual_test is not None and self.residual_test.p_value(frame[None], [best])[0] < self.refused:
+        if judges.residual_test is not None and judges.residual_test.p_value(frame[None], [best])[0] < self.refused:
             events.append(Decision(self._time, "other", level, newest=newest))
             return
         weight = None if beside is None else math.sqrt(beside[0])
-        shape = self._waveform(best)
+        shape = self._waveform(best) if good.all() else None
         events.append(Decision(self._time, "touch", level, best + 1, float(found[best]), found, weight, newest, shape))
 
-    def _is_unreadable(self, raw: NDArray[np.float64], events: list[Decision | Fault]) -> bool:
-        """Whether a channel of a frame is dead or clipped, which is told."""
+    def _bad_channels(
+        self, raw: NDArray[np.float64], events: list[Decision | Fault]
+    ) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+        """Channels of a frame that are dead or clipped, and those that hiss, (n_microphone,) each; they are told."""
         highest, lowest = raw.max(1), raw.min(1)
         dead = (highest == lowest) | (raw.std(1) < DEAD * self.locator.noise_rms)
         clipped = np.maximum(highest, -lowest) >= (np.inf if self.limit is None else self.limit)
-        for channel in np.flatnonzero(dead | clipped).tolist():
-            if dead[channel]:
-                self._tell("dead channel", channel, self._number, events)
-            if clipped[channel]:
-                self._tell("clipped", channel, self._number, events)
-        return bool((dead | clipped).any())
+        usual = max(self.locator.noise_rms, LEAST_SILENCE, float(self._floor.rms[~dead].min(initial=np.inf)))
+        hissing = self._floor.rms > (HISSING * usual if self._floor.is_known else np.inf)
+        kinds: tuple[tuple[FaultKind, NDArray[np.bool_]], ...] = (
+            ("dead channel", dead), ("clipped", clipped), ("hissing", hissing)
+        )  # fmt: skip
+        for kind, channels in kinds:
+            for channel in np.flatnonzero(channels).tolist():
+                self._tell(kind, channel, self._number, events)
+        return dead | clipped, hissing
 
-    def _loudness(self, frame: NDArray[np.float64]) -> float:
+    def _loudness(self, frame: NDArray[np.float64], noise: NDArray[np.float64]) -> float:
         """Level of the loudest microphone over that up to which it is silent; what may be hum is left out."""
-        least = np.maximum(self.silence, SILENCE * self._floor.rms)
+        least = np.maximum(self.silence, SILENCE * noise)
         loud = float((frame.std(1) / least).max())
         if self.listening.follow and 1.0 < loud <= WEAK:
             return float((self._hum.beside(frame).std(1) / least).max())
         return loud
-
-    def _beside_sound(self, frame: NDArray[np.float64]) -> tuple[float, float] | None:
-        """Energy that sound does not explain, and the most that it leaves; None where it is not expected."""
-        if self.sound_test is None:
-            return None
-        noise = max(1.0, float(self._floor.rms.max()) / self.sound_test.noise_rms)
-        found, most = self.sound_test.beside(frame[None], noise)
-        return float(found[0]), float(most[0])
 
     def _waveform(self, point: int) -> tuple[float, ...] | None:
         """The newest 16 estimates that the samples so far allow."""
@@ -348,6 +367,16 @@ class TouchStream:
     @property
     def _time(self) -> float:
         return self._number / SAMPLE_RATE
+
+
+def _beside_sound(
+    judges: Judges, frame: NDArray[np.float64], noise: NDArray[np.float64]
+) -> tuple[float, float] | None:
+    """Energy that sound does not explain, and the most that it leaves; None where it is not expected."""
+    if judges.sound_test is None:
+        return None
+    found, most = judges.sound_test.beside(frame[None], max(1.0, float(noise.max()) / judges.sound_test.noise_rms))
+    return float(found[0]), float(most[0])
 
 
 def _runs(good: NDArray[np.bool_], samples: NDArray[np.float64]) -> list[tuple[NDArray[np.bool_], NDArray[np.float64]]]:

@@ -13,6 +13,9 @@ if TYPE_CHECKING:
     from acoustic_fem import Library
     from acoustic_fem.quantities.local_air import LocalAir
     from localize import BayesDecoder, Localizer, OnnxLocalizer, TouchStream
+    from localize.live.spare import Judges
+    from localize.live.stream import StreamLocator
+    from localize.signals.array_response import ArrayResponse
     from localize.signals.noise import NoiseChoice
 
 #: White noise that waveforms are reconstructed with where a localizer knows none, Pa rms.
@@ -111,7 +114,9 @@ def open_stream(
         Refusal: a field that needs a library without one, a library of another design than the localizer's, or a figure
             out of range.
     """
-    from localize import BayesDecoder, Listening, Reconstructor, ResidualTest, SoundTest, TouchStream
+    from localize import BayesDecoder, Listening, Reconstructor, TouchStream
+    from localize.decoders.bayes import sound_levels
+    from localize.live.spare import heard_by
     from localize.live.stream import REFUSED
     from localize.signals.array_response import response_of
     from localize.signals.same_array import check_same_design
@@ -128,21 +133,37 @@ def open_stream(
     check_same_design(localizer, response, path)
     noise = localizer.microphone_noise if isinstance(localizer, BayesDecoder) else localizer.noise_rms or "design"
     wave = Reconstructor(response, max(localizer.noise_rms, LEAST_NOISE)) if decoding.waveform else None
-    heard = noise if isinstance(noise, str) else max(noise, LEAST_SOUND_NOISE)
-    if decoding.ambient is None:
-        sound = SoundTest(response, heard) if response.ambient_response is not None else None
-    else:
-        sound = SoundTest(response, noise, loudest=decoding.ambient)
-    residual = None if decoding.refuse is None else ResidualTest(response, noise, ambient=decoding.ambient)
+    judges = _judges(localizer, response, noise, decoding)
+
+    def without(microphones: tuple[str, ...]) -> Judges:
+        rest = heard_by(response, microphones)
+        return _judges(BayesDecoder(rest, noise, ambient=sound_levels(decoding.ambient)), rest, noise, decoding)
+
     return TouchStream(
         localizer,
         limit=limit,
         reconstructor=wave,
-        sound_test=sound,
-        residual_test=residual,
+        sound_test=judges.sound_test,
+        residual_test=judges.residual_test,
         refused=REFUSED if decoding.refuse is None else decoding.refuse,
         listening=listening,
+        # A network knows nothing of the array without one of its microphones.
+        spare=without if isinstance(localizer, BayesDecoder) else None,
     )
+
+
+def _judges(locator: StreamLocator, response: ArrayResponse, noise: NoiseChoice, decoding: Decoding) -> Judges:
+    """Locator with the tests that are asked for, and that of sound where the library is of a design."""
+    from localize import ResidualTest, SoundTest
+    from localize.live.spare import Judges
+
+    sound = None
+    if decoding.ambient is not None:
+        sound = SoundTest(response, noise, loudest=decoding.ambient)
+    elif response.ambient_response is not None:
+        sound = SoundTest(response, noise if isinstance(noise, str) else max(noise, LEAST_SOUND_NOISE))
+    residual = None if decoding.refuse is None else ResidualTest(response, noise, ambient=decoding.ambient)
+    return Judges(locator, sound, residual)
 
 
 def _library_there(path: str | os.PathLike[str], air: LocalAir | None) -> Library:

@@ -1,0 +1,75 @@
+"""Going on without microphones that are bad: what names points and tests frames by the others alone."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from localize.signals.array_response import ArrayResponse
+
+if TYPE_CHECKING:
+    from localize.decoders.judgement import ResidualTest
+    from localize.decoders.sound_test import SoundTest
+    from localize.live.stream import StreamLocator
+
+FEWEST = 2
+"""Number of microphones that points can be told apart with."""
+
+
+@dataclass(frozen=True)
+class Judges:
+    """What judges the frames of some microphones."""
+
+    locator: StreamLocator
+    """Names the point of a frame."""
+    sound_test: SoundTest | None = None
+    """Tells sound from touches; None where nobody does."""
+    residual_test: ResidualTest | None = None
+    """Tells what no point explains; None where nobody does."""
+
+
+#: Judges of the microphones of these names, of which there are at least two.
+Spare = Callable[[tuple[str, ...]], Judges]
+
+
+class JudgesOfTheRest:
+    """Judges of the microphones that are left, made when they are first needed.
+
+    Args:
+        microphones: names of all microphones.
+        spare: makes judges of some; None if nobody can go on without any.
+    """
+
+    def __init__(self, microphones: tuple[str, ...], spare: Spare | None) -> None:
+        self._microphones, self._spare = microphones, spare
+        self._made: dict[tuple[str, ...], Judges] = {}
+
+    def __call__(self, good: NDArray[np.bool_]) -> Judges | None:
+        """Judges of the microphones that are (n_microphone,) good; None if these are too few."""
+        names = tuple(name for name, is_good in zip(self._microphones, good, strict=True) if is_good)
+        if self._spare is None or len(names) < FEWEST:
+            return None
+        if names not in self._made:
+            self._made[names] = self._spare(names)
+        return self._made[names]
+
+
+def heard_by(response: ArrayResponse, microphones: tuple[str, ...]) -> ArrayResponse:
+    """An array as some of its microphones hear it.
+
+    Args:
+        response: the array.
+        microphones: names of two or more of its microphones.
+    """
+    kept = [response.microphones.index(name) for name in microphones]
+    ambient = response.ambient_response
+    return replace(
+        response,
+        microphones=microphones,
+        transfer_function=response.transfer_function[:, kept],
+        ambient_response=None if ambient is None else ambient[kept],
+    )
