@@ -197,11 +197,6 @@ class NoiseFloor:
         self.rms = np.zeros(channels)
         """Level of each microphone's noise over 0 to 500 Hz; (n_microphone,) float64, Pa rms."""
 
-    @property
-    def is_known(self) -> bool:
-        """Whether noise was heard for long enough, a second, to be known of each microphone."""
-        return len(self._past) * HOP >= SAMPLE_RATE
-
     def reset(self) -> None:
         """Forget all."""
         self._past.clear()

@@ -4,7 +4,7 @@ Every 16 samples the last 250 are judged, behind the high-pass of :mod:`localize
 mains. Where no microphone hears more than its noise there is no touch, and nothing is guessed; nor where a touch has
 ended and only what is left of it is heard, where sound explains what they hear, or where no point does, if the stream
 is given the tests of that. What goes wrong with a stream is reported and survived: lost or repeated samples, values
-that are not finite, clipping, a channel that is dead or hisses. Decisions depend on the samples alone, not on how they were cut
+that are not finite, clipping, a channel that is dead. Decisions depend on the samples alone, not on how they were cut
 up.
 """
 
@@ -36,9 +36,6 @@ LARGEST_PRESSURE = 1e6
 """Largest value that is a pressure, Pa: ten atmospheres."""
 DEAD = 0.02
 """Share of a microphone's noise below whose level a channel is dead: its converter may still toggle."""
-HISSING = 10.0
-"""Multiple of the noise of the quietest microphone, and of that which the locator was made for, above which the measured
-noise of another one is that of a fault."""
 RESTART = 1000
 """Largest step back in the numbers of samples that repeats some, samples; a larger one is a device that was started
 anew."""
@@ -97,9 +94,8 @@ class TouchStream:
             is. On a sensor that differs from its library by a percent it refuses most touches.
         refused: share of the frames of true touches that the residual test may refuse, above 0, below 1.
         listening: what is done with samples first, see :mod:`localize.live.front_end`.
-        spare: makes what goes on without microphones that are dead, clipped or hissing where two or more are left, which
-            takes up to seconds, once; by default frames with a dead or clipped one are unreadable, and a hissing one is
-            only told.
+        spare: makes what goes on without microphones that are dead or clipped where two or more are left, which takes
+            up to seconds, once for each set of them; by default their frames are unreadable.
 
     Raises:
         Refusal: a threshold that is not finite and positive; a reconstructor or a test for other microphones; a
@@ -268,17 +264,14 @@ class TouchStream:
 
     def _judge(self, raw: NDArray[np.float64], frame: NDArray[np.float64], events: list[Decision | Fault]) -> None:
         """Judge a frame, as it came and as it is judged."""
-        silent, hissing = self._bad_channels(raw, events)
-        judges = self._judges_of(~(silent | hissing)) if (silent | hissing).any() else self._judges
-        if judges is None and silent.any():
+        good = ~self._bad_channels(raw, events)
+        judges = self._judges if good.all() else self._judges_of(good)
+        if judges is None:
             events.append(Decision(self._time, "unreadable", float(frame.std(1).max())))
             return
         if self.listening.follow:
             self._floor.take(frame)
-        if judges is None or judges is self._judges:
-            self._judge_by(self._judges, np.ones(len(frame), np.bool_), frame, events)
-        else:
-            self._judge_by(judges, ~(silent | hissing), frame, events)
+        self._judge_by(judges, good, frame, events)
 
     def _judge_by(
         self, judges: Judges, good: NDArray[np.bool_], whole: NDArray[np.float64], events: list[Decision | Fault]
@@ -318,22 +311,17 @@ class TouchStream:
         shape = self._waveform(best) if good.all() else None
         events.append(Decision(self._time, "touch", level, best + 1, float(found[best]), found, weight, newest, shape))
 
-    def _bad_channels(
-        self, raw: NDArray[np.float64], events: list[Decision | Fault]
-    ) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
-        """Channels of a frame that are dead or clipped, and those that hiss, (n_microphone,) each; they are told."""
+    def _bad_channels(self, raw: NDArray[np.float64], events: list[Decision | Fault]) -> NDArray[np.bool_]:
+        """Channels of a frame that are dead or clipped, (n_microphone,), which is told."""
         highest, lowest = raw.max(1), raw.min(1)
         dead = (highest == lowest) | (raw.std(1) < DEAD * self.locator.noise_rms)
         clipped = np.maximum(highest, -lowest) >= (np.inf if self.limit is None else self.limit)
-        usual = max(self.locator.noise_rms, LEAST_SILENCE, float(self._floor.rms[~dead].min(initial=np.inf)))
-        hissing = self._floor.rms > (HISSING * usual if self._floor.is_known else np.inf)
-        kinds: tuple[tuple[FaultKind, NDArray[np.bool_]], ...] = (
-            ("dead channel", dead), ("clipped", clipped), ("hissing", hissing)
-        )  # fmt: skip
-        for kind, channels in kinds:
-            for channel in np.flatnonzero(channels).tolist():
-                self._tell(kind, channel, self._number, events)
-        return dead | clipped, hissing
+        for channel in np.flatnonzero(dead | clipped).tolist():
+            if dead[channel]:
+                self._tell("dead channel", channel, self._number, events)
+            if clipped[channel]:
+                self._tell("clipped", channel, self._number, events)
+        return np.asarray(dead | clipped)
 
     def _loudness(self, frame: NDArray[np.float64], noise: NDArray[np.float64]) -> float:
         """Level of the loudest microphone over that up to which it is silent; what may be hum is left out."""
@@ -369,9 +357,7 @@ class TouchStream:
         return self._number / SAMPLE_RATE
 
 
-def _beside_sound(
-    judges: Judges, frame: NDArray[np.float64], noise: NDArray[np.float64]
-) -> tuple[float, float] | None:
+def _beside_sound(judges: Judges, frame: NDArray[np.float64], noise: NDArray[np.float64]) -> tuple[float, float] | None:
     """Energy that sound does not explain, and the most that it leaves; None where it is not expected."""
     if judges.sound_test is None:
         return None
