@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 if TYPE_CHECKING:
     from localize import ArrayResponse
-    from localize.live.stream import StreamLocator
+    from localize.live.spare import StreamLocator
 
 #: Frames that are decoded before the first one is timed.
 WARM_UP = 50

@@ -4,5 +4,6 @@ from .listener import Heard as Heard, Latencies as Latencies, LiveListener as Li
 from .recorder import LiveRecorder as LiveRecorder
 from .sound_device import DeviceSource as DeviceSource, input_devices as input_devices
 from .sources import ReplaySource as ReplaySource, Source as Source
-from .stream import REFUSED as REFUSED, StreamLocator as StreamLocator, TouchStream as TouchStream
+from .spare import StreamLocator as StreamLocator
+from .stream import REFUSED as REFUSED, TouchStream as TouchStream
 from .touches import Array as Array

@@ -1,23 +1,44 @@
-"""Going on without microphones that are bad: what names points and tests frames by the others alone."""
+"""What judges the frames of a stream, and goes on by the other microphones where one is dead or clipped."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from localize.signals.array_response import ArrayResponse
 
 if TYPE_CHECKING:
     from localize.decoders.judgement import ResidualTest
     from localize.decoders.sound_test import SoundTest
-    from localize.live.stream import StreamLocator
 
 FEWEST = 2
 """Number of microphones that points can be told apart with."""
+
+
+class StreamLocator(Protocol):
+    """Locator that can listen to a stream: network, model-based decoder, and either as an ONNX file."""
+
+    @property
+    def microphones(self) -> tuple[str, ...]:
+        """Names of the microphones."""
+
+    @property
+    def noise_rms(self) -> float:
+        """Noise of a microphone, Pa rms."""
+
+    def locate(self, signals: ArrayLike) -> NDArray[np.float64]:
+        """Probability per point of one frame.
+
+        Args:
+            signals: (n_microphone, 250), Pa, at 1 kHz.
+
+        Returns:
+            (n_point,) float64.
+        """
 
 
 @dataclass(frozen=True)

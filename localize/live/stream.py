@@ -11,7 +11,7 @@ up.
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -19,7 +19,7 @@ from numpy.typing import ArrayLike, NDArray
 from geometry.refusal import Refusal
 from localize.live.events import HOP, Decision, Fault, FaultKind
 from localize.live.front_end import WEAK, HighPass, Hum, Listening, NoiseFloor
-from localize.live.spare import Judges, JudgesOfTheRest, Spare
+from localize.live.spare import Judges, JudgesOfTheRest, Spare, StreamLocator
 from localize.signals.frames import FRAME
 from localize.signals.stimulus import SAMPLE_RATE
 
@@ -55,28 +55,6 @@ FADES = 20.0
 """Rate at which what may be left of a touch falls, dB/s."""
 RISEN = 2.0
 """Factor by which the level must rise while a touch fades for another one."""
-
-
-class StreamLocator(Protocol):
-    """Locator that can listen to a stream: network, model-based decoder, and either as an ONNX file."""
-
-    @property
-    def microphones(self) -> tuple[str, ...]:
-        """Names of the microphones."""
-
-    @property
-    def noise_rms(self) -> float:
-        """Noise of a microphone, Pa rms."""
-
-    def locate(self, signals: ArrayLike) -> NDArray[np.float64]:
-        """Probability per point of one frame.
-
-        Args:
-            signals: (n_microphone, 250), Pa, at 1 kHz.
-
-        Returns:
-            (n_point,) float64.
-        """
 
 
 class TouchStream:

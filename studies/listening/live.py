@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from localize.live.listener import Heard, Latencies, LiveListener
     from localize.live.recorder import LiveRecorder
     from localize.live.sources import Source
-    from localize.live.stream import StreamLocator
+    from localize.live.spare import StreamLocator
     from localize.live.touches import Array as TouchedArray
 
 

@@ -13,8 +13,7 @@ if TYPE_CHECKING:
     from acoustic_fem import Library
     from acoustic_fem.quantities.local_air import LocalAir
     from localize import BayesDecoder, Localizer, OnnxLocalizer, TouchStream
-    from localize.live.spare import Judges
-    from localize.live.stream import StreamLocator
+    from localize.live.spare import Judges, StreamLocator
     from localize.signals.array_response import ArrayResponse
     from localize.signals.noise import NoiseChoice
 
