@@ -147,7 +147,7 @@ def _base(name: str, folder: Path) -> ArrayDesign:
     if name in prototype_names():
         return prototype(name)
     path = folder / name
-    if not os.path.exists(path):
+    if not os.path.isfile(path):
         raise Refusal(
             f"base = {name!r} is neither a file in {folder} nor a prototype; known: {', '.join(prototype_names())}"
         )

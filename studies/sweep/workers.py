@@ -13,7 +13,8 @@ from geometry.refusal import Refusal, counted, said_by
 
 #: Tasks handed out per worker thread: one is computed while the next waits beside it.
 _AHEAD = 2
-#: Seconds to wait for a scheduler and for workers, and between looks at whether there are any.
+#: Seconds to wait for a scheduler, which must run already, for its first worker, and between looks at whether any is left.
+_ANSWER = 15.0
 _PATIENCE = 60.0
 _WATCH = 5.0
 
@@ -204,7 +205,7 @@ def _connected(address: str) -> Iterator[_Dask]:
     from distributed import Client
 
     try:
-        client = Client(address, timeout=_PATIENCE, set_as_default=False)
+        client = Client(address, timeout=_ANSWER, set_as_default=False)
     except (OSError, TimeoutError, ValueError) as error:
         raise WorkersLost(f"no scheduler answers at {address}: {said_by(error)}") from None
     with client:

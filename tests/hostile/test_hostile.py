@@ -48,10 +48,5 @@ def test_a_sample_of_bad_inputs_ends_in_one_line_each(good: Path, tmp_path: Path
 
 
 @pytest.mark.slow
-@pytest.mark.xfail(
-    strict=False,
-    reason="eight of the thousand end otherwise: five wrong stores and an empty process file are accepted, an option "
-    "hangs, a wrong study is not named",
-)
 def test_a_thousand_bad_inputs_end_in_one_line_each(good: Path, tmp_path: Path, runner: Commands) -> None:
     assert_all_end_well(sample(all_cases(), MANY), good, tmp_path, runner)

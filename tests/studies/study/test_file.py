@@ -127,8 +127,9 @@ def test_a_parameter_given_twice_is_refused() -> None:
     ("base", "message"),
     [
         ("x" * 300, "neither a file in .* nor a prototype"),
-        ("folder", "folder: is a folder, not a design file"),
-        ("/dev/zero", "/dev/zero: is a device, not a design file"),
+        ("folder", "neither a file in .* nor a prototype"),
+        ("/dev/zero", "study.toml: base = '/dev/zero' is neither a file in .* nor a prototype"),
+        ("", "study.toml: base = '' is neither a file in .* nor a prototype"),
         ("a\\u0000b", "neither a file in .* nor a prototype"),
     ],
 )

@@ -243,7 +243,7 @@ def alive(process: psutil.Process) -> bool:
 def test_a_scheduler_that_does_not_answer_is_named(
     uninterrupted: tuple[Path, Path], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("studies.sweep.workers._PATIENCE", 1)
+    monkeypatch.setattr("studies.sweep.workers._ANSWER", 1)
     with pytest.raises(Refusal, match=r"no scheduler answers at tcp://127\.0\.0\.1:9"):
         run_sweep(load_study(uninterrupted[0]), tmp_path / "r.zarr", scheduler="tcp://127.0.0.1:9")
     run_sweep(load_study(uninterrupted[0]), tmp_path / "r.zarr", workers=1)
