@@ -120,7 +120,10 @@ def read_tolerances(path: Path) -> tuple[Tolerance, ...]:
         Refusal: it cannot be read, or holds an unknown quantity or field, or a value out of range.
     """
     known = {tolerance.quantity: tolerance for tolerance in TOLERANCES}
-    for quantity, given in read_toml(path, "a file of tolerances", Refusal).items():
+    stated = read_toml(path, "a file of tolerances", Refusal)
+    if not stated:  # what was cut short to nothing would be taken for the defaults
+        raise Refusal(f"{path}: states nothing; it must have a table of one of: {', '.join(known)}")
+    for quantity, given in stated.items():
         if quantity not in known:
             raise Refusal(f"{path}: [{quantity}] must be one of: {', '.join(known)}")
         if not isinstance(given, Mapping) or not set(given) <= {"deviation", "kind", "source"}:

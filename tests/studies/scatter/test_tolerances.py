@@ -178,6 +178,7 @@ def test_a_file_replaces_what_it_names(tmp_path: Path) -> None:
         ('[modulus_of_part]\nkind = "absolute"', "modulus_of_part: kind must be relative"),
         ("[bore", "mine.toml:"),
         ("bore = 3", "[bore] must hold"),
+        ("", "states nothing; it must have a table of one of: bore, length"),
     ],
 )
 def test_a_bad_file_is_refused_by_name(text: str, message: str, tmp_path: Path) -> None:
