@@ -197,7 +197,7 @@ def find_process(process: str | os.PathLike[str] | PrintProcess) -> PrintProcess
     except DesignError as error:
         raise Refusal(f"{path.name}: {error}") from None
     source = words.pop("source", path.name)
-    changed = with_rules(PROCESSES[base], rules.model_dump(exclude_none=True), source)
+    changed = with_rules(PROCESSES[base], rules.model_dump(exclude_none=True), source, f"{path.name}: ")
     return replace(changed, **{"name": path.stem, **words})
 
 
@@ -206,7 +206,9 @@ def process_of(printing: Printing) -> PrintProcess:
     return with_rules(PROCESSES[printing.process], printing.rules.model_dump(exclude_none=True), "the design file")
 
 
-def with_rules(process: PrintProcess, values: Mapping[str, Any], source: str = "given") -> PrintProcess:
+def with_rules(
+    process: PrintProcess, values: Mapping[str, Any], source: str = "given", where: str = "rules."
+) -> PrintProcess:
     """A process with some of its figures replaced.
 
     Args:
@@ -214,6 +216,7 @@ def with_rules(process: PrintProcess, values: Mapping[str, Any], source: str = "
         values: by the keys of ``[printing.rules]``: ``wall`` is the limit of the rule ``wall``, ``wall_advised``
             what is advised; lengths mm, angles degrees. A limit beyond what is advised moves that along.
         source: written to every changed figure.
+        where: what messages put before a key.
 
     Raises:
         Refusal: no such key, a value that is no finite number above 0, or advice that breaks its limit.
@@ -226,7 +229,7 @@ def with_rules(process: PrintProcess, values: Mapping[str, Any], source: str = "
         for number in numbers:
             if not isinstance(number, int | float) or isinstance(number, bool) or not 0 < number < math.inf:
                 raise Refusal(
-                    f"rules.{key} = {value!r} must be {'three numbers' if len(numbers) > 1 else 'a number'} above 0"
+                    f"{where}{key} = {value!r} must be {'three numbers' if len(numbers) > 1 else 'a number'} above 0"
                 )
     changed: dict[str, Any] = {}
     for name in RULES:
@@ -237,7 +240,7 @@ def with_rules(process: PrintProcess, values: Mapping[str, Any], source: str = "
         stricter = max if rule.relation == "at least" else min
         advised = float(values.get(f"{name}_advised", stricter(rule.advised, limit)))
         if stricter(advised, limit) != advised:
-            raise Refusal(f"rules.{name}_advised = {advised:g} must be {rule.relation} {name} ({limit:g})")
+            raise Refusal(f"{where}{name}_advised = {advised:g} must be {rule.relation} {name} ({limit:g})")
         changed[name] = Rule(limit, advised, source, rule.relation)
     changed |= {name: float(values[name]) for name in NUMBERS if name in values}
     if "build_volume" in values:

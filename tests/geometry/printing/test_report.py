@@ -336,6 +336,7 @@ def test_a_process_file_starts_from_a_built_in_one(tmp_path):
         ("base = ['fdm']", r"my-printer.toml: base = \['fdm'\] must be one of: sla-resin"),
         ("walls = 1.0", r"my-printer.toml: walls = 1 is not a field"),
         ("wall =", r"my-printer.toml: is not TOML"),
+        ("hole = 2\nhole_advised = 1", r"my-printer.toml: hole_advised = 1 must be at least hole \(2\)"),
         ("# empty\n", r"my-printer.toml: states nothing; it must state base, one of: sla-resin"),
     ):
         path.write_text(text)
