@@ -1,4 +1,7 @@
-from .made_sensors import scatter_factors as scatter_factors
+from .made_sensors import (
+    made_transfer_functions as made_transfer_functions,
+    scatter_factors as scatter_factors,
+)
 from .tolerances import (
     TOLERANCES as TOLERANCES,
     UNCALIBRATED as UNCALIBRATED,

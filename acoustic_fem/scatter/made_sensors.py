@@ -3,16 +3,45 @@
 from __future__ import annotations
 
 import warnings
+from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from acoustic_fem.batch.network import batch_transfer_function
+from acoustic_fem.network.microphone import vent_ratio
 
 if TYPE_CHECKING:
     from acoustic_fem.quantities.medium import Medium
     from acoustic_fem.scatter.tolerances import ScatteredDesign
+
+
+def made_transfer_functions(
+    scattered: ScatteredDesign, draws: Mapping[str, NDArray[np.float64]], frequency: ArrayLike, medium: Medium
+) -> NDArray[np.complex128]:
+    """Transfer functions of made sensors, by the lumped network, as their microphones give them.
+
+    Args:
+        scattered: the nominal design and what scatters.
+        draws: by quantity (count, n_part) float64, in standard deviations, as
+            :meth:`acoustic_fem.scatter.ScatteredDesign.parameters` takes them.
+        frequency: (n_freq,) Hz, ascending.
+        medium: the air.
+
+    Returns:
+        (count, n_point, n_microphone, n_freq) complex128, Pa/Pa, by the response of the nominal microphone.
+
+    Raises:
+        Refusal: a frequency out of range.
+    """
+    made = batch_transfer_function(scattered.parameters(draws), scattered.topology, frequency, medium)
+    microphones = np.asarray(scattered.microphones(draws)[:, None, :, :, None])
+    gain, corner = microphones[:, :, 0], microphones[:, :, 1]
+    if (corner != 1).any():
+        vent = vent_ratio(scattered.design.microphone, frequency, medium)
+        gain = gain * (1 + 1 / vent) / (1 + corner / vent)
+    return np.asarray(made * gain if (gain != 1).any() else made)
 
 
 def scatter_factors(
@@ -49,6 +78,6 @@ def scatter_factors(
     draws = {name: share * values for name, values in scattered.draws(first, count, seed).items()}
     with warnings.catch_warnings():
         warnings.filterwarnings("ignore", "entrance loss", UserWarning)
-        made = batch_transfer_function(scattered.parameters(draws), scattered.topology, frequency, medium)
+        made = made_transfer_functions(scattered, draws, frequency, medium)
         nominal = batch_transfer_function(scattered.nominal, scattered.topology, frequency, medium)
     return np.asarray(made / nominal)

@@ -37,6 +37,9 @@ QUANTITIES = {
     "modulus_of_part": "point",
     "modulus_of_batch": "array",
     "glue_overrun": "point",
+    "chamber_height": "microphone",
+    "microphone_gain": "microphone",
+    "microphone_corner": "microphone",
 }
 #: Draws are cut off here, in standard deviations: beyond, a part is thrown away.
 CUT = 3.0
@@ -66,8 +69,8 @@ class Tolerance:
             raise Refusal(f"tolerance {self.quantity!r} must be one of: {', '.join(QUANTITIES)}")
         if self.kind not in get_args(Kind):
             raise Refusal(f"tolerance {self.quantity}: kind = {self.kind!r} must be absolute or relative")
-        modulus = self.quantity.startswith("modulus")
-        if modulus and self.kind == "absolute":
+        of_no_length = self.quantity.startswith(("modulus", "microphone"))
+        if of_no_length and self.kind == "absolute":
             raise Refusal(f"tolerance {self.quantity}: kind must be relative")
         most, unit = (0.3, "") if self.kind == "relative" else (5.0, " mm")
         if not 0 <= self.deviation <= most:
@@ -90,13 +93,17 @@ TOLERANCES = (
 
 
 _WIDE = "assumed: between a careful workshop and a first sensor of one's own"
-#: What is assumed of a sensor that nobody measured. Batches of silicone may scatter more, but then neighbours in a long
-#: line cannot be told apart: what lies beyond is for a calibration to find.
+#: What is assumed of a sensor that nobody measured. Batches of silicone may scatter more, but the more is assumed, the
+#: less are neighbours in a long line told apart: what lies beyond is for a calibration to find.
 UNCALIBRATED = (
     Tolerance("bore", 0.05, "relative", _WIDE),
     Tolerance("cavity_height", 0.05, "relative", _WIDE),
     Tolerance("modulus_of_part", 0.10, "relative", _WIDE),
-    Tolerance("modulus_of_batch", 0.10, "relative", _WIDE),
+    Tolerance("modulus_of_batch", 0.05, "relative", _WIDE),
+    Tolerance("length", 0.01, "relative", _WIDE),
+    Tolerance("chamber_height", 0.10, "relative", _WIDE),
+    Tolerance("microphone_gain", 0.05, "relative", "assumed: +-1 dB of MEMS microphones, two deviations"),
+    Tolerance("microphone_corner", 0.10, "relative", _WIDE),
 )
 
 
@@ -115,6 +122,7 @@ def read_tolerances(path: Path) -> tuple[Tolerance, ...]:
     """Tolerances of a file, the default ones where it has none.
 
     The file has a table per quantity: ``[bore]``, ``deviation = 0.02``, ``kind = "absolute"``, ``source = "..."``.
+    Those of chambers and microphones, which scatter only where a file says so, need deviation and kind.
 
     Raises:
         Refusal: it cannot be read, or holds an unknown quantity or field, or a value out of range.
@@ -122,20 +130,23 @@ def read_tolerances(path: Path) -> tuple[Tolerance, ...]:
     known = {tolerance.quantity: tolerance for tolerance in TOLERANCES}
     stated = read_toml(path, "a file of tolerances", Refusal)
     if not stated:  # what was cut short to nothing would be taken for the defaults
-        raise Refusal(f"{path}: states nothing; it must have a table of one of: {', '.join(known)}")
+        raise Refusal(f"{path}: states nothing; it must have a table of one of: {', '.join(QUANTITIES)}")
     for quantity, given in stated.items():
-        if quantity not in known:
-            raise Refusal(f"{path}: [{quantity}] must be one of: {', '.join(known)}")
+        if quantity not in QUANTITIES:
+            raise Refusal(f"{path}: [{quantity}] must be one of: {', '.join(QUANTITIES)}")
         if not isinstance(given, Mapping) or not set(given) <= {"deviation", "kind", "source"}:
             raise Refusal(f"{path}: [{quantity}] must hold deviation, kind and source only")
-        deviation = given.get("deviation", known[quantity].deviation)
+        if quantity not in known and not {"deviation", "kind"} <= set(given):
+            raise Refusal(f"{path}: [{quantity}] must hold deviation and kind: by default it does not scatter")
+        deviation = given["deviation"] if "deviation" in given else known[quantity].deviation
         if isinstance(deviation, bool) or not isinstance(deviation, (int, float)):
             raise Refusal(f"{path}: [{quantity}] deviation = {deviation!r} must be a number")
         for field in ("kind", "source"):
             if not isinstance(given.get(field, ""), str):
                 raise Refusal(f"{path}: [{quantity}] {field} = {given[field]!r} must be a text")
         try:
-            known[quantity] = replace(known[quantity], **{"source": "of the file", **given})
+            start = known.get(quantity) or Tolerance(quantity, 0.0, "relative", "")
+            known[quantity] = replace(start, **{"source": "of the file", **given})
         except Refusal as error:
             raise Refusal(f"{path}: {error}") from None
     return tuple(known.values())
@@ -183,6 +194,7 @@ class ScatteredDesign:
             "tube": self.nominal.tube_radius.shape[1],
             "point": self.nominal.cavity_radius.shape[1],
             "array": 1,
+            "microphone": self.nominal.chamber_height.shape[1],
         }
         self._discs = [_Discs(design.of_kind(kind), self.tolerances, known) for kind in design.kinds]
         self._kinds = np.array(design.kind_of_point)
@@ -244,10 +256,26 @@ class ScatteredDesign:
             tube_length=scattered("length", nominal.tube_length),
             cavity_radius=diameter / 2,
             cavity_height=scattered("cavity_height", nominal.cavity_height),
+            chamber_height=scattered("chamber_height", nominal.chamber_height),
+            vent_admittance=scattered("microphone_corner", nominal.vent_admittance),
             membrane_compliance=compliance,
             membrane_share=share,
             membrane_frequency=frequency,
         )
+
+    def microphones(self, draws: Mapping[str, Array]) -> Array:
+        """Gains of the microphones and admittances of their vents, each by the nominal one.
+
+        Args:
+            draws: as of :meth:`parameters`.
+
+        Returns:
+            (count, 2, n_microphone) float64.
+        """
+        by_name = {tolerance.quantity: tolerance.deviation for tolerance in self.tolerances}
+        names = ("microphone_gain", "microphone_corner")
+        each = [1 + by_name.get(name, 0.0) * np.asarray(draws[name]) for name in names]
+        return np.maximum(np.stack(each, axis=1), LEAST)
 
     def _membranes(self, opening: Array, thickness: Array, modulus: Array) -> tuple[Array, ...]:
         """Compliance, shares and frequencies of the modes of every membrane, each by the discs of its kind."""

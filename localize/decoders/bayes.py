@@ -61,8 +61,6 @@ SURE = 20.0
 double."""
 SCREEN_ERROR = 8 * float(np.finfo(np.float32).eps) / (2 * TEMPERATURE)
 """Error that a score in single precision may have, nats, per unit of the sum of squares of a frame's white samples."""
-SILENT = 16
-"""Directions in which no touch of a point is heard, that :class:`localize.TolerantDecoder` looks at first."""
 CHUNK = 64
 """Number of frames that are decoded at once."""
 
@@ -99,9 +97,6 @@ class DecoderTables:
     log_determinant: NDArray[np.float64]
     """Logarithm of the covariance's determinant over that of the noise, over the temperature; (n_table, n_power)
     float64, nats."""
-    silent: NDArray[np.float64]
-    """Eigenvectors of the smallest eigenvalues of each C_i, in whose directions no touch of it is heard; (n_table,
-    n_microphone * SAMPLES, SILENT) float64."""
     offset: float
     """Log-likelihood of the noise and sound alone, nats, which tells levels apart."""
 
@@ -144,10 +139,9 @@ class BayesDecoder:
         noise = response.noise(microphone_noise)
         self.noise_rms = noise.rms if isinstance(noise, NoiseSpectrum) else noise
         touched = self._touched(library, response)
-        self.tables = tuple(
-            _tables(touched, joint_whitening(response, share_of(noise), level), level) for level in self.ambient
-        )
-        self._screens = tuple(self._screen(tables, len(self.tables) > 1) for tables in self.tables)
+        whitening = [joint_whitening(response, share_of(noise), level) for level in self.ambient]
+        self.tables = tuple(_tables(touched, *each) for each in zip(whitening, self.ambient, strict=True))
+        self._prepare(whitening)
 
     @property
     def point_count(self) -> int:
@@ -158,13 +152,9 @@ class BayesDecoder:
         """Covariances of what may have been touched, (n_table, n, n) float64, Pa^2: of the points."""
         return touch_covariances(response, np.eye(SAMPLES))
 
-    def _screen(self, tables: DecoderTables, is_one_of_several: bool) -> Screen:
-        """What scores the tables of one level of sound."""
-        return Screen(tables, is_one_of_several)
-
-    def _of_points(self, score: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Log-likelihoods of the points, (n, n_point) nats, from those of the tables, (n, n_table)."""
-        return score
+    def _prepare(self, whitening: Sequence[NDArray[np.float64]]) -> None:
+        """What scores the tables of each level of sound, whose noise and sound the matrices make white."""
+        self._screens = tuple(Screen(tables, len(self.tables) > 1) for tables in self.tables)
 
     @one_thread()
     def locate(self, signals: ArrayLike | Tensor) -> NDArray[np.float64]:
@@ -236,8 +226,7 @@ class BayesDecoder:
         least = np.max([level.best for level in levels], axis=0) - SURE
         for screen, level in zip(self._screens, levels, strict=True):
             screen.score_again(level, least)
-        best = np.max([level.score for level in levels], axis=0) if len(levels) > 1 else levels[0].score
-        return self._of_points(best)
+        return np.max([level.score for level in levels], axis=0) if len(levels) > 1 else levels[0].score
 
 
 @dataclass(eq=False)
@@ -358,7 +347,6 @@ def _tables(touched: NDArray[np.float64], whiten: NDArray[np.float64], level: fl
     return DecoderTables(
         reduce=(whiten @ np.kron(np.eye(len(whiten) // SAMPLES), low_pass())).T.copy(),
         vectors=np.ascontiguousarray(vectors[:, :, -rank:]),
-        silent=np.ascontiguousarray(vectors[:, :, :SILENT]),
         weight=-gain / (1 + gain) / TEMPERATURE,
         log_determinant=np.log1p(gain).sum(1) / TEMPERATURE,
         offset=float(np.log(np.diag(whiten)).sum() / TEMPERATURE) + (QUIET_BONUS if level is None else 0.0),

@@ -34,6 +34,9 @@ SOURCE_RMS = 0.25
 INTEGRATION_STEP = 0.5
 """Step of the integrals over frequency, Hz: covariances repeat after 2 s, eight frames."""
 
+DEVIATING = np.arange(BAND[0], BAND[1] + 1e-9, INTEGRATION_STEP)
+"""Frequencies at which transfer functions may deviate, Hz: above the band touches are all but silent."""
+
 
 def check_noise(choice: NoiseChoice) -> None:
     """Refuse a noise that nothing can be divided by.
@@ -173,6 +176,23 @@ def touch_covariances(
     return covariances
 
 
+def deviation_moments(touched: NDArray[np.complex128], shapes: NDArray[np.complex64]) -> NDArray[np.float64]:
+    """What deviations of a point's transfer functions make of a touch, against what the touch is without them.
+
+    Args:
+        touched: transfer functions of the point, (n_microphone, n_freq) at :data:`DEVIATING`, Pa/Pa.
+        shapes: how their logarithms deviate, (n_shape, n_microphone, n_freq).
+
+    Returns:
+        B_k^T B of each shape, (n_shape, n, n) float64, n = n_microphone SAMPLES, Pa^2: rows are the samples that
+        deviate.
+    """
+    turn, gain = sampled_waves(DEVIATING)
+    amplitude = np.sqrt(source_density(DEVIATING) * INTEGRATION_STEP) * gain
+    touch = _random_waves(touched, amplitude, turn)
+    return np.stack([_random_waves(touched * shape, amplitude, turn).T @ touch for shape in shapes])
+
+
 def sampled_waves(frequency: NDArray[np.float64]) -> tuple[NDArray[np.complex128], NDArray[np.float64]]:
     """Waves as the decimated samples see them, and the gain of the filter.
 
@@ -192,6 +212,13 @@ def _second_moment(
     h: NDArray[np.complex128], amplitude: NDArray[np.float64], turn: NDArray[np.complex128]
 ) -> NDArray[np.float64]:
     """Of a random cosine and a random sine per frequency: B^T B is positive semidefinite to the last bit."""
-    waves = ((h.T * amplitude[:, None])[:, :, None] * turn[:, None, :]).reshape(len(amplitude), -1)
-    both = np.concatenate([waves.real, waves.imag])
+    both = _random_waves(h, amplitude, turn)
     return np.asarray(both.T @ both)
+
+
+def _random_waves(
+    h: NDArray[np.complex128], amplitude: NDArray[np.float64], turn: NDArray[np.complex128]
+) -> NDArray[np.float64]:
+    """What a random cosine and a random sine per frequency are at the microphones, (2 n_freq, n)."""
+    waves = ((h.T * amplitude[:, None])[:, :, None] * turn[:, None, :]).reshape(len(amplitude), -1)
+    return np.concatenate([waves.real, waves.imag])

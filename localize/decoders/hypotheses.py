@@ -2,7 +2,8 @@
 
 Sensors are drawn with the tolerances of manufacturing. What tells points apart is the ratio of the microphones, and by
 it the draws of each point are put into groups (k-means). Each group has one hypothesis, the mean level and phase of its
-draws, and its share of them as prior; the sensor as it was designed is one more.
+draws, and its share of them as prior; the sensor as it was designed is one more. How the draws of a group differ from
+their mean is told by a few shapes over frequency (principal components), :mod:`localize.decoders.deviations`.
 
 The mean of a group stands for it, not the mean of the covariances of its draws: that has ratios which change from one
 frequency to the next as those of no sensor do, and explains touches of any point.
@@ -21,7 +22,7 @@ from scipy.cluster.vq import kmeans2
 from scipy.interpolate import CubicSpline
 
 from acoustic_fem.scatter.made_sensors import scatter_factors
-from localize.decoders.frame_covariance import SOURCE_RMS
+from localize.decoders.frame_covariance import DEVIATING, SOURCE_RMS
 from localize.signals.array_response import ArrayResponse
 from localize.signals.stimulus import BAND, SAMPLE_RATE
 
@@ -29,7 +30,7 @@ if TYPE_CHECKING:
     from acoustic_fem import Library
     from acoustic_fem.scatter.tolerances import Tolerance
 
-DRAWS = 300
+DRAWS = 600
 """Sensors that are drawn."""
 GROUPS = 8
 """Groups of the draws of a point. Of 36 points in line 6 name 1 to 2 % fewer touches of made sensors, 24 as many."""
@@ -45,6 +46,11 @@ QUIETEST = 1e-3 / SOURCE_RMS
 """Level over that in the touched cavity from which on a microphone tells much of a point."""
 ALIKE = 1e-6
 """Spread of the ratios, nepers and radians, below which draws are one."""
+SHAPES = 6
+"""Shapes in which the draws of a group deviate from their mean. Of 36 points in line 3 name 1 to 2 % fewer touches, 8
+as many."""
+ABOVE_BAND = 0.02
+"""Weight, in the search for shapes, of frequencies above those of touches."""
 _BLOCK, _SEED = 50, 20161
 
 
@@ -54,6 +60,10 @@ class Hypotheses:
 
     responses: tuple[ArrayResponse, ...]
     """Arrays that hold hypothesis k of each point; points do not share their hypotheses."""
+    deviations: NDArray[np.complex64]
+    """Shapes in which the logarithms of these transfer functions deviate, each by a standard normal amplitude;
+    (n_hypothesis, n_shape, n_point, n_microphone, n_freq) complex64 at
+    :data:`localize.decoders.frame_covariance.DEVIATING`, without those that all microphones share."""
     log_prior: NDArray[np.float64]
     """Logarithm of the prior of each hypothesis of a point; (n_point, n_hypothesis) float64."""
 
@@ -75,21 +85,26 @@ def made_hypotheses(library: Library, response: ArrayResponse, tolerances: Seque
     loudness = np.abs(response.at(nodes))
     groups = max(2, min(GROUPS, MOST_TABLES // response.point_count - 1))
     curves = np.zeros((groups, 2, *loudness.shape))
+    shapes = np.zeros((groups + 1, SHAPES, *loudness.shape), np.complex64)
     prior = np.zeros((response.point_count, groups + 1))
     prior[:, -1] = AS_DESIGNED
     for point in range(response.point_count):
         features = _ratios(level[:, point], phase[:, point], loudness[point], nodes)
         label = _grouped(features, groups)
+        drawn = level[:, point] + 1j * phase[:, point]
+        shapes[-1, :, point] = _shapes(drawn, loudness[point], nodes)
         for group in range(groups):
             of_group = label == group
             if of_group.any():
                 curves[group, :, point] = level[of_group, point].mean(0), phase[of_group, point].mean(0)
+                shapes[group, :, point] = _shapes(drawn[of_group], loudness[point], nodes)
             prior[point, group] = (1 - AS_DESIGNED) * of_group.mean()
     change = CubicSpline(np.log(nodes), curves, axis=-1)(np.log(np.minimum(response.frequency, top)))
     factors = np.exp(change[:, 0] + 1j * change[:, 1])
     made = tuple(replace(response, transfer_function=response.transfer_function * factor) for factor in factors)
     # A group without draws is never believed.
-    return Hypotheses((*made, response), np.log(np.maximum(prior, 1e-30)))
+    deviations = CubicSpline(np.log(nodes), shapes, axis=-1)(np.log(DEVIATING)).astype(np.complex64)
+    return Hypotheses((*made, response), deviations, np.log(np.maximum(prior, 1e-30)))
 
 
 def _drawn(
@@ -124,6 +139,30 @@ def _ratios(
     weight = 1 / np.hypot(1, QUIETEST / loudness[:, at])
     each = (values[..., at] - values[:, loudest, None][..., at] for values in (level, phase))
     return np.concatenate([(weight * ratio).reshape(len(ratio), -1) for ratio in each], axis=1).astype(np.float64)
+
+
+def _shapes(
+    draws: NDArray[np.complex64], loudness: NDArray[np.float64], nodes: NDArray[np.float64]
+) -> NDArray[np.complex64]:
+    """Principal components of how the draws of a group deviate from their mean, by the ratio to the loudest microphone.
+
+    Args:
+        draws: logarithms of the factors, (n_draw, n_microphone, n_node).
+        loudness: of the microphones, (n_microphone, n_node).
+        nodes: Hz.
+
+    Returns:
+        (SHAPES, n_microphone, n_node), those beyond the number of draws zero.
+    """
+    ratio = draws - draws[:, [loudness.sum(1).argmax()]]
+    ratio = ratio - ratio.mean(0)
+    weight = np.where(nodes <= BAND[1], 1.0, ABOVE_BAND) / np.hypot(1, QUIETEST / loudness)
+    weighed = (ratio * weight).reshape(len(ratio), -1)
+    amplitude, _, _ = np.linalg.svd(np.concatenate([weighed.real, weighed.imag], axis=1), full_matrices=False)
+    amplitude = amplitude[:, :SHAPES] * np.sqrt(len(ratio))
+    shapes = np.zeros((SHAPES, *ratio.shape[1:]), np.complex64)
+    shapes[: amplitude.shape[1]] = np.einsum("dk,dmf->kmf", amplitude, ratio) / len(ratio)
+    return shapes
 
 
 def _grouped(features: NDArray[np.float64], groups: int) -> NDArray[np.int64]:

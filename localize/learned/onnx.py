@@ -33,7 +33,7 @@ from geometry.files.reading import parse_json
 from geometry.files.writing import whole_file
 from geometry.refusal import Refusal
 from localize.decoders.bayes import SCREEN_ERROR, SURE, TEMPERATURE, BayesDecoder, DecoderTables
-from localize.decoders.tolerant import WARMTH, TolerantDecoder
+from localize.decoders.tolerant import TolerantDecoder
 from localize.learned.description import (
     LARGEST_MODEL,
     GraphDescription,
@@ -64,7 +64,12 @@ def export_onnx(localizer: Localizer | BayesDecoder, path: str | os.PathLike[str
     Args:
         localizer: what :func:`localize.train` made, or a :class:`localize.BayesDecoder`.
         path: of the file, such as ``localizer.onnx``; it is there whole or not at all.
+
+    Raises:
+        Refusal: a :class:`localize.TolerantDecoder`, which fits deviations to each frame.
     """
+    if isinstance(localizer, TolerantDecoder):
+        raise Refusal("localizer must not be a TolerantDecoder: what it fits to a frame is in no graph yet")
     graph = _NetworkGraph(localizer) if isinstance(localizer, Localizer) else DecoderGraph(localizer)
     model = _translated(graph.eval(), len(localizer.microphones))
     model.producer_name = "acoustic-fem"
@@ -181,21 +186,13 @@ class _NetworkGraph(nn.Module):
 
 
 class DecoderGraph(nn.Module):
-    """Graph of the likelihood of :class:`localize.BayesDecoder`, all points in single precision, the best in double.
-
-    Hypotheses of a :class:`localize.TolerantDecoder` are scored as points are.
-    """
-
-    log_prior: Tensor
+    """Graph of the likelihood of :class:`localize.BayesDecoder`, all points in single precision, the best in double."""
 
     def __init__(self, decoder: BayesDecoder) -> None:
         super().__init__()
         several = len(decoder.tables) > 1
         self._levels = tuple(_LevelGraph(tables, several) for tables in decoder.tables)
         self.levels = nn.ModuleList(self._levels)
-        self.warmth = WARMTH if isinstance(decoder, TolerantDecoder) else 0.0
-        log_prior = decoder.log_prior if isinstance(decoder, TolerantDecoder) else np.zeros((0, 0))
-        self.register_buffer("log_prior", torch.from_numpy(log_prior))
 
     def forward(self, frames: Tensor) -> tuple[Tensor, Tensor]:
         """Probabilities and their logarithms.
@@ -211,8 +208,6 @@ class DecoderGraph(nn.Module):
         # Points are left to single precision only where none of any level may come near the best of all.
         least = torch.stack([score.amax(0) - error for _, _, score, error in levels]).amax(0) - SURE
         score = torch.stack([level.again(x, score, least - error) for level, x, score, error in levels]).amax(0).T
-        if self.warmth:
-            score = (score.unflatten(1, self.log_prior.shape) / self.warmth + self.log_prior).logsumexp(2)
         return score.softmax(-1).float(), score.log_softmax(-1).float()
 
 

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from acoustic_fem.batch.network import batch_transfer_function
 from acoustic_fem.calibration.fitted_model import Priors
 from acoustic_fem.quantities.local_air import design_air
+from acoustic_fem.scatter.made_sensors import made_transfer_functions
 from acoustic_fem.scatter.tolerances import TOLERANCES, ScatteredDesign, Tolerance
 from geometry.design.array_design import ArrayDesign
 
@@ -36,7 +37,7 @@ def model_deviation(design: ArrayDesign, frequency: Array, tolerances: Sequence[
         the difference.
     """
     scattered, air = ScatteredDesign(design, tolerances), design_air(design)
-    made = batch_transfer_function(scattered.sample(0, _DEVIATION_SENSORS, 0), scattered.topology, frequency, air)
+    made = made_transfer_functions(scattered, scattered.draws(0, _DEVIATION_SENSORS, 0), frequency, air)
     nominal = batch_transfer_function(scattered.nominal, scattered.topology, frequency, air)
     return np.asarray(np.sqrt((np.abs(made - nominal) ** 2).mean(0) / 2))
 

@@ -25,6 +25,7 @@ from numpy.typing import ArrayLike, NDArray
 from acoustic_fem.batch.network import batch_transfer_function
 from acoustic_fem.quantities.checks import frequency_grid
 from acoustic_fem.quantities.local_air import design_air
+from acoustic_fem.scatter.made_sensors import made_transfer_functions
 from acoustic_fem.scatter.tolerances import TOLERANCES, ScatteredDesign, Tolerance
 from geometry.design.array_design import ArrayDesign
 from geometry.refusal import Refusal
@@ -157,13 +158,11 @@ def scatter_effects(
     nominal = batch_transfer_function(scattered.nominal, scattered.topology, grid, air)
     h = np.concatenate(
         [
-            batch_transfer_function(
-                scattered.sample(first, min(_BLOCK, samples - first), seed), scattered.topology, grid, air
-            )
+            made_transfer_functions(scattered, scattered.draws(first, min(_BLOCK, samples - first), seed), grid, air)
             for first in range(0, samples, _BLOCK)
         ]
     )
-    seen = batch_transfer_function(scattered.sample(samples, _SEEN, seed), scattered.topology, grid, air)
+    seen = made_transfer_functions(scattered, scattered.draws(samples, _SEEN, seed), grid, air)
     report("accuracy", 0.2)
     accuracy = {
         name: predict_confusion(h, grid, level, assumed=assumed).top1
@@ -221,7 +220,7 @@ def scattered_accuracy(
     """
     scattered, air, grid = ScatteredDesign(design, tolerances, known), design_air(design), frequency_grid(frequency)
     nominal = batch_transfer_function(scattered.nominal, scattered.topology, grid, air)
-    h = batch_transfer_function(scattered.sample(0, sensors, seed), scattered.topology, grid, air)
+    h = made_transfer_functions(scattered, scattered.draws(0, sensors, seed), grid, air)
     return predict_confusion(h, grid, _noise(design, noise), assumed=nominal).top1
 
 
@@ -290,7 +289,7 @@ def _sobol(
     found: dict[str, list[Array]] = {name: [] for name in outputs}
     for number, mixture in enumerate(mixtures):
         report("what matters most", 0.4 + 0.6 * number / len(mixtures))
-        h = batch_transfer_function(scattered.parameters(mixture), scattered.topology, grid, air)
+        h = made_transfer_functions(scattered, mixture, grid, air)
         for name, output in outputs.items():
             found[name].append(output(h))
     return {name: sobol_indices(names, at[0], at[1], np.stack(at[2:]), seed) for name, at in found.items()}

@@ -19,10 +19,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from pydantic import BaseModel, ConfigDict, Field
 
-from acoustic_fem.batch.network import batch_transfer_function
 from acoustic_fem.library.provenance import versions
 from acoustic_fem.quantities.checks import frequency_grid
 from acoustic_fem.quantities.local_air import design_air
+from acoustic_fem.scatter.made_sensors import made_transfer_functions
 from acoustic_fem.scatter.tolerances import TOLERANCES, ScatteredDesign, Tolerance
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import read_stored_design, write_design
@@ -101,7 +101,7 @@ def write_perturbed_library(
             for first in range(0, count, BLOCK):
                 report("sensors", first / count)
                 size = min(BLOCK, count - first)
-                h = batch_transfer_function(scattered.sample(first, size, seed), scattered.topology, grid, air)
+                h = made_transfer_functions(scattered, scattered.draws(first, size, seed), grid, air)
                 parts[0][first : first + size], parts[1][first : first + size] = h.real, h.imag
                 seals.write(first // BLOCK, {_PARTS[0]: h.real, _PARTS[1]: h.imag})
             os.rename(beside, target)

@@ -26,7 +26,6 @@ MADE = {
     "decoder of low noise": lambda array: localize.BayesDecoder(array, 1e-4),
     "decoder of three levels": lambda array: localize.BayesDecoder(array, 1e-3, ambient=(None, 60.0, 80.0)),
     "decoder in a room": lambda array: localize.BayesDecoder(array, 1e-3, ambient=ROOM),
-    "tolerant decoder": lambda array: localize.TolerantDecoder(library()),
 }
 
 
@@ -40,7 +39,7 @@ def array():
     return response_of(library())
 
 
-SLOW = ("decoder of low noise", "decoder of three levels", "decoder in a room", "tolerant decoder")
+SLOW = ("decoder of low noise", "decoder of three levels", "decoder in a room")
 
 
 @pytest.fixture(
