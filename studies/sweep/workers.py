@@ -13,7 +13,7 @@ from geometry.refusal import Refusal, counted, said_by
 
 #: Tasks handed out per worker thread: one is computed while the next waits beside it.
 _AHEAD = 2
-#: Seconds to wait for a scheduler, which must run already, for its first worker, and between looks at whether any is left.
+#: Seconds to wait for a scheduler, which runs already, for its first worker, and between looks at whether any is left.
 _ANSWER = 15.0
 _PATIENCE = 60.0
 _WATCH = 5.0

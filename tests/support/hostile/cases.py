@@ -288,11 +288,11 @@ def _archives() -> Iterator[Case]:
         yield Case("wrong CSV", what, told("library.csv"), "refused", change, ("library.csv",))
     for what, change in data_files.NETCDF_CHANGES:
         yield Case("wrong netCDF", what, told("library.nc"), "refused", change, ("library.nc",))
-    told_of_store = (sweep_told("results.zarr"), ("best", "results.zarr"), ("report", "results.zarr", "--out", "n.html"))
+    report = ("report", "results.zarr", "--out", "n.html")
     for what, change in data_files.STORE_CHANGES:
         # Without the text of its study a store still has all its results: this is said and nothing else.
         ending: Ending = "exact" if what.startswith("study ") else "refused"
-        for words in told_of_store:
+        for words in (sweep_told("results.zarr"), ("best", "results.zarr"), report):
             yield Case("wrong store", f"{what}: {words[0]}", words, ending, change, ("results.zarr",), "n.html")
 
 
