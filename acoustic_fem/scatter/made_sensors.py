@@ -36,12 +36,11 @@ def made_transfer_functions(
         Refusal: a frequency out of range.
     """
     made = batch_transfer_function(scattered.parameters(draws), scattered.topology, frequency, medium)
-    microphones = np.asarray(scattered.microphones(draws)[:, None, :, :, None])
-    gain, corner = microphones[:, :, 0], microphones[:, :, 1]
-    if (corner != 1).any():
-        vent = vent_ratio(scattered.design.microphone, frequency, medium)
-        gain = gain * (1 + 1 / vent) / (1 + corner / vent)
-    return np.asarray(made * gain if (gain != 1).any() else made)
+    gain, corner = np.moveaxis(scattered.microphones(draws), 1, 0)[:, :, None, :, None]
+    if (gain == 1).all() and (corner == 1).all():
+        return np.asarray(made)
+    vent = vent_ratio(scattered.design.microphone, frequency, medium)
+    return np.asarray(made * gain * (1 + 1 / vent) / (1 + corner / vent))
 
 
 def scatter_factors(
