@@ -28,7 +28,7 @@ from studies.made_sensor.rig import HiddenScatter, Rig
 
 PAGE = Path(__file__).parents[1] / "docs" / "decoder.md"
 BEGIN, END = "<!-- tolerant: made by benchmarks/tolerant.py -->", "<!-- end tolerant -->"
-FIRST, SENSORS, TOUCHES = 9100, 20, 144
+FIRST, SENSORS, TOUCHES = 9200, 20, 144
 NOISES = (1e-3, 5e-3)
 KINDS = ("multi-sines", "taps")
 UNIFORM: Mapping[str, Any] = {

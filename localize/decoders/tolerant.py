@@ -33,8 +33,8 @@ if TYPE_CHECKING:
     from acoustic_fem import Library
     from acoustic_fem.scatter.tolerances import Tolerance
 
-WARMTH = 3.0
-"""Temperature over that of the decoder of a known sensor; tried were 1, 2, 3 and 5."""
+WARMTH = 2.0
+"""Temperature over that of the decoder of a known sensor; tried were 1 to 5."""
 CANDIDATES = 10
 """Hypotheses whose deviations are looked for in a frame; 40 name 0.2 % more touches of 36 points in line."""
 
