@@ -21,7 +21,7 @@ from torch import Tensor
 
 from acoustic_fem.scatter.tolerances import UNCALIBRATED, UnknownScatterError
 from geometry.refusal import Refusal
-from localize.decoders.bayes import CHUNK, Ambient, BayesDecoder
+from localize.decoders.bayes import Ambient, BayesDecoder
 from localize.decoders.deviations import DeviatingTables
 from localize.decoders.frame_covariance import SAMPLES, touch_covariances
 from localize.decoders.hypotheses import made_hypotheses
@@ -35,6 +35,8 @@ if TYPE_CHECKING:
 
 WARMTH = 2.0
 """Temperature over that of the decoder of a known sensor; tried were 1 to 5."""
+TOGETHER = 256
+"""Number of frames that are decoded at once: a hypothesis is fitted in one go to all that it may have made."""
 CANDIDATES = 10
 """Hypotheses whose deviations are looked for in a frame; 40 name 0.2 % more touches of 36 points in line."""
 
@@ -93,7 +95,7 @@ class TolerantDecoder(BayesDecoder):
             (n, n_point) float64, nats, up to a constant per signal.
         """
         frames = cut_frames(batch).numpy()
-        several = max(1, CHUNK // frames.shape[1])
+        several = max(1, TOGETHER // frames.shape[1])
         return np.concatenate([self._of_recordings(frames[k : k + several]) for k in range(0, len(frames), several)])
 
     def log_likelihood(self, frames: NDArray[np.float64]) -> NDArray[np.float64]:
