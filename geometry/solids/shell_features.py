@@ -15,6 +15,8 @@ from geometry.stated.ports import foot_directions, largest_gap
 
 #: Width of a digit's strokes in its heights: as wide as the gap between the two sides of a 0.
 _STROKE = WIDTH / 3
+#: Wall between an engraved digit and a socket, mm.
+_BESIDE = 0.1
 #: Largest height of digits that is chosen, and the smallest that is drawn.
 _USUAL_DIGITS, _SMALLEST_DIGITS = 3.0, 0.5
 #: Widest label in diameters of the shell: further round the wall digits would be seen from the side.
@@ -78,9 +80,11 @@ def add_label(
     if not (text.isascii() and text.isdigit() and len(text) <= 4):
         raise Refusal(f"shell: label {text!r} must be one to four digits")
     angle, gap = largest_gap([port for port, _ in ports])
-    socket = max(radius for _, radius in ports)
-    free = math.radians(gap / 2) - math.asin(min(socket / outer_radius, 1.0))
-    widest = min(_WIDEST_LABEL * 2 * outer_radius, 2 * outer_radius * math.sin(min(max(free, 0.0), math.pi / 2)))
+    socket, bottom_radius = max(radius for _, radius in ports), outer_radius
+    if features.label == "engraved":  # towards its bottom a digit covers more of the way round to the sockets
+        socket, bottom_radius = socket + _BESIDE, outer_radius - features.label_relief
+    free = math.radians(gap / 2) - math.asin(min(socket / bottom_radius, 1.0))
+    widest = min(_WIDEST_LABEL * 2 * outer_radius, 2 * bottom_radius * math.sin(min(max(free, 0.0), math.pi / 2)))
     width = len(text) * WIDTH + (len(text) - 1) * SPACE
     room = min(0.8 * (span[1] - span[0]), widest / width)
     height = min(_USUAL_DIGITS, room) if features.label_height is None else features.label_height

@@ -374,6 +374,13 @@ def build_random(size, extra, rim, count, label):
     return True
 
 
+def test_engraved_digits_of_a_small_shell_do_not_break_into_its_sockets():
+    size = {"cavity_diameter": 1.25, "cavity_height": 2.0, "wall_thickness": 0.625, "floor_thickness": 1.0}
+    extra = {"groove_width": None, "feet": 0, "foot_length": 3.0, "foot_hole": 1.0, "label": "engraved"}
+    for label in (1, 10):
+        build_random({**size, "shape": "cylinder"}, extra, 1.0, 3, label)
+
+
 @pytest.mark.parametrize("examples", [15, pytest.param(200, marks=pytest.mark.slow)])
 def test_random_shells_are_watertight_or_refused_by_name(examples):
     built = []
