@@ -31,6 +31,8 @@ from .listening.recorded import LocatedTouches as LocatedTouches, locate_recordi
 from .made_sensor.calibrating import SensorCalibration as SensorCalibration, calibrate_sensor as calibrate_sensor
 from .made_sensor.recalibrating import Recalibration as Recalibration, recalibrate as recalibrate
 from .made_sensor.rig import HiddenScatter as HiddenScatter, Recorder as Recorder, Rig as Rig
+from .made_sensor.rig_session import RigSession as RigSession, record_rig as record_rig
+from .made_sensor.rig_touches import TouchSession as TouchSession
 from .optimization.problem import load_optimization as load_optimization
 from .output.display import Display as Display
 from .run.chain import run_design as run_design

@@ -62,6 +62,7 @@ VERBS = (
     designs.wiring,
     designs.solve,
     designs.parts,
+    calibrations.rig,
     calibrations.calibrate,
     calibrations.recalibrate,
     calibrations.convert,

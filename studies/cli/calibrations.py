@@ -1,4 +1,4 @@
-"""Verbs on the library of a made sensor: calibrate, recalibrate, convert."""
+"""Verbs on a made sensor and its library: rig, calibrate, recalibrate, convert."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ from geometry.refusal import counted
 from studies.cli.options import (
     AIR_OPTIONS,
     Altitude,
+    Design,
     Frequencies,
     LibraryFile,
     Noise,
@@ -26,6 +27,7 @@ from studies.cli.options import (
 from studies.cli.tables import show, show_library, table_of, tell
 from studies.made_sensor.calibrating import MANIFEST, calibrate_sensor
 from studies.made_sensor.recalibrating import recalibrate as recalibrate_sensor
+from studies.made_sensor.rig_session import record_rig
 from studies.output.frequencies import FREQUENCIES
 
 if TYPE_CHECKING:
@@ -35,6 +37,33 @@ if TYPE_CHECKING:
 _NOTED_DELAY = 3e-4
 _FIDELITY: Fidelity = defaults_of(calibrate_sensor)["fidelity"]
 _SEED = defaults_of(recalibrate_sensor)["seed"]
+_RIG_SEED = defaults_of(record_rig)["seed"]
+
+
+def rig(
+    design: Design,
+    out: Annotated[Path, typer.Option(help="The folder to write to.", show_default=False)],
+    seed: Annotated[int, typer.Option(help="Of the sensor: another one, another sensor.", min=0)] = _RIG_SEED,
+) -> None:
+    """Recordings of a virtual made sensor, to try everything before there is a real one.
+
+    Its parts deviate from the design, its rubber, its microphones and the air of its place too; recordings have noise,
+    hum and wander, touches the spectra and the hysteresis of fingers. None of it is what decodes them.
+
+    calibration: a recording of each point with a calibration microphone, as calibrate reads them. touches: recordings
+    of each point whose names say which, as locate, recalibrate and train --recordings read them. truth.json: what was
+    hidden, seed and versions; truth.nc: the library of the sensor as it is, as evaluate reads it. Not to be looked at
+    before.
+
+    Example: [bold]acoustic-fem rig array-2x6 --out bench; acoustic-fem calibrate bench/calibration --out made.nc[/bold]
+    """
+    from geometry import resolve_design
+
+    with display_on_stderr() as display:
+        made = record_rig(resolve_design(design), out, seed=seed, display=display)
+    for path in (made.calibration, made.touches, made.truth, made.library):
+        print(path)
+    tell(f"full scale of the touches: {made.full_scale:g} Pa, which locate and recalibrate take as --full-scale")
 
 
 def calibrate(

@@ -3,13 +3,14 @@
 The hidden sensor is computed by the lumped batch, and at ``navier-stokes`` fidelity multiplied by what that changes in
 the nominal design. Beside what a fit of the usual parameters knows (bores, compliances, modulus, loss, gains, corners,
 chambers) it has deviations that such a fit lacks: lengths of tubes, cavities apart from their membranes, a loss factor
-of each membrane with the slope that it asks for, the temperature of the room, and the change of fidelity.
+of each membrane with the slope that it asks for, a rubber that relaxes more than that, temperature and pressure of the
+place, and the change of fidelity.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Literal
@@ -19,6 +20,7 @@ import scipy.interpolate
 import tomlkit
 from numpy.typing import NDArray
 
+from acoustic_fem.batch.elements import membrane_modulus
 from acoustic_fem.batch.network import batch_transfer_function
 from acoustic_fem.batch.parameters import ArrayParameters
 from acoustic_fem.batch.topology import Topology
@@ -26,7 +28,7 @@ from acoustic_fem.calibration.manifest import REFERENCE
 from acoustic_fem.library.solving import solve
 from acoustic_fem.network.microphone import noise_density, response
 from acoustic_fem.quantities.checks import in_range
-from acoustic_fem.quantities.local_air import design_air
+from acoustic_fem.quantities.local_air import design_air, standard_pressure
 from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.sound.sound_file import write_wav
 from geometry.design.array_design import ArrayDesign
@@ -42,10 +44,25 @@ Complex = NDArray[np.complex128]
 RIG_MARK = ".acoustic-fem-rig"
 #: Band of the excitation, Hz.
 BAND = (0.8, 125.0)
+#: Length of a recording, s.
+LENGTHS = (4.0, 86400.0)
 #: Hz, on which the hidden sensor is solved; between them it is interpolated.
 _NODES = np.geomspace(0.4, 160.0, 72)
 #: Seconds of a recording that are played before it begins, so that the sensor has settled.
 _BEFORE = 3.0
+#: Hz, about which the rubber of a batch rises more steeply or less; and where its relaxations lie.
+_MIDDLE, _RELAXATIONS = 10.0, 10.0 ** np.arange(-1.0, 4.0)
+#: Of the random numbers of the place and the batch, beside those of the parts.
+_PLACE = 3
+#: Ranges of what is no fraction of at most 0.3.
+_RANGES = {
+    "modulus": (0.1, 10.0),
+    "rubber": (0.0, 10.0),
+    "temperature": (0.0, 10.0),
+    "pressure": (0.0, 5e3),
+    "altitude": (-1e3, 4e3),
+    "slope": (0.0, 0.1),
+}
 
 
 @dataclass(frozen=True)
@@ -74,6 +91,19 @@ class HiddenScatter:
     """Deviation of the loss factor of each membrane; a fit knows the mean only."""
     temperature: float = 3.0
     """Deviation of the temperature of the room, K; not known to a fit."""
+    pressure: float = 1e3
+    """Deviation of the pressure of the place, by its weather, Pa; not known to a fit."""
+    altitude: float = 0.0
+    """Height of the place above that whose pressure the design states, m: a shift, not a deviation. Standard
+    atmosphere."""
+    slope: float = 0.01
+    """Deviation of the exponent by which the modulus of a batch rises with frequency around 10 Hz, beyond what its loss
+    factor asks for; half-normal, by relaxations over four decades, with the loss that belongs to them; not known to a
+    fit. The modulus at 10 Hz stays."""
+
+    def __post_init__(self) -> None:
+        for field in fields(self):
+            in_range(f"scatter.{field.name}", getattr(self, field.name), *_RANGES.get(field.name, (0.0, 0.3)))
 
 
 @dataclass(frozen=True)
@@ -103,6 +133,9 @@ class Recorder:
     """Level of a wander of the zero over the recording, Pa rms."""
     separate: bool = False
     """Whether there is a file for each channel instead of one for all."""
+
+    def __post_init__(self) -> None:
+        in_range("recorder.seconds", self.seconds, *LENGTHS, "s")
 
 
 class Rig:
@@ -160,7 +193,12 @@ class Rig:
         self.hidden = replace(self.hidden, vent_admittance=self.hidden.vent_admittance * self.corner)
         air = self.design.air
         warmer = float(np.clip(random.standard_normal(), -3, 3)) * scatter.temperature
-        self.medium = Medium.at(air.temperature + warmer, air.humidity, air.pressure)
+        around = np.random.default_rng(np.random.SeedSequence(self.seed, spawn_key=(_PLACE,)))
+        weather, steeper = np.clip(around.standard_normal(2), -3, 3)
+        pressure = air.pressure * standard_pressure(scatter.altitude) / standard_pressure(0.0)
+        pressure += float(weather) * scatter.pressure
+        self.hidden = _relaxing(self.hidden, abs(float(steeper)) * scatter.slope)
+        self.medium = Medium.at(air.temperature + warmer, air.humidity, pressure)
 
     def transfer_function(self, frequency: Array) -> Complex:
         """Transfer functions that recordings without noise give: microphones with their gains and high-passes.
@@ -291,6 +329,29 @@ class Rig:
         wander *= recorder.drift / np.maximum(wander.std(axis=1, keepdims=True), 1e-300)
         slow = scipy.interpolate.make_interp_spline(time[:: recorder.rate], wander[:, :: recorder.rate], k=3, axis=1)
         return np.asarray(samples + recorder.hum * hum + slow(np.minimum(time, time[:: recorder.rate][-1])))
+
+
+def _relaxing(parameters: ArrayParameters, slope: float) -> ArrayParameters:
+    """Membranes whose modulus rises with frequency by a further exponent about 10 Hz, where it stays as it is.
+
+    One relaxation a decade, all of one strength: a causal law whatever the slope (Ferry 1980, chapter 3).
+    """
+    if slope == 0:
+        return parameters
+    before = np.abs(membrane_modulus(parameters, np.array([_MIDDLE])))[..., 0]
+    strength = slope * np.log(10) * before[..., None] * np.ones(len(_RELAXATIONS))
+    times = np.broadcast_to(1 / (2 * np.pi * _RELAXATIONS), strength.shape)
+    joined = replace(
+        parameters,
+        membrane_relaxation=np.concatenate([parameters.membrane_relaxation, strength], axis=2),
+        membrane_relaxation_time=np.concatenate([parameters.membrane_relaxation_time, times], axis=2),
+    )
+    stiffer = np.abs(membrane_modulus(joined, np.array([_MIDDLE])))[..., 0] / before
+    return replace(
+        joined,
+        membrane_compliance=joined.membrane_compliance * stiffer,
+        membrane_frequency=joined.membrane_frequency / np.sqrt(stiffer)[..., None],
+    )
 
 
 def _excitation(recorder: Recorder, total: int, random: np.random.Generator) -> Complex:

@@ -1,4 +1,8 @@
-"""Touches of the virtual rig's sensor as recordings, of the paper's four parts, with their manifest."""
+"""Touches of the virtual rig's sensor as recordings, of the paper's four parts, with their manifest.
+
+A finger is no loudspeaker: its spectrum is not flat and differs from touch to touch, its force follows its movement
+with hysteresis, and it presses slowly while it rubs. No decoder knows any of that.
+"""
 
 from __future__ import annotations
 
@@ -15,7 +19,7 @@ from acoustic_fem.quantities.checks import in_range
 from acoustic_fem.sound.sound_file import write_wav
 from geometry.files.writing import write_text
 from localize.recordings.touch_manifest import PARTS, Part
-from studies.made_sensor.rig import RIG_MARK, Recorder, Rig
+from studies.made_sensor.rig import LENGTHS, RIG_MARK, Recorder, Rig
 from studies.output.folders import check_folder, make_folder
 
 Array = NDArray[np.float64]
@@ -25,8 +29,12 @@ LEAK = 2.0
 """Frequency below which taps are not held, Hz."""
 LOUDEST = 0.7
 """Peak in the cavity, as a share of full scale; no microphone hears more."""
+SLOW = (0.8, 3.0)
+"""Band in which a finger presses slowly, Hz; below it the rig's sensor hears nothing."""
 _PURPOSE = 2
 """Of the random numbers, beside those of the rig's own recordings."""
+_LEVEL = 0.3
+"""Pressure in the cavity under random touches and friction, Pa rms."""
 
 
 @dataclass(frozen=True)
@@ -39,6 +47,19 @@ class TouchSession:
     """Length of each recording, s."""
     parts: tuple[Part, ...] = PARTS
     """Parts that are recorded."""
+    tilt: float = 3.0
+    """Deviation of the slope of the spectrum of random touches and friction about a flat one, one draw a take, dB per
+    octave."""
+    press: float = 0.1
+    """Slow pressure of the finger under them, below 3 Hz, Pa rms."""
+    hysteresis: float = 0.2
+    """Play of every contact, a share of its rms: the pressure follows only what moves it by more than that."""
+
+    def __post_init__(self) -> None:
+        for name, high, unit in (("tilt", 12.0, "dB"), ("press", 10.0, "Pa"), ("hysteresis", 1.0, "")):
+            in_range(f"session.{name}", getattr(self, name), 0.0, high, unit)
+        in_range("session.takes", self.takes, 1, 1000)
+        in_range("session.seconds", self.seconds, *LENGTHS, "s")
 
 
 def record_touches(
@@ -71,7 +92,7 @@ def record_touches(
         for part in session.parts:
             for take in range(1, session.takes + 1):
                 name = f"point-{point:02d}-{part}-{take}.wav"
-                samples = _take(rig, point, part, take, recorder) / recorder.full_scale
+                samples = _take(rig, point, part, take, session, recorder) / recorder.full_scale
                 write_wav(folder / name, samples, recorder.rate, recorder.bits)
                 entry = tomlkit.table()
                 entry.update({"file": name, "point": point, "part": part})
@@ -82,21 +103,42 @@ def record_touches(
     return path
 
 
-def _take(rig: Rig, point: int, part: Part, take: int, recorder: Recorder) -> Array:
+def _take(rig: Rig, point: int, part: Part, take: int, session: TouchSession, recorder: Recorder) -> Array:
     """(n_microphone, n_sample) Pa."""
     key = (_PURPOSE, point, PARTS.index(part), take)
-    random = np.random.default_rng(np.random.SeedSequence(rig.seed, spawn_key=key))
+    random, of_contact = (
+        np.random.default_rng(np.random.SeedSequence(rig.seed, spawn_key=each)) for each in (key, (*key, 1))
+    )
     count = round(recorder.seconds * recorder.rate)
     total = count + 2 * recorder.rate  # what lies behind is silent, and keeps the end from running into the beginning
     pressure = np.zeros(total)
-    pressure[:count] = _pressure(part, count, recorder.rate, random)
+    pressure[:count] = _with_play(_pressure(part, count, session, recorder.rate, random, of_contact), session)
     # Whoever records sets the level so that nothing clips.
     pressure *= min(1.0, LOUDEST * recorder.full_scale / np.abs(pressure).max())
     return rig.recorded(point, np.fft.rfft(pressure), total, 0, count, recorder, random)[1:]
 
 
-def _pressure(part: Part, count: int, rate: int, random: np.random.Generator) -> Array:
-    """(count,) Pa in the touched cavity."""
+def _with_play(movement: Array, session: TouchSession) -> Array:
+    """Pressure of a contact that follows its movement with hysteresis: the play operator (Krasnosel'skii 1989)."""
+    reach = session.hysteresis * float(movement.std())
+    if reach == 0:
+        return movement
+    held, followed = 0.0, np.empty_like(movement)
+    for number, (low, high) in enumerate(zip((movement - reach).tolist(), (movement + reach).tolist(), strict=True)):
+        held = min(max(held, low), high)
+        followed[number] = held
+    return followed
+
+
+def _pressure(
+    part: Part,
+    count: int,
+    session: TouchSession,
+    rate: int,
+    random: np.random.Generator,
+    of_contact: np.random.Generator,
+) -> Array:
+    """(count,) Pa in the touched cavity, as the contact moves."""
     time = np.arange(count) / rate
     if part == "taps":
         pressure = np.zeros(count)
@@ -111,7 +153,7 @@ def _pressure(part: Part, count: int, rate: int, random: np.random.Generator) ->
         # ring for seconds.
         leak = scipy.signal.butter(2, LEAK, "highpass", fs=rate, output="sos")
         return np.asarray(scipy.signal.sosfilt(leak, pressure))
-    level: Array = np.full(count, 0.3)
+    level: Array = np.full(count, _LEVEL)
     if part == "random-1-100":
         band = (1.0, 100.0)
     elif part == "random-1-10":
@@ -121,13 +163,16 @@ def _pressure(part: Part, count: int, rate: int, random: np.random.Generator) ->
         level = level * np.exp(0.5 * _noise(count, rate, (0.0, 4.0), random))
     on = scipy.signal.square(2 * np.pi * (time / 3 - random.uniform(0.0, 0.2)), duty=2 / 3) > 0
     ramp = np.hanning(rate // 20 + 2)[1:-1]
-    return np.asarray(level * _noise(count, rate, band, random) * np.convolve(on, ramp / ramp.sum(), "same"))
+    tilt = session.tilt * float(np.clip(of_contact.standard_normal(), -3, 3))
+    heard = level * _noise(count, rate, band, random, tilt) + session.press * _noise(count, rate, SLOW, of_contact)
+    return np.asarray(heard * np.convolve(on, ramp / ramp.sum(), "same"))
 
 
-def _noise(count: int, rate: int, band: tuple[float, float], random: np.random.Generator) -> Array:
-    """(count,) Gaussian noise of one rms within a band, Hz."""
+def _noise(count: int, rate: int, band: tuple[float, float], random: np.random.Generator, tilt: float = 0.0) -> Array:
+    """(count,) Gaussian noise of one rms within a band, Hz, whose spectrum slopes by ``tilt`` dB per octave."""
     spectrum = np.fft.rfft(random.standard_normal(count))
     grid = np.fft.rfftfreq(count, 1 / rate)
     spectrum[(grid < band[0]) | (grid > band[1])] = 0
+    spectrum[1:] *= grid[1:] ** (tilt / (20 * np.log10(2)))
     signal = np.fft.irfft(spectrum, count)
     return np.asarray(signal / signal.std())

@@ -46,6 +46,7 @@ FILES = {
 FOLDERS = {
     "parts": "row.toml",
     "run": "row.toml",
+    "rig": "row.toml",
     "train": "library.nc",
     "evaluate": "localizer library.nc",
     "bend": "",

@@ -227,6 +227,7 @@ _OUTPUTS: tuple[tuple[Words, tuple[str, ...]], ...] = (
     (("convert", "library.sofa"), ("library.sofa", "./library.sofa")),
     (("train", "library.nc"), (".", "..", "mine", "calibration", "results.zarr", "found", "library.nc")),
     (("run", "design.toml"), (".", "..", "mine", "calibration", "results.zarr", "localizer", "design.toml")),
+    (("rig", "design.toml"), ("..", "mine", "results.zarr", "localizer", "design.toml")),
     (("parts", "design.toml"), ("design.toml", "library.nc")),
     (
         ("tolerance", "design.toml", "--samples", "2", "--base", "0"),

@@ -1,0 +1,31 @@
+"""The verb ``rig``: what it writes is what its call writes, and what it says of it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from command import Command
+from small_run import small_design
+
+import geometry
+import studies
+
+
+def test_the_verb_writes_what_the_call_writes(
+    command: Command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    module = "studies.made_sensor.rig_session"
+    for name, value in (("SECONDS", 4.0), ("TAKES", 1), ("TAKE_SECONDS", 4.0)):
+        monkeypatch.setattr(f"{module}.{name}", value)
+    geometry.save_design(small_design(), tmp_path / "row.toml")
+    told = command("rig", tmp_path / "row.toml", "--out", tmp_path / "verb", "--seed", 5)
+    assert told.code == 0, told.err
+    studies.record_rig(small_design(), tmp_path / "call", seed=5)
+    for name in ("calibration/point-2.wav", "touches/point-02-taps-1.wav", "touches/touches.toml"):
+        assert (tmp_path / "verb" / name).read_bytes() == (tmp_path / "call" / name).read_bytes()
+    assert [Path(line).name for line in told.out.splitlines()[:4]] == [
+        "calibration.toml", "touches.toml", "truth.json", "truth.nc",
+    ]  # fmt: skip
+    assert "2 Pa, which locate and recalibrate take as --full-scale" in " ".join(told.out.split())
+    assert "--seed" in command("rig", "--help").out
