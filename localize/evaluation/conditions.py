@@ -120,21 +120,23 @@ def evaluate_conditions(
 def evaluate_sensors(
     localizer: Locator,
     response: ArrayResponse,
-    sensors: Sequence[tuple[str, float, NDArray[np.complex128]]],
+    sensors: Sequence[tuple[str, float | None, NDArray[np.complex128]]],
     touches_per_point: int,
     microphone_noise: NoiseChoice,
     seed: int = 0,
+    group: str = "mis-made sensors",
 ) -> list[Outcome]:
     """Results of a localizer on sensors that were made differently from the library's.
 
     Args:
         localizer: anything that :func:`localize.evaluate` takes.
         response: the array of the library.
-        sensors: sets of sensors: name, scatter as a number, and (n_sensor, n_point, n_microphone, n_freq) complex128
-            transfer functions on the frequencies of the library, Pa/Pa.
+        sensors: sets of sensors: name, scatter where it is a number, and (n_sensor, n_point, n_microphone, n_freq)
+            complex128 transfer functions on the frequencies of the library, Pa/Pa.
         touches_per_point: of each sensor.
         microphone_noise: as :func:`localize.evaluate`.
         seed: any non-negative integer.
+        group: of the outcomes.
     """
     found = []
     for name, value, made in sensors:
@@ -142,7 +144,7 @@ def evaluate_sensors(
             evaluate(localizer, replace(response, transfer_function=h), touches_per_point, microphone_noise, seed=seed)
             for h in made
         ]
-        found.append(_outcome("mis-made sensors", name, value, results))
+        found.append(_outcome(group, name, value, results))
     return found
 
 

@@ -109,7 +109,7 @@ def evaluate(
         Path | None,
         typer.Option(
             help="A folder for evaluation.json and evaluation.html: also under other noise, ambient sound, touches, "
-            "lengths, and on mis-made sensors.",
+            "lengths, on mis-made sensors and virtual rigs.",
             show_default=False,
         ),
     ] = None,

@@ -1,6 +1,6 @@
 """A localizer trained and judged, also under other conditions, and its report.
 
-Stands on: output.
+Stands on: made_sensor, output.
 """
 
 import lazy_loader

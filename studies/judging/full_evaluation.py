@@ -29,6 +29,8 @@ Progress = Callable[[str, float], None]
 SCATTER = (0.25, 0.5, 1.0)
 #: Sensors that are made with each.
 SENSORS = 12
+#: Virtual rigs, and the group of what is found on them.
+RIGS, RIG_GROUP = 8, "virtual rigs"
 #: Touches per point in a condition, as a share of those of the whole evaluation.
 SHARE = 0.1
 #: Touches in a condition, if the whole evaluation has as many: their interval is then at most 4 points either way.
@@ -105,6 +107,7 @@ def evaluate_fully(
     few = min(touches, max(round(SHARE * touches), math.ceil(LEAST / response.point_count)))
     progress("mis-made sensors", 0.0)
     made, unscattered = scattered_sensors(library, response, seed, SENSORS, SCATTER)
+    rigs = [] if unscattered else rig_sensors(library, response, seed, RIGS)
     found = []
     for number, (name, locator) in enumerate(locators.items()):
         stage = _stage(progress, name, number / len(locators), 1 / len(locators))
@@ -113,6 +116,7 @@ def evaluate_fully(
         outcomes = evaluate_conditions(locator, response, few, noise, seed, stage)
         stage("mis-made sensors", 1.0)
         outcomes += evaluate_sensors(locator, response, made, max(1, few // 5), noise, seed)
+        outcomes += evaluate_sensors(locator, response, rigs, max(1, few // RIGS), noise, seed, RIG_GROUP)
         found.append(Judged(name, overall, tuple(outcomes)))
     return FullEvaluation(
         design=response.name,
@@ -134,6 +138,33 @@ def _stage(
 ) -> Callable[[str, float], None]:
     """Progress of one localizer as part of the whole."""
     return lambda what, share: progress(f"{name}: {what}", begin + size * share)
+
+
+def rig_sensors(
+    library: Library, response: ArrayResponse, seed: int, count: int
+) -> list[tuple[str, float | None, NDArray[np.complex128]]]:
+    """Set of virtual rigs, uncalibrated: made sensors with what no decoder knows, :class:`studies.HiddenScatter`.
+
+    What the rigs change is computed with closed forms and taken over to a library of any fidelity; above 160 Hz it
+    stays as it is there.
+
+    Args:
+        library: of a design whose scatter is known.
+        response: of that library.
+        seed: of the first rig.
+        count: of rigs.
+
+    Returns:
+        Name, no share, and (count, n_point, n_microphone, n_freq) complex128 transfer functions, Pa/Pa.
+    """
+    import acoustic_fem
+    from studies.made_sensor.rig import HEARD, Rig
+
+    grid = np.unique(np.clip(response.frequency, *HEARD))
+    place = np.minimum(np.searchsorted(grid, response.frequency), len(grid) - 1)
+    nominal = acoustic_fem.solve(library.design, grid, "lumped").transfer_function.values
+    rigs = [Rig(library.design, seed + k).transfer_function(grid) / nominal for k in range(count)]
+    return [("uncalibrated", None, response.transfer_function * np.stack(rigs)[..., place])]
 
 
 def scattered_sensors(

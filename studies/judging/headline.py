@@ -1,6 +1,7 @@
 """Headline figures of a localizer: sums of sines on the nominal sensor, beside them what they do not promise.
 
-Taps on the same sensor, and the same sines on sensors that are made with a workshop's tolerances and not calibrated.
+Taps on the same sensor, and the same sines on sensors that are not calibrated: made with a workshop's tolerances, which
+the tolerant decoder draws too, and virtual rigs, which have what no decoder knows.
 """
 
 from __future__ import annotations
@@ -11,7 +12,7 @@ from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING, Any
 
 from localize.evaluation.accuracy import Evaluation
-from studies.judging.full_evaluation import LEAST, Progress, scattered_sensors
+from studies.judging.full_evaluation import LEAST, RIG_GROUP, RIGS, Progress, rig_sensors, scattered_sensors
 
 if TYPE_CHECKING:
     from acoustic_fem import Library
@@ -33,7 +34,7 @@ class Headline(Evaluation):
     """Results on sums of sines on the nominal sensor, and what stands beside them."""
 
     outcomes: tuple[Outcome, ...]
-    """Results on taps, then on mis-made sensors where these are known."""
+    """Results on taps, then on mis-made sensors and on virtual rigs where these are known."""
     sensors: int = SENSORS
     """Number of the mis-made sensors."""
     unscattered: str = ""
@@ -54,9 +55,14 @@ class Headline(Evaluation):
     def beside(self) -> tuple[tuple[str, Outcome], ...]:
         """What stands beside the headline: whose signals, and the results."""
         made = f"sums of sines on {self.sensors} mis-made sensors"
-        return tuple(
-            (f"{each.name} on the nominal sensor" if each.worst is None else made, each) for each in self.outcomes
-        )
+        of_rigs = f"sums of sines on {RIGS} virtual rigs"
+
+        def signals(each: Outcome) -> str:
+            if each.worst is None:
+                return f"{each.name} on the nominal sensor"
+            return of_rigs if each.group == RIG_GROUP else made
+
+        return tuple((signals(each), each) for each in self.outcomes)
 
     def to_dict(self) -> dict[str, Any]:
         """Results as JSON can hold them."""
@@ -65,8 +71,12 @@ class Headline(Evaluation):
 
 
 def is_beside(group: str, name: str, value: float | None) -> bool:
-    """Whether a condition stands beside the headline: taps, and sensors with the whole of the tolerances."""
-    return (group, name) == ("stimulus", "taps") or (group == "mis-made sensors" and value == WHOLE)
+    """Whether a condition stands beside the headline: taps, sensors with the whole of the tolerances, virtual rigs."""
+    return (
+        (group, name) == ("stimulus", "taps")
+        or (group == "mis-made sensors" and value == WHOLE)
+        or (group == RIG_GROUP)
+    )
 
 
 def judge_headlines(
@@ -95,6 +105,7 @@ def judge_headlines(
 
     progress("mis-made sensors", 0.0)
     made, unscattered = scattered_sensors(library, response, SENSOR_SEED, SENSORS, (WHOLE,))
+    rigs = [] if unscattered else rig_sensors(library, response, SENSOR_SEED, RIGS)
     few = min(touches, math.ceil(LEAST / response.point_count))
     wanted = [each for each in conditions(response) if is_beside(each.group, each.name, each.value)]
     found = {}
@@ -103,5 +114,6 @@ def judge_headlines(
         overall = evaluate(locator, response, touches, noise, seed=seed)
         outcomes = evaluate_conditions(locator, response, few, noise, seed, wanted=wanted)
         outcomes += evaluate_sensors(locator, response, made, max(1, few // SENSORS), noise, seed)
+        outcomes += evaluate_sensors(locator, response, rigs, max(1, few // RIGS), noise, seed, RIG_GROUP)
         found[name] = Headline.of(overall, outcomes, SENSORS, unscattered)
     return found

@@ -46,8 +46,9 @@ RIG_MARK = ".acoustic-fem-rig"
 BAND = (0.8, 125.0)
 #: Length of a recording, s.
 LENGTHS = (4.0, 86400.0)
-#: Hz, on which the hidden sensor is solved; between them it is interpolated.
-_NODES = np.geomspace(0.4, 160.0, 72)
+#: Band in which the hidden sensor is solved, Hz, and where in it; between these frequencies it is interpolated.
+HEARD = (0.4, 160.0)
+_NODES = np.geomspace(*HEARD, 72)
 #: Seconds of a recording that are played before it begins, so that the sensor has settled.
 _BEFORE = 3.0
 #: Hz, about which the rubber of a batch rises more steeply or less; and where its relaxations lie.

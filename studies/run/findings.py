@@ -11,6 +11,7 @@ import numpy as np
 
 from geometry.layout.size import array_size
 from geometry.refusal import counted
+from studies.judging.full_evaluation import RIG_GROUP
 from studies.metrics.pairs import BAND, attenuation, sensitivity, worst_heard
 from studies.output.display import number
 from studies.output.folders import write_json
@@ -81,10 +82,13 @@ def _tolerant_sentence(result: RunResult) -> str:
 
 def _mis_made(headline: Headline) -> str:
     """Shares of touches of mis-made sensors that are named right, in words; empty where they were not judged."""
-    made = next((each for each in headline.outcomes if each.worst is not None), None)
-    if made is None or made.worst is None:
-        return ""
-    return f"{_percent(made.top1)} on mis-made ones (the worst of them {_percent(made.worst)})"
+    found = [
+        f"{_percent(each.top1)} on {'virtual rigs' if each.group == RIG_GROUP else 'mis-made ones'} (the worst of them "
+        f"{_percent(each.worst)})"
+        for each in headline.outcomes
+        if each.worst is not None
+    ]
+    return ", ".join(found)
 
 
 def printing_sentence(result: RunResult) -> str:

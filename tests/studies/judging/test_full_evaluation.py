@@ -13,8 +13,9 @@ from small_run import small_design
 import acoustic_fem
 import localize
 from localize.signals.array_response import response_of
-from studies.judging.full_evaluation import evaluate_fully, mis_made, scattered_sensors
+from studies.judging.full_evaluation import evaluate_fully, mis_made, rig_sensors, scattered_sensors
 from studies.judging.report import write_evaluation
+from studies.made_sensor.rig import Rig
 
 
 def test_conditions_have_touches_enough_for_four_points_either_way_but_no_more_than_were_asked_for(library):
@@ -53,6 +54,16 @@ def test_a_design_whose_scatter_is_not_known_is_judged_without_it_and_told_why()
     assert "resonator.shape = 'box' must be 'cylinder'" in reason
 
 
+def test_virtual_rigs_are_judged_as_they_are_made(library):
+    response = response_of(library)
+    ((name, share, made),) = rig_sensors(library, response, seed=5, count=2)
+    assert (name, share, len(made)) == ("uncalibrated", None, 2)
+    inside = response.frequency <= 160.0
+    for number, own in enumerate(made):
+        rig = Rig(library.design, 5 + number)
+        assert np.allclose(own[..., inside], rig.transfer_function(response.frequency[inside]), rtol=1e-9)
+
+
 def test_the_page_is_one_file_with_all_figures_and_the_json_has_their_numbers(library, tmp_path):
     response = response_of(library)
     locators = {"first": localize.BayesDecoder(library, 1e-2), "second": localize.BayesDecoder(library, 1e-3)}
@@ -69,7 +80,7 @@ def test_the_page_is_one_file_with_all_figures_and_the_json_has_their_numbers(li
     first = numbers["first"]
     assert f"{100 * first['top1']:.1f}" in page
     assert {each["group"] for each in first["conditions"]} == {
-        "microphone noise", "ambient sound", "stimulus", "length", "mis-made sensors"
+        "microphone noise", "ambient sound", "stimulus", "length", "mis-made sensors", "virtual rigs"
     }  # fmt: skip
     for each in first["conditions"]:
         assert f">{each['name']}<" in page

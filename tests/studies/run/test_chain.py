@@ -78,7 +78,7 @@ def test_taps_and_mis_made_sensors_stand_beside_the_headline() -> None:
     for each in (results()["network"], results()["bayes"]):
         assert each["signals"] == "sums of sines on the nominal sensor"
         assert [(own["group"], own["name"]) for own in each["conditions"]] == [
-            ("stimulus", "taps"), ("mis-made sensors", "1 of the tolerances")
+            ("stimulus", "taps"), ("mis-made sensors", "1 of the tolerances"), ("virtual rigs", "uncalibrated")
         ]  # fmt: skip
 
 

@@ -131,15 +131,20 @@ def test_the_headline_says_whose_signals_it_is_of_and_what_taps_and_mis_made_sen
     assert text in page.text
     assert text.index(SIGNALS) < text.index(" %")
     assert SIGNALS in figures["localizer, top-1"].remark
-    for name in ("taps on the nominal sensor", "sums of sines on 8 mis-made sensors"):
+    for name in (
+        "taps on the nominal sensor",
+        "sums of sines on 8 mis-made sensors",
+        "sums of sines on 8 virtual rigs",
+    ):
         assert f"of {name}" in text.replace("Of", "of")
         assert figures[f"{name}, top-1"].value in text
     for each in (result.network, result.bayes):
-        taps, made = each.outcomes
+        taps, made, rigs = each.outcomes
         assert (taps.group, taps.name, taps.worst) == ("stimulus", "taps", None)
         assert (made.group, made.value) == ("mis-made sensors", 1.0)
         assert made.worst is not None
         assert made.worst <= made.top1 <= 1.0
+        assert (rigs.group, rigs.name, rigs.value) == ("virtual rigs", "uncalibrated", None)
     assert result.bayes.outcomes[0].top1 > 0.9
     cut = [replace(each, outcomes=each.outcomes[:1], unscattered="why not") for each in (result.network, result.bayes)]
     assert "Mis-made sensors are not judged: why not." in verdict(replace(result, network=cut[0], bayes=cut[1]))
