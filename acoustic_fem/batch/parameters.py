@@ -30,9 +30,9 @@ class ArrayParameters:
     """Numbers of a batch of arrays of one topology: NumPy arrays or torch tensors, float64, SI."""
 
     tube_radius: Array
-    """Radius of the bore, (n_design, n_tube_column) float64, m."""
+    """Radius of the smooth tube that a tube is worth, (n_design, n_tube_column) float64, m."""
     tube_length: Array
-    """Length of the bore from cavity wall to cavity wall, (n_design, n_tube_column) float64, m."""
+    """Length of that smooth tube, (n_design, n_tube_column) float64, m."""
     cavity_radius: Array
     """Radius of the cavity, (n_design, n_point_column) float64, m."""
     cavity_height: Array
@@ -255,8 +255,8 @@ def _row(design: ArrayDesign, medium: Medium, known: KnownDiscs | None) -> dict[
     microphone = design.microphone
     diaphragm, _, vent = elements(microphone, microphone.vent_corner, medium)
     return {
-        "tube_radius": [metres(tube.inner_diameter) / 2 for tube in tubes],
-        "tube_length": [metres(tube.length) for tube in tubes],
+        "tube_radius": [metres(tube.acoustic_diameter) / 2 for tube in tubes],
+        "tube_length": [metres(tube.acoustic_length(design.printing.port_lip)) for tube in tubes],
         **{name: [point[name] for point in points] for name in points[0]},
         "chamber_radius": [metres(microphone.chamber_diameter) / 2],
         "chamber_height": [metres(microphone.chamber_height)],

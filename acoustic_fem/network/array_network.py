@@ -100,7 +100,7 @@ def solve_network(
         tubes = design.tubes_of(line)
         for tube in tubes:
             if tube not in ducts:
-                ducts[tube] = _duct_between_stubs(tube, frequency, medium)
+                ducts[tube] = _duct_between_stubs(tube, design.printing.port_lip, frequency, medium)
         points = [point for point, where in enumerate(layout.points) if where.line == index]
         points.sort(key=lambda point: layout.points[point].place)
         cells = np.stack([_at_place(catalogue.points[point], admittances, frequency) for point in points])
@@ -154,9 +154,9 @@ class _Chain:
         )
 
 
-def _duct_between_stubs(tube: Tube, frequency: NDArray[np.float64], medium: Medium) -> TwoPort:
-    length = max(tube.length - 2 * tube.stub_length, _SHORTEST_DUCT * tube.length)
-    duct = port_admittance(metres(tube.inner_diameter) / 2, metres(length), frequency, medium)
+def _duct_between_stubs(tube: Tube, lip: float, frequency: NDArray[np.float64], medium: Medium) -> TwoPort:
+    length = max(tube.acoustic_length(lip) - 2 * tube.stub_length, _SHORTEST_DUCT * tube.length)
+    duct = port_admittance(metres(tube.acoustic_diameter) / 2, metres(length), frequency, medium)
     return TwoPort(duct[:, 0, 0], duct[:, 0, 1], duct[:, 1, 1])
 
 

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 from geometry.design.array_design import ArrayDesign
-from geometry.layout.placement import ArrayLayout, microphone_ports, point_ports
+from geometry.layout.placement import ArrayLayout, microphone_tubes, point_ports, point_tubes
 from geometry.stated.cavity_shapes import Box, Dome, wall_distance
 from geometry.stated.parts import Resonator
 from geometry.stated.ports import ANGLE_STEP, CellPort, Port, in_common_rotation, port_rank
@@ -129,24 +129,26 @@ def canonical_ports(
     return best, tuple(ranking.index(k) for k in range(len(best)))
 
 
-def resonator_cell(resonator: Resonator, ports: Sequence[Port]) -> CellUse:
+def resonator_cell(resonator: Resonator, ports: Sequence[Port], bores: Sequence[float] | None = None) -> CellUse:
     """The air that a shell with these ports leaves, in its canonical form.
 
     Args:
         resonator: as :func:`geometry.solids.shell.build_shell` takes it.
         ports: as it takes them, at any angles: a box lies as in the one shell that serves all its rotations.
+        bores: of the tubes for the air, mm, one per port; by default those of the ports.
     """
     shape, own = resonator.cavity_shape, resonator.port_axis_height
     placed = [replace(port, height=None if port.height == own else port.height) for port in ports]
+    bores = bores or [port.bore_diameter for port in ports]
     turn = in_common_rotation(placed, ANGLE_STEP)[1]
     canonical, order = canonical_ports(
-        [CellPort(port.angle - turn, port.bore_diameter, port.height) for port in placed], shape
+        [CellPort(port.angle - turn, bore, port.height) for port, bore in zip(placed, bores, strict=True)], shape
     )
     cell = Cell(
         kind="resonator",
         diameter=resonator.cavity_diameter,
         height=resonator.cavity_height,
-        port_height=own,
+        port_height=max(own, max(bores) / 2),  # a bore on the floor that counts as wider stays above it
         ports=canonical,
         opening_diameter=resonator.cavity_diameter,
         opening_length=0.0,
@@ -158,18 +160,22 @@ def resonator_cell(resonator: Resonator, ports: Sequence[Port]) -> CellUse:
 def cell_catalogue(design: ArrayDesign, layout: ArrayLayout) -> CellCatalogue:
     """Distinct cells of a design whose parts lie as the layout says."""
     microphone = design.microphone
-    known: dict[tuple[Resonator, tuple[Port, ...]], CellUse] = {}
+    known: dict[object, CellUse] = {}
     points = []
     for placement in layout.points:
         ports = point_ports(design, placement)
+        bores = tuple(tube.acoustic_diameter for tube in point_tubes(design, placement))
         resonator = design.resonator_at(design.lines[placement.line], placement.place)
-        if (resonator, ports) not in known:
-            known[resonator, ports] = resonator_cell(resonator, ports)
-        points.append(known[resonator, ports])
+        if (resonator, ports, bores) not in known:
+            known[resonator, ports, bores] = resonator_cell(resonator, ports, bores)
+        points.append(known[resonator, ports, bores])
     microphones = []
     for housing in layout.microphones:
         canonical, order = canonical_ports(
-            [CellPort(port.angle, port.bore_diameter) for port in microphone_ports(design, housing)]
+            [
+                CellPort(port.angle, tube.acoustic_diameter)
+                for port, tube in zip(housing.ports, microphone_tubes(design, housing), strict=True)
+            ]
         )
         microphones.append(
             CellUse(

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from geometry.plan import hand, ring
 from geometry.refusal import counted
-from geometry.stated.parts import SOCKET_COVER
+from geometry.stated.parts import SOCKET_COVER, STUB_LENGTH_IN_RADII
 
 if TYPE_CHECKING:
     from geometry.stated.array import StatedArray
@@ -44,9 +44,9 @@ def tube_rules(design: StatedArray) -> Iterator[str]:
                 f"{field}.inner_diameter = {tube.inner_diameter:g} mm must be at most half of "
                 f"microphone.chamber_diameter ({chamber.chamber_diameter / 2:g} mm)"
             )
-        if tube.length < 2 * tube.stub_length:
+        if tube.length < (stubs := STUB_LENGTH_IN_RADII * tube.inner_diameter):
             yield (
-                f"{field}.length = {tube.length:g} mm must be at least {2 * tube.stub_length:g} mm, "
+                f"{field}.length = {tube.length:g} mm must be at least {stubs:g} mm, "
                 "8 bore radii: shorter tubes have no plane-wave part"
             )
         walls = resonator.wall_thickness + (chamber if to_microphone else resonator).wall_thickness

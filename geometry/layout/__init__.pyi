@@ -18,7 +18,9 @@ from .placement import (
     PointPlacement as PointPlacement,
     TubePlacement as TubePlacement,
     microphone_ports as microphone_ports,
+    microphone_tubes as microphone_tubes,
     point_places as point_places,
     point_ports as point_ports,
+    point_tubes as point_tubes,
 )
 from .size import array_size as array_size

@@ -103,20 +103,28 @@ class ArrayLayout:
         return self.surface.frame(*placement.position)
 
 
-def point_ports(design: ArrayDesign, placed: PointPlacement) -> tuple[Port, ...]:
-    """The ports of a point's shell as it lies: of the tube to the previous node of its line and of that to the next."""
+def point_tubes(design: ArrayDesign, placed: PointPlacement) -> tuple[Tube, Tube]:
+    """The tube of a point to the previous node of its line, and that to the next."""
     line = design.lines[placed.line]
-    before, after = (design.tube_at(line, segment) for segment in (placed.place, placed.place + 1))
+    return design.tube_at(line, placed.place), design.tube_at(line, placed.place + 1)
+
+
+def microphone_tubes(design: ArrayDesign, placed: MicrophonePlacement) -> tuple[Tube, ...]:
+    """The tubes of a microphone, in the order of its placement's ports."""
+    return tuple(design.microphone_tube_of(design.lines[port.line]) for port in placed.ports)
+
+
+def point_ports(design: ArrayDesign, placed: PointPlacement) -> tuple[Port, ...]:
+    """The ports of a point's shell as it lies, in the order of :func:`point_tubes`."""
     return tuple(
         Port(angle, tube.inner_diameter, tube.outer_diameter)
-        for angle, tube in zip(placed.port_angles, (before, after), strict=True)
+        for angle, tube in zip(placed.port_angles, point_tubes(design, placed), strict=True)
     )
 
 
 def microphone_ports(design: ArrayDesign, placed: MicrophonePlacement) -> tuple[Port, ...]:
     """The ports of a microphone's housing as it lies, in the order of its placement's."""
-    tubes = [design.microphone_tube_of(design.lines[port.line]) for port in placed.ports]
     return tuple(
         Port(port.angle, tube.inner_diameter, tube.outer_diameter)
-        for port, tube in zip(placed.ports, tubes, strict=True)
+        for port, tube in zip(placed.ports, microphone_tubes(design, placed), strict=True)
     )

@@ -16,6 +16,10 @@ from geometry.stated.fields import Count, Millimetre, Number, Section
 #: entrance flow has decayed to a plane wave where the port is (its slowest mode decays as exp(-5 z/a)).
 STUB_LENGTH_IN_RADII = 4.0
 
+#: Where a tube opens into a cavity it resists like this many bore radii more of it: 1.5 mu / a^3
+#: (:mod:`acoustic_fem.duct.opening`) by 8 mu / (pi a^4).
+OPENING_LENGTH_IN_RADII = 3 * math.pi / 16
+
 #: Width on which the board of a microphone is glued, or bears on either side of a gasket, mm.
 BOARD_SEAL = 0.6
 #: Width of the slot for the wires per width of the seat.
@@ -183,6 +187,10 @@ class Tube(Section):
     inner_diameter: Millimetre = Field(ge=0.05, le=5, description="bore")
     outer_diameter: Millimetre = Field(ge=0.1, le=8, description="outside of the sheath")
     wire_diameter: Millimetre = Field(ge=0.01, le=1, description="wire of the coil spring")
+    bore: Literal["coil", "smooth"] = Field(
+        default="coil",
+        description="coil: between the turns of the spring, inner_diameter at their crests; smooth: round, no grooves",
+    )
     bend_radius: Millimetre | None = Field(
         default=None, le=1000, description="smallest radius of its axis; default: from spring and sheath"
     )
@@ -218,6 +226,35 @@ class Tube(Section):
         return self.inner_diameter + 2 * self.wire_diameter
 
     @property
+    def acoustic_diameter(self) -> float:
+        """Diameter of the smooth bore through which air passes as it does between the turns of the spring, mm.
+
+        Flow slips into the grooves of a close-wound spring a little: fitted to
+        :attr:`acoustic_fem.duct.CoilBore.effective_radius`, off by at most 3.5e-5 for wires up to half of the bore and
+        3e-3 up to the bore; thicker wires, of which no spring is wound, count as that. ``inner_diameter`` where the
+        bore is smooth.
+        """
+        if self.bore == "smooth":
+            return self.inner_diameter
+        wire = min(self.wire_diameter / self.inner_diameter, 1.0)
+        return self.inner_diameter * (1 + 0.0820 * wire + 0.0103 * wire**2)
+
+    def acoustic_length(self, lip: float) -> float:
+        """Length of that smooth bore which resists as the tube and its two openings do, mm.
+
+        It is ``length`` where the bore is smooth. Where it is not, the openings and the lips on which the tube ends
+        still have ``inner_diameter``.
+
+        Args:
+            lip: length of bore in a wall, before the spring begins, at either end of the tube, mm.
+        """
+        if self.bore == "smooth":
+            return self.length
+        widening = self.acoustic_diameter / self.inner_diameter
+        openings = OPENING_LENGTH_IN_RADII * self.inner_diameter * (widening**4 - widening)
+        return self.length + 2 * lip * (widening**4 - 1) + openings
+
+    @property
     def sheath_wall(self) -> float:
         """Wall of the sheath around the coil spring, mm."""
         return (self.outer_diameter - self.spring_outer_diameter) / 2
@@ -235,7 +272,7 @@ class Tube(Section):
     @property
     def stub_length(self) -> float:
         """Length of the stub that belongs to a cell, mm."""
-        return STUB_LENGTH_IN_RADII * self.inner_diameter / 2
+        return STUB_LENGTH_IN_RADII * self.acoustic_diameter / 2
 
 
 class Microphone(Section):

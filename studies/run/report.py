@@ -134,7 +134,7 @@ def _assumptions(result: RunResult) -> list[str]:
     membrane = design.material(design.membrane.material)
     return [
         "Sound is small and linear; walls of shells, tubes and chambers are rigid and at the temperature of the air.",
-        "Tubes are smooth round bores in which a plane wave travels; bends and the ribs of the spring are left out.",
+        "A plane wave travels in the tubes; the grooves of a spring count as a wider bore, bends are left out.",
         f"A membrane is {_MOUNTING[design.membrane.mounting]}, stretched by {design.membrane.stretch - 1:.3g}, and "
         "pushes the air in the shape of its first mode; its material: "
         f"{design.membrane.material}, {membrane.law_in_words} ({membrane.source}).",

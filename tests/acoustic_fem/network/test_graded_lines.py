@@ -30,7 +30,8 @@ TUBES = [(14.0, 0.44), (8.0, 0.6), (8.0, 0.6), (14.0, 0.44)]
 def stated():
     """The common parts of the line, without kinds."""
     line = [{"between": ["A", "B"], "points": 5}]
-    return prototype("array-2x6").with_values({"lines": line, "membrane.thickness": 1.0})
+    smooth = {"tube.bore": "smooth", "microphone_tube.bore": "smooth"}
+    return prototype("array-2x6").with_values({"lines": line, "membrane.thickness": 1.0, **smooth})
 
 
 @pytest.fixture(scope="module")

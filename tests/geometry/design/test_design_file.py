@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import tomllib
 from pathlib import Path
 from typing import Any
@@ -11,6 +12,7 @@ import tomlkit
 from hypothesis import given, strategies as st
 
 import geometry
+from acoustic_fem.duct.coil_bore import CoilBore
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import prototype_text, read_design, read_stored_design, write_design
 from geometry.stated.fields import DesignError, fields_of
@@ -470,7 +472,7 @@ def test_an_optional_field_goes_back_to_its_default() -> None:
         ("lines.7.points", "is not a field of this design; known: 0"),
         ("lines.x", "is not a field of this design; known: 0"),
         ("tube.length.x", "is not a field of this design"),
-        ("tube.bore", "is not a field of this design; known: outer_diameter, bend_radius, "),
+        ("tube.width", "is not a field of this design; known: wire_diameter, "),
         ("x", "is not a field of this design; known: "),
     ],
 )
@@ -563,3 +565,38 @@ def test_a_blend_lies_between_its_parts_and_hardness_out_of_range_is_refused() -
         blend_modulus(1.0, 2.0, 1.5)
     with pytest.raises(ValueError, match="shore_a = 95 must be between 0 and 90"):
         youngs_modulus_from_shore_a(95)
+
+
+# -- bores ------------------------------------------------------------------------------------------
+def test_a_stored_design_that_states_no_bore_had_smooth_ones() -> None:
+    design = geometry.prototype("large-area-64").with_values({"tube_kinds": {"own": geometry.prototype("line-2").tube}})
+    stated = write_design(design.completed())
+    assert read_stored_design(stated, "a library") == design
+    older = "\n".join(line for line in stated.splitlines() if not line.startswith("bore ="))
+    found = read_stored_design(older, "a library")
+    tubes = [found.tube, found.microphone_tube, found.tube_kinds["own"], *(found.tube_of(line) for line in found.lines)]
+    assert {tube.bore for tube in tubes} == {"smooth"}
+
+
+@pytest.mark.parametrize("wire", [0.02, 0.08, 0.15, 0.21])
+def test_air_passes_the_turns_of_a_spring_as_a_slightly_wider_bore(wire: float) -> None:
+    tube = Tube(length=12.5, inner_diameter=0.44, outer_diameter=1.5, wire_diameter=wire)
+    ribbed = CoilBore(tube.spring_outer_diameter, wire)
+    assert tube.acoustic_diameter / 0.44 == pytest.approx(ribbed.effective_radius / ribbed.crest_radius, abs=4e-5)
+    smooth = tube.model_copy(update={"bore": "smooth"})
+    assert (smooth.acoustic_diameter, smooth.acoustic_length(0.3)) == (0.44, 12.5)
+
+
+def test_lips_and_openings_of_a_coil_bore_have_the_bore_at_its_crests() -> None:
+    tube = geometry.prototype("array-2x6").tube
+    crests, acoustic = tube.inner_diameter, tube.acoustic_diameter
+    opening = 3 * math.pi / 16 * crests**-3  # 1.5 mu / a^3 twice, by 8 mu / pi 2^4
+    stated = (tube.length - 0.6) / acoustic**4 + 0.6 / crests**4 + opening
+    worth = tube.acoustic_length(0.3) / acoustic**4 + 3 * math.pi / 16 * acoustic**-3
+    assert worth == pytest.approx(stated, rel=1e-12)
+
+
+def test_a_wire_thicker_than_its_bore_counts_as_one_as_thick() -> None:
+    tube = Tube(length=12.5, inner_diameter=0.1, outer_diameter=3, wire_diameter=0.1)
+    assert tube.acoustic_diameter == pytest.approx(0.10923)
+    assert tube.model_copy(update={"wire_diameter": 1.0}).acoustic_diameter == tube.acoustic_diameter
