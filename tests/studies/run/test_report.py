@@ -122,7 +122,7 @@ def test_the_key_figures_are_those_of_the_run() -> None:
     assert found["print verdict"] == result.printing.verdict
     assert float(found["localizer, top-1"].rstrip(" %")) == pytest.approx(100 * result.network.top1, abs=0.06)
     weakest = 20 * np.log10(np.abs(result.library.transfer_function.values[0, 1, 99]))
-    assert found["weakest signal at 100 Hz"] == f"{weakest:.1f} dB".replace("-", "−")
+    assert found["weakest signal at 100 Hz"] == f"{weakest:z.1f} dB".replace("-", "−")
 
 
 def test_the_headline_says_whose_signals_it_is_of_and_what_taps_and_mis_made_sensors_cost(page: Page) -> None:
