@@ -8,6 +8,7 @@ from . import (
     signals as signals,
 )
 from .decoders.bayes import BayesDecoder as BayesDecoder
+from .decoders.drift import DriftDecoder as DriftDecoder
 from .decoders.family import FamilyDecoder as FamilyDecoder
 from .decoders.judgement import Judgement as Judgement, ResidualTest as ResidualTest, judge as judge
 from .decoders.reconstruct import (

@@ -33,6 +33,7 @@ from geometry.files.reading import parse_json
 from geometry.files.writing import whole_file
 from geometry.refusal import Refusal
 from localize.decoders.bayes import SCREEN_ERROR, SURE, TEMPERATURE, BayesDecoder, DecoderTables
+from localize.decoders.drift import DriftDecoder
 from localize.decoders.tolerant import TolerantDecoder
 from localize.learned.description import (
     LARGEST_MODEL,
@@ -66,10 +67,13 @@ def export_onnx(localizer: Localizer | BayesDecoder, path: str | os.PathLike[str
         path: of the file, such as ``localizer.onnx``; it is there whole or not at all.
 
     Raises:
-        Refusal: a :class:`localize.TolerantDecoder`, which fits deviations to each frame.
+        Refusal: a :class:`localize.TolerantDecoder`, which fits deviations to each frame, or a
+            :class:`localize.DriftDecoder`, which remembers the frames before.
     """
     if isinstance(localizer, TolerantDecoder):
         raise Refusal("localizer must not be a TolerantDecoder: what it fits to a frame is in no graph yet")
+    if isinstance(localizer, DriftDecoder):
+        raise Refusal("localizer must not be a DriftDecoder: a graph does not remember the frames before")
     graph = _NetworkGraph(localizer) if isinstance(localizer, Localizer) else DecoderGraph(localizer)
     model = _translated(graph.eval(), len(localizer.microphones))
     model.producer_name = "acoustic-fem"

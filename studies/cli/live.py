@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Annotated, Self
 import typer
 
 from geometry.refusal import Refusal, counted
-from studies.cli.locating import ArrayLibrary, DecoderAmbient, DecoderNoise, RefusedShare
+from studies.cli.locating import ArrayLibrary, DecoderAmbient, DecoderNoise, FollowDrift, RefusedShare
 from studies.cli.options import AIR_OPTIONS, Altitude, Pressure, Temperature, named
 from studies.cli.tables import show, table_of
 from studies.listening.live import LiveInput, listen
@@ -87,6 +87,7 @@ def live(
     ] = False,
     ambient: DecoderAmbient = None,
     refuse: RefusedShare = None,
+    follow_drift: FollowDrift = False,
     pressure: Pressure = None,
     altitude: Altitude = None,
     temperature: Temperature = None,
@@ -109,7 +110,8 @@ def live(
         named(full_scale="--full-scale", microphone_noise="--noise", loudest="--ambient", **words, **AIR_OPTIONS),
         _Output(waveform) as output,
     ):
-        decoding = Decoding(noise, library, waveform, ambient, refuse, LocalAir(pressure, altitude, temperature))
+        air = LocalAir(pressure, altitude, temperature)
+        decoding = Decoding(noise, library, waveform, ambient, refuse, air, follow_drift)
         summary = listen(model, source, out, record=record, decoding=decoding, hear=output.hear)
     _print_summary(summary)
     if summary.unrecorded:

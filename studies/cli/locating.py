@@ -51,6 +51,14 @@ RefusedShare = Annotated[
         show_default="the likeliest point is named",
     ),
 ]
+FollowDrift = Annotated[
+    bool,
+    typer.Option(
+        "--follow-drift",
+        help="Follow the stiffness of the sensor over the touches, for a calibrated library: rubber that ages, air of "
+        "another place.",
+    ),
+]
 
 
 def onnx(
@@ -114,6 +122,7 @@ def locate(
     ] = False,
     ambient: DecoderAmbient = None,
     refuse: RefusedShare = None,
+    follow_drift: FollowDrift = False,
     pressure: Pressure = None,
     altitude: Altitude = None,
     temperature: Temperature = None,
@@ -128,7 +137,8 @@ def locate(
     from acoustic_fem.quantities.local_air import LocalAir
 
     with named(full_scale="--full-scale", **options, **AIR_OPTIONS):
-        decoding = Decoding(noise, library, waveform, ambient, refuse, LocalAir(pressure, altitude, temperature))
+        air = LocalAir(pressure, altitude, temperature)
+        decoding = Decoding(noise, library, waveform, ambient, refuse, air, follow_drift)
         found = locate_recording(model, recording, out, full_scale=full_scale, decoding=decoding)
     _show_touches(found)
     told: dict[State, str] = {"sound": "sound alone", "other": "no single touch"}

@@ -182,7 +182,7 @@ def _opened(
     from localize.signals.resampling import check_full_scale
 
     check_full_scale(source.full_scale)
-    locator = open_localizer(model, decoding.noise, decoding.ambient, decoding.air)
+    locator = open_localizer(model, decoding)
     samples = source.open(locator)
     stream = open_stream(model, locator, decoding, samples.limit)
     recorder = None

@@ -43,6 +43,8 @@ class Decoding:
     likeliest point is named."""
     air: LocalAir | None = None
     """Air of the place, to which a library is brought; by default that of the library."""
+    follow_drift: bool = False
+    """Whether the stiffness of a calibrated sensor is followed over the touches, for a library as model."""
 
     @property
     def needs_library(self) -> str | None:
@@ -77,14 +79,19 @@ def open_trained(
     return BayesDecoder(_library_there(model, air), level, ambient=sound_levels(ambient))
 
 
-def open_localizer(
-    model: Path, noise: float | None, ambient: float | None, air: LocalAir | None = None
-) -> Localizer | BayesDecoder | OnnxLocalizer:  # fmt: skip
-    """Localizer of :func:`open_trained`, or that of an ONNX file.
+def open_localizer(model: Path, decoding: Decoding) -> Localizer | BayesDecoder | OnnxLocalizer:
+    """Localizer of :func:`open_trained`, that of an ONNX file, or the decoder of a library that follows a drift.
+
+    Args:
+        model: a folder, an ONNX file or a library.
+        decoding: how signals are read.
 
     Raises:
-        Refusal: as :func:`open_trained`.
+        Refusal: as :func:`open_trained`; a drift to follow of what is no library, or of one that is not calibrated.
     """
+    noise, ambient, air = decoding.noise, decoding.ambient, decoding.air
+    if decoding.follow_drift:
+        return _open_following(model, decoding)
     if model.suffix != ".onnx":
         return open_trained(model, noise, ambient, air)
     if noise is not None:
@@ -93,6 +100,22 @@ def open_localizer(
     from localize import OnnxLocalizer
 
     return OnnxLocalizer(model)
+
+
+def _open_following(model: Path, decoding: Decoding) -> BayesDecoder:
+    from localize.decoders.bayes import sound_levels
+    from localize.decoders.drift import DriftDecoder, objection_to_drift
+    from localize.live.events import HOP
+    from localize.signals.frames import FRAME
+
+    if _is_trained(model) or model.suffix == ".onnx":
+        raise Refusal(f"`follow_drift` needs a calibrated library as model: {model} is none")
+    library = _library_there(model, decoding.air)
+    objection = objection_to_drift(library)
+    if objection is not None:
+        raise Refusal(f"{model}: {objection}")
+    level: NoiseChoice = "design" if decoding.noise is None else decoding.noise
+    return DriftDecoder(library, level, sound_levels(decoding.ambient), new=HOP / FRAME)
 
 
 def open_stream(

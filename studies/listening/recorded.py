@@ -72,7 +72,7 @@ def locate_recording(
         raise Refusal("`waveform` goes into the lines of `out`; give that too")
     from localize import TouchTracker, read_recording, touches_of
 
-    localizer = open_localizer(source, given.noise, given.ambient, given.air)
+    localizer = open_localizer(source, given)
     stream = open_stream(source, localizer, given)
     heard = read_recording(Path(recording), localizer.microphones, full_scale)
     decided = stream.push(heard.signals)

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 from shared import solved
 
 import acoustic_fem
 import localize
+from acoustic_fem.library.result import measured_library
+from geometry.refusal import Refusal
 from studies.listening.opening import Decoding, open_localizer, open_stream
 
 
@@ -15,8 +19,26 @@ from studies.listening.opening import Decoding, open_localizer, open_stream
 def test_a_library_of_three_microphones_goes_on_without_one_that_is_dead(tmp_path, name, state) -> None:
     path = tmp_path / "library.nc"
     acoustic_fem.save(solved(name, np.arange(1.0, 101.0)), path)
-    localizer = open_localizer(path, None, None)
+    localizer = open_localizer(path, Decoding())
     samples = 7e-4 * np.random.default_rng(0).standard_normal((len(localizer.microphones), 300))
     samples[0] = 0.0
     events = open_stream(path, localizer, Decoding()).push(samples)
     assert {event.state for event in events if isinstance(event, localize.Decision)} == {state}
+
+
+def test_a_drift_is_followed_about_a_calibrated_library_alone(tmp_path) -> None:
+    grid = np.arange(1.0, 101.0, 3.0)
+    nominal = solved("array-2x6", grid)
+    computed, calibrated = tmp_path / "computed.nc", tmp_path / "calibrated.nc"
+    acoustic_fem.save(nominal, computed)
+    h = nominal.transfer_function.values
+    acoustic_fem.save(measured_library(nominal.design, nominal, h, 0.01 * np.abs(h), ("numpy",), {}), calibrated)
+    follow = Decoding(noise=1e-3, follow_drift=True)
+    decoder = open_localizer(calibrated, follow)
+    assert isinstance(decoder, localize.DriftDecoder)
+    samples = 7e-4 * np.random.default_rng(0).standard_normal((2, 300))
+    assert open_stream(calibrated, decoder, follow).push(samples)
+    with pytest.raises(Refusal, match=r"computed\.nc: must be calibrated to follow a drift, was computed"):
+        open_localizer(computed, follow)
+    with pytest.raises(Refusal, match="`follow_drift` needs a calibrated library as model: localizer is none"):
+        open_localizer(Path("localizer"), follow)

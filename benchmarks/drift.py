@@ -1,0 +1,95 @@
+"""Touches of a calibrated sensor that drifts: named with the library as it was, and with the drift followed.
+
+``python benchmarks/drift.py --write`` writes the table of docs/calibration.md anew; ``--sensors 3`` for a
+look. Sensors are virtual rigs at ``navier-stokes`` fidelity, with all that rigs scatter, of seeds from ``FIRST`` on,
+of which no constant was chosen. The calibrated library is the sensor's own before the drift, off by what a calibration
+leaves (:func:`acoustic_fem.calibration.model_discrepancy.draw`).
+"""
+
+from __future__ import annotations
+
+import argparse
+import warnings
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+from natural_touches import KINDS, NOISE, touched
+
+import acoustic_fem
+import geometry
+import localize
+from acoustic_fem.calibration.model_discrepancy import draw
+from acoustic_fem.library.result import measured_library
+from geometry.files.writing import replace_section
+from localize.signals.array_response import response_of
+from studies.made_sensor.rig import HiddenScatter, Rig
+
+PAGE = Path(__file__).parents[1] / "docs" / "calibration.md"
+BEGIN, END = "<!-- drift: made by benchmarks/drift.py -->", "<!-- end of drift -->"
+FIRST, SENSORS, TOUCHES = 9400, 3, 200
+SETTLED = 9
+"""Touches before those that are counted."""
+GRID = np.geomspace(1.0, 150.0, 48)
+DESIGNS = ("array-2x6", "line-2")
+DRIFTS = {
+    "none": HiddenScatter(),
+    "modulus -20 %": HiddenScatter(modulus=0.8),
+    "modulus +15 %": HiddenScatter(modulus=1.15),
+    "2000 m altitude (79.5 kPa)": HiddenScatter(altitude=2000.0),
+}
+
+
+def transfer_function(name: str, seed: int, drift: str) -> np.ndarray:
+    """Of a sensor that has drifted, (n_point, n_microphone, n_freq)."""
+    return Rig(geometry.prototype(name), seed, DRIFTS[drift], "navier-stokes").transfer_function(GRID)
+
+
+def rows_of(name: str, sensors: int) -> list[str]:
+    """Rows of the table of one design."""
+    nominal = acoustic_fem.solve(geometry.prototype(name), GRID, "lumped")
+    plain = response_of(nominal)
+    shares: dict[tuple[str, str], list[tuple[float, ...]]] = {}
+    for seed in range(FIRST, FIRST + sensors):
+        exact = transfer_function(name, seed, "none")
+        known = exact * (1 + draw(np.random.default_rng(seed), GRID, (1, *exact.shape[:2]))[0])
+        library = measured_library(nominal.design, nominal, known, 0.01 * np.abs(known), ("numpy",), {})
+        fixed, following = localize.BayesDecoder(library, NOISE), localize.DriftDecoder(library, NOISE)
+        for drift in DRIFTS:
+            truth = replace(plain, transfer_function=transfer_function(name, seed, drift))
+            exact_decoder = localize.BayesDecoder(truth, NOISE)
+            for kind in KINDS:
+                frames, points = touched(truth, kind, TOUCHES, seed)
+                following.reset()
+                named = [decoder.locate(frames) for decoder in (fixed, following, exact_decoder)]
+                right = [100 * float((each.argmax(1) == points)[SETTLED:].mean()) for each in named]
+                shares.setdefault((drift, kind), []).append(tuple(right))
+    rows = []
+    for (drift, kind), values in shares.items():
+        table = np.array(values)
+        cells = (f"{mean:.1f} ({worst:.1f})" for mean, worst in zip(table.mean(0), table.min(0), strict=True))
+        rows.append(f"| {name} | {drift} | {kind} | {' | '.join(cells)} |")
+        print(rows[-1], flush=True)
+    return rows
+
+
+def main() -> None:
+    warnings.filterwarnings("ignore", "entrance loss|membrane: |.*its library ends", UserWarning)
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--sensors", type=int, default=SENSORS)
+    parser.add_argument("--designs", nargs="+", default=list(DESIGNS), choices=list(DESIGNS))
+    parser.add_argument("--write", action="store_true", help="into docs/calibration.md")
+    chosen = parser.parse_args()
+    lines = [
+        "| design | drift since the calibration | touches | not followed | followed | known exactly |",
+        "|---|---|---|---|---|---|",
+    ]
+    print("\n".join(lines))
+    for name in chosen.designs:
+        lines += rows_of(name, chosen.sensors)
+    if chosen.write:
+        replace_section(PAGE, BEGIN, END, lines)
+
+
+if __name__ == "__main__":
+    main()
