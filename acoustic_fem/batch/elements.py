@@ -103,7 +103,7 @@ def tubes(parameters: ArrayParameters, air: Conditions) -> Tubes:
 
 
 def points(parameters: ArrayParameters, air: Conditions) -> Array:
-    """Admittance of cavities and their membranes, (n_design, n_point_column, n_freq) complex128, m^3/(Pa s)."""
+    """Admittance of cavities, their membranes and leaks, (n_design, n_point_column, n_freq) complex128, m^3/(Pa s)."""
     cavity = _cylinder(parameters.cavity_radius[..., None], parameters.cavity_height[..., None], air)
     modes = parameters.membrane_frequency
     kept = max(0, modes.shape[-1] - 3)  # the last two correct the statics
@@ -114,7 +114,7 @@ def points(parameters: ArrayParameters, air: Conditions) -> Array:
             stacklevel=4,
         )
     membrane = _modes(parameters, air) * parameters.membrane_compliance[..., None]
-    return 1j * air.omega * (cavity + membrane)
+    return 1j * air.omega * (cavity + membrane) + parameters.leak_conductance[..., None]
 
 
 def _modes(parameters: ArrayParameters, air: Conditions) -> Array:

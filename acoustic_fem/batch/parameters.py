@@ -16,6 +16,7 @@ import numpy as np
 
 from acoustic_fem.batch.numpy_or_torch import Array, namespace
 from acoustic_fem.batch.topology import Topology, tubes_in_use
+from acoustic_fem.duct.leak import design_leak
 from acoustic_fem.membrane.disc import KnownDiscs, design_disc, design_rubber
 from acoustic_fem.network.microphone import circuit_elements as elements
 from acoustic_fem.quantities.local_air import design_air
@@ -56,6 +57,9 @@ class ArrayParameters:
     """Frequency of each mode in vacuo at that modulus, (n_design, n_point_column, n_mode) float64, ascending, Hz. Modes
     from a design end with two that correct the statics (:class:`acoustic_fem.membrane.DiscSolution`).
     """
+    leak_conductance: Array
+    """Conductance of the leak of the cavity to the outside, 0 where it is tight, (n_design, n_point_column) float64,
+    m^3/(Pa s)."""
     chamber_radius: Array
     """Radius of the microphone's chamber, (n_design, n_microphone_column) float64, m."""
     chamber_height: Array
@@ -79,7 +83,7 @@ class ArrayParameters:
 
         Args:
             design: the array.
-            medium: the air, of which diaphragm and vent depend; by default that of the design.
+            medium: the air, on which diaphragm, vent and leaks depend; by default that of the design.
             known: membranes that need not be solved.
         """
         return cls.from_designs([design], medium, known)
@@ -92,7 +96,7 @@ class ArrayParameters:
 
         Args:
             designs: the arrays.
-            medium: the air, of which diaphragm and vent depend; by default that of each design.
+            medium: the air, on which diaphragm, vent and leaks depend; by default that of each design.
             known: membranes that need not be solved.
 
         Raises:
@@ -151,7 +155,9 @@ class ArrayParameters:
 
 #: Which part each parameter belongs to.
 PART = {
-    field.name: {"tube": "tube", "cavity": "point", "membrane": "point"}.get(field.name.split("_")[0], "microphone")
+    field.name: {"tube": "tube", "cavity": "point", "membrane": "point", "leak": "point"}.get(
+        field.name.split("_")[0], "microphone"
+    )
     for field in fields(ArrayParameters)
 }
 
@@ -163,7 +169,7 @@ _THIRD_AXIS = {
     "membrane_relaxation": ", n_term",
     "membrane_relaxation_time": ", n_term",
 }
-_MAY_VANISH = ("membrane_loss", "membrane_slope", "membrane_share", "membrane_relaxation")
+_MAY_VANISH = ("membrane_loss", "membrane_slope", "membrane_share", "membrane_relaxation", "leak_conductance")
 
 
 @dataclass(frozen=True, eq=False)
@@ -251,7 +257,7 @@ def check_medium(medium: MediumParameters, count: int, xp: ModuleType) -> int:
 
 def _row(design: ArrayDesign, medium: Medium, known: KnownDiscs | None) -> dict[str, list[Any]]:
     tubes = list(tubes_in_use(design).values())
-    points = [_point(design.of_kind(kind), known) for kind in design.kinds]
+    points = [_point(design.of_kind(kind), medium, known) for kind in design.kinds]
     microphone = design.microphone
     diaphragm, _, vent = elements(microphone, microphone.vent_corner, medium)
     return {
@@ -268,7 +274,7 @@ def _row(design: ArrayDesign, medium: Medium, known: KnownDiscs | None) -> dict[
     }
 
 
-def _point(design: ArrayDesign, known: KnownDiscs | None) -> dict[str, Any]:
+def _point(design: ArrayDesign, medium: Medium, known: KnownDiscs | None) -> dict[str, Any]:
     """The numbers of one column of points, all of which are alike."""
     disc = design_disc(design, known=known)
     rubber = design_rubber(design)
@@ -295,4 +301,5 @@ def _point(design: ArrayDesign, known: KnownDiscs | None) -> dict[str, Any]:
         "membrane_relaxation_time": list(rubber.times),
         "membrane_share": share / share.sum(),
         "membrane_frequency": mode_frequency,
+        "leak_conductance": design_leak(design, medium),
     }

@@ -1,4 +1,5 @@
 from .coil_bore import CoilBore as CoilBore
+from .leak import leak_conductance as leak_conductance
 from .meshed_section import MeshedSection as MeshedSection
 from .opening import (
     INERTANCE as INERTANCE,

@@ -1,4 +1,4 @@
-"""The whole array as a network of port admittances: cells, ducts, membranes, microphones.
+"""The whole array as a network of port admittances: cells, ducts, membranes, leaks, microphones.
 
 Every line is a chain of two-ports. From both of its ends the chain is condensed point by point, all
 frequencies at once; what remains is one small dense system of the microphone chambers. The cost is
@@ -14,6 +14,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from acoustic_fem.duct.leak import design_leak
 from acoustic_fem.duct.plane_wave import port_admittance
 from acoustic_fem.membrane.disc import KnownDiscs, design_compliance
 from acoustic_fem.network.microphone import load_admittance
@@ -91,9 +92,8 @@ def solve_network(
     Raises:
         Refusal: a cell is missing or its admittance has the wrong shape.
     """
-    membranes = np.stack(
-        [2j * np.pi * frequency * design_compliance(design.of_kind(kind), frequency, known) for kind in design.kinds]
-    )[list(design.kind_of_point)]
+    beside = np.stack([_beside_air(design.of_kind(kind), frequency, medium, known) for kind in design.kinds])
+    membranes = beside[list(design.kind_of_point)]
     ducts: dict[Tube, TwoPort] = {}
     lines = []
     for index, line in enumerate(design.lines):
@@ -152,6 +152,11 @@ class _Chain:
         self.share = -at_opening[..., :2] * np.stack(
             [np.stack([part.transfer for part in before]), np.stack([part.transfer for part in after])], -1
         )
+
+
+def _beside_air(design: ArrayDesign, frequency: NDArray[np.float64], medium: Medium, known: KnownDiscs | None) -> Array:
+    """Admittance of what yields beside the air of a cavity, its membrane and its leak, (n_freq,), m^3/(Pa s)."""
+    return 2j * np.pi * frequency * design_compliance(design, frequency, known) + design_leak(design, medium)
 
 
 def _duct_between_stubs(tube: Tube, lip: float, frequency: NDArray[np.float64], medium: Medium) -> TwoPort:

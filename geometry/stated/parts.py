@@ -56,6 +56,14 @@ class Resonator(Section):
         le=25,
         description="depth of the bowl of a dome; default: a third of the height, at most a quarter of the diameter",
     )
+    leak_diameter: Number = Field(
+        default=0.0,
+        ge=0,
+        le=0.1,
+        description="bore of a leak from the cavity to the outside; 0: tight",
+        json_schema_extra={"unit": "mm"},
+    )
+    leak_length: Millimetre = Field(default=1.0, ge=0.1, le=5, description="length of that leak")
 
     @property
     def cavity_shape(self) -> Box | Dome | None:

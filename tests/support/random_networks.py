@@ -25,6 +25,7 @@ RANGES = {  # SI
     "membrane_relaxation": (0.01, 0.5),
     "membrane_relaxation_time": (1e-4, 1.0),
     "membrane_frequency": (1.5e3, 2e4),
+    "leak_conductance": (1e-13, 1e-11),
     "chamber_radius": (5e-4, 2e-3),
     "chamber_height": (4e-4, 3e-3),
     "hole_radius": (1.5e-4, 4e-4),
@@ -114,6 +115,7 @@ def every_node_at_once(parameters, topology, frequency, medium, cut=None):
             ratio = frequency / p["membrane_frequency"][column][:, None]
             modes = p["membrane_share"][column][:, None] / (_modulus(p, column, frequency) - ratio**2)
             total = rate * (cavity + p["membrane_compliance"][column] * modes.sum(0))
+            total = total + p["leak_conductance"][column]
             entries.append(([cavities[place + 1]], total[:, None, None]))
         for place, column in enumerate(line.tubes):
             radius, length = p["tube_radius"][column], p["tube_length"][column]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -11,8 +12,10 @@ import torch
 
 import acoustic_fem
 import geometry
+from acoustic_fem.batch.network import batch_transfer_function
 from acoustic_fem.calibration.fitted_model import Priors, UpdatedModel
 from acoustic_fem.calibration.model_updating import Update, update
+from acoustic_fem.duct.leak import leak_conductance
 from acoustic_fem.library.result import Library
 from acoustic_fem.sound.estimate import TransferEstimate
 from studies.made_sensor.priors import fit_priors, model_deviation
@@ -77,6 +80,20 @@ def test_three_points_bring_all_points_of_a_foreign_sensor_near(model: UpdatedMo
         assert inside.mean() > 0.85
     assert max(after) < 0.4
     assert np.mean(after) < np.mean(before) / 3
+
+
+def test_a_leak_is_found_where_leaks_are_fitted(model: UpdatedModel, library: Library) -> None:
+    leaks = UpdatedModel(library, Priors(leak=2.0))
+    assert leaks.count == model.count + 12
+    hair = leak_conductance(25e-6, 1e-3, library.medium)
+    made = replace(model.nominal_parameters, leak_conductance=np.where(np.arange(12) == 4, hair, 0.0)[None])
+    truth = batch_transfer_function(made, model.topology, GRID, library.medium)[0]
+    estimates = measured(truth, (2, 5, 6, 11))
+    tight, found = update(model, estimates), update(leaks, estimates)
+    ratio, known = found.ratios["leak of point 5"]
+    by_least = hair / leak_conductance(10e-6, 1e-3, library.medium)
+    assert abs(np.log(ratio / by_least)) < 2 * known < 1.2
+    assert decibels(found.transfer_function, truth) < decibels(tight.transfer_function, truth) / 2
 
 
 @pytest.mark.slow

@@ -1,0 +1,34 @@
+"""Leaks of cavities to the outside: capillaries so narrow that only their resistance counts."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from acoustic_fem.duct.opening import RESISTANCE
+from acoustic_fem.quantities.checks import in_range, positive
+from acoustic_fem.quantities.medium import Medium
+from acoustic_fem.quantities.units import metres
+from geometry.design.array_design import ArrayDesign
+
+
+def leak_conductance(radius: float, length: float, medium: Medium) -> float:
+    """Flow out of a round capillary per pressure before it, 1 / (8 mu L / (pi a^4) + 3 mu / a^3), m^3/(Pa s).
+
+    Poiseuille's resistance and that of both openings. Against the capillary as a duct with openings, inertia and gas
+    included, up to 100 Hz: within 0.5 % for a bore of 50 um and a length of 1 mm, 2 % for 100 um.
+
+    Args:
+        radius: of its bore, m; 0: no leak.
+        length: m.
+        medium: the air.
+    """
+    in_range("radius", radius, 0, np.inf, "m")
+    positive("length", length, "m")
+    poiseuille, openings = 8 * length / np.pi, 2 * RESISTANCE * radius
+    return float(radius**4 / (medium.viscosity * (poiseuille + openings)))
+
+
+def design_leak(design: ArrayDesign, medium: Medium) -> float:
+    """Conductance of the leak of each cavity of a design, m^3/(Pa s)."""
+    resonator = design.resonator
+    return leak_conductance(metres(resonator.leak_diameter) / 2, metres(resonator.leak_length), medium)
