@@ -93,7 +93,10 @@ class Chambers(NamedTuple):
 def tubes(parameters: ArrayParameters, air: Conditions) -> Tubes:
     """Tubes from cavity wall to cavity wall: Zwikker-Kosten ducts between two entrance impedances."""
     radius, length = parameters.tube_radius[..., None], parameters.tube_length[..., None]
-    total, across, rise, ratio = _duct(radius, length, air)
+    wall: Array | float = 0.0
+    if largest(parameters.sheath_compliance) > 0:
+        wall = length * parameters.sheath_compliance[..., None] * _softness("sheath", parameters, air)
+    total, across, rise, ratio = _duct(radius, length, air, wall)
     entrance = _entrance(radius, air)
     # chain matrix [[1 + a, b], [., 1 + a]]: a = cosh - 1 + Ze Y sinh, b = Z sinh + Ze (1 + a + cosh)
     inward = entrance * across * ratio
@@ -103,7 +106,7 @@ def tubes(parameters: ArrayParameters, air: Conditions) -> Tubes:
 
 
 def points(parameters: ArrayParameters, air: Conditions) -> Array:
-    """Admittance of cavities, their membranes and leaks, (n_design, n_point_column, n_freq) complex128, m^3/(Pa s)."""
+    """Admittance of cavities and what yields around them, (n_design, n_point_column, n_freq) complex128, m^3/(Pa s)."""
     cavity = _cylinder(parameters.cavity_radius[..., None], parameters.cavity_height[..., None], air)
     modes = parameters.membrane_frequency
     kept = max(0, modes.shape[-1] - 3)  # the last two correct the statics
@@ -114,6 +117,8 @@ def points(parameters: ArrayParameters, air: Conditions) -> Array:
             stacklevel=4,
         )
     membrane = _modes(parameters, air) * parameters.membrane_compliance[..., None]
+    if largest(parameters.floor_compliance) > 0:
+        membrane = membrane + parameters.floor_compliance[..., None] * _softness("floor", parameters, air)
     return 1j * air.omega * (cavity + membrane) + parameters.leak_conductance[..., None]
 
 
@@ -123,7 +128,7 @@ def _modes(parameters: ArrayParameters, air: Conditions) -> Array:
     Well below the first mode it is a power series in f^2 / e with moments of the modes.
     """
     modes, shares = parameters.membrane_frequency, parameters.membrane_share
-    softness = inverse(membrane_modulus(parameters, air.omega / (2 * np.pi)))
+    softness = _softness("membrane", parameters, air)
     highest = largest(air.omega) / (2 * np.pi)
     square = (air.omega / (2 * np.pi * highest)) ** 2
     places = (highest / modes) ** 2
@@ -151,15 +156,21 @@ def membrane_modulus(parameters: ArrayParameters, frequency: Array) -> Array:
     Returns:
         (n_design, n_point_column, n_freq) complex128.
     """
-    loss = parameters.membrane_loss[..., None]
-    return modulus_ratio(
-        frequency,
-        loss,
-        parameters.membrane_slope[..., None] * causal_slope(loss),
-        parameters.membrane_reference[..., None],
-        parameters.membrane_relaxation[..., None, :],
-        parameters.membrane_relaxation_time[..., None, :],
+    return _modulus("membrane", parameters, frequency)
+
+
+def _softness(part: str, parameters: ArrayParameters, air: Conditions) -> Array:
+    return inverse(_modulus(part, parameters, air.omega / (2 * np.pi)))
+
+
+def _modulus(part: str, parameters: ArrayParameters, frequency: Array) -> Array:
+    loss, slope, reference, strength, time = (
+        getattr(parameters, f"{part}_{name}")
+        for name in ("loss", "slope", "reference", "relaxation", "relaxation_time")
     )
+    loss, slope, reference = loss[..., None], slope[..., None], reference[..., None]
+    slopes = slope * causal_slope(loss)
+    return modulus_ratio(frequency, loss, slopes, reference, strength[..., None, :], time[..., None, :])
 
 
 def chambers(parameters: ArrayParameters, air: Conditions) -> Chambers:
@@ -181,15 +192,17 @@ def chambers(parameters: ArrayParameters, air: Conditions) -> Chambers:
     return Chambers(rate * chamber + (inward + (1 + rise) * load) * opening, opening, through * opening)
 
 
-def _duct(radius: Array, length: Array, air: Conditions) -> tuple[Array, Array, Array, Array]:
-    """Z' L, Y' L, cosh(G L) - 1 and sinh(G L) / (G L)."""
+def _duct(
+    radius: Array, length: Array, air: Conditions, wall: Array | float = 0.0
+) -> tuple[Array, Array, Array, Array]:
+    """Z' L, Y' L, cosh(G L) - 1 and sinh(G L) / (G L), the wall having a compliance, m^3/Pa."""
     square = radius * radius
     section = np.pi * square
     viscous, thermal = (
         disc_means(square * rate, air.omega, air.blocks) for rate in (air.per_viscosity, air.per_diffusivity)
     )
     impedance = (air.medium.density * length / section) * (1j * air.omega) / viscous
-    admittance = (1j * air.omega) * air.compliance(section * length, thermal)
+    admittance = (1j * air.omega) * (air.compliance(section * length, thermal) + wall)
     return impedance, admittance, *hyperbolic(impedance * admittance)
 
 

@@ -16,9 +16,10 @@ import numpy as np
 
 from acoustic_fem.batch.numpy_or_torch import Array, namespace
 from acoustic_fem.batch.topology import Topology, tubes_in_use
-from acoustic_fem.duct.leak import design_leak
 from acoustic_fem.membrane.disc import KnownDiscs, design_disc, design_rubber
+from acoustic_fem.membrane.rubber import Rubber
 from acoustic_fem.network.microphone import circuit_elements as elements
+from acoustic_fem.network.yielding import design_leak, floor_compliance, sheath_compliance, soft_rubber
 from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.units import cubic_metres, metres
@@ -60,6 +61,32 @@ class ArrayParameters:
     leak_conductance: Array
     """Conductance of the leak of the cavity to the outside, 0 where it is tight, (n_design, n_point_column) float64,
     m^3/(Pa s)."""
+    floor_compliance: Array
+    """Static volume compliance of the floor at its stated modulus, 0 where it is rigid, (n_design, n_point_column)
+    float64, m^3/Pa."""
+    floor_loss: Array
+    """Loss factor of the floor, without that of its relaxations, (n_design, n_point_column) float64."""
+    floor_slope: Array
+    """Slope of its modulus as ``membrane_slope``, (n_design, n_point_column) float64."""
+    floor_reference: Array
+    """Frequency of its stated modulus, (n_design, n_point_column) float64, Hz."""
+    floor_relaxation: Array
+    """Relaxing moduli by that one, (n_design, n_point_column, n_term) float64; n_term may be 0."""
+    floor_relaxation_time: Array
+    """Relaxation times, (n_design, n_point_column, n_term) float64, s."""
+    sheath_compliance: Array
+    """Change of the bore's section per pressure at the stated modulus of the sheath, 0 where it is rigid, (n_design,
+    n_tube_column) float64, m^2/Pa."""
+    sheath_loss: Array
+    """Loss factor of the sheath, without that of its relaxations, (n_design, n_tube_column) float64."""
+    sheath_slope: Array
+    """Slope of its modulus as ``membrane_slope``, (n_design, n_tube_column) float64."""
+    sheath_reference: Array
+    """Frequency of its stated modulus, (n_design, n_tube_column) float64, Hz."""
+    sheath_relaxation: Array
+    """Relaxing moduli by that one, (n_design, n_tube_column, n_term) float64; n_term may be 0."""
+    sheath_relaxation_time: Array
+    """Relaxation times, (n_design, n_tube_column, n_term) float64, s."""
     chamber_radius: Array
     """Radius of the microphone's chamber, (n_design, n_microphone_column) float64, m."""
     chamber_height: Array
@@ -110,10 +137,11 @@ class ArrayParameters:
             if Topology.of(design) != topology:
                 raise Refusal(f"designs.{number} ({design.name}) is not wired as designs.0 ({designs[0].name})")
         rows = [_row(design, medium or design_air(design), known) for design in designs]
-        terms = max(len(column) for row in rows for column in row["membrane_relaxation"])
-        for row in rows:
-            for name, nothing in (("membrane_relaxation", 0.0), ("membrane_relaxation_time", 1.0)):
-                row[name] = [[*column, *[nothing] * (terms - len(column))] for column in row[name]]
+        for rubber in _RUBBERS:
+            terms = max(len(column) for row in rows for column in row[f"{rubber}_relaxation"])
+            for row in rows:
+                for name, nothing in ((f"{rubber}_relaxation", 0.0), (f"{rubber}_relaxation_time", 1.0)):
+                    row[name] = [[*column, *[nothing] * (terms - len(column))] for column in row[name]]
         return cls(**{name: np.array([row[name] for row in rows], dtype=np.float64) for name in rows[0]})
 
     @property
@@ -153,23 +181,28 @@ class ArrayParameters:
         )
 
 
+_PART_OF_PREFIX = {
+    **dict.fromkeys(("tube", "sheath"), "tube"),
+    **dict.fromkeys(("cavity", "membrane", "leak", "floor"), "point"),
+}
+
 #: Which part each parameter belongs to.
 PART = {
-    field.name: {"tube": "tube", "cavity": "point", "membrane": "point", "leak": "point"}.get(
-        field.name.split("_")[0], "microphone"
-    )
-    for field in fields(ArrayParameters)
+    field.name: _PART_OF_PREFIX.get(field.name.split("_")[0], "microphone") for field in fields(ArrayParameters)
 }
 
 
 #: The last axis of the fields that have three, and the fields that may be 0.
+_RUBBERS = ("membrane", "floor", "sheath")
 _THIRD_AXIS = {
     "membrane_share": ", n_mode",
     "membrane_frequency": ", n_mode",
-    "membrane_relaxation": ", n_term",
-    "membrane_relaxation_time": ", n_term",
+    **{f"{rubber}_{name}": ", n_term" for rubber in _RUBBERS for name in ("relaxation", "relaxation_time")},
 }
-_MAY_VANISH = ("membrane_loss", "membrane_slope", "membrane_share", "membrane_relaxation", "leak_conductance")
+_MAY_VANISH = {
+    *("membrane_share", "leak_conductance", "floor_compliance", "sheath_compliance"),
+    *(f"{rubber}_{name}" for rubber in _RUBBERS for name in ("loss", "slope", "relaxation")),
+}
 
 
 @dataclass(frozen=True, eq=False)
@@ -224,11 +257,11 @@ def check_parameters(parameters: ArrayParameters, topology: Topology) -> None:
         if not bool(fits.all()):
             bound = "at least 0" if may_vanish else "above 0"
             raise Refusal(f"{field.name} = {float(values[~fits].flatten()[0]):g} must be finite and {bound}")
-    terms = tuple(parameters.membrane_relaxation.shape)[2], tuple(parameters.membrane_relaxation_time.shape)[2]
-    if terms[0] != terms[1]:
-        raise Refusal(
-            f"membrane_relaxation has {terms[0]} terms and membrane_relaxation_time {terms[1]}; both need the same"
-        )
+    for rubber in _RUBBERS:
+        moduli, times = (f"{rubber}_{name}" for name in ("relaxation", "relaxation_time"))
+        terms = [tuple(getattr(parameters, name).shape)[2] for name in (moduli, times)]
+        if terms[0] != terms[1]:
+            raise Refusal(f"{moduli} has {terms[0]} terms and {times} {terms[1]}; both need the same")
     modes = tuple(parameters.membrane_share.shape)[2], tuple(parameters.membrane_frequency.shape)[2]
     if modes[0] != modes[1] or modes[0] == 0:
         raise Refusal(
@@ -263,7 +296,9 @@ def _row(design: ArrayDesign, medium: Medium, known: KnownDiscs | None) -> dict[
     return {
         "tube_radius": [metres(tube.acoustic_diameter) / 2 for tube in tubes],
         "tube_length": [metres(tube.acoustic_length(design.printing.port_lip)) for tube in tubes],
-        **{name: [point[name] for point in points] for name in points[0]},
+        **_columns([{"sheath_compliance": sheath_compliance(design, tube)} for tube in tubes]),
+        **_columns([_law("sheath", soft_rubber(design, tube.sheath_material)) for tube in tubes]),
+        **_columns(points),
         "chamber_radius": [metres(microphone.chamber_diameter) / 2],
         "chamber_height": [metres(microphone.chamber_height)],
         "hole_radius": [metres(microphone.sound_hole_diameter) / 2],
@@ -294,12 +329,25 @@ def _point(design: ArrayDesign, medium: Medium, known: KnownDiscs | None) -> dic
         "cavity_radius": metres(design.resonator.cavity_diameter) / 2,
         "cavity_height": metres(design.resonator.cavity_height),
         "membrane_compliance": float(share.sum()) * disc.opening**3 / disc.modulus,
-        "membrane_loss": rubber.loss_factor,
-        "membrane_slope": 1.0 if rubber.slope > 0 else 0.0,
-        "membrane_reference": rubber.reference,
-        "membrane_relaxation": list(rubber.strengths),
-        "membrane_relaxation_time": list(rubber.times),
+        **_law("membrane", rubber),
         "membrane_share": share / share.sum(),
         "membrane_frequency": mode_frequency,
         "leak_conductance": design_leak(design, medium),
+        "floor_compliance": floor_compliance(design),
+        **_law("floor", soft_rubber(design, design.resonator.floor_material)),
     }
+
+
+def _law(prefix: str, rubber: Rubber) -> dict[str, Any]:
+    """A rubber's law in the numbers of one column."""
+    return {
+        f"{prefix}_loss": rubber.loss_factor,
+        f"{prefix}_slope": 1.0 if rubber.slope > 0 else 0.0,
+        f"{prefix}_reference": rubber.reference,
+        f"{prefix}_relaxation": list(rubber.strengths),
+        f"{prefix}_relaxation_time": list(rubber.times),
+    }
+
+
+def _columns(rows: list[dict[str, Any]]) -> dict[str, list[Any]]:
+    return {name: [row[name] for row in rows] for name in rows[0]}

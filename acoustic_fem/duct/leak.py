@@ -7,8 +7,6 @@ import numpy as np
 from acoustic_fem.duct.opening import RESISTANCE
 from acoustic_fem.quantities.checks import in_range, positive
 from acoustic_fem.quantities.medium import Medium
-from acoustic_fem.quantities.units import metres
-from geometry.design.array_design import ArrayDesign
 
 
 def leak_conductance(radius: float, length: float, medium: Medium) -> float:
@@ -26,9 +24,3 @@ def leak_conductance(radius: float, length: float, medium: Medium) -> float:
     positive("length", length, "m")
     poiseuille, openings = 8 * length / np.pi, 2 * RESISTANCE * radius
     return float(radius**4 / (medium.viscosity * (poiseuille + openings)))
-
-
-def design_leak(design: ArrayDesign, medium: Medium) -> float:
-    """Conductance of the leak of each cavity of a design, m^3/(Pa s)."""
-    resonator = design.resonator
-    return leak_conductance(metres(resonator.leak_diameter) / 2, metres(resonator.leak_length), medium)

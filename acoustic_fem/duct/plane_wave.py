@@ -190,13 +190,17 @@ class CompliantWall(Line):
 
     line: Line
     """The same line with a rigid wall."""
-    compliance: complex
-    """Compliance C' = dS/dp, m^2/Pa, imaginary part (losses) not positive; see :func:`tube_compliance`."""
+    compliance: complex | NDArray[np.complex128]
+    """Compliance C' = dS/dp, m^2/Pa, imaginary part (losses) not positive, one or one per frequency; see
+    :func:`tube_compliance`."""
 
     def __post_init__(self) -> None:
-        value = complex(self.compliance)
-        if not (np.isfinite(value) and value.real >= 0 and value.imag <= 0):
-            raise Refusal(f"compliance = {value:g} m^2/Pa must be finite, with real part >= 0 and imaginary <= 0")
+        values = np.asarray(self.compliance, dtype=np.complex128)
+        bad = ~(np.isfinite(values) & (values.real >= 0) & (values.imag <= 0))
+        if bad.any():
+            raise Refusal(
+                f"compliance = {values[bad][0]:g} m^2/Pa must be finite, with real part >= 0 and imaginary <= 0"
+            )
 
     def series_impedance(self, frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
         """Series impedance Z' of the line per length, Pa s/m^4: shape of frequency (Hz), complex128."""

@@ -14,10 +14,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from acoustic_fem.duct.leak import design_leak
-from acoustic_fem.duct.plane_wave import port_admittance
+from acoustic_fem.duct.plane_wave import CompliantWall, Line, port_admittance, two_port
+from acoustic_fem.duct.sections import CircularSection
 from acoustic_fem.membrane.disc import KnownDiscs, design_compliance
 from acoustic_fem.network.microphone import load_admittance
+from acoustic_fem.network.yielding import beside_air, sheath_compliance, soft_rubber
 from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.units import metres
 from geometry.air.cells import Cell, CellCatalogue, CellUse
@@ -92,19 +93,21 @@ def solve_network(
     Raises:
         Refusal: a cell is missing or its admittance has the wrong shape.
     """
-    beside = np.stack([_beside_air(design.of_kind(kind), frequency, medium, known) for kind in design.kinds])
-    membranes = beside[list(design.kind_of_point)]
+    kinds = [design.of_kind(kind) for kind in design.kinds]
+    beside = np.stack(
+        [beside_air(kind, design_compliance(kind, frequency, known), frequency, medium) for kind in kinds]
+    )[list(design.kind_of_point)]
     ducts: dict[Tube, TwoPort] = {}
     lines = []
     for index, line in enumerate(design.lines):
         tubes = design.tubes_of(line)
         for tube in tubes:
             if tube not in ducts:
-                ducts[tube] = _duct_between_stubs(tube, design.printing.port_lip, frequency, medium)
+                ducts[tube] = _duct_between_stubs(design, tube, frequency, medium)
         points = [point for point, where in enumerate(layout.points) if where.line == index]
         points.sort(key=lambda point: layout.points[point].place)
         cells = np.stack([_at_place(catalogue.points[point], admittances, frequency) for point in points])
-        cells[:, :, 2, 2] += membranes[[layout.points[point].number - 1 for point in points]]
+        cells[:, :, 2, 2] += beside[[layout.points[point].number - 1 for point in points]]
         lines.append((points, _Chain(cells, [ducts[tube] for tube in tubes])))
 
     impedance, ends, openings = _microphones(
@@ -154,15 +157,26 @@ class _Chain:
         )
 
 
-def _beside_air(design: ArrayDesign, frequency: NDArray[np.float64], medium: Medium, known: KnownDiscs | None) -> Array:
-    """Admittance of what yields beside the air of a cavity, its membrane and its leak, (n_freq,), m^3/(Pa s)."""
-    return 2j * np.pi * frequency * design_compliance(design, frequency, known) + design_leak(design, medium)
+def _duct_between_stubs(design: ArrayDesign, tube: Tube, frequency: NDArray[np.float64], medium: Medium) -> TwoPort:
+    length, radius = tube.acoustic_length(design.printing.port_lip), metres(tube.acoustic_diameter) / 2
+    if tube.sheath_material is None:
+        between = max(length - 2 * tube.stub_length, _SHORTEST_DUCT * tube.length)
+        return _as_two_port(port_admittance(radius, metres(between), frequency, medium))
+    rigid = CircularSection(radius)
+    compliance = sheath_compliance(design, tube) / soft_rubber(design, tube.sheath_material).ratio(frequency)
+    soft = _line(CompliantWall(rigid, compliance), metres(length), frequency, medium)
+    # The whole of the tube yields, the stubs in the cells do not: lines of negative length take these away.
+    stub = TwoPort(*(-part for part in _line(rigid, metres(tube.stub_length), frequency, medium)))
+    return join(join(stub, soft), stub)
 
 
-def _duct_between_stubs(tube: Tube, lip: float, frequency: NDArray[np.float64], medium: Medium) -> TwoPort:
-    length = max(tube.acoustic_length(lip) - 2 * tube.stub_length, _SHORTEST_DUCT * tube.length)
-    duct = port_admittance(metres(tube.acoustic_diameter) / 2, metres(length), frequency, medium)
-    return TwoPort(duct[:, 0, 0], duct[:, 0, 1], duct[:, 1, 1])
+def _line(line: Line, length: float, frequency: NDArray[np.float64], medium: Medium) -> TwoPort:
+    series, shunt = line.series_impedance(frequency, medium), line.shunt_admittance(frequency, medium)
+    return _as_two_port(two_port(series, shunt, length))
+
+
+def _as_two_port(nodal: Array) -> TwoPort:
+    return TwoPort(nodal[:, 0, 0], nodal[:, 0, 1], nodal[:, 1, 1])
 
 
 def _at_place(use: CellUse, admittances: Mapping[Cell, Array], frequency: NDArray[np.float64]) -> Array:

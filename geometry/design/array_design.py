@@ -48,7 +48,7 @@ class ArrayDesign(StatedArray):
 
     def completed(self) -> ArrayDesign:
         """The same design with the built-in materials it uses written out, so that it stands alone."""
-        used = {self.membrane.material, self.printing.material}
+        used = {name for _, name in self.materials_in_use()}
         return self.model_copy(
             update={"materials": {**{name: self.material(name) for name in sorted(used)}, **self.materials}}
         )

@@ -41,6 +41,7 @@ def check_consistency(design: StatedArray) -> None:
     for rule in (
         pattern_rules,
         _materials,
+        _soft_parts,
         *of_points,
         partial(kind_rules, rules=of_points),
         _sound_hole,
@@ -56,12 +57,25 @@ def check_consistency(design: StatedArray) -> None:
 
 
 def _materials(design: StatedArray) -> Iterator[str]:
-    for field, name in (
-        ("membrane.material", design.membrane.material),
-        ("printing.material", design.printing.material),
-    ):
+    for field, name in design.materials_in_use():
         if name not in design.materials and name not in MATERIALS:
             yield f"{field} = {name!r} must be one of: {', '.join(sorted({*MATERIALS, *design.materials}))}"
+
+
+def _soft_parts(design: StatedArray) -> Iterator[str]:
+    """Proportions of what yields beside the membranes."""
+    floor, diameter = design.resonator.floor_thickness, design.resonator.cavity_diameter
+    if design.resonator.floor_material is not None and not 0.005 * diameter <= floor <= diameter:
+        yield (
+            f"resonator.floor_thickness = {floor:g} mm must be between {0.005 * diameter:g} and {diameter:g} mm for "
+            "resonator.floor_material: a floor that yields is 0.01 to 2 radii of the cavity thick"
+        )
+    for field, tube, _ in stated_tubes(design):
+        if tube.sheath_material is not None and tube.sheath_wall <= 1e-9:
+            yield (
+                f"{field}.outer_diameter = {tube.outer_diameter:g} mm must be above {tube.spring_outer_diameter:g} mm, "
+                f"the outside of the spring, for {field}.sheath_material"
+            )
 
 
 def _membrane(design: StatedArray) -> Iterator[str]:

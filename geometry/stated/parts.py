@@ -33,6 +33,9 @@ class Resonator(Section):
     cavity_height: Millimetre = Field(ge=0.4, le=50, description="floor of the cavity to the membrane")
     wall_thickness: Millimetre = Field(ge=0.3, le=20, description="radial thickness of the shell")
     floor_thickness: Millimetre = Field(default=1.0, ge=0.3, le=20, description="thickness of the floor")
+    floor_material: str | None = Field(
+        default=None, description="name of the material of a floor that yields; default: the floor is rigid"
+    )
     port_height: Millimetre | None = Field(
         default=None, description="axis of the tube ports above the floor of the cavity; default: mid height"
     )
@@ -198,6 +201,9 @@ class Tube(Section):
     bore: Literal["coil", "smooth"] = Field(
         default="coil",
         description="coil: between the turns of the spring, inner_diameter at their crests; smooth: round, no grooves",
+    )
+    sheath_material: str | None = Field(
+        default=None, description="name of the material of a sheath that yields; default: the sheath is rigid"
     )
     bend_radius: Millimetre | None = Field(
         default=None, le=1000, description="smallest radius of its axis; default: from spring and sheath"
