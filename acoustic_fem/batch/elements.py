@@ -94,7 +94,7 @@ def tubes(parameters: ArrayParameters, air: Conditions) -> Tubes:
     """Tubes from cavity wall to cavity wall: Zwikker-Kosten ducts between two entrance impedances."""
     radius, length = parameters.tube_radius[..., None], parameters.tube_length[..., None]
     wall: Array | float = 0.0
-    if largest(parameters.sheath_compliance) > 0:
+    if _counts(parameters.sheath_compliance):
         wall = length * parameters.sheath_compliance[..., None] * _softness("sheath", parameters, air)
     total, across, rise, ratio = _duct(radius, length, air, wall)
     entrance = _entrance(radius, air)
@@ -117,7 +117,7 @@ def points(parameters: ArrayParameters, air: Conditions) -> Array:
             stacklevel=4,
         )
     membrane = _modes(parameters, air) * parameters.membrane_compliance[..., None]
-    if largest(parameters.floor_compliance) > 0:
+    if _counts(parameters.floor_compliance):
         membrane = membrane + parameters.floor_compliance[..., None] * _softness("floor", parameters, air)
     return 1j * air.omega * (cavity + membrane) + parameters.leak_conductance[..., None]
 
@@ -157,6 +157,11 @@ def membrane_modulus(parameters: ArrayParameters, frequency: Array) -> Array:
         (n_design, n_point_column, n_freq) complex128.
     """
     return _modulus("membrane", parameters, frequency)
+
+
+def _counts(values: Array) -> bool:
+    """Whether any of the values is not 0, or its derivative is asked for."""
+    return bool(getattr(values, "requires_grad", False)) or bool((values > 0).any())
 
 
 def _softness(part: str, parameters: ArrayParameters, air: Conditions) -> Array:

@@ -187,9 +187,7 @@ _PART_OF_PREFIX = {
 }
 
 #: Which part each parameter belongs to.
-PART = {
-    field.name: _PART_OF_PREFIX.get(field.name.split("_")[0], "microphone") for field in fields(ArrayParameters)
-}
+PART = {field.name: _PART_OF_PREFIX.get(field.name.split("_")[0], "microphone") for field in fields(ArrayParameters)}
 
 
 #: The last axis of the fields that have three, and the fields that may be 0.

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from geometry.design.tube_rules import stated_tubes
 from geometry.plan import cylinder, hand, ring
 from geometry.refusal import Refusal
 
@@ -69,7 +68,7 @@ def cylinder_rules(design: StatedArray) -> Iterator[str]:
     assert isinstance(surface, cylinder.Cylinder)
     shell = (resonator.cavity_diameter / 2, resonator.outer_diameter / 2)
     housing = (chamber.chamber_diameter / 2, chamber.chamber_diameter / 2 + chamber.wall_thickness)
-    for field, tube, to_microphone in stated_tubes(design):
+    for field, tube, to_microphone in design.stated_tubes():
         (inner, outer), (inner_end, outer_end) = shell, housing if to_microphone else shell
         try:
             cylinder.wound_turn(tube.length, (inner, inner_end), (outer, outer_end), surface.port_radius)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from geometry.design import shell_rules
 from geometry.design.kind_rules import kind_rules, pattern_rules
 from geometry.design.layout_rules import cylinder_rules, hand_rules, plane_rules
-from geometry.design.tube_rules import microphone_socket_rules, socket_rules, stated_tubes, tube_rules
+from geometry.design.tube_rules import microphone_socket_rules, socket_rules, tube_rules
 from geometry.refusal import Refusal
 from geometry.stated.materials import MATERIALS
 from geometry.stated.parts import SOCKET_COVER
@@ -70,7 +70,7 @@ def _soft_parts(design: StatedArray) -> Iterator[str]:
             f"resonator.floor_thickness = {floor:g} mm must be between {0.005 * diameter:g} and {diameter:g} mm for "
             "resonator.floor_material: a floor that yields is 0.01 to 2 radii of the cavity thick"
         )
-    for field, tube, _ in stated_tubes(design):
+    for field, tube, _ in design.stated_tubes():
         if tube.sheath_material is not None and tube.sheath_wall <= 1e-9:
             yield (
                 f"{field}.outer_diameter = {tube.outer_diameter:g} mm must be above {tube.spring_outer_diameter:g} mm, "
@@ -176,7 +176,7 @@ def _board(design: StatedArray) -> Iterator[str]:
                 "gasket"
             )
     if microphone.gasket_width is not None:
-        for field, tube, to_microphone in stated_tubes(design):
+        for field, tube, to_microphone in design.stated_tubes():
             deepest = microphone.chamber_height / 2 - tube.outer_diameter / 2 - design.printing.glue_gap - SOCKET_COVER
             if to_microphone and microphone.gasket_depth > deepest + 1e-9:
                 yield (

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from geometry.design.tube_rules import stated_tubes
 from geometry.stated.cavity_shapes import WIDEST_BOX, Box, Dome
 from geometry.stated.parts import SOCKET_COVER
 
@@ -31,7 +30,7 @@ def cavity_shape(design: StatedArray) -> Iterator[str]:
     """Sizes of a box or a bowl, and where tubes enter them."""
     resonator = design.resonator
     yield from cavity_problems(resonator)
-    for field, tube, _ in stated_tubes(design):
+    for field, tube, _ in design.stated_tubes():
         problem = resonator.port_problem(resonator.port_axis_height, tube.inner_diameter)
         if problem:
             yield f"resonator.port_height: the port of {field} {problem}"

@@ -12,13 +12,12 @@ from geometry.stated.parts import SOCKET_COVER, STUB_LENGTH_IN_RADII
 
 if TYPE_CHECKING:
     from geometry.stated.array import StatedArray
-    from geometry.stated.parts import Tube
 
 
 def tube_rules(design: StatedArray) -> Iterator[str]:
     """What a tube is in itself, and what it needs of the parts at its ends."""
     resonator, chamber, lip = design.resonator, design.microphone, design.printing.port_lip
-    for field, tube, to_microphone in stated_tubes(design):
+    for field, tube, to_microphone in design.stated_tubes():
         if tube.inner_diameter >= tube.outer_diameter:
             yield (
                 f"{field}.inner_diameter = {tube.inner_diameter:g} mm must be below {field}.outer_diameter "
@@ -59,7 +58,7 @@ def tube_rules(design: StatedArray) -> Iterator[str]:
 def socket_rules(design: StatedArray) -> Iterator[str]:
     """Tubes are glued in sockets: counterbores that leave a lip towards the air."""
     resonator, chamber, printing = design.resonator, design.microphone, design.printing
-    for field, tube, to_microphone in stated_tubes(design):
+    for field, tube, to_microphone in design.stated_tubes():
         hole = tube.outer_diameter / 2 + printing.glue_gap
         bore = tube.inner_diameter / 2
         lowest = max(bore, hole + SOCKET_COVER - resonator.floor_thickness)
@@ -123,16 +122,3 @@ def microphone_socket_rules(design: StatedArray) -> Iterator[str]:
                     f"for the ports of the {counted(len(ends), 'line')} that end at {name!r} to fit around it, "
                     f"{apart:.4g} degrees apart with {SOCKET_COVER:g} mm of wall between them"
                 )
-
-
-def stated_tubes(design: StatedArray) -> Iterator[tuple[str, Tube, bool]]:
-    """Every tube a design states: name of its field, itself, whether it leads to a microphone."""
-    yield "tube", design.tube, False
-    yield "microphone_tube", design.microphone_tube, True
-    for index, line in enumerate(design.lines):
-        if line.tube is not None:
-            yield f"lines.{index}.tube", line.tube, False
-        if line.microphone_tube is not None:
-            yield f"lines.{index}.microphone_tube", line.microphone_tube, True
-    for name, tube in design.tube_kinds.items():
-        yield f"tube_kinds.{name}", tube, False

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
+from collections.abc import Iterator
 from typing import Annotated, Literal, Self
 
 from pydantic import Field
@@ -112,6 +113,28 @@ class StatedArray(Section):
     def material(self, name: str) -> Material:
         """The material of that name: the design's own, else the built-in one."""
         return self.materials[name] if name in self.materials else MATERIALS[name]
+
+    def stated_tubes(self) -> Iterator[tuple[str, Tube, bool]]:
+        """Every tube that is stated: name of its field, itself, whether it leads to a microphone."""
+        yield "tube", self.tube, False
+        yield "microphone_tube", self.microphone_tube, True
+        for index, line in enumerate(self.lines):
+            if line.tube is not None:
+                yield f"lines.{index}.tube", line.tube, False
+            if line.microphone_tube is not None:
+                yield f"lines.{index}.microphone_tube", line.microphone_tube, True
+        for name, tube in self.tube_kinds.items():
+            yield f"tube_kinds.{name}", tube, False
+
+    def materials_in_use(self) -> Iterator[tuple[str, str]]:
+        """Names of the materials of all parts, each after its field."""
+        yield "membrane.material", self.membrane.material
+        yield "printing.material", self.printing.material
+        if self.resonator.floor_material is not None:
+            yield "resonator.floor_material", self.resonator.floor_material
+        for field, tube, _ in self.stated_tubes():
+            if tube.sheath_material is not None:
+                yield f"{field}.sheath_material", tube.sheath_material
 
     # -- kinds ------------------------------------------------------------------------------------------
     def kind_at(self, line: Line, place: int) -> str:

@@ -133,7 +133,8 @@ def _assumptions(result: RunResult) -> list[str]:
     design = result.design
     membrane = design.material(design.membrane.material)
     return [
-        "Sound is small and linear; walls of shells, tubes and chambers are rigid and at the temperature of the air.",
+        "Sound is small and linear; walls are at the temperature of the air, and rigid but for floors and "
+        "sheaths whose material is named.",
         "A plane wave travels in the tubes; the grooves of a spring count as a wider bore, bends are left out.",
         f"A membrane is {_MOUNTING[design.membrane.mounting]}, stretched by {design.membrane.stretch - 1:.3g}, and "
         "pushes the air in the shape of its first mode; its material: "

@@ -11,7 +11,8 @@ from acoustic_fem.batch.parameters import PART, ArrayParameters
 from acoustic_fem.batch.topology import LineWiring, Topology
 from acoustic_fem.cavity.closed_forms import closed_cylinder_compliance, closed_sphere_compliance
 from acoustic_fem.duct.opening import entrance_impedance
-from acoustic_fem.duct.plane_wave import port_admittance
+from acoustic_fem.duct.plane_wave import CompliantWall, port_admittance, two_port
+from acoustic_fem.duct.sections import CircularSection
 
 RANGES = {  # SI
     "tube_radius": (1e-4, 6e-4),
@@ -26,6 +27,19 @@ RANGES = {  # SI
     "membrane_relaxation_time": (1e-4, 1.0),
     "membrane_frequency": (1.5e3, 2e4),
     "leak_conductance": (1e-13, 1e-11),
+    "floor_compliance": (1e-14, 1e-12),
+    "sheath_compliance": (1e-14, 1e-12),
+    **{
+        f"{part}_{name}": bounds
+        for part in ("floor", "sheath")
+        for name, bounds in {
+            "loss": (0.01, 0.3),
+            "slope": (0.3, 1.0),
+            "reference": (0.05, 20.0),
+            "relaxation": (0.01, 0.5),
+            "relaxation_time": (1e-4, 1.0),
+        }.items()
+    },
     "chamber_radius": (5e-4, 2e-3),
     "chamber_height": (4e-4, 3e-3),
     "hole_radius": (1.5e-4, 4e-4),
@@ -72,21 +86,22 @@ def random_parameters(topology, seed, designs=1, modes=3):
         for field in fields(ArrayParameters)
         if field.name not in ("membrane_share", "membrane_frequency")
     }
-    for name in ("membrane_relaxation", "membrane_relaxation_time"):
-        values[name] = draw(name, designs, columns["point"], 2)
+    for part in ("membrane", "floor", "sheath"):
+        for name in (f"{part}_relaxation", f"{part}_relaxation_time"):
+            values[name] = draw(name, designs, columns[PART[name]], 2)
     shape = (designs, columns["point"], modes)
     values["membrane_share"] = generator.dirichlet(np.ones(modes), shape[:2])
     values["membrane_frequency"] = np.sort(draw("membrane_frequency", *shape), axis=-1)
     return ArrayParameters(**values)
 
 
-def _modulus(p, column, frequency):
-    """Complex modulus of a membrane by the stated one: a spring-pot of any slope beside relaxations."""
-    loss = p["membrane_loss"][column]
-    exponent = p["membrane_slope"][column] * 2 / np.pi * np.arctan(loss)
-    pot = (1 + 1j * loss) * (frequency / p["membrane_reference"][column]) ** exponent
-    rate = 2j * np.pi * frequency[:, None] * p["membrane_relaxation_time"][column]
-    return pot + (p["membrane_relaxation"][column] * rate / (1 + rate)).sum(-1)
+def _modulus(p, part, column, frequency):
+    """Complex modulus of a soft part by the stated one: a spring-pot of any slope beside relaxations."""
+    loss = p[f"{part}_loss"][column]
+    exponent = p[f"{part}_slope"][column] * 2 / np.pi * np.arctan(loss)
+    pot = (1 + 1j * loss) * (frequency / p[f"{part}_reference"][column]) ** exponent
+    rate = 2j * np.pi * frequency[:, None] * p[f"{part}_relaxation_time"][column]
+    return pot + (p[f"{part}_relaxation"][column] * rate / (1 + rate)).sum(-1)
 
 
 def every_node_at_once(parameters, topology, frequency, medium, cut=None):
@@ -113,8 +128,9 @@ def every_node_at_once(parameters, topology, frequency, medium, cut=None):
                 p["cavity_radius"][column], p["cavity_height"][column], frequency, medium
             )
             ratio = frequency / p["membrane_frequency"][column][:, None]
-            modes = p["membrane_share"][column][:, None] / (_modulus(p, column, frequency) - ratio**2)
+            modes = p["membrane_share"][column][:, None] / (_modulus(p, "membrane", column, frequency) - ratio**2)
             total = rate * (cavity + p["membrane_compliance"][column] * modes.sum(0))
+            total = total + rate * p["floor_compliance"][column] / _modulus(p, "floor", column, frequency)
             total = total + p["leak_conductance"][column]
             entries.append(([cavities[place + 1]], total[:, None, None]))
         for place, column in enumerate(line.tubes):
@@ -123,12 +139,15 @@ def every_node_at_once(parameters, topology, frequency, medium, cut=None):
             loss = 1 / entrance_impedance(radius, frequency, medium)
             series(cavities[place], inner[0], loss)
             series(inner[1], cavities[place + 1], loss)
+            compliance = p["sheath_compliance"][column] / _modulus(p, "sheath", column, frequency)
+            soft = CompliantWall(CircularSection(radius), compliance)
+            line = soft.series_impedance(frequency, medium), soft.shunt_admittance(frequency, medium)
             if cut is None:
-                entries.append((inner, port_admittance(radius, length, frequency, medium)))
+                entries.append((inner, two_port(*line, length)))
             else:
                 middle = node("cut", number, place)
-                entries.append(([inner[0], middle], port_admittance(radius, cut * length, frequency, medium)))
-                entries.append(([middle, inner[1]], port_admittance(radius, (1 - cut) * length, frequency, medium)))
+                entries.append(([inner[0], middle], two_port(*line, cut * length)))
+                entries.append(([middle, inner[1]], two_port(*line, (1 - cut) * length)))
     for number, column in enumerate(topology.microphones):
         chamber, mouth, opening = (node(name, number) for name in ("chamber", "hole", "opening"))
         size = p["chamber_radius"][column], p["chamber_height"][column]

@@ -190,7 +190,9 @@ def test_random_networks_are_reciprocal_and_take_power_from_any_injection(topolo
 @settings(max_examples=15)
 @given(topologies(), seeds)
 def test_all_pressures_of_a_random_sealed_network_become_equal_at_low_frequency(topology, seed):
-    transfer = batch_transfer_function(random_parameters(topology, seed), topology, [1e-3, 1e-2], AIR)
+    parameters = random_parameters(topology, seed)
+    sealed = replace(parameters, leak_conductance=0 * parameters.leak_conductance)
+    transfer = batch_transfer_function(sealed, topology, [1e-3, 1e-2], AIR)
     away = np.abs(transfer - 1).max((0, 1, 2))
     assert away[0] < 0.05
     assert away[0] < 0.11 * away[1]  # first order in frequency

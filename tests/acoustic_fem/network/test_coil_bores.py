@@ -16,8 +16,9 @@ BAND = np.array([1.0, 10.0, 100.0])
 SMOOTH = {"tube.bore": "smooth", "microphone_tube.bore": "smooth"}
 
 
-def ribbed_between_stubs(tube, lip, frequency, medium):
+def ribbed_between_stubs(design, tube, frequency, medium):
     """Lip, spring and lip of a tube whose stubs, smooth and longer than the lips, belong to the cells."""
+    lip = design.printing.port_lip
     coil = CoilBore(tube.spring_outer_diameter * 1e-3, tube.wire_diameter * 1e-3, refinement=6)
     z, y = coil.series_impedance(frequency, medium), coil.shunt_admittance(frequency, medium)
     spring = two_port(z, y, (tube.length - 2 * lip) * 1e-3)
