@@ -191,7 +191,7 @@ class CompliantWall(Line):
     line: Line
     """The same line with a rigid wall."""
     compliance: complex | NDArray[np.complex128]
-    """Compliance C' = dS/dp, m^2/Pa, imaginary part (losses) not positive, one or one per frequency; see
+    """Compliance C' = dS/dp, m^2/Pa, imaginary part (losses) not positive, one or (n_freq,) complex128; see
     :func:`tube_compliance`."""
 
     def __post_init__(self) -> None:

@@ -82,18 +82,19 @@ def test_three_points_bring_all_points_of_a_foreign_sensor_near(model: UpdatedMo
     assert np.mean(after) < np.mean(before) / 3
 
 
-def test_a_leak_is_found_where_leaks_are_fitted(model: UpdatedModel, library: Library) -> None:
+def test_a_sensor_that_leaks_is_one_of_the_family_only_where_leaks_are_fitted(
+    model: UpdatedModel, library: Library
+) -> None:
     leaks = UpdatedModel(library, Priors(leak=2.0))
     assert leaks.count == model.count + 12
     hair = leak_conductance(25e-6, 1e-3, library.medium)
-    made = replace(model.nominal_parameters, leak_conductance=np.where(np.arange(12) == 4, hair, 0.0)[None])
+    made = replace(model.nominal_parameters, leak_conductance=np.full((1, 12), hair))
     truth = batch_transfer_function(made, model.topology, GRID, library.medium)[0]
     estimates = measured(truth, (2, 5, 6, 11))
     tight, found = update(model, estimates), update(leaks, estimates)
-    ratio, known = found.ratios["leak of point 5"]
-    by_least = hair / leak_conductance(10e-6, 1e-3, library.medium)
-    assert abs(np.log(ratio / by_least)) < 2 * known < 1.2
-    assert decibels(found.transfer_function, truth) < decibels(tight.transfer_function, truth) / 2
+    assert "chi-squared" in assert_refused(tight)
+    assert found.objection is None
+    assert decibels(found.transfer_function, truth) < 0.75 * decibels(tight.transfer_function, truth)
 
 
 @pytest.mark.slow
