@@ -40,6 +40,7 @@ QUANTITIES = {
     "chamber_height": "microphone",
     "microphone_gain": "microphone",
     "microphone_corner": "microphone",
+    "ovality": "tube",
 }
 #: Draws are cut off here, in standard deviations: beyond, a part is thrown away.
 CUT = 3.0
@@ -53,7 +54,7 @@ class UnknownScatterError(Refusal):
 
 @dataclass(frozen=True)
 class Tolerance:
-    """Scatter of one quantity: normal, cut off at three standard deviations; glue only ever overruns inwards."""
+    """Scatter of one quantity: normal, cut off at three standard deviations; of glue and of ovality the size only."""
 
     quantity: str
     """Name of the quantity, one of :data:`QUANTITIES`."""
@@ -69,7 +70,7 @@ class Tolerance:
             raise Refusal(f"tolerance {self.quantity!r} must be one of: {', '.join(QUANTITIES)}")
         if self.kind not in get_args(Kind):
             raise Refusal(f"tolerance {self.quantity}: kind = {self.kind!r} must be absolute or relative")
-        of_no_length = self.quantity.startswith(("modulus", "microphone"))
+        of_no_length = self.quantity.startswith(("modulus", "microphone", "ovality"))
         if of_no_length and self.kind == "absolute":
             raise Refusal(f"tolerance {self.quantity}: kind must be relative")
         most, unit = (0.3, "") if self.kind == "relative" else (5.0, " mm")
@@ -122,7 +123,7 @@ def read_tolerances(path: Path) -> tuple[Tolerance, ...]:
     """Tolerances of a file, the default ones where it has none.
 
     The file has a table per quantity: ``[bore]``, ``deviation = 0.02``, ``kind = "absolute"``, ``source = "..."``.
-    Those of chambers and microphones, which scatter only where a file says so, need deviation and kind.
+    Those of chambers, microphones and ovality, which scatter only where a file says so, need deviation and kind.
 
     Raises:
         Refusal: it cannot be read, or holds an unknown quantity or field, or a value out of range.
@@ -252,7 +253,7 @@ class ScatteredDesign:
         compliance, share, frequency = self._membranes(opening, thickness, modulus)
         return replace(
             nominal,
-            tube_radius=scattered("bore", 2 * nominal.tube_radius) / 2,
+            tube_radius=scattered("bore", 2 * nominal.tube_radius) / 2 * self._narrowed(draws),
             tube_length=scattered("length", nominal.tube_length),
             cavity_radius=diameter / 2,
             cavity_height=scattered("cavity_height", nominal.cavity_height),
@@ -262,6 +263,18 @@ class ScatteredDesign:
             membrane_share=share,
             membrane_frequency=frequency,
         )
+
+    def _narrowed(self, draws: Mapping[str, Array]) -> Array | float:
+        """Round bore that resists as an oval one of the same mean diameter, by that diameter, (count, n_tube).
+
+        Of half-axes a (1 + d) and a (1 - d), d the ovality: the elliptic pipe's resistance is 8 mu / (pi a^4) times
+        (1 + d^2) / (1 - d^2)^3. Tubes flatten where they are bent; here their whole length does.
+        """
+        oval = [tolerance.deviation for tolerance in self.tolerances if tolerance.quantity == "ovality"]
+        if not oval:
+            return 1.0
+        square = (draws["ovality"] * oval[0]) ** 2
+        return ((1 - square) ** 3 / (1 + square)) ** 0.25
 
     def microphones(self, draws: Mapping[str, Array]) -> Array:
         """Gains of the microphones and admittances of their vents, each by the nominal one.

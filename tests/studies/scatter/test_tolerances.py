@@ -15,6 +15,8 @@ import acoustic_fem
 import geometry
 from acoustic_fem.batch.network import batch_transfer_function
 from acoustic_fem.batch.parameters import ArrayParameters
+from acoustic_fem.duct.meshed_section import MeshedSection
+from acoustic_fem.duct.sections import CircularSection
 from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.scatter.tolerances import CUT, TOLERANCES, ScatteredDesign, Tolerance, read_tolerances
 from studies.cli.app import app
@@ -53,6 +55,23 @@ def test_deviations_have_the_stated_size_and_are_independent(scattered: Scattere
     compliance = np.log(ScatteredDesign(DESIGN, only("modulus_of_batch", 0.15)).sample(0, 50, 0).membrane_compliance)
     assert np.ptp(compliance, axis=1).max() < 1e-12
     assert np.ptp(compliance, axis=0).min() > 0.2
+
+
+def test_an_oval_tube_is_the_round_one_of_its_resistance() -> None:
+    tolerance = Tolerance("ovality", 0.1, "relative", "a test")
+    oval = ScatteredDesign(DESIGN, [tolerance])
+    draws = {name: np.ones_like(values) for name, values in oval.draws(0, 1, 0).items()}
+    narrowed = oval.parameters(draws).tube_radius / oval.nominal.tube_radius
+    assert narrowed == pytest.approx(np.full((1, 5), 0.99**0.75 * 1.01**-0.25), rel=1e-12, abs=0)
+    # against quadratic elements on the ellipse, whose gas is 0.5 % more than that of this round one
+    round_mesh, frequency, air = MeshedSection.circle(2.2e-4), np.array([1.0, 100.0]), design_air(DESIGN)
+    ellipse = MeshedSection(round_mesh.points * [1.1, 0.9], round_mesh.triangles)
+    z, y = (
+        [getattr(section, name)(frequency, air) for section in (ellipse, CircularSection(2.2e-4 * narrowed[0, 0]))]
+        for name in ("series_impedance", "shunt_admittance")
+    )
+    assert np.all(np.abs(z[1] / z[0] - 1) < [3e-4, 4e-3])  # resistance, and with inertance
+    assert np.abs(y[1] / y[0] - 1).max() < 0.011
 
 
 def test_without_deviations_it_is_the_design(scattered: ScatteredDesign) -> None:
