@@ -70,12 +70,14 @@ def test_coarse_meshes_solved_again_give_the_errors_of_the_page(quick):
     assert compared > 60
 
 
+@pytest.mark.slow
 def test_orders_fitted_to_coarse_meshes_are_those_that_the_page_claims(quick):
     for key, study in quick.studies.items():
         if study.expected is not None:
             assert study.order == pytest.approx(COMMITTED.studies[key].order, abs=0.8), study.title
 
 
+@pytest.mark.slow
 def test_checks_made_again_meet_the_targets_of_the_page(quick):
     known = {check.key: check.target for check in COMMITTED.checks.values()}
     assert len(quick.checks) > 15

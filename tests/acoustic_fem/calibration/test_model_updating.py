@@ -169,6 +169,7 @@ def test_a_fit_that_cannot_be_made_is_refused(model: UpdatedModel) -> None:
         Priors(bore=0.0)
 
 
+@pytest.mark.slow
 def test_priors_and_spread_follow_the_tolerances() -> None:
     priors = fit_priors(DESIGN)
     assert priors.bore == pytest.approx(0.015 / 0.44, rel=0.15)

@@ -148,6 +148,7 @@ def test_source_and_receiver_exchanged_give_the_same_pressure_with_navier_stokes
     np.testing.assert_allclose(response.source_response, from_microphones, rtol=1e-9)
 
 
+@pytest.mark.slow
 def test_closed_forms_and_navier_stokes_give_the_same_transfer_functions(navier_stokes):
     design, solved = navier_stokes
     response, lumped = solve_network(design, *laid_out(design), solved, WIDE_BAND, AIR), solve(design, WIDE_BAND)
@@ -159,6 +160,7 @@ def test_closed_forms_and_navier_stokes_give_the_same_transfer_functions(navier_
     assert np.abs(np.degrees(np.angle(ratio))).max() < 1.0
 
 
+@pytest.mark.slow
 def test_a_sealed_array_of_navier_stokes_cells_has_one_pressure_at_low_frequency(navier_stokes):
     design, solved = navier_stokes
     transfer = transfer_functions(solve_network(design, *laid_out(design), solved, WIDE_BAND, AIR))

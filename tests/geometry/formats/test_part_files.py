@@ -21,8 +21,7 @@ from geometry.stated.print_processes import PROCESSES, with_rules
     scope="module",
     params=[
         "array-2x6",
-        "fingertip-3x4",
-        *(pytest.param(name, marks=pytest.mark.slow) for name in ("fingertip-4x6", "glove", "large-area-64")),
+        *(pytest.param(name, marks=pytest.mark.slow) for name in ("fingertip-3x4", "glove", "large-area-64")),
     ],
 )
 def exported(request, tmp_path_factory):
@@ -31,9 +30,6 @@ def exported(request, tmp_path_factory):
         if request.param == "array-2x6"
         else geometry.build_parts(geometry.prototype(request.param))
     )
-    if request.param == "fingertip-3x4":  # what is finer than in the other array
-        for name in [name for name in parts if name.startswith("mold")]:
-            del parts[name]
     folder = tmp_path_factory.mktemp("parts")
     return parts, folder, export(parts, folder)
 

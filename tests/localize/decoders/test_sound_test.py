@@ -99,6 +99,7 @@ def test_a_touch_is_none_the_less_one_where_the_locator_knows_no_noise(array, so
     assert np.mean(np.array(named) == points[turn] + 1) > 0.9
 
 
+@pytest.mark.slow
 def test_a_stream_names_no_point_for_two_touches_at_once(array, decoder):
     signals, _ = heard(array, None, 240)
     both = signals[:120] + np.roll(signals[:120], 5, 0)

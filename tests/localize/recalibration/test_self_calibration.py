@@ -109,6 +109,7 @@ def test_louder_touches_in_as_much_louder_noise_say_the_same(louder: float) -> N
     assert np.allclose(other, one, atol=0.01)
 
 
+@pytest.mark.slow
 def test_the_stated_uncertainty_of_ratios_is_about_what_they_are_off() -> None:
     """What the model is trusted to is left out."""
     found, true = calibrated().posterior, truth().transfer_function

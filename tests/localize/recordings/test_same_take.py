@@ -65,6 +65,7 @@ def added(manifest, name, point, part):
     return path
 
 
+@pytest.mark.slow
 def test_takes_of_all_parts_and_points_are_told_apart(manifest, response) -> None:
     assert len(RecordedFrames(manifest, response, NOISE, 0).recordings) == 36
 
@@ -87,7 +88,8 @@ def everywhere(signals):
 
 
 @pytest.mark.parametrize(
-    ("name", "rate", "bits", "point"), [("24-bit.wav", 1000, 24, 2), ("compact-disc.wav", 44100, 16, 3)]
+    ("name", "rate", "bits", "point"),
+    [("24-bit.wav", 1000, 24, 2), pytest.param("compact-disc.wav", 44100, 16, 3, marks=pytest.mark.slow)],
 )
 def test_a_copy_of_another_format_is_refused_at_every_point(manifest, rig, response, name, rate, bits, point) -> None:
     take = pascals(manifest, rig, "point-02-taps-2.wav")

@@ -70,23 +70,33 @@ def test_a_recording_is_located_by_the_network_an_onnx_file_and_the_library_alik
     assert {len(waveform) for waveform in waveforms} == {16}
 
 
-def test_sound_in_a_recording_and_what_no_point_explains_are_no_touches(command: Command, tmp_path: Path) -> None:
-    folder = small_run().folder
-    library = response_of(acoustic_fem.load(folder / "library.nc"))
+@pytest.fixture
+def of_no_touch(tmp_path: Path) -> Path:
+    """Folder of two recordings: sound.wav, and two.wav of two touches at once."""
+    library = response_of(acoustic_fem.load(small_run().folder / "library.nc"))
     touches = localize.TouchGenerator(library, 0, "evaluation", 1e-3, ambient=(70.0, 70.0)).samples(0, 3)
     quiet = localize.TouchGenerator(library, 0, "evaluation", 0.0).samples(0, 3)
     sound = (touches.signals - quiet.signals).numpy()
     two = quiet.signals[0].numpy() + quiet.signals[2].numpy() + 1e-3 * np.random.default_rng(0).standard_normal((2, 1))
     for name, signals in (("sound", sound[0]), ("two", two)):
         scipy.io.wavfile.write(tmp_path / f"{name}.wav", 1000, signals.T.astype(np.float32))
-    network, graph = folder / "localizer", decoder_graph(command)
+    return tmp_path
 
+
+def test_a_library_tells_sound_and_what_no_point_explains_from_touches(command: Command, of_no_touch: Path) -> None:
+    library = small_run().folder / "library.nc"
+    assert " 0 touches" in command("locate", library, of_no_touch / "sound.wav").out  # it knows sound by itself
+    told = command("locate", library, of_no_touch / "two.wav", "--refuse", 1e-6)
+    assert (told.code, "0 touches in 1.0 s, no single touch for 0.8 s" in told.out) == (0, True), told
+
+
+@pytest.mark.slow
+def test_sound_is_no_touch_for_any_model_that_is_given_a_library(command: Command, of_no_touch: Path) -> None:
+    folder, sound = small_run().folder, of_no_touch / "sound.wav"
+    network, graph = folder / "localizer", decoder_graph(command)
     words = ("--library", folder / "library.nc", "--ambient", 80)
     for model in (folder / "library.nc", network, graph):
-        # A library knows sound by itself; a network and a graph do where they are given one.
-        alone = command("locate", model, tmp_path / "sound.wav").out
-        assert (" 0 touches" in alone) == (model == folder / "library.nc")
-        told = command("locate", model, tmp_path / "sound.wav", *words)
+        # A network and a graph know sound where they are given a library.
+        assert (" 0 touches" in command("locate", model, sound).out) == (model == folder / "library.nc")
+        told = command("locate", model, sound, *words)
         assert (told.code, "0 touches in 1.0 s, sound alone for 0.8 s" in told.out) == (0, True), told
-    told = command("locate", folder / "library.nc", tmp_path / "two.wav", "--refuse", 1e-6)
-    assert (told.code, "0 touches in 1.0 s, no single touch for 0.8 s" in told.out) == (0, True), told

@@ -143,6 +143,7 @@ def again(tmp_path_factory: pytest.TempPathFactory) -> tuple[RunResult, str]:
     return result, told.getvalue()
 
 
+@pytest.mark.slow
 def test_the_same_run_again_gives_the_same_figures(again: tuple[RunResult, str]) -> None:
     first, second = small_run(), again[0]
     for one, two in ((first.network, second.network), (first.bayes, second.bayes)):
@@ -152,6 +153,7 @@ def test_the_same_run_again_gives_the_same_figures(again: tuple[RunResult, str])
     assert weights[0] == weights[1]
 
 
+@pytest.mark.slow
 def test_warnings_reach_the_console_and_those_of_the_cache_are_no_limits_of_models(
     again: tuple[RunResult, str],
 ) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import hashlib
 import random
 import re
@@ -43,7 +44,7 @@ def judged(cases: Iterable[Case], good: Path, work: Path, commands: Commands, fi
     Args:
         cases: what to try.
         good: a folder of good files.
-        work: an empty folder; each case gets a copy of the good files in it.
+        work: an empty folder; each case finds a copy of the good files in it.
         commands: what runs them.
         first: number of the first case, from which what is drawn follows.
     """
@@ -76,18 +77,43 @@ def counts(verdicts: Iterable[Verdict]) -> str:
 
 def _run(case: Case, good: Path, work: Path, commands: Commands, damaged: bool, seed: int) -> tuple[Ended, list[str]]:
     folder = work / "case"
-    shutil.copytree(good, folder, symlinks=True)
-    try:
-        if damaged:
-            case.change(folder, random.Random(seed))
-        before = _state(folder)
-        ended = commands.run(list(case.words), folder, limit=LONGEST)
-        after = _state(folder)
-        output = case.output.split("/")[0]
-        changed = [name for name, state in before.items() if after.get(name) != state and name.split("/")[0] != output]
-        return ended, changed
-    finally:
-        shutil.rmtree(folder)
+    _restore(folder, good)
+    if damaged:
+        case.change(folder, random.Random(seed))
+    before = _state(folder)
+    ended = commands.run(list(case.words), folder, limit=LONGEST)
+    after = _state(folder)
+    output = case.output.split("/")[0]
+    changed = [name for name, state in before.items() if after.get(name) != state and name.split("/")[0] != output]
+    return ended, changed
+
+
+def _restore(folder: Path, good: Path) -> None:
+    """Make a folder hold what a good one does: to copy every file for every case is slow where a disk is."""
+    folder.mkdir(exist_ok=True)
+    for name in {path.name for each in (folder, good) for path in each.iterdir()}:
+        path, source = folder / name, good / name
+        if _marks(path) == _marks(source):
+            continue
+        if path.is_dir() and not path.is_symlink():
+            shutil.rmtree(path)
+        else:
+            path.unlink(missing_ok=True)
+        if source.is_dir():
+            shutil.copytree(source, path, symlinks=True)
+        elif source.exists():
+            shutil.copy2(source, path)
+
+
+def _marks(top: Path) -> list[tuple[str, int, int, int]]:
+    """Kind, size and time of whatever is at a path and below: who writes changes the time."""
+    found = []
+    for path in [top, *sorted(top.rglob("*"))] if top.is_dir() and not top.is_symlink() else [top]:
+        with contextlib.suppress(FileNotFoundError):
+            status = path.lstat()
+            own = (0, 0) if path.is_dir() else (status.st_size, status.st_mtime_ns)
+            found.append((str(path.relative_to(top)), status.st_mode, *own))
+    return found
 
 
 def _state(folder: Path) -> dict[str, str]:
