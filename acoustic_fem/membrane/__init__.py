@@ -1,6 +1,6 @@
 """The elastic disc.
 
-Stands on: quantities.
+Stands on: quantities, numerics.
 """
 
 import lazy_loader

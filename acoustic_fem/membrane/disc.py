@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import warnings
 from dataclasses import dataclass
-from functools import lru_cache
 from typing import Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from acoustic_fem.membrane.elasticity import DiscShape, ElasticDisc, solve_dimensionless
+from acoustic_fem.membrane.elasticity import DiscShape, ElasticDisc
 from acoustic_fem.membrane.rubber import ELASTIC, Rubber
+from acoustic_fem.membrane.solved_discs import solved_disc
 from acoustic_fem.quantities.checks import in_range, positive
 from acoustic_fem.quantities.units import metres, pascals
 from geometry.design.array_design import ArrayDesign
@@ -23,8 +23,6 @@ CONTACT = 0.25
 #: Largest stress in the plane of the disc per modulus, and the stretch that makes nearly as much of it.
 _LARGEST_PRESTRESS = 20.0
 _LARGEST_STRETCH = 1.9
-
-_cached_disc = lru_cache(maxsize=256)(solve_dimensionless)
 
 
 class KnownDiscs(Protocol):
@@ -220,7 +218,7 @@ def solve_disc(
     shape, modulus = shape_of_disc(radius, thickness, youngs_modulus, poisson_ratio, rim_width, options)
     # What interpolates between discs knows flat ones only.
     found = known.find(shape) if known is not None and shape.raised is None else None
-    return _in_si(found or _cached_disc(shape), shape.contact, float(radius), modulus, float(density))
+    return _in_si(found or solved_disc(shape), shape.contact, float(radius), modulus, float(density))
 
 
 def shape_of_disc(

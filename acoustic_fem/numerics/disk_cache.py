@@ -1,4 +1,4 @@
-"""Solved cells on disk, under a hash of everything they depend on.
+"""Solved cells and discs on disk, under a hash of everything they depend on.
 
 The folder is ``$ACOUSTIC_FEM_CACHE``, else the user's cache folder. A file that is cut short, altered,
 foreign or that of another cell under this one's name is recognised by its checksum, which covers the key;

@@ -126,7 +126,7 @@ def test_a_table_is_asked_by_who_is_given_it_alone(table: DiscTable) -> None:
 def test_the_shape_of_a_design_is_that_which_is_solved(monkeypatch: pytest.MonkeyPatch) -> None:
     asked: list[DiscShape] = []
     monkeypatch.setattr(
-        "acoustic_fem.membrane.disc._cached_disc", lambda shape: asked.append(shape) or solve_dimensionless(shape)
+        "acoustic_fem.membrane.disc.solved_disc", lambda shape: asked.append(shape) or solve_dimensionless(shape)
     )
     for values in ({}, {"membrane.mounting": "clamped"}, {"resonator.cavity_diameter": 7.3}):
         design = prototype("array-2x6").with_values(values)
