@@ -127,7 +127,7 @@ class BayesDecoder:
         ambient: Ambient = None,
     ) -> None:
         check_noise(microphone_noise)
-        response = response_of(library)
+        response = self._heard(library)
         warn_of_uncovered(response)
         self.ambient = checked_levels(response, ambient)
         self.design = response.name
@@ -147,6 +147,10 @@ class BayesDecoder:
     def point_count(self) -> int:
         """Number of sensing points."""
         return len(self.line)
+
+    def _heard(self, library: Library | ArrayResponse) -> ArrayResponse:
+        """The array that is decoded."""
+        return response_of(library)
 
     def _touched(self, library: Library | ArrayResponse, response: ArrayResponse) -> NDArray[np.float64]:
         """Covariances of what may have been touched, (n_table, n, n) float64, Pa^2: of the points."""

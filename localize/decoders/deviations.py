@@ -55,36 +55,38 @@ class DeviatingTables:
                 change = whiten @ moments @ (whiten.T @ tables.vectors[table])
                 self.changes[table] = change.reshape(-1, self.rank)
 
-    def scores(self, x: NDArray[np.float64], table: int) -> NDArray[np.float64]:
-        """Log-likelihoods of recordings by one hypothesis and its deviations, without those of noise alone.
+    def scores(self, x: NDArray[np.float64], tables: NDArray[np.int64]) -> NDArray[np.float64]:
+        """Log-likelihoods of recordings by hypotheses and their deviations, without those of noise alone.
 
         Args:
             x: (n, n_frame, size), white.
-            table: number of the hypothesis.
+            tables: numbers of the hypotheses, (k,).
 
         Returns:
-            (n,) float64, nats.
+            (k, n) float64, nats.
         """
-        recordings, temperature = x.shape[:2], self.warmth * TEMPERATURE
+        recordings, temperature = (len(tables), *x.shape[:2]), self.warmth * TEMPERATURE
         flat = x.reshape(-1, self.size)
-        vectors, weight = self.tables.vectors[table], self.tables.weight[table]
-        loss = self.tables.log_determinant[table]
+        vectors, weight = self.tables.vectors[tables], self.tables.weight[tables]
+        loss, changes = self.tables.log_determinant[tables][:, None], self.changes[tables].transpose(0, 2, 1)
         along = cleaned = flat @ vectors
         unexplained = 1 + UNEXPLAINED * (flat**2).mean(1, keepdims=True)
+        each = (*along.shape[:2], self.shapes)
         for _ in range(STEPS):
-            power = (-0.5 * (cleaned**2 @ weight + loss)).argmax(1)
-            heard = -TEMPERATURE * weight.T[power]
+            power = (-0.5 * (cleaned**2 @ weight + loss)).argmax(-1)
+            heard = -TEMPERATURE * np.take_along_axis(weight, power[:, None], 2).transpose(0, 2, 1)
             source = cleaned / (unexplained + heard / (1 - heard))
-            change = (source.astype(np.float32) @ self.changes[table].T).reshape(len(flat), self.shapes, -1)
-            change = change * POWERS[power][:, None, None]
-            seen = change @ vectors
-            slope = (change @ (flat - (along * heard) @ vectors.T)[:, :, None])[..., 0]
-            bend = change @ change.transpose(0, 2, 1) - (seen * heard[:, None]) @ seen.transpose(0, 2, 1)
-            slope, bend = (each.reshape(*recordings, *each.shape[1:]).sum(1) / temperature for each in (slope, bend))
+            change = (source.astype(np.float32) @ changes).reshape(*each, -1)
+            change = change * POWERS[power][..., None, None]
+            seen = (change.reshape(len(tables), -1, self.size) @ vectors).reshape(*each, -1)
+            left = flat - (along * heard) @ vectors.transpose(0, 2, 1)
+            slope = (change @ left[..., None])[..., 0]
+            bend = change @ change.swapaxes(2, 3) - (seen * heard[:, :, None]) @ seen.swapaxes(2, 3)
+            slope, bend = (part.reshape(*recordings, *part.shape[2:]).sum(2) / temperature for part in (slope, bend))
             information = bend + np.eye(self.shapes)
             amplitude = np.linalg.solve(information, slope[..., None])[..., 0]
-            cleaned = along - (np.repeat(amplitude, recordings[1], 0)[:, None] @ seen)[:, 0]
+            cleaned = along - (np.repeat(amplitude, recordings[2], 1)[:, :, None] @ seen)[:, :, 0]
         values = -0.5 * (along**2 @ weight + loss)
-        fit = np.take_along_axis(values, power[:, None], 1).reshape(recordings).sum(1) / self.warmth
+        fit = np.take_along_axis(values, power[..., None], 2).reshape(recordings).sum(2) / self.warmth
         determinant = np.linalg.slogdet(information)[1]
-        return np.asarray(fit + 0.5 * (slope * amplitude).sum(1) - 0.5 * determinant)
+        return np.asarray(fit + 0.5 * (slope * amplitude).sum(2) - 0.5 * determinant)

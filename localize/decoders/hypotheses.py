@@ -73,7 +73,7 @@ def made_hypotheses(library: Library, response: ArrayResponse, tolerances: Seque
 
     Args:
         library: of a design.
-        response: of that library.
+        response: of that library, all of its microphones or some.
         tolerances: of manufacturing.
 
     Raises:
@@ -81,7 +81,8 @@ def made_hypotheses(library: Library, response: ArrayResponse, tolerances: Seque
     """
     top = min(float(response.frequency[-1]), SAMPLE_RATE / 2)
     nodes = np.geomspace(response.frequency[0], top, NODES)
-    level, phase = _drawn(library, nodes, tolerances)
+    heard = [library.design.microphones.index(name) for name in response.microphones]
+    level, phase = (each[:, :, heard] for each in _drawn(library, nodes, tolerances))
     loudness = np.abs(response.at(nodes))
     groups = max(2, min(GROUPS, MOST_TABLES // response.point_count - 1))
     curves = np.zeros((groups, 2, *loudness.shape))

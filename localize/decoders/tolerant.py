@@ -16,7 +16,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.special import logsumexp
 from torch import Tensor
 
 from acoustic_fem.scatter.tolerances import UNCALIBRATED, UnknownScatterError
@@ -51,10 +50,11 @@ class TolerantDecoder(BayesDecoder):
         tolerances: of manufacturing; by default :data:`acoustic_fem.scatter.UNCALIBRATED`.
         microphone_noise: as of :class:`localize.BayesDecoder`.
         ambient: as of :class:`localize.BayesDecoder`.
+        microphones: names of two or more that are listened to; by default all.
 
     Raises:
-        Refusal: bare transfer functions, a measured library, a design whose scatter is not known, or as
-            :class:`localize.BayesDecoder`.
+        Refusal: bare transfer functions, a measured library, a design whose scatter is not known, a microphone that
+            the library does not have, or as :class:`localize.BayesDecoder`.
     """
 
     def __init__(
@@ -63,9 +63,16 @@ class TolerantDecoder(BayesDecoder):
         tolerances: Sequence[Tolerance] | None = None,
         microphone_noise: NoiseChoice = 1e-3,
         ambient: Ambient = None,
+        microphones: tuple[str, ...] | None = None,
     ) -> None:
         self.tolerances = UNCALIBRATED if tolerances is None else tuple(tolerances)
+        self._listened_to = microphones
         super().__init__(library, microphone_noise, ambient)
+
+    def _heard(self, library: Library | ArrayResponse) -> ArrayResponse:
+        """The array, as the microphones hear it that are listened to."""
+        response = super()._heard(library)
+        return response if self._listened_to is None else response.heard_by(self._listened_to)
 
     def _touched(self, library: Library | ArrayResponse, response: ArrayResponse) -> NDArray[np.float64]:
         """Covariances of the hypotheses, point by point."""
@@ -119,15 +126,23 @@ class TolerantDecoder(BayesDecoder):
         score = np.full(screened.shape, np.nan)
         likeliest = np.argpartition(-screened, min(CANDIDATES, screened.shape[1]) - 1, axis=1)[:, :CANDIDATES]
         np.put_along_axis(score, likeliest, 0.0, axis=1)
-        for column in np.unique(likeliest):
-            level, table = divmod(int(column), self.log_prior.size)
-            chosen = ~np.isnan(score[:, column])
-            score[chosen, column] = self._deviating[level].scores(white[level][chosen], table) + alone[level][chosen]
+        for columns in self._together(likeliest):
+            level, tables = int(columns[0]) // self.log_prior.size, columns % self.log_prior.size
+            chosen = ~np.isnan(score[:, columns[0]])
+            found = self._deviating[level].scores(white[level][chosen], tables) + alone[level][chosen]
+            score[np.ix_(chosen, columns)] = found.T
         # The others can be no better than the worst of these.
         least = np.nanmin(score, axis=1, keepdims=True)
         score = np.where(np.isnan(score), np.minimum(screened, least), score)
         best = score.reshape(count, len(levels), *self.log_prior.shape).max(1)
-        return np.asarray(logsumexp(best + self.log_prior, axis=2))
+        return np.asarray(np.logaddexp.reduce(best + self.log_prior, axis=2))
+
+    def _together(self, likeliest: NDArray[np.int64]) -> list[NDArray[np.int64]]:
+        """Columns of scores that are found in one go: of several recordings each, of a single one those of a level."""
+        columns = np.unique(likeliest)
+        if len(likeliest) > 1:
+            return np.split(columns, len(columns))
+        return np.split(columns, np.flatnonzero(np.diff(columns // self.log_prior.size)) + 1)
 
     @property
     def log_prior(self) -> NDArray[np.float64]:
@@ -136,7 +151,10 @@ class TolerantDecoder(BayesDecoder):
 
 
 def tolerant_decoder(
-    library: Library, microphone_noise: NoiseChoice = 1e-3, ambient: Ambient = None
+    library: Library,
+    microphone_noise: NoiseChoice = 1e-3,
+    ambient: Ambient = None,
+    microphones: tuple[str, ...] | None = None,
 ) -> TolerantDecoder | None:
     """The decoder of a sensor that nobody calibrated, with the usual tolerances.
 
@@ -144,6 +162,7 @@ def tolerant_decoder(
         library: measured or computed.
         microphone_noise: as of :class:`localize.BayesDecoder`.
         ambient: as of :class:`localize.BayesDecoder`.
+        microphones: as of :class:`TolerantDecoder`.
 
     Returns:
         None of a measured library, whose sensor is known, and where it is not known how a design scatters.
@@ -153,7 +172,7 @@ def tolerant_decoder(
     """
     if not _is_measured(library):
         with suppress(UnknownScatterError):
-            return TolerantDecoder(library, None, microphone_noise, ambient)
+            return TolerantDecoder(library, None, microphone_noise, ambient, microphones)
     return None
 
 

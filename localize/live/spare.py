@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-
-from localize.signals.array_response import ArrayResponse
 
 if TYPE_CHECKING:
     from localize.decoders.judgement import ResidualTest
@@ -77,20 +75,3 @@ class JudgesOfTheRest:
         if names not in self._made:
             self._made[names] = self._spare(names)
         return self._made[names]
-
-
-def heard_by(response: ArrayResponse, microphones: tuple[str, ...]) -> ArrayResponse:
-    """An array as some of its microphones hear it.
-
-    Args:
-        response: the array.
-        microphones: names of two or more of its microphones.
-    """
-    kept = [response.microphones.index(name) for name in microphones]
-    ambient = response.ambient_response
-    return replace(
-        response,
-        microphones=microphones,
-        transfer_function=response.transfer_function[:, kept],
-        ambient_response=None if ambient is None else ambient[kept],
-    )

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
@@ -92,6 +92,27 @@ class ArrayResponse:
     def point_count(self) -> int:
         """Number of sensing points."""
         return len(self.transfer_function)
+
+    def heard_by(self, microphones: tuple[str, ...]) -> ArrayResponse:
+        """The array as some of its microphones hear it.
+
+        Args:
+            microphones: names of two or more.
+
+        Raises:
+            Refusal: a name that the array does not have.
+        """
+        for name in microphones:
+            if name not in self.microphones:
+                raise Refusal(f"microphones names {name!r}, must be of {', '.join(self.microphones)}")
+        kept = [self.microphones.index(name) for name in microphones]
+        sound = self.ambient_response
+        return replace(
+            self,
+            microphones=microphones,
+            transfer_function=self.transfer_function[:, kept],
+            ambient_response=None if sound is None else sound[kept],
+        )
 
     def noise(self, choice: NoiseChoice) -> float | NoiseSpectrum:
         """Noise that is added to every microphone: white, in Pa rms over 0 to 500 Hz, or that of the design.

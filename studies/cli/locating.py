@@ -91,7 +91,8 @@ def locate(
         Path,
         typer.Argument(
             metavar="MODEL",
-            help="A trained localizer (a folder), an .onnx file, or a library for the model-based decoder.",
+            help="A trained localizer (a folder), an .onnx file, or a library for the model-based decoder, which "
+            "expects the tolerances of manufacturing unless the library is a calibrated one.",
             show_default=False,
         ),
     ],

@@ -131,7 +131,8 @@ def listen(
     A sound card that is unplugged is waited for.
 
     Args:
-        model: the folder of a trained localizer, an ONNX file, or a library for the model-based decoder.
+        model: the folder of a trained localizer, an ONNX file, or a library for the model-based decoder, which expects
+            the tolerances of manufacturing where the library is not a calibrated one.
         source: where samples come from; by default the system's sound card.
         out: a file for a line of JSON for every frame, 16 ms apart, written as it comes; an earlier one is replaced.
         record: a new WAV file for what comes in, at the rate at which it does; readable even if the program is killed.

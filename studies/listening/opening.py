@@ -75,12 +75,15 @@ def open_trained(
             raise Refusal(f"`noise` = {noise} is for a library; {model} was trained with a noise of its own")
         _refuse_air(model, air)
         return load_localizer(model)
-    level: NoiseChoice = "design" if noise is None else noise
-    return BayesDecoder(_library_there(model, air), level, ambient=sound_levels(ambient))
+    return BayesDecoder(_library_there(model, air), "design" if noise is None else noise, sound_levels(ambient))
 
 
 def open_localizer(model: Path, decoding: Decoding) -> Localizer | BayesDecoder | OnnxLocalizer:
-    """Localizer of :func:`open_trained`, that of an ONNX file, or the decoder of a library that follows a drift.
+    """Localizer of :func:`open_trained`, that of an ONNX file, or of a library the decoder that its sensor asks for.
+
+    A library that was computed tells what the sensor was designed to be: it is decoded with the tolerances of
+    manufacturing. A calibrated one, and one of a design whose scatter is not known, is decoded as it is, or with the
+    drift that is to be followed.
 
     Args:
         model: a folder, an ONNX file or a library.
@@ -92,8 +95,10 @@ def open_localizer(model: Path, decoding: Decoding) -> Localizer | BayesDecoder 
     noise, ambient, air = decoding.noise, decoding.ambient, decoding.air
     if decoding.follow_drift:
         return _open_following(model, decoding)
-    if model.suffix != ".onnx":
+    if model.suffix != ".onnx" and _is_trained(model):
         return open_trained(model, noise, ambient, air)
+    if model.suffix != ".onnx":
+        return _decoder(_library_there(model, air), "design" if noise is None else noise, ambient)
     if noise is not None:
         raise Refusal(f"`noise` = {noise} is for a library; {model} was made for the noise it names itself")
     _refuse_air(model, air)
@@ -137,8 +142,6 @@ def open_stream(
             out of range.
     """
     from localize import BayesDecoder, Listening, Reconstructor, TouchStream
-    from localize.decoders.bayes import sound_levels
-    from localize.live.spare import heard_by
     from localize.live.stream import REFUSED
     from localize.signals.array_response import response_of
     from localize.signals.same_array import check_same_design
@@ -151,15 +154,16 @@ def open_stream(
         return TouchStream(localizer, limit=limit, listening=listening)
     if path is None:
         raise Refusal(f"`{needy}` needs the library of the array: {model} is none; give `library`")
-    response = response_of(_library_there(path, decoding.air))
+    library = _library_there(path, decoding.air)
+    response = response_of(library)
     check_same_design(localizer, response, path)
     noise = localizer.microphone_noise if isinstance(localizer, BayesDecoder) else localizer.noise_rms or "design"
     wave = Reconstructor(response, max(localizer.noise_rms, LEAST_NOISE)) if decoding.waveform else None
     judges = _judges(localizer, response, noise, decoding)
 
     def without(microphones: tuple[str, ...]) -> Judges:
-        rest = heard_by(response, microphones)
-        return _judges(BayesDecoder(rest, noise, ambient=sound_levels(decoding.ambient)), rest, noise, decoding)
+        rest = response.heard_by(microphones)
+        return _judges(_decoder(library, noise, decoding.ambient, microphones), rest, noise, decoding)
 
     return TouchStream(
         localizer,
@@ -172,6 +176,21 @@ def open_stream(
         # A network knows nothing of the array without one of its microphones.
         spare=without if isinstance(localizer, BayesDecoder) else None,
     )
+
+
+def _decoder(
+    library: Library, noise: NoiseChoice, ambient: float | None, microphones: tuple[str, ...] | None = None
+) -> BayesDecoder:
+    """Decoder of a library for all of its microphones, or some."""
+    from localize import BayesDecoder
+    from localize.decoders.bayes import sound_levels
+    from localize.decoders.tolerant import tolerant_decoder
+    from localize.signals.array_response import response_of
+
+    levels = sound_levels(ambient)
+    response = response_of(library)
+    known = response if microphones is None else response.heard_by(microphones)
+    return tolerant_decoder(library, noise, levels, microphones) or BayesDecoder(known, noise, levels)
 
 
 def _judges(locator: StreamLocator, response: ArrayResponse, noise: NoiseChoice, decoding: Decoding) -> Judges:

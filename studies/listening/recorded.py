@@ -55,7 +55,8 @@ def locate_recording(
     """Touches of an array, where and when, from a recording of its microphones.
 
     Args:
-        model: the folder of a trained localizer, an ONNX file, or a library for the model-based decoder.
+        model: the folder of a trained localizer, an ONNX file, or a library for the model-based decoder, which expects
+            the tolerances of manufacturing where the library is not a calibrated one.
         recording: see :func:`localize.read_recording`.
         out: a file for a line of JSON for every frame; an earlier one is replaced.
         full_scale: Pa: of WAV files the pressure at full scale, 1 Pa by default; of others that at which they clip, by

@@ -70,7 +70,7 @@ def test_the_gain_is_that_of_the_integral_over_the_deviation(response: ArrayResp
         each.append(bayes.vertex(fit)[0] / temperature - amplitude**2 / 2)
     log_integral = logsumexp(each) + np.log(trapezoid(np.ones(201), AMPLITUDES) / 200) - np.log(2 * np.pi) / 2
     # The tables leave out what is common to all points: the power of the frame.
-    found = deviations.scores(x.reshape(1, 1, size), point)[0] - (x**2).sum() / 2 / temperature
+    found = deviations.scores(x.reshape(1, 1, size), np.array([point]))[0, 0] - (x**2).sum() / 2 / temperature
     without = max(each[100], -np.inf)
     assert found == pytest.approx(log_integral, abs=0.1 + 0.02 * abs(log_integral - without))
     if true:
@@ -83,7 +83,7 @@ def test_frames_of_one_recording_share_their_deviations(response: ArrayResponse)
     frames = np.stack([touch.signals[0, :, k : k + 250].numpy().ravel() for k in (250, 500, 750)])
     x = (frames @ deviations.tables.reduce)[None]
     point = int(touch.point[0])
-    together = deviations.scores(x, point)[0]
-    apart = sum(deviations.scores(x[:, [k]], point)[0] for k in range(3))
+    together = deviations.scores(x, np.array([point]))[0, 0]
+    apart = sum(deviations.scores(x[:, [k]], np.array([point]))[0, 0] for k in range(3))
     # Each frame of its own pays anew for the deviation that it needs.
     assert together > apart

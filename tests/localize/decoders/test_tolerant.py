@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import scipy.special
+from shared import solved
 
 import acoustic_fem
 import geometry
@@ -97,3 +98,14 @@ def test_a_measured_library_is_refused(library: acoustic_fem.Library) -> None:
 def test_bare_transfer_functions_are_refused(library: acoustic_fem.Library) -> None:
     with pytest.raises(ValueError, match="library must be one of a design"):
         localize.TolerantDecoder(response_of(library))  # type: ignore[arg-type]
+
+
+def test_it_listens_to_some_of_the_microphones() -> None:
+    library = solved("glove", np.arange(1.0, 201.0))
+    touches = localize.TouchGenerator(response_of(library), 3, "evaluation", NOISE).samples(0, 40)
+    frames = touches.signals[:, :, 250:500].numpy()
+    two = localize.TolerantDecoder(library, microphone_noise=NOISE, microphones=library.design.microphones[1:])
+    assert two.microphones == library.design.microphones[1:]
+    assert (two.locate(frames[:, 1:]).argmax(1) == touches.point.numpy()).mean() > 0.9
+    with pytest.raises(geometry.Refusal, match="microphones names 'Z', must be of"):
+        localize.TolerantDecoder(library, microphones=("A", "Z"))

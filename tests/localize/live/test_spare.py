@@ -8,7 +8,7 @@ from shared import solved
 
 import localize
 from localize import Decision, Fault, SoundTest, TouchStream
-from localize.live.spare import Judges, heard_by
+from localize.live.spare import Judges
 from localize.signals import finger_stimuli
 from localize.signals.array_response import response_of
 
@@ -31,7 +31,7 @@ def touches(array):
 
 def listen(array, samples, spare=True, limit=None):
     def without(names):
-        rest = heard_by(array, names)
+        rest = array.heard_by(names)
         return Judges(localize.BayesDecoder(rest, NOISE), SoundTest(rest, NOISE))
 
     decoder = localize.BayesDecoder(array, NOISE)

@@ -1,7 +1,8 @@
-"""What a library opens goes on without a microphone, where it has three."""
+"""What a library opens: a decoder that its sensor asks for, which goes on without a microphone where it has three."""
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -10,7 +11,7 @@ from shared import solved
 
 import acoustic_fem
 import localize
-from acoustic_fem.library.result import measured_library
+from acoustic_fem.library.result import MEASURED, measured_library
 from geometry.refusal import Refusal
 from studies.listening.opening import Decoding, open_localizer, open_stream
 
@@ -42,3 +43,13 @@ def test_a_drift_is_followed_about_a_calibrated_library_alone(tmp_path) -> None:
         open_localizer(computed, follow)
     with pytest.raises(Refusal, match="`follow_drift` needs a calibrated library as model: localizer is none"):
         open_localizer(Path("localizer"), follow)
+
+
+def test_a_library_is_decoded_with_the_tolerances_until_its_sensor_is_measured(tmp_path) -> None:
+    library = solved("array-2x6", np.arange(1.0, 101.0))
+    for one, kind in (
+        (library, localize.TolerantDecoder),
+        (replace(library, fidelity=MEASURED), localize.BayesDecoder),
+    ):
+        acoustic_fem.save(one, tmp_path / "library.nc")
+        assert type(open_localizer(tmp_path / "library.nc", Decoding(noise=1e-3))) is kind
