@@ -220,7 +220,7 @@ def check_random_shell(size, ports, fraction):
     return True
 
 
-@pytest.mark.parametrize("examples", [6, pytest.param(300, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("examples", [6, pytest.param(100, marks=pytest.mark.slow)])
 def test_random_shells_are_filled_or_refused_by_name(examples):
     built = []
 

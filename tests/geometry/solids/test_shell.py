@@ -381,7 +381,7 @@ def test_engraved_digits_of_a_small_shell_do_not_break_into_its_sockets():
         build_random({**size, "shape": "cylinder"}, extra, 1.0, 3, label)
 
 
-@pytest.mark.parametrize("examples", [6, pytest.param(200, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("examples", [6, pytest.param(80, marks=pytest.mark.slow)])
 def test_random_shells_are_watertight_or_refused_by_name(examples):
     built = []
 
