@@ -17,7 +17,9 @@ State = Literal["touch", "no touch", "fading", "sound", "other", "unreadable"]
 membranes, and no touch. Other: a touch of no single point explains what is heard. Unreadable: a channel is clipped or
 dead and the others cannot go on without it, or was not finite within the last 250 samples."""
 
-FaultKind = Literal["samples lost", "samples repeated", "restarted", "not finite", "clipped", "dead channel"]
+FaultKind = Literal[
+    "samples lost", "samples repeated", "restarted", "not finite", "clipped", "dead channel", "hissing channel"
+]
 
 
 @dataclass(frozen=True)

@@ -53,6 +53,10 @@ LINES_SHARED = 1.5
 """Number of neighbouring lines of a frame's spectrum that the window makes one."""
 NOISE_QUANTILE = 0.3
 """Quantile of the densities of that time that is the noise."""
+HISS = 5.0
+"""Multiple of the noise that is expected, and of that of the quietest microphone, from which on one hisses."""
+HISS_TIME = 0.5
+"""Time over which noise must have been measured before a microphone is said to hiss, s."""
 
 
 @dataclass(frozen=True)
@@ -214,3 +218,9 @@ class NoiseFloor:
         self._past.append(alone.mean(0) / FRAME)
         rank = int(NOISE_QUANTILE * (len(self._past) - 1))
         self.rms = np.sqrt(np.partition(np.array(self._past), rank, axis=0)[rank])
+
+    def hisses(self, expected: float) -> NDArray[np.bool_]:
+        """Microphones whose noise is far above that which is expected, Pa rms, and that of others; (n_microphone,)."""
+        if len(self._past) < HISS_TIME * SAMPLE_RATE / HOP:
+            return np.zeros(self._channels, bool)
+        return np.asarray(self.rms > HISS * max(expected, float(self.rms.min())))

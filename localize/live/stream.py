@@ -4,8 +4,8 @@ Every 16 samples the last 250 are judged, behind the high-pass of :mod:`localize
 mains. Where no microphone hears more than its noise there is no touch, and nothing is guessed; nor where a touch has
 ended and only what is left of it is heard, where sound explains what they hear, or where no point does, if the stream
 is given the tests of that. What goes wrong with a stream is reported and survived: lost or repeated samples, values
-that are not finite, clipping, a channel that is dead. Decisions depend on the samples alone, not on how they were cut
-up.
+that are not finite, clipping, a channel that is dead or hisses. Decisions depend on the samples alone, not on how they
+were cut up.
 """
 
 from __future__ import annotations
@@ -72,8 +72,8 @@ class TouchStream:
             is. On a sensor that differs from its library by a percent it refuses most touches.
         refused: share of the frames of true touches that the residual test may refuse, above 0, below 1.
         listening: what is done with samples first, see :mod:`localize.live.front_end`.
-        spare: makes what goes on without microphones that are dead or clipped where two or more are left, which takes
-            up to seconds, once for each set of them; by default their frames are unreadable.
+        spare: makes what goes on without microphones that are dead, clipped or hiss where two or more are left, which
+            takes up to seconds, once for each set of them; by default their frames are unreadable.
 
     Raises:
         Refusal: a threshold that is not finite and positive; a reconstructor or a test for other microphones; a
@@ -243,12 +243,13 @@ class TouchStream:
     def _judge(self, raw: NDArray[np.float64], frame: NDArray[np.float64], events: list[Decision | Fault]) -> None:
         """Judge a frame, as it came and as it is judged."""
         good = ~self._bad_channels(raw, events)
+        if self.listening.follow and (good.all() or self._judges_of(good) is not None):
+            self._floor.take(frame)
+            good &= ~self._hissing_channels(events)
         judges = self._judges if good.all() else self._judges_of(good)
         if judges is None:
             events.append(Decision(self._time, "unreadable", float(frame.std(1).max())))
             return
-        if self.listening.follow:
-            self._floor.take(frame)
         self._judge_by(judges, good, frame, events)
 
     def _judge_by(
@@ -300,6 +301,13 @@ class TouchStream:
             if clipped[channel]:
                 self._tell("clipped", channel, self._number, events)
         return np.asarray(dead | clipped)
+
+    def _hissing_channels(self, events: list[Decision | Fault]) -> NDArray[np.bool_]:
+        """Channels whose noise is far above that of the decoder, (n_microphone,), which is told."""
+        hisses = self._floor.hisses(self.silence / SILENCE)
+        for channel in np.flatnonzero(hisses).tolist():
+            self._tell("hissing channel", channel, self._number, events)
+        return hisses
 
     def _loudness(self, frame: NDArray[np.float64], noise: NDArray[np.float64]) -> float:
         """Level of the loudest microphone over that up to which it is silent; what may be hum is left out."""

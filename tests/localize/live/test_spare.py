@@ -76,3 +76,18 @@ def test_a_clipped_microphone_is_left_out_while_it_is_clipped(array, touches):
     assert faults == {("clipped", array.microphones[2])}
     assert "unreadable" not in states
     assert np.mean(found(told, points)) >= 0.9
+
+
+@pytest.mark.parametrize("channel", [0, 2])
+def test_a_hissing_microphone_of_three_is_told_and_left_out(array, touches, channel):
+    samples, points = touches
+    hiss = np.zeros_like(samples)
+    hiss[channel] = 0.02 * np.random.default_rng(2).standard_normal(samples.shape[1])
+    told, states, faults = listen(array, samples + hiss)
+    assert faults == {("hissing channel", array.microphones[channel])}
+    assert "unreadable" not in states
+    assert np.mean(found(told, points)) >= 0.9
+    # Where nobody goes on without it, nothing is named that the decoder would be sure of.
+    told, states, _ = listen(array, samples + hiss, spare=False)
+    assert told == []
+    assert "unreadable" in states
