@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Any, Literal
@@ -16,10 +17,10 @@ from geometry.stated.fields import model_of
 from studies.optimization.printable import Demand, PrintDemand
 from studies.study.cases import check_base
 from studies.study.file import FileSection, study_of
-from studies.study.metric_registry import Metric, metrics_named
+from studies.study.metric_registry import METRICS, Metric, metrics_named
 from studies.study.study import Parameter, Study, StudyError
 
-Method = Literal["nsga2", "tpe", "random"]
+Method = Literal["nsga2", "tpe", "random", "gradient"]
 
 
 @dataclass(frozen=True)
@@ -78,7 +79,8 @@ class Optimization:
     batch: int
     """Number of designs that are proposed at once and computed in one call."""
     method: Method
-    """Method of the search: "nsga2" for a front, "tpe" for one objective, "random" for comparison."""
+    """Method of the search: "nsga2" for a front, "tpe" for one objective, "random" for comparison, "gradient" for steps
+    along the slopes of one objective that has them."""
     rules: PrintDemand
     """Demand that a design must meet to be printed and laid out."""
 
@@ -170,6 +172,8 @@ def _checked(file: _Optimize, study: Study, text: str) -> Optimization:
         for parameter in axis:
             searched_range(parameter, rules)
     method = file.method or ("nsga2" if len(objectives) > 1 else "tpe")
+    if method == "gradient":
+        _check_slopes(objectives, study)
     return Optimization(study, text, tuple(objectives), tuple(limits), file.trials, file.batch, method, rules)
 
 
@@ -189,3 +193,25 @@ def searched_range(parameter: Parameter, rules: PrintDemand) -> tuple[float, flo
             f"process and optimize.printable = {rules.demand!r} allow"
         )
     return max(low, least), high
+
+
+def _check_slopes(objectives: Sequence[Objective], study: Study) -> None:
+    """Refuse what cannot be searched along slopes.
+
+    Raises:
+        Refusal: several objectives, one without slopes, or a parameter that is no free range of numbers above 0.
+    """
+    if len(objectives) != 1 or objectives[0].metric.slopes is None:
+        having = ", ".join(metric.name for metric in METRICS.values() if metric.slopes is not None)
+        raise Refusal(
+            f"optimize.method = 'gradient' needs one objective that has slopes, {having}; not "
+            f"{', '.join(each.metric.name for each in objectives)}"
+        )
+    for axis in study.axes:
+        first = axis[0]
+        free = not first.values and not first.whole and not first.step and min(first.low, first.high) > 0
+        if len(axis) != 1 or not free:
+            raise Refusal(
+                f"parameters.{first.name} must be a range above 0 of its own, without steps, for "
+                "optimize.method = 'gradient'"
+            )

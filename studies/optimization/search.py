@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from geometry import ArrayDesign, DesignError
 from geometry.refusal import counted
+from studies.optimization.descent import Descent
 from studies.optimization.journal import opened, read_only, read_seal, seal
 from studies.optimization.problem import Optimization, searched_range
 from studies.study.failure_reasons import by_kind
@@ -31,6 +32,8 @@ if TYPE_CHECKING:
     from studies.sweep.workers import Workers
 
 _PART = 16
+#: Attribute of a trial that is a step of a descent.
+_STEP = "step"
 """Designs of a batch that one worker takes at a time."""
 
 
@@ -87,11 +90,12 @@ def search_designs(
         journal = opened(out, _directions(problem), _identity(problem))
         search = _in_memory(journal, problem)
         done = len(search.trials)
+        descent = Descent(problem) if problem.method == "gradient" else None
         while done < problem.trials:
             count = min(problem.batch, problem.trials - done)
             # A sampler's state is not in the journal: every batch has a seed of its own instead.
             search.sampler = _sampler(problem, done)
-            _run_batch(search, problem, count, team)
+            _run_batch(search, problem, count, team, descent)
             trials = search.get_trials(deepcopy=False)
             journal.add_trials(trials[len(journal.get_trials(deepcopy=False)) :])
             seal(out)
@@ -216,9 +220,13 @@ def _sampler(problem: Optimization, done: int) -> optuna.samplers.BaseSampler:
     return optuna.samplers.RandomSampler(seed=seed)
 
 
-def _run_batch(search: optuna.Study, problem: Optimization, count: int, team: Workers) -> None:
+def _run_batch(search: optuna.Study, problem: Optimization, count: int, team: Workers, descent: Descent | None) -> None:
     import optuna
 
+    last = search.trials[-1].user_attrs.get(_STEP) if search.trials else None
+    if descent is not None:
+        for step in descent.steps(last, count):
+            search.enqueue_trial(descent.values(step), {_STEP: asdict(step)})
     trials = [search.ask() for _ in range(count)]
     kept: list[tuple[optuna.Trial, dict[str, Any], ArrayDesign]] = []
     for trial in trials:
@@ -235,7 +243,8 @@ def _run_batch(search: optuna.Study, problem: Optimization, count: int, team: Wo
     names = [metric.name for metric in problem.metrics]
     parts = -(-len(kept) // _PART)
     proposed, designs = [values for _, values, _ in kept], [design for _, _, design in kept]
-    table, reasons = design_metrics(proposed, problem.study, problem.metrics, team, parts, designs)
+    discs = None if descent is None else descent.discs
+    table, reasons = design_metrics(proposed, problem.study, problem.metrics, team, parts, designs, discs)
     for (trial, _, _), row, reason in zip(kept, table, reasons, strict=True):
         figures = dict(zip(names, (float(value) for value in row), strict=True))
         bad = [name for name, value in figures.items() if not math.isfinite(value)]

@@ -6,7 +6,7 @@ A study names them (``metrics = ["distance_smallest", "predicted_top1"]``); docs
 from __future__ import annotations
 
 import difflib
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING
@@ -22,6 +22,7 @@ from studies.metrics.shared import SharedFigures
 
 if TYPE_CHECKING:
     from acoustic_fem import Library
+    from acoustic_fem.membrane.disc import KnownDiscs
     from geometry import ArrayDesign
 
 Values = NDArray[np.float64]
@@ -47,6 +48,9 @@ class Metric:
     """Word for the values that a designer wants, "larger" or "smaller"."""
     band: tuple[float, float] | None = None
     """Lowest and highest frequency of its definition, Hz, which the grid must cover."""
+    slopes: Callable[[ArrayDesign, Sequence[str], KnownDiscs | None], tuple[float, Values]] | None = None
+    """Function of a design, dotted names of its fields and membranes that need not be solved: the logarithm of the
+    value, and its derivatives by the logarithms of the fields, (n_name,) float64. None where there is none."""
     caution: str = ""
     """Caution to whoever ranks designs by it alone, one sentence; empty where there is none."""
 
@@ -205,6 +209,18 @@ def _scattered_top1(figures: SharedFigures) -> Values:
     return _of_designs(of_design, figures)
 
 
+def _scatter_detection(figures: SharedFigures) -> Values:
+    from studies.metrics.scatter_detection import scatter_detection
+
+    return scatter_detection(known(figures.responses.designs), figures.responses.discs)
+
+
+def _scatter_slopes(design: ArrayDesign, names: Sequence[str], discs: KnownDiscs | None) -> tuple[float, Values]:
+    from studies.metrics.scatter_detection import scatter_slopes
+
+    return scatter_slopes(design, names, discs)
+
+
 def _forgiving() -> Iterable[Metric]:
     yield Metric(
         "scattered_top1", "1", "predicted top-1 accuracy of mis-made sensors",
@@ -212,6 +228,14 @@ def _forgiving() -> Iterable[Metric]:
         "one localizer that was trained on the nominal design; the design's microphone noise, lumped fidelity. Two "
         "seconds per design.",
         _scattered_top1, frozenset({"designs"}), band=BAND,
+    )  # fmt: skip
+    yield Metric(
+        "scatter_detection", "1", "predicted error of mis-made sensors",
+        "How often another point is likelier than the touched one, summed over all others and mean over the points, "
+        "for a decoder of the nominal design on sensors with the scatter of acoustic_fem.scatter.UNCALIBRATED; to the "
+        "power 5/6, times the same of the worst pairs, by the mean of fourth powers, to the power 1/6. To first order, "
+        "at eight frequencies, lumped fidelity: right as a ranking, not as a level.",
+        _scatter_detection, frozenset({"designs"}), "smaller", slopes=_scatter_slopes,
     )  # fmt: skip
 
 

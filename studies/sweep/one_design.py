@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from studies.study.cases import Cases
 
 if TYPE_CHECKING:
+    from acoustic_fem.membrane.disc_table import DiscTables
     from geometry import ArrayDesign
     from studies.study.metric_registry import Metric
     from studies.study.study import Study
@@ -25,6 +26,7 @@ def design_metrics(
     team: Workers,
     parts: int = 1,
     designs: Sequence[ArrayDesign] | None = None,
+    discs: DiscTables | None = None,
 ) -> tuple[NDArray[np.float64], tuple[str, ...]]:
     """Metrics of designs, with the base, the fidelity and the frequencies of a study.
 
@@ -35,6 +37,7 @@ def design_metrics(
         team: who computes.
         parts: in how many parts the designs are handed out.
         designs: the valid ones among them, where they are built already.
+        discs: membranes that are interpolated; by default all are solved.
 
     Returns:
         (n_design, n_metric) float64, NaN where it failed, and for each design why it failed, or nothing.
@@ -46,7 +49,7 @@ def design_metrics(
     from studies.sweep.block import Job, solve_block
 
     names = [metric.name for metric in metrics]
-    job = Job(study.fidelity, study.frequency, tuple(names), False)
+    job = Job(study.fidelity, study.frequency, tuple(names), False, discs)
     cases = _cases(values, study.base)
     ends = np.linspace(0, len(values), min(max(parts, 1), len(values)) + 1).round().astype(int).tolist()
     blocks = list(pairwise(ends))
