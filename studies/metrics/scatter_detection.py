@@ -109,7 +109,7 @@ def scatter_slopes(design: ArrayDesign, names: Sequence[str], known: KnownDiscs 
             if own is not None:
                 rise += float((own.numpy() * (getattr(ends[0], field.name) - getattr(ends[1], field.name))).sum())
         slopes.append(rise / width if width else 0.0)
-    return float(found), np.array(slopes)
+    return float(found.detach()), np.array(slopes)
 
 
 def _parameters(design: ArrayDesign, known: KnownDiscs | None) -> ArrayParameters:

@@ -6,8 +6,8 @@ in logarithms. What a step needs of the steps before stands beside it in the jou
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -19,6 +19,7 @@ from studies.optimization.problem import Optimization, searched_range
 
 if TYPE_CHECKING:
     from acoustic_fem.membrane.disc_table import DiscTables
+    from acoustic_fem.membrane.elasticity import DiscShape, ElasticDisc
 
 Array = NDArray[np.float64]
 
@@ -109,8 +110,8 @@ class Descent:
         found = slopes(self.problem.study.base.with_values(values), list(values), self.discs)[1]
         return found if self.objective.better == "smaller" else -found
 
-    def _known_discs(self) -> DiscTables:
-        """Membranes of designs all over the ranges; none where membranes do not change."""
+    def _known_discs(self) -> SolvedDiscs:
+        """Membranes of designs all over the ranges."""
         from acoustic_fem.membrane.disc import design_shape
         from acoustic_fem.membrane.disc_table import DiscTables, disc_tables
 
@@ -119,13 +120,30 @@ class Descent:
         shapes = []
         for share in shares:
             values = np.exp(self._low + share * self._width).tolist()
+            names = [each.name for each in self.parameters]
             try:
-                design = self.problem.study.base.with_values(_named(self.parameters, values))
+                design = self.problem.study.base.with_values(dict(zip(names, values, strict=True)))
                 shapes += [design_shape(design.of_kind(kind)) for kind in design.kinds]
             except Refusal:
                 continue
-        return DiscTables(disc_tables(shapes))
+        return SolvedDiscs(DiscTables(disc_tables(shapes)))
 
 
-def _named(parameters: Sequence[Any], values: Sequence[float]) -> dict[str, float]:
-    return {each.name: float(value) for each, value in zip(parameters, values, strict=True)}
+@dataclass(frozen=True)
+class SolvedDiscs:
+    """Membranes of a descent, of which none is solved twice."""
+
+    tables: DiscTables
+    """Tables between whose discs others are interpolated."""
+    solved: dict[DiscShape, ElasticDisc] = field(default_factory=dict)
+    """Discs that no table covers, as far as they were asked for."""
+
+    def find(self, shape: DiscShape) -> ElasticDisc | None:
+        """Disc of a shape."""
+        from acoustic_fem.membrane.elasticity import solve_dimensionless
+
+        found = self.tables.find(shape)
+        if found is None:
+            found = self.solved.get(shape) or solve_dimensionless(shape)
+            self.solved[shape] = found
+        return found

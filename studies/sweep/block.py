@@ -24,8 +24,7 @@ from acoustic_fem.batch.topology import Topology
 from acoustic_fem.cell.design_cells import solve_cells
 from acoustic_fem.cell.lumped import lumped_admittance
 from acoustic_fem.cell.one_cell import CellError
-from acoustic_fem.membrane.disc import design_rubber
-from acoustic_fem.membrane.disc_table import DiscTables
+from acoustic_fem.membrane.disc import KnownDiscs, design_rubber
 from acoustic_fem.network.array_network import solve_network
 from acoustic_fem.quantities.local_air import design_air
 from geometry import ArrayDesign, DesignError
@@ -63,7 +62,7 @@ class Job:
     """Names of the metrics."""
     transfer_functions: bool
     """Whether transfer functions are handed back."""
-    discs: DiscTables | None = None
+    discs: KnownDiscs | None = None
     """Membranes that are interpolated between solved ones; None: all are solved."""
 
 

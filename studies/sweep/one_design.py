@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from studies.study.cases import Cases
 
 if TYPE_CHECKING:
-    from acoustic_fem.membrane.disc_table import DiscTables
+    from acoustic_fem.membrane.disc import KnownDiscs
     from geometry import ArrayDesign
     from studies.study.metric_registry import Metric
     from studies.study.study import Study
@@ -26,7 +26,7 @@ def design_metrics(
     team: Workers,
     parts: int = 1,
     designs: Sequence[ArrayDesign] | None = None,
-    discs: DiscTables | None = None,
+    discs: KnownDiscs | None = None,
 ) -> tuple[NDArray[np.float64], tuple[str, ...]]:
     """Metrics of designs, with the base, the fidelity and the frequencies of a study.
 
@@ -37,7 +37,7 @@ def design_metrics(
         team: who computes.
         parts: in how many parts the designs are handed out.
         designs: the valid ones among them, where they are built already.
-        discs: membranes that are interpolated; by default all are solved.
+        discs: membranes that need not be solved.
 
     Returns:
         (n_design, n_metric) float64, NaN where it failed, and for each design why it failed, or nothing.

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 import pytest
 from optuna.trial import FixedTrial
+from small_run import small_design
 
 import acoustic_fem
 from geometry import prototype
@@ -285,3 +286,63 @@ def test_a_search_takes_only_sizes_that_can_be_bought() -> None:
     for proposed, bought in ((0.3, 0.3), (0.42374060602614, 0.4), (0.75, 0.7)):
         trial: Any = FixedTrial({**drawn, "membrane.thickness": proposed})
         assert _proposed(trial, found)["membrane.thickness"] == bought
+
+
+# -- along slopes -------------------------------------------------------------------------------------------
+DESCENT = """
+base = "array-2x6"
+fidelity = "lumped"
+frequencies = "1:100:12"
+metrics = ["sensitivity_force"]
+
+[parameters]
+"tube.inner_diameter" = { from = 0.3, to = 0.7 }
+"resonator.cavity_height" = { from = 2.0, to = 5.0 }
+
+[optimize]
+trials = 12
+batch = 4
+method = "gradient"
+
+[[optimize.objectives]]
+metric = "scatter_detection"
+"""
+
+
+@pytest.mark.slow
+def test_a_search_along_slopes_goes_down_and_ends_as_one_that_was_not_cut_short(tmp_path: Path) -> None:
+    problem = read_optimization(DESCENT, base=small_design())
+    whole, cut = tmp_path / "whole", tmp_path / "cut"
+    whole.mkdir(), cut.mkdir()
+    found = search_designs(problem, whole)
+    values = [each.metrics["scatter_detection"] for each in found.candidates]
+    assert len(values) == 12
+    assert values[0] == pytest.approx(found.base.metrics["scatter_detection"], rel=0.1)
+    assert values == sorted(values, reverse=True)
+    assert found.front[0].metrics["scatter_detection"] == min(values) < 0.99 * values[0]
+
+    text = (whole / JOURNAL).read_bytes()
+    (cut / JOURNAL).write_bytes(text[: int(0.6 * len(text))])
+    again = search_designs(problem, cut)
+    assert [each.values for each in again.candidates] == [each.values for each in found.candidates]
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "reason"),
+    [
+        (
+            '"scatter_detection"',
+            '"distance_smallest"',
+            "needs one objective that has slopes, scatter_detection; not dis",
+        ),
+        ("{ from = 0.3, to = 0.7 }", "[0.3, 0.4]", r"parameters\.tube\.inner_diameter must be a range above 0 of its"),
+        (
+            "to = 0.7 }",
+            "to = 0.7, step = 0.1 }",
+            r"parameters\.tube\.inner_diameter must be a range above 0 of its own",
+        ),
+    ],
+)
+def test_what_cannot_be_searched_along_slopes_is_refused(old: str, new: str, reason: str) -> None:
+    with pytest.raises(StudyError, match=reason):
+        read_optimization(DESCENT.replace(old, new))

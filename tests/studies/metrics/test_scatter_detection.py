@@ -1,0 +1,108 @@
+"""The predicted error under scatter: its definition, its slopes, and its ranking against touches on made sensors."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import scipy.special
+import scipy.stats
+from small_run import small_design
+
+import acoustic_fem
+import geometry
+import localize
+from acoustic_fem.batch.network import batch_transfer_function
+from acoustic_fem.scatter.tolerances import UNCALIBRATED, ScatteredDesign
+from geometry.design.design_file import value_of
+from localize.signals.array_response import response_of
+from studies.made_sensor.rig import HiddenScatter, Rig
+from studies.metrics.scatter_detection import FREQUENCIES, UNKNOWN, scatter_detection, scatter_slopes
+from studies.study.metric_registry import METRICS
+
+NAMES = ("tube.inner_diameter", "tube.length", "resonator.cavity_height", "membrane.thickness")
+
+
+def test_it_is_the_error_of_the_nominal_decoder_to_first_order() -> None:
+    """By hand for three points: a draw of one deviation at a time from the scatter that decoders assume."""
+    design = small_design()
+    known = {each.quantity: each for each in UNCALIBRATED}
+    moved = ("bore", "cavity_height", "modulus_of_part", "modulus_of_batch", "chamber_height")
+    scattered = ScatteredDesign(design, [known[name] for name in moved])
+    sizes = {name: draw.shape[1] for name, draw in scattered.draws(0, 1, 0).items()}
+    air = acoustic_fem.Medium.at(design.air.temperature, design.air.humidity, design.air.pressure)
+
+    def response(quantity: str | None = None, part: int = 0) -> np.ndarray:
+        draws = {name: np.zeros((1, size)) for name, size in sizes.items()}
+        if quantity:
+            draws[quantity][0, part] = 1.0
+        parameters = scattered.parameters(draws)
+        return batch_transfer_function(parameters, scattered.topology, FREQUENCIES, air)[0]
+
+    h = response()
+    ratio = h[:, 0] / h[:, 1]
+    columns = [response(name, k) for name in moved for k in range(sizes[name])]
+    jacobian = [np.log(each[:, 0] / each[:, 1] / ratio) for each in columns]
+    jacobian += [sign * np.full(ratio.shape, known["microphone_gain"].deviation) for sign in (1, -1)]
+    power = np.abs(h) ** 2
+    weight = power[:, 0] * power[:, 1] / power.sum(1)
+    error = np.zeros((3, 3))
+    for i in range(3):
+        for j in {0, 1, 2} - {i}:
+            apart = np.log(ratio[j] / ratio[i])
+            spread = sum((weight[i] * (apart.conj() * column[i]).real).sum() ** 2 for column in jacobian)
+            spread += (weight[i] ** 2 * np.abs(apart) ** 2).sum() * UNKNOWN**2  # the microphone's noise is far below
+            distance = (weight[i] * np.abs(apart) ** 2).sum() / math.sqrt(spread)
+            error[i, j] = scipy.special.erfc(distance / math.sqrt(8)) / 2
+    mean, worst = error.sum(1).mean(), (error**4).sum(1).mean() ** 0.25
+    assert scatter_detection([design])[0] == pytest.approx((mean * worst**0.2) ** (1 / 1.2), rel=0.02)
+
+
+def test_its_slopes_are_those_of_its_values() -> None:
+    design = small_design()
+    value, slopes = scatter_slopes(design, NAMES)
+    assert value == pytest.approx(math.log(scatter_detection([design])[0]), rel=1e-9)
+    for name, slope in zip(NAMES, slopes, strict=True):
+        ends = [design.with_values({name: value_of(design, name) * factor}) for factor in (1.002, 0.998)]
+        high, low = np.log(scatter_detection(ends))
+        assert slope == pytest.approx((high - low) / 0.004, rel=0.02, abs=2e-3), name
+
+
+def test_a_further_point_costs_and_what_cannot_be_computed_is_refused() -> None:
+    base = small_design()
+    four = base.with_values({"lines.0.points": 4, "layout.columns": 4})
+    plain, longer = scatter_detection([base, four])
+    assert 0 < plain < longer < 1
+    metric = METRICS["scatter_detection"]
+    assert metric.better == "smaller"
+    assert metric.of_library(acoustic_fem.solve(base, np.linspace(1, 100, 12), "lumped")) == plain
+    with pytest.raises(geometry.Refusal, match=r"lines\.0\.points = 1 must be at least 2"):
+        scatter_detection([base.with_values({"lines.0.points": 1, "layout.columns": 1})])
+    with pytest.raises(geometry.Refusal, match=r"resonator\.shape = 'box' must be 'cylinder'"):
+        scatter_detection([base.with_values({"resonator.shape": "box"})])
+
+
+@pytest.mark.slow
+def test_it_ranks_designs_as_touches_on_made_sensors_do() -> None:
+    base = geometry.prototype("line-2").with_values({"lines.0.points": 18, "tube.outer_diameter": 1.4})
+    cells = (
+        (0.6, 12.5, 3.0, 1.0), (0.45, 12.5, 3.0, 1.0), (0.6, 12.5, 3.0, 0.6), (0.6, 20.0, 3.0, 2.0),
+        (0.9, 9.0, 4.7, 1.7), (0.9, 9.0, 3.0, 0.8), (0.45, 20.0, 5.0, 2.0),
+    )  # fmt: skip
+    designs = [base.with_values(dict(zip(NAMES, cell, strict=True))) for cell in cells]
+    parts = HiddenScatter(
+        gain=0.0, corner=0.0, chamber=0.0, length=0.0, loss=0.0, temperature=0.0, pressure=0.0, slope=0.0
+    )
+    right, grid = [], np.arange(1.0, 161.0)
+    for design in designs:
+        response = response_of(acoustic_fem.solve(design, grid, "lumped"))
+        decoder = localize.BayesDecoder(response, 1e-3)
+        shares = []
+        for seed in range(6):
+            made = replace(response, transfer_function=Rig(design, seed, parts).transfer_function(grid))
+            shares.append(localize.evaluate(decoder, made, 6, 1e-3).top1)
+        right.append(np.mean(shares))
+    assert np.ptp(right) > 0.1
+    assert scipy.stats.spearmanr(scatter_detection(designs), right).statistic < -0.75
