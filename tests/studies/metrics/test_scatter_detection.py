@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -22,6 +23,7 @@ from studies.made_sensor.rig import HiddenScatter, Rig
 from studies.metrics.scatter_detection import FREQUENCIES, UNKNOWN, scatter_detection, scatter_slopes
 from studies.study.metric_registry import METRICS
 
+EXAMPLES = Path(__file__).parents[3] / "docs" / "examples"
 NAMES = ("tube.inner_diameter", "tube.length", "resonator.cavity_height", "membrane.thickness")
 
 
@@ -86,12 +88,11 @@ def test_a_further_point_costs_and_what_cannot_be_computed_is_refused() -> None:
 
 @pytest.mark.slow
 def test_it_ranks_designs_as_touches_on_made_sensors_do() -> None:
-    base = geometry.prototype("line-2").with_values({"lines.0.points": 18, "tube.outer_diameter": 1.4})
-    cells = (
-        (0.6, 12.5, 3.0, 1.0), (0.45, 12.5, 3.0, 1.0), (0.6, 12.5, 3.0, 0.6), (0.6, 20.0, 3.0, 2.0),
-        (0.9, 9.0, 4.7, 1.7), (0.9, 9.0, 3.0, 0.8), (0.45, 20.0, 5.0, 2.0),
-    )  # fmt: skip
-    designs = [base.with_values(dict(zip(NAMES, cell, strict=True))) for cell in cells]
+    both = (0.6, 12.5, 3.0, 1.0), (0.94, 9.35, 4.7, 1.66)
+    chosen = [("line-36", cell) for cell in (*both, (0.45, 12.5, 3.0, 2.0), (0.995, 8.4, 5.88, 1.96))]
+    chosen += [("ring-3x12", cell) for cell in (*both, (0.727, 26.75, 5.6, 1.124))]
+    bases = {name: geometry.load_design(EXAMPLES / f"{name}.toml") for name, _ in chosen}
+    designs = [bases[name].with_values(dict(zip(NAMES, cell, strict=True))) for name, cell in chosen]
     parts = HiddenScatter(
         gain=0.0, corner=0.0, chamber=0.0, length=0.0, loss=0.0, temperature=0.0, pressure=0.0, slope=0.0
     )
@@ -100,9 +101,9 @@ def test_it_ranks_designs_as_touches_on_made_sensors_do() -> None:
         response = response_of(acoustic_fem.solve(design, grid, "lumped"))
         decoder = localize.BayesDecoder(response, 1e-3)
         shares = []
-        for seed in range(6):
+        for seed in range(8):
             made = replace(response, transfer_function=Rig(design, seed, parts).transfer_function(grid))
-            shares.append(localize.evaluate(decoder, made, 6, 1e-3).top1)
+            shares.append(localize.evaluate(decoder, made, 4, 1e-3).top1)
         right.append(np.mean(shares))
     assert np.ptp(right) > 0.1
     assert scipy.stats.spearmanr(scatter_detection(designs), right).statistic < -0.75
