@@ -266,10 +266,11 @@ def _mesh(shape: DiscShape, refinement: int) -> skfem.MeshQuad:
     parts = [first - _graded(first, edges[first], radial)[::-1]]
     for inner, outer in pairwise(sorted(edges)):
         parts.append(inner + _graded_from_both(outer - inner, edges[inner], edges[outer], radial)[1:])
-    if rim:
-        parts.append(1 + _graded(shape.glue, finest, radial)[1:])
-        if shape.glue < rim:
-            parts.append(1 + shape.glue + _graded(rim - shape.glue, min(radial, shape.glue), radial)[1:])
+    if rim and shape.glue < rim:
+        parts.append(1 + _graded_from_both(shape.glue, finest, finest, radial)[1:])
+        parts.append(1 + shape.glue + _graded(rim - shape.glue, finest, radial)[1:])
+    elif rim:
+        parts.append(1 + _graded(rim, finest, radial)[1:])
     at_top = finest if height else at_patch if rim else finest
     heights = _graded_from_both(thickness, finest, at_top, thickness / refinement)
     if height:

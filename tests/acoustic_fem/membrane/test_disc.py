@@ -85,6 +85,26 @@ def test_touch_and_modes_are_converged_at_the_default_refinement(thickness, rim,
     np.testing.assert_allclose(default.eigenvalues[:4], finer.eigenvalues[:4], rtol=7e-4)
 
 
+def test_a_narrow_ring_of_glue_with_a_free_lip_is_converged_too():
+    default, finer = (solve_dimensionless(shape(0.17, 0.5, glue=0.05), n) for n in (3, 5))
+    assert default.compliance == pytest.approx(finer.compliance, rel=5e-4, abs=0)
+    assert default.volume_per_force == pytest.approx(finer.volume_per_force, rel=5e-4, abs=0)
+    np.testing.assert_allclose(default.eigenvalues[0], finer.eigenvalues[0], rtol=5e-4)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("thickness", "rim", "contact", "glue"),
+    [(2.0, 0.1, 0.25, None), (1.75, 0.91, 0.05, None), (1.18, 0.0, 0.5, None), (0.82, 0.17, 0.5, 0.041)],
+)
+def test_thick_discs_are_as_converged_as_is_said(thickness, rim, contact, glue):
+    default, finer = (solve_dimensionless(shape(thickness, rim, contact=contact, glue=glue), n) for n in (4, 6))
+    assert default.compliance == pytest.approx(finer.compliance, rel=7e-4, abs=0)
+    assert default.volume_per_force == pytest.approx(finer.volume_per_force, rel=7e-4, abs=0)
+    assert default.displacement_per_force == pytest.approx(finer.displacement_per_force, rel=1.5e-3, abs=0)
+    assert default.eigenvalues[0] == pytest.approx(finer.eigenvalues[0], rel=3e-3, abs=0)
+
+
 def test_thin_discs_tend_to_the_thin_plate():
     disc = solve_disc(3e-3, 0.06e-3, 5e5)
     compliance, frequency = kirchhoff(3e-3, 0.06e-3, 5e5)
