@@ -14,7 +14,7 @@ import numpy as np
 from acoustic_fem.membrane.elasticity import MODES, REFINEMENT, DiscShape, ElasticDisc, solve_dimensionless
 from acoustic_fem.numerics import disk_cache
 
-DISC_MODEL_VERSION = 1
+DISC_MODEL_VERSION = 2
 """To be raised with every change of :mod:`acoustic_fem.membrane.elasticity` that changes a number."""
 
 
