@@ -1,16 +1,18 @@
 """Streams that can be lived with, before and after. ``python benchmarks/streams.py`` writes the table of
-docs/realtime.md anew, in half an hour of one core.
+docs/realtime.md anew, in half an hour of one core; ``python benchmarks/streams.py touches`` its rows of touches alone.
 
 Signals are not those of the decoder's generator: long records from the transfer functions of a made sensor (the
 workshop's tolerances, its microphones' gains by 5 %), computed at every line of a period of 16.7 s, 0.06 Hz apart, for
 sound of 60 s. Shapes of taps, presses and pulses are this file's. Nothing is told of noise, hum or sound. "Calibrated"
 is a library of the made sensor's own transfer functions, "not calibrated" that of its design. Before: the whole
-contents of a frame, no tests, the design's noise; after: the defaults. The seeds are not those that constants were
+contents of a frame, no tests, the design's noise, the library as it is; after: the defaults, which of the library of a
+design expect the tolerances of manufacturing. The seeds are not those that constants were
 chosen on (those were 101 to 109).
 """
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
@@ -23,6 +25,7 @@ import acoustic_fem
 import geometry
 import localize
 from acoustic_fem.batch.network import batch_response
+from acoustic_fem.library.result import Library
 from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.scatter.tolerances import ScatteredDesign
 from geometry.files.writing import replace_section
@@ -54,9 +57,10 @@ class Made:
 class Sensor:
     """A sensor as it may come out, and what may be known of it."""
 
-    def __init__(self, name: str, nominal: ArrayResponse, number: int, seed: int = SEED) -> None:
-        self.design, self.seed = geometry.prototype(name), seed + number
-        self._nominal = nominal
+    def __init__(self, library: Library, number: int, seed: int = SEED) -> None:
+        self.design, self.seed = library.design, seed + number
+        self.library, self._nominal = library, response_of(library)
+        nominal = self._nominal
         self._scattered = ScatteredDesign(self.design)
         self._draws = self._scattered.draws(number, 1, seed)
         self.gain = 1 + GAIN * np.random.default_rng([seed, number]).standard_normal((len(nominal.microphones), 1))
@@ -97,11 +101,6 @@ class Sensor:
     def calibrated(self) -> ArrayResponse:
         """What a calibration would find: the transfer functions, but of sound what the design says."""
         return replace(self._nominal, transfer_function=self._responses(self._nominal.frequency)[0])
-
-    @property
-    def nominal(self) -> ArrayResponse:
-        """What the design says."""
-        return self._nominal
 
     def heard(self, made: Iterable[tuple[Made, Array]]) -> Array:
         """(n_microphone, PERIOD) Pa of pressures in cavities."""
@@ -192,9 +191,10 @@ class Told:
     """The same as they were told while they happened."""
 
 
-def told(response: ArrayResponse, signals: Array, after: bool) -> Told:
-    """What a stream tells of a recording."""
-    decoder = decoder_of(response)
+def told(known: Library | ArrayResponse, signals: Array, after: bool) -> Told:
+    """What a stream tells of a recording, by the library of a design or the transfer functions of its sensor."""
+    response = response_of(known)
+    decoder = decoder_of(known if after else response)
     if after:
         stream = localize.TouchStream(decoder, sound_test=localize.SoundTest(response, "design"))
     else:
@@ -209,9 +209,11 @@ def told(response: ArrayResponse, signals: Array, after: bool) -> Told:
 
 
 @lru_cache(4)
-def decoder_of(response: ArrayResponse) -> localize.BayesDecoder:
-    """Decoder of a library, told nothing."""
-    return localize.BayesDecoder(response, "design")
+def decoder_of(known: Library | ArrayResponse) -> localize.BayesDecoder:
+    """Decoder of a library or of transfer functions, told nothing."""
+    if isinstance(known, Library):
+        return localize.TolerantDecoder(known, microphone_noise="design")
+    return localize.BayesDecoder(known, "design")
 
 
 def false_touches(sensor: Sensor, after: bool) -> dict[str, tuple[float, float]]:
@@ -233,22 +235,24 @@ def false_touches(sensor: Sensor, after: bool) -> dict[str, tuple[float, float]]
             turn = random.uniform(0, 2 * np.pi, (2, len(signals), 1))
             wave = np.sin(2 * np.pi * mains * time + turn[0]) + np.sin(6 * np.pi * mains * time + turn[1]) / 3
             signals += size * wave
-        found = told(sensor.nominal, signals, after)
+        found = told(sensor.library, signals, after)
         # One touch may last the whole minute: what counts then is how long.
         lit = sum(decision.state == "touch" for decision in found.decisions) / len(found.decisions)
         result[title] = len(found.touches), 100 * lit
     return result
 
 
-def of_touches(sensor: Sensor, kind: str, response: ArrayResponse, after: bool) -> tuple[Array, list[float]]:
+def of_touches(
+    sensor: Sensor, kind: str, known: Library | ArrayResponse, after: bool
+) -> tuple[Array, list[float]]:  # fmt: skip
     """Number of touches, of those kept (told within 0.35 s), kept and right, told once, wrong frames and phantoms; and,
     in ms, how long after its beginning a touch was told while it happened.
     """
     sums, late = np.zeros(6), list[float]()
     for record in range(3):
         random = np.random.default_rng([sensor.seed, 77, record, len(kind)])
-        made = session(kind, response.point_count, random)
-        found = told(response, sensor.heard(made) + sensor.own_noise(PERIOD, random), after)
+        made = session(kind, sensor.design.point_count, random)
+        found = told(known, sensor.heard(made) + sensor.own_noise(PERIOD, random), after)
         edges = [touch.begin for touch, _ in made] + [PERIOD]
         for index, (touch, _) in enumerate(made):
             here = [t for t in found.touches if edges[index] <= 1000 * t.start < edges[index + 1]]
@@ -270,18 +274,30 @@ def of_touches(sensor: Sensor, kind: str, response: ArrayResponse, after: bool) 
     return sums, late
 
 
-def rows(name: str) -> list[str]:
-    """Lines of the table."""
-    nominal = response_of(acoustic_fem.solve(geometry.prototype(name), FREQUENCY, "lumped"))
-    made = [Sensor(name, nominal, number) for number in range(SENSORS)]
+def sensors(name: str) -> list[Sensor]:
+    """Made sensors of a prototype."""
+    library = acoustic_fem.solve(geometry.prototype(name), FREQUENCY, "lumped")
+    return [Sensor(library, number) for number in range(SENSORS)]
+
+
+def rows_of_nobody(made: list[Sensor]) -> list[str]:
+    """Lines of the table in which nobody touches."""
     lines = []
+    name = made[0].design.name
     alone = [[false_touches(sensor, after) for sensor in made] for after in (False, True)]
     for title in alone[0][0]:
         means = [np.mean([each[title] for each in both], axis=0) for both in alone]
         lines.append(f"{name}: {title} | {means[0][0]:.1f} / {means[0][1]:.1f} | {means[1][0]:.1f} / {means[1][1]:.1f}")
         print(lines[-1], flush=True)
+    return lines
+
+
+def rows_of_touches(made: list[Sensor]) -> list[str]:
+    """Lines of the table of touches."""
+    lines = []
+    name = made[0].design.name
     for kind in ("tap", "press", "pulse"):
-        for known in ("calibrated", "nominal"):
+        for title, known in (("calibrated", "calibrated"), ("not calibrated", "library")):
             cells = []
             for after in (False, True):
                 found = [of_touches(sensor, kind, getattr(sensor, known), after) for sensor in made]
@@ -293,7 +309,6 @@ def rows(name: str) -> list[str]:
                     f"{share[1]:.1f} / {share[2]:.1f} / {share[3]:.1f} / {sums[4] / count:.1f} / {sums[5] / count:.2f}"
                     f" / {usual:.0f}, {most:.0f}"
                 )
-            title = "calibrated" if known == "calibrated" else "not calibrated"
             lines.append(f"{name}, {title}: {kind} | " + " | ".join(cells))
             print(lines[-1], flush=True)
     return lines
@@ -301,8 +316,14 @@ def rows(name: str) -> list[str]:
 
 def main() -> None:
     lines = ["what | before | after", "---|---|---"]
+    section = PAGE.read_text(encoding="utf-8").partition(BEGIN)[2].partition(END)[0]
     for name in DESIGNS:
-        lines += rows(name)
+        made = sensors(name)
+        if sys.argv[1:] == ["touches"]:
+            lines += [row[2:-2] for row in section.splitlines() if row.startswith(f"| {name}: ")]
+        else:
+            lines += rows_of_nobody(made)
+        lines += rows_of_touches(made)
     replace_section(PAGE, BEGIN, END, [f"| {line} |" for line in lines])
 
 

@@ -38,6 +38,10 @@ DEVIATING = np.arange(BAND[0], BAND[1] + 1e-9, INTEGRATION_STEP)
 """Frequencies at which transfer functions may deviate, Hz: above the band touches are all but silent."""
 
 
+SourceDensity = Callable[[NDArray[np.float64]], NDArray[np.float64]]
+"""Power density of a touch, Pa^2/Hz, from frequencies in Hz, both of shape (n_freq,)."""
+
+
 def check_noise(choice: NoiseChoice) -> None:
     """Refuse a noise that nothing can be divided by.
 
@@ -152,7 +156,7 @@ def source_density(frequency: NDArray[np.float64]) -> NDArray[np.float64]:
 def touch_covariances(
     response: ArrayResponse,
     whiten: NDArray[np.float64],
-    density: Callable[[NDArray[np.float64]], NDArray[np.float64]] = source_density,
+    density: SourceDensity = source_density,
 ) -> NDArray[np.float64]:
     """Covariances C_i of every point at power 1, where the noise is white of variance 1.
 

@@ -22,8 +22,9 @@ from scipy.cluster.vq import kmeans2
 from scipy.interpolate import CubicSpline
 
 from acoustic_fem.scatter.made_sensors import scatter_factors
-from localize.decoders.frame_covariance import DEVIATING, SOURCE_RMS
-from localize.signals.array_response import ArrayResponse
+from geometry.refusal import Refusal
+from localize.decoders.frame_covariance import DEVIATING, SOURCE_RMS, SourceDensity, source_density, touch_covariances
+from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.stimulus import BAND, SAMPLE_RATE
 
 if TYPE_CHECKING:
@@ -51,6 +52,8 @@ SHAPES = 6
 as many."""
 ABOVE_BAND = 0.02
 """Weight, in the search for shapes, of frequencies above those of touches."""
+ROUNDING = 1e-12
+"""Share of the power of a touch that is added to what each microphone hears alone, for the sake of rounding."""
 _BLOCK, _SEED = 50, 20161
 
 
@@ -106,6 +109,54 @@ def made_hypotheses(library: Library, response: ArrayResponse, tolerances: Seque
     # A group without draws is never believed.
     deviations = CubicSpline(np.log(nodes), shapes, axis=-1)(np.log(DEVIATING)).astype(np.complex64)
     return Hypotheses((*made, response), deviations, np.log(np.maximum(prior, 1e-30)))
+
+
+def made_covariances(
+    library: Library | ArrayResponse,
+    tolerances: Sequence[Tolerance],
+    whiten: NDArray[np.float64],
+    density: SourceDensity = source_density,
+) -> NDArray[np.float64]:
+    """Covariances of a touch of each point, averaged over the sensors that a design may come out as.
+
+    Args:
+        library: of a design.
+        tolerances: of manufacturing.
+        whiten: as of :func:`localize.decoders.frame_covariance.touch_covariances`.
+        density: as there.
+
+    Returns:
+        (n_point, n, n) float64.
+
+    Raises:
+        Refusal: bare transfer functions, or a design whose scatter is not known.
+    """
+    if isinstance(library, ArrayResponse):
+        raise Refusal("library must be one of a design: bare transfer functions do not tell what its parts are")
+    response = response_of(library)
+    hypotheses = made_hypotheses(library, response, tolerances)
+    bin_, share = _between(DEVIATING, response.frequency)
+    spectra = np.zeros((*response.transfer_function.shape, len(response.microphones)), np.complex128)
+    for number, one in enumerate(hypotheses.responses):
+        shapes = hypotheses.deviations[number]
+        shapes = shapes[..., bin_] * (1 - share) + shapes[..., bin_ + 1] * share
+        each = one.transfer_function * np.concatenate([np.ones_like(shapes[:1]), shapes])
+        prior = np.exp(hypotheses.log_prior[:, number])[:, None, None, None]
+        spectra += prior * np.einsum("spmf,spnf->pmfn", each, each.conj())
+    # What the microphones hear is a sum of as many sources as there are microphones, at every frequency anew.
+    spectra = spectra.transpose(0, 2, 1, 3)
+    size = np.trace(spectra, axis1=2, axis2=3).real[..., None, None]
+    factor = np.linalg.cholesky(spectra + ROUNDING * size * np.eye(spectra.shape[-1]))
+    parts = (factor[..., k].transpose(0, 2, 1) for k in range(factor.shape[-1]))
+    covariances = [touch_covariances(replace(response, transfer_function=part), whiten, density) for part in parts]
+    return np.asarray(sum(covariances))
+
+
+def _between(known: NDArray[np.float64], wanted: NDArray[np.float64]) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
+    """The known value below each wanted one, and the share of the way to the next; ends are kept beyond them."""
+    inside = np.clip(wanted, known[0], known[-1])
+    first = np.clip(np.searchsorted(known, inside, "right") - 1, 0, len(known) - 2)
+    return first, (inside - known[first]) / (known[first + 1] - known[first])
 
 
 def _drawn(

@@ -5,11 +5,14 @@ Two independent touches i and j give the microphones' samples the covariance g (
 over a grid of ratios with g profiled out, as one point is in :mod:`localize.decoders.bayes`. The search is full,
 because a greedy one fails: the single point that explains two touches best is often neither of them.
 
-Whether there are two is decided by the gain in log-likelihood of the best pair over the best point.
+Whether there are two is decided by the gain in log-likelihood of the best pair over the best point. Of a sensor that
+nobody calibrated each point has the covariance that it has on average over what its design may come out as: with that
+of the design, what a made sensor does otherwise is taken for a second touch nearly always.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import combinations
 from typing import TYPE_CHECKING
@@ -21,6 +24,7 @@ from torch import Tensor
 from geometry.refusal import Refusal
 from localize.decoders.bayes import CHUNK, POWERS, vertex
 from localize.decoders.frame_covariance import check_noise, low_pass, touch_covariances, whitening
+from localize.decoders.hypotheses import made_covariances
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.frames import checked_signals, cut_frames
 from localize.signals.noise import NoiseChoice
@@ -28,6 +32,7 @@ from localize.signals.threads import one_thread
 
 if TYPE_CHECKING:
     from acoustic_fem import Library
+    from acoustic_fem.scatter.tolerances import Tolerance
 
 LEVELS = (-20.0, -10.0, 0.0, 10.0, 20.0)
 """Powers of the second touch over that of the first that are tried, dB."""
@@ -35,6 +40,8 @@ WEAKEST = 1e-4
 """Share of the noise at g = 1 below which eigenvectors are left out."""
 THRESHOLD = 5.0
 """Gain of the best pair over the best point, nats, from which there are two touches."""
+UNCALIBRATED_THRESHOLD = 35.0
+"""The same with tolerances."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,10 +68,13 @@ class TwoTouchDecoder:
     Args:
         library: transfer functions that cover 1 to 100 Hz, of 2 to 64 points and at least two microphones.
         microphone_noise: as of :class:`localize.BayesDecoder`.
-        threshold: nats, see :data:`THRESHOLD`.
+        threshold: nats; by default :data:`THRESHOLD`, with tolerances :data:`UNCALIBRATED_THRESHOLD`.
+        tolerances: of manufacturing, of a sensor that nobody calibrated, such as
+            :data:`acoustic_fem.scatter.UNCALIBRATED`; None where the library knows its sensor.
 
     Raises:
-        Refusal: too many points, a threshold below 0, or as :class:`localize.BayesDecoder`.
+        Refusal: too many points, a threshold below 0, tolerances of bare transfer functions or of a design whose
+            scatter is not known, or as :class:`localize.BayesDecoder`.
     """
 
     @one_thread()
@@ -72,9 +82,12 @@ class TwoTouchDecoder:
         self,
         library: Library | ArrayResponse,
         microphone_noise: NoiseChoice = 1e-3,
-        threshold: float = THRESHOLD,
+        threshold: float | None = None,
+        tolerances: Sequence[Tolerance] | None = None,
     ) -> None:
         check_noise(microphone_noise)
+        if threshold is None:
+            threshold = THRESHOLD if tolerances is None else UNCALIBRATED_THRESHOLD
         if not threshold >= 0:
             raise Refusal(f"threshold = {threshold} must be 0 or above")
         response = response_of(library)
@@ -88,7 +101,10 @@ class TwoTouchDecoder:
         """(n_pair, 2) points of each pair, from 0."""
         whiten = whitening(response.noise(microphone_noise))
         self._reduce = (whiten @ low_pass()).T.copy()
-        single = touch_covariances(response, whiten)
+        if tolerances is None:
+            single = touch_covariances(response, whiten)
+        else:
+            single = made_covariances(library, tolerances, whiten)
         self._single = _Tables(single)
         # The sum of the powers is 1, so that both touches keep within the powers tried at every ratio.
         second = 1 / (1 + 10 ** (-np.array(LEVELS) / 10))

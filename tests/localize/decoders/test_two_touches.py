@@ -1,13 +1,20 @@
 """Two touches at once are found among all pairs, and one touch stays one."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 import scipy.linalg
 from rc_line import rc_line
+from shared import solved
 
+import geometry
 import localize
+from acoustic_fem.scatter import UNCALIBRATED, ScatteredDesign, Tolerance, scatter_factors
 from localize.decoders import frame_covariance as moments
+from localize.decoders.hypotheses import made_covariances
 from localize.decoders.two_touches import LEVELS
+from localize.signals.array_response import response_of
 
 
 @pytest.fixture(scope="module")
@@ -82,3 +89,35 @@ def test_bad_arguments_are_refused(array, decoder):
         localize.TwoTouchDecoder(rc_line(65, np.arange(1.0, 101.0)))
     with pytest.raises(ValueError, match="3 channels"):
         decoder.locate(np.random.default_rng(0).standard_normal((1, 3, 250)))
+
+
+def test_covariances_of_sensors_that_do_not_deviate_are_those_of_the_design():
+    library = solved("array-2x6", np.arange(1.0, 161.0))
+    none = [Tolerance("bore", 0.0, "relative", "a test")]
+    whiten = moments.whitening(1e-3)
+    known = moments.touch_covariances(response_of(library), whiten)
+    found = made_covariances(library, none, whiten)
+    assert np.abs(found - known).max() < 1e-5 * np.abs(known).max()  # of interpolation
+
+
+def test_with_tolerances_single_touches_of_a_made_sensor_are_not_called_two():
+    library = solved("array-2x6", np.arange(1.0, 161.0))
+    nominal, noise = response_of(library), 1e-3
+    factors = scatter_factors(ScatteredDesign(library.design), library.medium, nominal.frequency, 3, seed=4)
+    known, tolerant = (localize.TwoTouchDecoder(library, noise, tolerances=each) for each in (None, UNCALIBRATED))
+    called, told = [], []
+    for factor in factors:
+        made = replace(nominal, transfer_function=nominal.transfer_function * factor)
+        touches = localize.TouchGenerator(made, 5, "evaluation", 0.0).samples(0, 60).signals[:, :, 250:500].numpy()
+        signals = np.concatenate([touches, touches + np.roll(touches, 5, axis=0)])
+        signals = signals + noise * np.random.default_rng(6).standard_normal(signals.shape)
+        called += [[decoder.locate(signals[:60]).is_two.mean() for decoder in (known, tolerant)]]
+        told += [tolerant.locate(signals[60:]).is_two.mean()]
+    assert np.mean(called, axis=0)[0] > 0.5
+    assert np.mean(called, axis=0)[1] < 0.03
+    assert np.mean(told) > 0.5
+
+
+def test_tolerances_of_bare_transfer_functions_are_refused(array):
+    with pytest.raises(geometry.Refusal, match="bare transfer functions do not tell what its parts are"):
+        localize.TwoTouchDecoder(array, 1e-3, tolerances=UNCALIBRATED)
