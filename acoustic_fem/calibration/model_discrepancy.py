@@ -16,7 +16,8 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
 COMMON, OF_MICROPHONE, OWN = 0.012, 0.008, 0.007
-"""Root mean square, relative to the transfer function, of the three parts: measured on sensors of the virtual rig."""
+"""Root mean square, relative to the transfer function, of the three parts: about those of sensors of the virtual rig,
+measured in benchmarks/discrepancy.py."""
 TOTAL = float(np.hypot(np.hypot(COMMON, OF_MICROPHONE), OWN))
 SMOOTH = 1.0
 """Length over which it changes, in the logarithm of frequency."""
