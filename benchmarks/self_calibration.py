@@ -1,7 +1,8 @@
 """Self-calibration of virtual rigs from unlabelled touches: what it does to decoding, and what it refuses.
 
-``python benchmarks/self_calibration.py`` writes the table of docs/calibration.md anew; with arguments, such as ``3 "2 x
-36, modulus x 0.85" 200``, it prints that of so many rigs, of one kind, from so many touches.
+``python benchmarks/self_calibration.py`` writes the tables of docs/calibration.md anew; with arguments, such as
+``3 "2 x 36, modulus x 0.85" 200``, it prints the first one of so many rigs, of one kind, from so many touches;
+``fingers`` writes that of touches of fingers alone, and ``fingers 2 line-2`` prints its row of two rigs.
 """
 
 from __future__ import annotations
@@ -12,12 +13,15 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from calibration import DESIGNS, GRID, NOISE, PAGE, RIGS, TOUCHES
+from natural_touches import NATURAL, SINES, touched
 
 import acoustic_fem
+import geometry
 import localize
 from acoustic_fem.library.result import Library
 from geometry.files.writing import replace_section
-from localize.recalibration.self_calibration import self_calibrate
+from localize.live.front_end import HIGH_PASS
+from localize.recalibration.self_calibration import SelfCalibration, self_calibrate
 from localize.signals.array_response import ArrayResponse, response_of
 from studies.made_sensor.rig import HiddenScatter, Rig
 
@@ -46,6 +50,33 @@ KINDS = {
     "2 x 36, bores of 0.8 mm": Kind("2 x 36, bores of 0.8 mm"),
     "2 x 36, bores of 0.8 mm, modulus x 0.85": Kind("2 x 36, bores of 0.8 mm", 0.85),
     "2 x 36, bores of 0.8 mm, drifted": Kind("2 x 36, bores of 0.8 mm", drift=True),
+}
+
+
+#: Of the table of fingers: seeds from here on, of which no constant was chosen.
+FINGERS_FIRST = 9400
+FINGERS_GRID = np.geomspace(1.0, 150.0, 48)
+FINGERS_BEGIN, FINGERS_END = "<!-- fingers: made by benchmarks/self_calibration.py -->", "<!-- end of fingers -->"
+SOFT, STEEP = HiddenScatter(modulus=0.85), HiddenScatter(slope=0.05)
+
+
+@dataclass(frozen=True)
+class Fingers:
+    """Row of the table of fingers."""
+
+    design: str
+    touches: str
+    count: int
+    scatters: tuple[HiddenScatter, ...]
+    """Of each rig."""
+
+
+FINGERS = {
+    "2 x 6: 10 modulus x 0.85, 5 steep rubber, 5 neither": Fingers(
+        "array-2x6", NATURAL, 300, (SOFT,) * 10 + (STEEP,) * 5 + (HiddenScatter(),) * 5
+    ),
+    "2 x 6, steep rubber": Fingers("array-2x6", SINES, 300, (STEEP,) * 20),
+    "line-2": Fingers("line-2", NATURAL, 1000, (SOFT, STEEP)),
 }
 
 
@@ -91,11 +122,9 @@ def row(name: str, counts: tuple[int, ...], rigs: int) -> str:
             refused[place] += not found.accepted
             values.append(accuracy(response_of(found.library()), truth))
             worse += found.accepted and values[-1] < values[0]
-            figures = (
-                f"gain {found.gain:.2f} +- {found.gain_error:.2f} rival {found.rival:.0f} {found.rival_held_out:.1f}"
+            print(
+                name, seed, count, np.round(100 * np.array(values), 1), figures(found), found.objection, file=sys.stderr
             )
-            figures += f" explained {found.explained:.2f} agreement {found.agreement:.2f} size {found.size:.0f}"
-            print(name, seed, count, np.round(100 * np.array(values), 1), figures, found.objection, file=sys.stderr)
         shares.append(values)
     table = 100 * np.array(shares)
     cells = (f"{mean:.1f} ({worst:.1f})" for mean, worst in zip(table.mean(0), table.min(0), strict=True))
@@ -110,8 +139,68 @@ def table(rigs: int, names: tuple[str, ...], counts: tuple[int, ...]) -> str:
     return "\n".join([*lines, *(row(name, counts, rigs) for name in names)])
 
 
+def right(known: ArrayResponse, truth: ArrayResponse, seed: int) -> tuple[float, float]:
+    """Shares of touches of fingers and of multi-sines named right, as a stream hears them, %."""
+    decoder = localize.BayesDecoder(known, NOISE)
+    shares = []
+    for kind in (NATURAL, SINES):
+        frames, points = touched(truth, kind, TOUCHES * truth.point_count, seed, "evaluation")
+        shares.append(100 * float((decoder.locate(frames).argmax(1) == points).mean()))
+    return shares[0], shares[1]
+
+
+def finger_row(name: str, rigs: int | None = None) -> str:
+    row = FINGERS[name]
+    design = geometry.prototype(row.design)
+    nominal = acoustic_fem.solve(design, FINGERS_GRID, "lumped")
+    shares, refused, worse, seconds = [], 0, 0, 0.0
+    for seed, scatter in enumerate(row.scatters[:rigs], FINGERS_FIRST):
+        h = Rig(design, seed, scatter, "navier-stokes").transfer_function(FINGERS_GRID)
+        truth = replace(response_of(nominal), transfer_function=h)
+        start = time.process_time()
+        found = self_calibrate(nominal, touched(truth, row.touches, row.count, seed)[0], NOISE, high_pass=HIGH_PASS)
+        seconds = max(seconds, time.process_time() - start)
+        known = (response_of(nominal), response_of(found.library()), truth)
+        shares.append([right(each, truth, seed) for each in known])
+        refused += not found.accepted
+        worse += found.accepted and any(after < before for before, after in zip(*shares[-1][:2], strict=True))
+        print(
+            name, seed, np.round(shares[-1], 1).tolist(), figures(found), found.objection, file=sys.stderr, flush=True
+        )
+    table = np.array(shares)
+    cells = [
+        " / ".join(f"{mean:.1f} ({least:.1f})" for mean, least in zip(each.mean(0), each.min(0), strict=True))
+        for each in np.moveaxis(table, 1, 0)
+    ]
+    rest = (f"{refused} of {len(shares)}", f"{worse}", f"{seconds:.0f}")
+    return "| " + " | ".join((name, f"{row.count}, {row.touches}", *cells, *rest)) + " |"
+
+
+def figures(found: SelfCalibration) -> str:
+    """What speaks for and against a sensor, for a look."""
+    return (
+        f"gain {found.gain:.2f} +- {found.gain_error:.2f} rival {found.rival:.0f} {found.rival_held_out:.1f} explained "
+        f"{found.explained:.2f} agreement {found.agreement:.2f} size {found.size:.0f}"
+    )
+
+
+def finger_table(rigs: int | None, names: tuple[str, ...]) -> str:
+    head = ["sensors", "touches", "before", "self-calibrated", "known exactly", "refused"]
+    head += ["accepted and worse than before", "slowest (s)"]
+    lines = ["| " + " | ".join(head) + " |", "|---" * len(head) + "|"]
+    return "\n".join([*lines, *(finger_row(name, rigs) for name in names)])
+
+
 def main() -> None:
     given = sys.argv[1:]
+    if not given or given[0] == "fingers":
+        rest = given[1:]
+        text = finger_table(int(rest[0]) if rest else None, (rest[1],) if len(rest) > 1 else tuple(FINGERS))
+        print(text)
+        if not rest:
+            replace_section(PAGE, FINGERS_BEGIN, FINGERS_END, text.splitlines())
+        if given:
+            return
     counts = (int(given[2]),) if len(given) > 2 else COUNTS
     text = table(int(given[0]) if given else RIGS, (given[1],) if len(given) > 1 else tuple(KINDS), counts)
     print(text)

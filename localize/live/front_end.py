@@ -80,6 +80,11 @@ AS_IT_COMES = Listening(None, False, False)
 """Nothing is done: every frame is judged as it is."""
 
 
+def high_pass_sections(corner: float) -> Array:
+    """Sections of second order of the high-pass of a corner in Hz, (n, 6) float64."""
+    return np.asarray(scipy.signal.butter(ORDER, corner, "highpass", fs=SAMPLE_RATE, output="sos"))
+
+
 class HighPass:
     """High-pass that starts as if time had run backwards before the first frame.
 
@@ -93,7 +98,7 @@ class HighPass:
         self.delay = 0.0
         """Group delay at :data:`DELAY_AT`, s."""
         if corner is not None:
-            self._sections = scipy.signal.butter(ORDER, corner, "highpass", fs=SAMPLE_RATE, output="sos")
+            self._sections = high_pass_sections(corner)
             step = 0.01
             _, near = scipy.signal.sosfreqz(self._sections, [DELAY_AT - step, DELAY_AT + step], fs=SAMPLE_RATE)
             self.delay = float(np.angle(near[0] / near[1]) / (2 * math.pi * 2 * step))

@@ -1,6 +1,6 @@
 """The library brought to the sensor from unlabelled touches.
 
-Stands on: decoders, evaluation, signals.
+Stands on: decoders, evaluation, live, signals.
 """
 
 import lazy_loader

@@ -10,18 +10,25 @@ points blur into each other and the likelihood has one maximum; the lower, the s
 
 Powers are counted from the loudness of the frames, so that louder touches say the same of a sensor, where the noise
 that is assumed is as much louder.
+
+Fingers have no flat spectrum, and each touch has its own: a tap of 5 ms holds all frequencies alike, a press little
+above the inverse of its rise. Spectra that fall are tried beside the flat one, each as likely as the others beforehand,
+and summed out as the points are.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+import scipy.signal
 from numpy.typing import NDArray
 from scipy.special import logsumexp
 
 from localize.decoders.bayes import POWERS, TEMPERATURE
 from localize.decoders.frame_covariance import low_pass, sampled_waves, source_density, whitening
+from localize.live.front_end import high_pass_sections
 from localize.signals.array_response import interpolation
 from localize.signals.stimulus import BAND, SAMPLE_RATE
 from localize.signals.threads import one_thread
@@ -39,6 +46,8 @@ HELD = 1e-2
 """Share of the noise that an eigenvector holds at least, at the loudest touch, to count in the information."""
 UNMOVED = 1e-4
 """Share of the noise that a touch of power 1 must reach in a direction for it to count, where H = 1."""
+FLAT = (0.0,)
+"""Slopes of touches that fill the band evenly."""
 _NEWTON_STEPS = 4
 
 
@@ -54,7 +63,7 @@ class Evidence:
 
 @dataclass(frozen=True, eq=False)
 class _Eigen:
-    """Covariances of touches C = B^T B, point by point."""
+    """Covariances of touches C = B^T B, slope by slope and point by point: a table for each."""
 
     b: Array
     values: Array
@@ -63,14 +72,16 @@ class _Eigen:
 
 @dataclass(frozen=True, eq=False)
 class _Score:
-    """Frames and points that are near each other, with what the likelihood of each pair is made of."""
+    """Frames and tables that are near each other, with what the likelihood of each pair is made of."""
 
     evidence: Evidence
     along: Array
-    """(n_point, n, size) of the frames along the eigenvectors."""
+    """(n_table, n, size) of the frames along the eigenvectors."""
     frame: NDArray[np.int64]
-    point: NDArray[np.int64]
+    table: NDArray[np.int64]
     power: Array
+    weight: Array
+    """Probability of the table given the frame."""
 
 
 class MarginalLikelihood:
@@ -80,19 +91,32 @@ class MarginalLikelihood:
         frequency: (n_freq,) float64, Hz, of the transfer functions, covering 1 to 100 Hz.
         frames: (n, n_microphone, 250) float64, Pa, at 1 kHz.
         noise: Pa rms over 0 to 500 Hz, white, above 0.
+        slopes: of the amplitude of touches over frequency, as exponents of the frequency, one or more.
+        high_pass: corner of the high-pass that the frames have passed, Hz; None for none.
     """
 
-    def __init__(self, frequency: Array, frames: Array, noise: float) -> None:
+    def __init__(
+        self,
+        frequency: Array,
+        frames: Array,
+        noise: float,
+        slopes: Sequence[float] = FLAT,
+        high_pass: float | None = None,
+    ) -> None:
         self.noise = noise
         fine = np.arange(BAND[0], min(float(frequency[-1]), SAMPLE_RATE / 2) + 1e-9, STEP)
         turn, gain = sampled_waves(fine)
         whiten = whitening(noise)
-        waves = (np.sqrt(source_density(fine) * STEP) * gain)[:, None] * (turn @ whiten.T)
+        amplitude = np.sqrt(source_density(fine) * STEP) * gain * passed(fine, high_pass)
+        by_slope = np.stack([amplitude * fine**slope for slope in slopes])
+        waves = by_slope[..., None] * (turn @ whiten.T)
         white = frames @ (whiten @ low_pass()).T
         # power 1 is that of half of the frames, at their loudest microphone and where H = 1
-        waves *= np.sqrt(np.median((white**2).sum(2).max(1)) / (np.abs(waves) ** 2).sum())
+        loudness = np.median((white**2).sum(2).max(1))
+        waves *= np.sqrt(loudness / (np.abs(waves) ** 2).sum((1, 2), keepdims=True))
         # directions that no touch moves hold noise alone, whatever the sensor
-        _, size, basis = np.linalg.svd(np.concatenate([waves.real, waves.imag]), full_matrices=False)
+        flat = waves.reshape(-1, waves.shape[2])
+        _, size, basis = np.linalg.svd(np.concatenate([flat.real, flat.imag]), full_matrices=False)
         basis = basis[size**2 > UNMOVED]
         self._waves = waves @ basis.T
         self._x = (white @ basis.T).reshape(len(frames), -1)
@@ -119,16 +143,19 @@ class MarginalLikelihood:
         """
         eigen = self._eigen(h)
         found = self._score(eigen)
-        weight = found.evidence.share[found.frame, found.point] / TEMPERATURE
-        slope = np.empty(h.shape, np.complex128)
-        for point, (b, values, vectors) in enumerate(zip(eigen.b, eigen.values, eigen.vectors, strict=True)):
-            chosen = found.point == point
+        weight = found.weight / TEMPERATURE
+        slope = np.zeros(h.shape, np.complex128)
+        for table, (b, values, vectors) in enumerate(zip(eigen.b, eigen.values, eigen.vectors, strict=True)):
+            chosen = found.table == table
+            if not chosen.any():
+                continue
             g, share = found.power[chosen][:, None], weight[chosen][:, None]
             inverse = 1 / (1 + g * values)
-            seen = np.sqrt(share * g) * inverse * found.along[point][found.frame[chosen]]
+            seen = np.sqrt(share * g) * inverse * found.along[table][found.frame[chosen]]
             by_covariance = 0.5 * (seen.T @ seen - np.diag((share * g * inverse).sum(0)))
             by_b = 2 * (b @ vectors) @ by_covariance @ vectors.T
-            slope[point] = self._by_response(by_b)
+            kind, point = divmod(table, len(h))
+            slope[point] += self._by_response(by_b, kind)
         return float(found.evidence.frames.sum()), slope
 
     @one_thread()
@@ -152,12 +179,13 @@ class MarginalLikelihood:
         total = np.zeros((len(jacobian), len(jacobian)))
         found = self._score(self._eigen(h))
         eigen = self._eigen(h, COARSE)
-        share, energy = found.evidence.share[found.frame, found.point], (self._x**2).sum(1)
-        for point, (b, values, vectors) in enumerate(zip(eigen.b, eigen.values, eigen.vectors, strict=True)):
-            chosen = (found.point == point) & (share > 0)
+        energy = (self._x**2).sum(1)
+        for table, (b, values, vectors) in enumerate(zip(eigen.b, eigen.values, eigen.vectors, strict=True)):
+            chosen = (found.table == table) & (found.weight > 0)
             if not chosen.any():
                 continue
-            weight = share[chosen]
+            weight = found.weight[chosen]
+            kind, point = divmod(table, len(h))
             # with a wrong sensor the likeliest power may be thousands of times that which is in the frame
             power = np.minimum(found.power[chosen], energy[found.frame[chosen]] / values.sum())[:, None]
             held = power.max() * values > HELD
@@ -166,7 +194,7 @@ class MarginalLikelihood:
             # single precision halves the time, and what comes of it only steers and weighs
             along = (b @ vectors[:, held]).astype(np.float32)
             change = along.T @ (
-                self._sources(jacobian[:, point], COARSE).astype(np.float32) @ vectors.astype(np.float32)
+                self._sources(jacobian[:, point], kind, COARSE).astype(np.float32) @ vectors.astype(np.float32)
             )
             # of each touch: g / (1 + g value), of S^-1 along the eigenvectors; C is diagonal along them too
             inverse = power / (1 + power * values)
@@ -181,22 +209,23 @@ class MarginalLikelihood:
             total -= 2 * (with_louder * (weight / (louder**2).sum(1))) @ with_louder.T
         return total / TEMPERATURE
 
-    def _sources(self, h: Complex, every: int = 1) -> Array:
-        """B of (..., n_microphone, n_freq) transfer functions, (..., 2 n_step, size)."""
+    def _sources(self, h: Complex, kind: int, every: int = 1) -> Array:
+        """B of (..., n_microphone, n_freq) transfer functions and one of the slopes, (..., 2 n_step, size)."""
         fine = h.real @ self._even[::every].T + 1j * (h.imag @ self._odd[::every].T)
-        waves = np.sqrt(every) * self._waves[::every]
+        waves = np.sqrt(every) * self._waves[kind, ::every]
         seen = (np.moveaxis(fine, -1, -2)[..., None] * waves[:, None]).reshape(*fine.shape[:-2], len(waves), -1)
         return np.concatenate([seen.real, seen.imag], axis=-2)
 
-    def _by_response(self, by_b: Array) -> Complex:
+    def _by_response(self, by_b: Array, kind: int) -> Complex:
         """The derivative by transfer functions, (n_microphone, n_freq), from that by B: the transpose of the above."""
-        steps = len(self._waves)
-        by_wave = (by_b[:steps] + 1j * by_b[steps:]).reshape(steps, -1, self._waves.shape[1])
-        by_fine = np.einsum("fms,fs->mf", by_wave, self._waves.conj())
+        waves = self._waves[kind]
+        steps = len(waves)
+        by_wave = (by_b[:steps] + 1j * by_b[steps:]).reshape(steps, -1, waves.shape[1])
+        by_fine = np.einsum("fms,fs->mf", by_wave, waves.conj())
         return np.asarray(by_fine.real @ self._even + 1j * (by_fine.imag @ self._odd))
 
     def _eigen(self, h: Complex, every: int = 1) -> _Eigen:
-        b = self._sources(h, every)
+        b = np.concatenate([self._sources(h, kind, every) for kind in range(len(self._waves))])
         values, vectors = np.linalg.eigh(b.transpose(0, 2, 1) @ b)
         return _Eigen(b, np.maximum(values, 0), vectors)
 
@@ -207,8 +236,8 @@ class MarginalLikelihood:
         tried = -(energy @ (1 / (1 + gain)) + np.log1p(gain).sum(1)[:, None]).transpose(1, 0, 2)
         start = tried.argmax(-1)
         rough = np.take_along_axis(tried, start[..., None], -1)[..., 0] / (2 * TEMPERATURE)
-        frame, point = np.nonzero(rough > rough.max(1, keepdims=True) - NEAR)
-        level, near, held = np.log(POWERS[start[frame, point]]), energy[point, frame], eigen.values[point]
+        frame, table = np.nonzero(rough > rough.max(1, keepdims=True) - NEAR)
+        level, near, held = np.log(POWERS[start[frame, table]]), energy[table, frame], eigen.values[table]
         for _ in range(_NEWTON_STEPS):
             share = np.exp(level)[:, None] * held
             share /= 1 + share
@@ -219,7 +248,26 @@ class MarginalLikelihood:
             level = np.clip(level + np.clip(step, -1, 1), np.log(POWERS[0]), np.log(POWERS[-1]))
         gain = np.exp(level)[:, None] * held
         fine = np.full(rough.shape, -np.inf)
-        fine[frame, point] = -(near / (1 + gain) + np.log1p(gain)).sum(1) / (2 * TEMPERATURE)
+        fine[frame, table] = -(near / (1 + gain) + np.log1p(gain)).sum(1) / (2 * TEMPERATURE)
         value = logsumexp(fine, axis=1)
-        evidence = Evidence(value - np.log(len(energy)), np.exp(fine - value[:, None]))
-        return _Score(evidence, along, frame, point, np.exp(level))
+        share = np.exp(fine - value[:, None])
+        by_point = share.reshape(len(share), len(self._waves), -1).sum(1)
+        return _Score(
+            Evidence(value - np.log(len(energy)), by_point), along, frame, table, np.exp(level), share[frame, table]
+        )
+
+
+def passed(frequency: Array, high_pass: float | None) -> Array:
+    """Gain of the high-pass of :class:`localize.live.front_end.HighPass`.
+
+    Args:
+        frequency: (n,) float64, Hz.
+        high_pass: its corner, Hz; None for none.
+
+    Returns:
+        (n,) float64.
+    """
+    if high_pass is None:
+        return np.ones(len(frequency))
+    _, gain = scipy.signal.sosfreqz(high_pass_sections(high_pass), frequency, fs=SAMPLE_RATE)
+    return np.asarray(np.abs(gain))

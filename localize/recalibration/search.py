@@ -33,6 +33,7 @@ COARSE, FINE = 1e-5, 1e-6
 """Share of the objective below which the gain of a step ends an ascent. The coarse one may leave a point in ten
 unsettled."""
 _ITERATIONS = 30
+_MODULI = (-1.0, 1.0)
 _SHIFT_ERROR = 0.1  # to which the logarithms of ratios between microphones are to meet those of the next point
 
 
@@ -67,8 +68,7 @@ def search(model: UpdatedModel, stages: tuple[MarginalLikelihood, ...], line: ND
     starts = [("present", nominal), *_moduli(model)]
     found: list[Candidate] = []
     for number, stage in enumerate(stages):
-        scale = _scale(model, stage, starts[0][1])
-        found = distinct([ascend(model, stage, u, start, scale) for start, u in starts])
+        found = distinct([ascend(model, stage, u, start) for start, u in starts])
         starts = [(one.start, one.parameters) for one in found]
         if number == 0:
             starts += _shifted(model, found[0].parameters, line)
@@ -152,8 +152,8 @@ def _scale(model: UpdatedModel, likelihood: MarginalLikelihood, u: Array) -> Arr
 
 def _moduli(model: UpdatedModel) -> Iterator[tuple[str, Array]]:
     of_all = np.eye(model.count)[model.names.index("modulus of all membranes")]
-    yield "higher modulus", of_all
-    yield "lower modulus", -of_all
+    for deviations in _MODULI:
+        yield f"modulus {deviations:+g} deviations", deviations * of_all
 
 
 def _shifted(model: UpdatedModel, u: Array, line: NDArray[np.int64]) -> Iterator[tuple[str, Array]]:

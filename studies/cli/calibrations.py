@@ -168,7 +168,7 @@ def recalibrate(
         list[Path],
         typer.Argument(
             metavar="RECORDINGS",
-            help="Touches that fill 1 to 100 Hz, one at a time, spread over all points: WAV with a channel per "
+            help="Touches, one at a time, spread over all points: WAV with a channel per "
             "microphone; CSV with their names on top; NPZ with 'signals'.",
             show_default=False,
         ),
@@ -189,9 +189,9 @@ def recalibrate(
 ) -> None:
     """From touches of which nobody knows the points to the library of the sensor as it is now.
 
-    LIBRARY is that of the design or the last calibration. Needed are touches that fill 1 to 100 Hz (multi-sines or
-    noise; no taps and no friction), one at a time, in a quiet room, spread over all points: at least 100 frames of
-    250 ms, better 200, and several per point. A quarter of them is held out and judges; where they do not speak for the
+    LIBRARY is that of the design or the last calibration. Needed are touches of fingers (taps, presses, slides),
+    multi-sines or noise, one at a time, in a quiet room, spread over all points: at least 100 frames of 250 ms, better
+    300, and several per point. A quarter of them is held out and judges; where they do not speak for the
     sensor found, that is said with the reason, nothing is written, and LIBRARY stays what is best known.
 
     Example: [bold]acoustic-fem recalibrate made.nc monday.wav tuesday.wav --out now.nc[/bold]

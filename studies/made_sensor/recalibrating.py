@@ -49,7 +49,7 @@ def recalibrate(
 
     Args:
         library: the file of the design, or of the last calibration.
-        recordings: files of touches that fill 1 to 100 Hz, one at a time, spread over all points.
+        recordings: files of touches of fingers or of a shaker, one at a time, spread over all points.
         out: the library to write, netCDF (``.nc``), a new file.
         full_scale: Pa, see :func:`localize.read_recording`.
         noise: of the microphones, white, Pa rms over 0 to 500 Hz; by default that of the design's.
@@ -68,6 +68,7 @@ def recalibrate(
 
     import acoustic_fem
     from localize import SelfCalibrationError, read_recording, self_calibrate
+    from localize.live.front_end import HIGH_PASS, HighPass
     from localize.signals.array_response import response_of
     from localize.signals.frames import cut_frames
     from localize.signals.noise import NoiseSpectrum
@@ -78,12 +79,13 @@ def recalibrate(
     response = response_of(present)
     paths = [Path(recording) for recording in recordings]
     heard = [read_recording(recording, response.microphones, full_scale).signals for recording in paths]
-    frames = [cut_frames(torch.from_numpy(signals)[None])[0].numpy() for signals in heard]
+    passed = [HighPass(len(signals), HIGH_PASS).begin(signals) for signals in heard]
+    frames = [cut_frames(torch.from_numpy(signals)[None])[0].numpy() for signals in passed]
     of_microphones = response.noise("design" if noise is None else noise)
     level = of_microphones.rms if isinstance(of_microphones, NoiseSpectrum) else of_microphones
     _refuse_the_same_take(paths, heard, frames, level)
     with (display or Display()).stage("Touches") as report:
-        found = self_calibrate(present, np.concatenate(frames), level, seed=seed, progress=report)
+        found = self_calibrate(present, np.concatenate(frames), level, seed=seed, progress=report, high_pass=HIGH_PASS)
     if not found.accepted:
         raise SelfCalibrationError(f"refused, {path} is not written and {library} stays: {found.objection}")
     calibrated = found.library()

@@ -16,10 +16,10 @@ import localize
 from acoustic_fem.calibration.fitted_model import Posterior, UpdatedModel
 from acoustic_fem.library.result import Library
 from localize.decoders.bayes import NOISE_SHARE
-from localize.recalibration.marginal_likelihood import MarginalLikelihood
+from localize.recalibration.marginal_likelihood import FLAT, MarginalLikelihood, passed
 from localize.recalibration.objections import gaps, likeliest_order, numbers
 from localize.recalibration.search import value_and_slope
-from localize.recalibration.self_calibration import SelfCalibrationError, self_calibrate
+from localize.recalibration.self_calibration import SLOPES, SelfCalibrationError, self_calibrate
 from localize.signals.array_response import response_of
 from studies.made_sensor.rig import HiddenScatter, Rig
 
@@ -28,9 +28,10 @@ def top1(library: Library, response: localize.ArrayResponse) -> float:
     return localize.evaluate(localize.BayesDecoder(library, NOISE), response, 20, NOISE, seed=7).top1
 
 
-def test_the_slope_is_that_of_finite_differences() -> None:
+@pytest.mark.parametrize(("slopes", "high_pass"), [(FLAT, None), (SLOPES, 3.0)])
+def test_the_slope_is_that_of_finite_differences(slopes: tuple[float, ...], high_pass: float | None) -> None:
     model = UpdatedModel(nominal())
-    likelihood = MarginalLikelihood(GRID, touches(truth(), 24)[0], 0.01)
+    likelihood = MarginalLikelihood(GRID, touches(truth(), 24)[0], 0.01, slopes, high_pass)
     random = np.random.default_rng(3)
     u, direction = 0.5 * random.standard_normal((2, model.count))
     value, slope = value_and_slope(model, likelihood, u)
@@ -41,7 +42,33 @@ def test_the_slope_is_that_of_finite_differences() -> None:
 
     assert at(u) == pytest.approx(value, rel=1e-9)
     along = (at(u + step * direction) - at(u - step * direction)) / (2 * step)
-    assert along == pytest.approx(float(slope @ direction), rel=1e-5)
+    assert along == pytest.approx(float(slope @ direction), rel=3e-5)
+
+
+def test_spectra_that_fall_and_a_high_pass_explain_what_fingers_do() -> None:
+    random = np.random.default_rng(2)
+    lines = np.arange(1.0, 101.0)
+    drawn = random.standard_normal((2, 24, 100))
+    touched = (drawn[0] + 1j * drawn[1])[:, None] * truth().at(lines)[np.arange(24) % 12]
+
+    def likelihood(spectrum: Array, slopes: tuple[float, ...], high_pass: float | None) -> float:
+        lined = np.pad(touched * spectrum, ((0, 0), (0, 0), (1, 400)))
+        frames = np.fft.irfft(lined, 1000)[..., :250]
+        frames *= 0.1 / frames.std(2).max(1)[:, None, None]
+        frames += 1e-3 * np.random.default_rng(3).standard_normal(frames.shape)
+        found = MarginalLikelihood(GRID, frames, 0.01, slopes, high_pass).evidence(truth().transfer_function)
+        assert np.allclose(found.share.sum(1), 1)
+        return float(found.frames.sum())
+
+    steep, high = lines**-2.0, passed(lines, 20.0)
+    figures = {
+        (name, slopes, corner): likelihood(spectrum, slopes, corner)
+        for name, spectrum in (("steep", steep), ("high", high))
+        for slopes in (FLAT, SLOPES)
+        for corner in (None, 20.0)
+    }
+    assert figures["steep", SLOPES, None] > figures["steep", FLAT, None] + 10, figures
+    assert figures["high", FLAT, 20.0] > figures["high", FLAT, None] + 10, figures
 
 
 def test_the_likelihood_ranks_points_as_the_decoder_does() -> None:
@@ -227,7 +254,7 @@ def test_touches_of_a_part_of_the_points_are_refused() -> None:
 
 
 def test_a_refusal_names_what_touches_look_like() -> None:
-    assert "touches of another kind, such as taps or friction, two at a time, sound from outside" in str(
+    assert "touches of another kind, such as two at a time, sound from outside" in str(
         replace(calibrated(), explained=0.5).objection
     )
     with pytest.raises(SelfCalibrationError, match=r"Pa rms at their loudest microphone, where .* are the samples pas"):
@@ -290,3 +317,5 @@ def test_frames_that_cannot_be_used_are_refused() -> None:
             self_calibrate(nominal(), same + 1e-5 * np.random.default_rng(2).standard_normal(same.shape), NOISE)
     with pytest.raises(ValueError, match="microphone_noise = 0 Pa must be between"):
         self_calibrate(nominal(), frames, 0)
+    with pytest.raises(ValueError, match=r"high_pass = 0.1 Hz must be between 0.5 and 20 Hz"):
+        self_calibrate(nominal(), frames, NOISE, high_pass=0.1)
