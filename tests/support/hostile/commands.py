@@ -7,6 +7,7 @@ is gone with it.
 from __future__ import annotations
 
 import contextlib
+import gc
 import io
 import json
 import os
@@ -88,6 +89,8 @@ def serve() -> None:
     os.dup2(2, 1)  # nobody else writes among the answers
     for module in MODULES.split(", "):
         __import__(module)
+    gc.collect()
+    gc.freeze()  # what children share they need not copy
     for line in sys.stdin:
         words, folder, limit = json.loads(line)
         print(json.dumps(asdict(_ended(words, folder, limit))), file=answers, flush=True)
