@@ -282,8 +282,10 @@ def test_a_localizer_in_python_is_that_of_the_verbs(command: Callable[..., str],
     for title, each in judged.items():
         after = [line for line in out.partition(title)[2].splitlines() if line.strip()]
         assert "sums of sines on the nominal sensor" in after[0]
-        for line, (name, own) in zip(after, [("", each), *each.beside], strict=False):
-            assert name in line
+        assert f"{100 * each.top1:.1f}" in after[0]
+        assert [name for name, _ in each.beside]
+        for name, own in each.beside:
+            line = next(line for line in after if name in line)
             assert f"{100 * own.top1:.1f}" in line
 
 
