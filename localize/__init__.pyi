@@ -1,4 +1,5 @@
 from . import (
+    contacts as contacts,
     decoders as decoders,
     evaluation as evaluation,
     learned as learned,
@@ -7,6 +8,7 @@ from . import (
     recordings as recordings,
     signals as signals,
 )
+from .contacts.contact import Contact as Contact
 from .decoders.bayes import BayesDecoder as BayesDecoder
 from .decoders.drift import DriftDecoder as DriftDecoder
 from .decoders.family import FamilyDecoder as FamilyDecoder

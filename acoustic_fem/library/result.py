@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from acoustic_fem.library.other_air import air_ratio
 from acoustic_fem.library.provenance import library_provenance
-from acoustic_fem.library.touch import touch_response
+from acoustic_fem.library.touch import touch_flow, touch_response
 from acoustic_fem.quantities.local_air import LocalAir, design_air
 from acoustic_fem.quantities.medium import Medium
 from geometry.design.array_design import ArrayDesign
@@ -113,6 +113,19 @@ class Library:
         Other patches, and responses per displacement and per outside pressure: :meth:`touch_response`.
         """
         return self.touch_response("force").rename("force_response").assign_attrs(FORCE_RESPONSE)
+
+    @property
+    def cavity_response(self) -> xr.DataArray:
+        """Pressure in the touched cavity per force on its membrane, (point, frequency) complex128, Pa/N.
+
+        The force is that of :attr:`force_response`, which is this times the transfer function.
+        """
+        impedance = self.point_impedance.transpose("point", "frequency")
+        return (
+            impedance.copy(data=impedance.values * touch_flow(self.design, impedance, "force"))
+            .assign_attrs({"units": "Pa/N", "long_name": "pressure in the cavity per force on its membrane"})
+            .rename("cavity_response")
+        )
 
     def touch_response(self, touch: str, *, contact_radius: float | None = None) -> xr.DataArray:
         """Pressure at the microphones per touch of each membrane.

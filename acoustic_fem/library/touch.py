@@ -48,18 +48,8 @@ def touch_response(
     Raises:
         Refusal: an unknown touch, or a contact radius out of range.
     """
-    # Here, so that a library can be read and looked at without the finite elements.
-    from acoustic_fem.membrane.disc import design_disc, design_rubber
-
-    if touch not in TOUCHES:
-        raise Refusal(f"touch = {touch!r} must be one of: {', '.join(TOUCHES)}")
-    grid = np.asarray(source_response["frequency"].values)
-    rubber = design_rubber(design)
-    vacuum = membranes_in_vacuo(
-        design, lambda alike: design_disc(alike, contact_radius=contact_radius).response(grid, rubber)
-    )
     source = source_response.transpose("point", "microphone", "frequency")
-    injected = injected_flow(touch, grid, vacuum, point_impedance.transpose("point", "frequency").values)
+    injected = touch_flow(design, point_impedance, touch, contact_radius)
     return (
         source.copy(data=source.values * injected[:, None])
         .assign_attrs(
@@ -67,6 +57,30 @@ def touch_response(
         )
         .rename(f"response_to_{touch}")
     )
+
+
+def touch_flow(
+    design: ArrayDesign, point_impedance: xr.DataArray, touch: str, contact_radius: float | None = None
+) -> NDArray[np.complex128]:
+    """Volume velocity that a touch of each membrane injects into its cavity; arguments as :func:`touch_response`.
+
+    Returns:
+        (n_point, n_freq) complex128, m^3/s per unit of the touch.
+
+    Raises:
+        Refusal: an unknown touch, or a contact radius out of range.
+    """
+    # Here, so that a library can be read and looked at without the finite elements.
+    from acoustic_fem.membrane.disc import design_disc, design_rubber
+
+    if touch not in TOUCHES:
+        raise Refusal(f"touch = {touch!r} must be one of: {', '.join(TOUCHES)}")
+    grid = np.asarray(point_impedance["frequency"].values)
+    rubber = design_rubber(design)
+    vacuum = membranes_in_vacuo(
+        design, lambda alike: design_disc(alike, contact_radius=contact_radius).response(grid, rubber)
+    )
+    return injected_flow(touch, grid, vacuum, point_impedance.transpose("point", "frequency").values)
 
 
 def membranes_in_vacuo(design: ArrayDesign, response_of: Callable[[ArrayDesign], DiscResponse]) -> DiscResponse:

@@ -54,6 +54,14 @@ class ArrayResponse:
     vent_ratio: NDArray[np.complex128] | None = None
     """Admittance of the microphone's compliances over that of its vent, see
     :func:`acoustic_fem.network.microphone.vent_ratio`; (n_freq,) complex128; None where there is no design."""
+    cavity_response: NDArray[np.complex128] | None = None
+    """Pressure in the touched cavity per force on its membrane, on the patch of
+    :attr:`acoustic_fem.Library.force_response`; (n_point, n_freq) complex128, Pa/N; None where there is no design."""
+    position: NDArray[np.float64] | None = None
+    """Middle of each membrane in plan, of an array on a cylinder in its plan unrolled at the height of the ports;
+    (n_point, 2) float64, mm; None where there is no design."""
+    membrane_radius: NDArray[np.float64] | None = None
+    """Radius of the opening that each membrane closes; (n_point,) float64, mm; None where there is no design."""
 
     def __post_init__(self) -> None:
         h, f = self.transfer_function, self.frequency
@@ -76,7 +84,13 @@ class ArrayResponse:
                 f"frequency runs from {f[0]:g} to {f[-1]:g} Hz; it must cover {BAND[0]:g} to {BAND[1]:g} Hz, "
                 "the band of the stimuli"
             )
-        for name, expected in (("ambient_response", h.shape[1:]), ("vent_ratio", f.shape)):
+        for name, expected in (
+            ("ambient_response", h.shape[1:]),
+            ("vent_ratio", f.shape),
+            ("cavity_response", (len(h), len(f))),
+            ("position", (len(h), 2)),
+            ("membrane_radius", (len(h),)),
+        ):
             value = getattr(self, name)
             if value is not None and (value.shape != expected or not np.isfinite(value).all()):
                 raise Refusal(f"{name} must hold finite values of shape {expected}, has shape {value.shape}")
@@ -92,6 +106,13 @@ class ArrayResponse:
     def point_count(self) -> int:
         """Number of sensing points."""
         return len(self.transfer_function)
+
+    @property
+    def force_response(self) -> NDArray[np.complex128] | None:
+        """Pressure at a microphone per force on a membrane, (n_point, n_microphone, n_freq) complex128, Pa/N, as
+        :attr:`acoustic_fem.Library.force_response`; None where there is no design.
+        """
+        return None if self.cavity_response is None else self.transfer_function * self.cavity_response[:, None]
 
     def heard_by(self, microphones: tuple[str, ...]) -> ArrayResponse:
         """The array as some of its microphones hear it.
@@ -291,7 +312,9 @@ def response_of(library: Library | ArrayResponse) -> ArrayResponse:
         return library
     from acoustic_fem.network.microphone import vent_ratio
     from geometry.design.design_file import write_design
+    from geometry.layout.arrangement import lay_out
 
+    radius = [library.design.of_kind(kind).resonator.cavity_diameter / 2 for kind in library.design.kinds]
     h = library.transfer_function.transpose("point", "microphone", "frequency")
     return ArrayResponse(
         transfer_function=np.asarray(h.values, np.complex128),
@@ -311,4 +334,7 @@ def response_of(library: Library | ArrayResponse) -> ArrayResponse:
         ambient_response=np.asarray(library.touch_response("pressure").sum("point").values, np.complex128),
         sealed=True,
         vent_ratio=vent_ratio(library.design.microphone, library.frequency, library.medium),
+        cavity_response=np.asarray(library.cavity_response.values, np.complex128),
+        position=np.array([placed.position for placed in lay_out(library.design).points]),
+        membrane_radius=np.array(radius)[list(library.design.kind_of_point)],
     )

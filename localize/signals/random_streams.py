@@ -30,6 +30,21 @@ Kind = Literal[
     "recording",
     "mixture",
     "recorded frame",
+    "finger",
+    "stylus",
+    "feather",
+    "brush",
+    "rolling ball",
+    "insect",
+    "falling grain",
+    "air puff",
+    "tap",
+    "double tap",
+    "press",
+    "slide",
+    "pulse",
+    "stroke",
+    "roughness",
 ]
 _KINDS: tuple[Kind, ...] = get_args(Kind)
 

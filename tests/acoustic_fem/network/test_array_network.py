@@ -1,24 +1,21 @@
 """The network: a plain solve of every node at once, and the properties every passive network has."""
 
-from itertools import combinations, pairwise
+from itertools import combinations
 
 import numpy as np
 import pytest
 from coarse_cells import coarse_cells
 from hypothesis import given, settings, strategies as st
+from whole_network import AIR, every_node_at_once
 
 from acoustic_fem.cell.design_cells import solve_cells
 from acoustic_fem.cell.lumped import lumped_admittance
-from acoustic_fem.duct.plane_wave import port_admittance
 from acoustic_fem.membrane.disc import design_compliance, design_rubber
 from acoustic_fem.network.array_network import solve_network
-from acoustic_fem.network.microphone import load_admittance
-from acoustic_fem.quantities.medium import Medium
 from geometry.air.cells import cell_catalogue
 from geometry.design.design_file import prototype
 from geometry.layout.arrangement import lay_out
 
-AIR = Medium.at(20, 0.5)
 BAND = np.geomspace(0.1, 100, 7)
 WIDE_BAND = np.array([0.01, *np.linspace(1, 100, 34)])
 
@@ -35,67 +32,6 @@ def laid_out(design):
 
 def transfer_functions(response):
     return response.source_response / response.point_impedance[:, None, :]
-
-
-def every_node_at_once(design, frequency=BAND, cut=None, admittances=None):
-    """Impedance between all points and all microphones by one dense solve: (n_freq, n, n), points first.
-
-    Ducts of length zero join their nodes exactly; ``cut`` divides every other in two at that fraction.
-    Nothing is taken to be symmetric. Cells are lumped unless their admittances are given.
-    """
-    layout = lay_out(design)
-    catalogue = cell_catalogue(design, layout)
-    names: dict[object, int] = {}
-
-    def node(name):
-        return names.setdefault(name, len(names))
-
-    entries = []  # (nodes, matrix)
-    load = load_admittance(design.microphone, frequency, AIR)
-    membrane = 2j * np.pi * frequency * design_compliance(design, frequency)
-    starts, tubes_of = np.cumsum([0, *(line.points for line in design.lines)]), {}
-    for index, line in enumerate(design.lines):
-        for segment in range(line.points + 1):
-            outer = segment in (0, line.points)
-            tube = design.microphone_tube_of(line) if outer else design.tube_of(line)
-            length = tube.acoustic_length(design.printing.port_lip) - 2 * tube.stub_length
-            pair = [node((index, segment, side)) for side in (0, 1)]
-            tubes_of[index, segment] = pair
-            if length > 1e-12:
-                nodes = pair if cut is None else [pair[0], node((index, segment, "cut")), pair[1]]
-                shares = [1.0] if cut is None else [cut, 1 - cut]
-                for ends, share in zip(pairwise(nodes), shares, strict=True):
-                    duct = port_admittance(tube.acoustic_diameter * 5e-4, share * length * 1e-3, frequency, AIR)
-                    entries.append((list(ends), duct))
-            else:
-                names[index, segment, 1] = pair[1] = pair[0]
-
-    def add_cell(use, ports, opening, shunt):
-        nodal = admittances[use.cell] if admittances else lumped_admittance(use.cell, frequency, AIR)
-        nodes = [0] * len(ports)
-        for tube, position in enumerate(use.order):
-            nodes[position] = ports[tube]
-        entries.append(([*nodes, opening], nodal))
-        entries.append(([opening], shunt[:, None, None]))
-
-    for where, use in zip(layout.points, catalogue.points, strict=True):
-        ports = [tubes_of[where.line, where.place][1], tubes_of[where.line, where.place + 1][0]]
-        add_cell(use, ports, node(("point", starts[where.line] + where.place)), membrane)
-    for housing, use in zip(layout.microphones, catalogue.microphones, strict=True):
-        ports = [tubes_of[p.line, 0 if p.end == 0 else design.lines[p.line].points][p.end] for p in housing.ports]
-        add_cell(use, ports, node(("microphone", housing.name)), load)
-
-    used = sorted({node for nodes, _ in entries for node in nodes})
-    position = {node: place for place, node in enumerate(used)}
-    total = np.zeros((len(frequency), len(used), len(used)), dtype=complex)
-    for nodes, matrix in entries:
-        local = [position[n] for n in nodes]
-        for row, i in enumerate(local):
-            for col, k in enumerate(local):
-                total[:, i, k] += matrix[:, row, col]
-    outputs = [position[names["point", i]] for i in range(design.point_count)]
-    outputs += [position[names["microphone", name]] for name in design.microphones]
-    return np.linalg.inv(total)[:, outputs][:, :, outputs]
 
 
 @pytest.fixture(scope="module")
@@ -118,7 +54,7 @@ def shortened(name, points):
     ids=lambda design: f"{design.name}-{design.point_count}",
 )
 def test_condensation_equals_one_solve_of_all_nodes(design):
-    response, direct = solve(design), every_node_at_once(design)
+    response, direct = solve(design), every_node_at_once(design, BAND)
     points = design.point_count
     own = np.einsum("fpp->pf", direct[:, :points, :points])
     np.testing.assert_allclose(response.point_impedance, own, rtol=1e-10)
@@ -130,7 +66,7 @@ def test_condensation_equals_one_solve_of_all_nodes(design):
 
 def test_source_and_receiver_exchanged_give_the_same_pressure():
     design = shortened("line-3", 4)
-    response, direct = solve(design), every_node_at_once(design)
+    response, direct = solve(design), every_node_at_once(design, BAND)
     points = design.point_count
     # the network injects at the points; the plain solve injects at the microphones
     received = np.transpose(direct[:, :points, points:], (1, 2, 0))
@@ -214,7 +150,7 @@ def designs(draw, microphones=None):
 @settings(max_examples=20)
 @given(designs(), st.floats(0.02, 0.98))
 def test_random_arrays_are_reciprocal_and_a_duct_may_be_cut_anywhere(design, cut):
-    response, direct = solve(design), every_node_at_once(design, cut=cut)
+    response, direct = solve(design), every_node_at_once(design, BAND, cut=cut)
     points = design.point_count
     # the network injects at the points; the plain solve injects at the microphones
     np.testing.assert_allclose(response.source_response.transpose(2, 1, 0), direct[:, points:, :points], rtol=1e-8)
@@ -226,7 +162,7 @@ def test_random_arrays_are_reciprocal_and_a_duct_may_be_cut_anywhere(design, cut
 @settings(max_examples=15)
 @given(designs())
 def test_random_arrays_are_passive(design):
-    response, direct = solve(design), every_node_at_once(design)
+    response, direct = solve(design), every_node_at_once(design, BAND)
     assert np.all(response.point_impedance.real > 0)
     # whatever is injected at points and microphones together, it takes power
     assert np.linalg.eigvalsh(direct.real).min() >= -1e-9 * np.abs(direct).max()
@@ -252,7 +188,7 @@ def test_random_symmetric_lines_have_mirrored_responses(design):
 @settings(max_examples=10)
 @given(designs(), st.complex_numbers(max_magnitude=1e-8), st.complex_numbers(max_magnitude=1e-8))
 def test_two_touches_of_a_random_array_give_the_sum_of_their_pressures(design, one, other):
-    response, direct = solve(design), every_node_at_once(design)
+    response, direct = solve(design), every_node_at_once(design, BAND)
     points = design.point_count
     injected = np.zeros(direct.shape[1], dtype=complex)
     injected[0] += one
@@ -310,7 +246,7 @@ def test_tubes_that_are_nothing_but_their_stubs_join_the_cells_directly():
     shortest |= {f"{name}.bore": "smooth" for name in ("tube", "microphone_tube")}
     walls = {"resonator.wall_thickness": 0.6, "membrane.rim_width": 0.5, "microphone.wall_thickness": 0.6}
     design = design.with_values(shortest | walls)
-    response, direct = solve(design), every_node_at_once(design)
+    response, direct = solve(design), every_node_at_once(design, BAND)
     reference = np.transpose(direct[:, 12:, :12], (2, 1, 0))
     np.testing.assert_allclose(response.source_response, reference, rtol=3e-5)
 

@@ -1,0 +1,26 @@
+from .bodies import (
+    BRUSH as BRUSH,
+    FEATHER as FEATHER,
+    FINGER as FINGER,
+    STYLUS as STYLUS,
+    Tool as Tool,
+    air_puff as air_puff,
+    brush as brush,
+    falling_grain as falling_grain,
+    feather as feather,
+    finger as finger,
+    insect as insect,
+    joined as joined,
+    rolling_ball as rolling_ball,
+    stroke as stroke,
+    stylus as stylus,
+)
+from .contact import Contact as Contact, covered_force as covered_force, hertz_share as hertz_share
+from .gestures import (
+    double_tap as double_tap,
+    press as press,
+    pulse_wave as pulse_wave,
+    slide as slide,
+    tap as tap,
+)
+from .recorder import ContactRecorder as ContactRecorder, Take as Take, record as record
