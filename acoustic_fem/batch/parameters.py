@@ -190,8 +190,8 @@ _PART_OF_PREFIX = {
 PART = {field.name: _PART_OF_PREFIX.get(field.name.split("_")[0], "microphone") for field in fields(ArrayParameters)}
 
 
-#: The last axis of the fields that have three, and the fields that may be 0.
 _RUBBERS = ("membrane", "floor", "sheath")
+#: The last axis of the fields that have three, and the fields that may be 0.
 _THIRD_AXIS = {
     "membrane_share": ", n_mode",
     "membrane_frequency": ", n_mode",

@@ -28,7 +28,7 @@ class CacheWarning(UserWarning):
 
 
 def cache_folder() -> Path:
-    """Folder in which solved cells are kept."""
+    """Folder in which solved cells and discs are kept."""
     configured = os.environ.get("ACOUSTIC_FEM_CACHE")
     return Path(configured) if configured else Path(platformdirs.user_cache_dir("acoustic-fem")) / "cells"
 
@@ -60,7 +60,7 @@ def store(key: str, arrays: dict[str, NDArray], about: dict[str, Any]) -> None:
             raise
     except OSError as error:
         warnings.warn(
-            f"{folder}: cannot be written ({error.strerror or error}); the solved cell is not kept. "
+            f"{folder}: cannot be written ({error.strerror or error}); what was solved is not kept. "
             "ACOUSTIC_FEM_CACHE names the folder",
             CacheWarning,
             stacklevel=2,

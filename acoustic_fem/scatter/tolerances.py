@@ -100,7 +100,7 @@ UNCALIBRATED = (
     Tolerance("bore", 0.05, "relative", _WIDE),
     Tolerance("cavity_height", 0.05, "relative", _WIDE),
     Tolerance("modulus_of_part", 0.10, "relative", _WIDE),
-    Tolerance("modulus_of_batch", 0.05, "relative", _WIDE),
+    Tolerance("modulus_of_batch", 0.10, "relative", _WIDE),
     Tolerance("length", 0.01, "relative", _WIDE),
     Tolerance("chamber_height", 0.10, "relative", _WIDE),
     Tolerance("microphone_gain", 0.05, "relative", "assumed: +-1 dB of MEMS microphones, two deviations"),

@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 from scipy.cluster.vq import kmeans2
-from scipy.interpolate import CubicSpline
+from scipy.interpolate import CubicSpline, make_interp_spline
 
 from acoustic_fem.scatter.made_sensors import scatter_factors
 from geometry.refusal import Refusal
@@ -135,11 +135,10 @@ def made_covariances(
         raise Refusal("library must be one of a design: bare transfer functions do not tell what its parts are")
     response = response_of(library)
     hypotheses = made_hypotheses(library, response, tolerances)
-    bin_, share = _between(DEVIATING, response.frequency)
+    nearest = np.clip(response.frequency, DEVIATING[0], DEVIATING[-1])
     spectra = np.zeros((*response.transfer_function.shape, len(response.microphones)), np.complex128)
     for number, one in enumerate(hypotheses.responses):
-        shapes = hypotheses.deviations[number]
-        shapes = shapes[..., bin_] * (1 - share) + shapes[..., bin_ + 1] * share
+        shapes = make_interp_spline(DEVIATING, hypotheses.deviations[number], k=1, axis=-1)(nearest)
         each = one.transfer_function * np.concatenate([np.ones_like(shapes[:1]), shapes])
         prior = np.exp(hypotheses.log_prior[:, number])[:, None, None, None]
         spectra += prior * np.einsum("spmf,spnf->pmfn", each, each.conj())
@@ -150,13 +149,6 @@ def made_covariances(
     parts = (factor[..., k].transpose(0, 2, 1) for k in range(factor.shape[-1]))
     covariances = [touch_covariances(replace(response, transfer_function=part), whiten, density) for part in parts]
     return np.asarray(sum(covariances))
-
-
-def _between(known: NDArray[np.float64], wanted: NDArray[np.float64]) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
-    """The known value below each wanted one, and the share of the way to the next; ends are kept beyond them."""
-    inside = np.clip(wanted, known[0], known[-1])
-    first = np.clip(np.searchsorted(known, inside, "right") - 1, 0, len(known) - 2)
-    return first, (inside - known[first]) / (known[first + 1] - known[first])
 
 
 def _drawn(

@@ -15,7 +15,7 @@ HOP = 16
 State = Literal["touch", "no touch", "fading", "sound", "other", "unreadable"]
 """State that a frame shows. Fading: what is left of a touch that has ended. Sound: of a room, the same on all
 membranes, and no touch. Other: a touch of no single point explains what is heard. Unreadable: a channel is clipped or
-dead and the others cannot go on without it, or was not finite within the last 250 samples."""
+dead or hisses and the others cannot go on without it, or was not finite within the last 250 samples."""
 
 FaultKind = Literal[
     "samples lost", "samples repeated", "restarted", "not finite", "clipped", "dead channel", "hissing channel"

@@ -7,7 +7,7 @@ in logarithms. What a step needs of the steps before stands beside it in the jou
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -131,19 +131,13 @@ class Descent:
 
 @dataclass(frozen=True)
 class SolvedDiscs:
-    """Membranes of a descent, of which none is solved twice."""
+    """Membranes of a descent: interpolated between those of tables, solved where no table covers them."""
 
     tables: DiscTables
     """Tables between whose discs others are interpolated."""
-    solved: dict[DiscShape, ElasticDisc] = field(default_factory=dict)
-    """Discs that no table covers, as far as they were asked for."""
 
     def find(self, shape: DiscShape) -> ElasticDisc | None:
         """Disc of a shape."""
-        from acoustic_fem.membrane.elasticity import solve_dimensionless
+        from acoustic_fem.membrane.solved_discs import solved_disc
 
-        found = self.tables.find(shape)
-        if found is None:
-            found = self.solved.get(shape) or solve_dimensionless(shape)
-            self.solved[shape] = found
-        return found
+        return self.tables.find(shape) or solved_disc(shape)

@@ -32,9 +32,9 @@ if TYPE_CHECKING:
     from studies.sweep.workers import Workers
 
 _PART = 16
-#: Attribute of a trial that is a step of a descent.
-_STEP = "step"
 """Designs of a batch that one worker takes at a time."""
+_STEP = "step"
+"""Attribute of a trial that is a step of a descent."""
 
 
 @dataclass(frozen=True)

@@ -307,7 +307,7 @@ def test_a_cache_folder_that_cannot_be_written_is_said_and_loses_nothing(tmp_pat
     monkeypatch.setenv("ACOUSTIC_FEM_CACHE", str(tmp_path / place))
     if place.startswith("read-only"):  # the file system's own word: permissions do not bind every user
         monkeypatch.setattr("pathlib.Path.mkdir", read_only)
-    expected = r"cannot be written \((File exists|Not a directory|Read-only file system)\); the solved cell is not kept"
+    expected = r"cannot be written \((File exists|Not a directory|Read-only file system)\); what was solved is not kept"
     with pytest.warns(UserWarning, match=expected) as said:
         disk_cache.store("key", {"matrices": np.eye(2)}, {})
     assert len(said) == 1
@@ -330,7 +330,7 @@ def test_a_full_disk_keeps_the_result_and_leaves_no_half_file(tmp_path, monkeypa
         raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
 
     monkeypatch.setattr("pathlib.Path.write_bytes", half)
-    expected = r"cannot be written \(No space left on device\); the solved cell is not kept"
+    expected = r"cannot be written \(No space left on device\); what was solved is not kept"
     with pytest.warns(UserWarning, match=expected), coarse_cells():
         solution = solve_cells([CHAMBER], [10.0], AIR)[CHAMBER]
     assert np.isfinite(solution.admittance).all()

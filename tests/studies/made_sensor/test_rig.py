@@ -9,6 +9,7 @@ import pytest
 from small_run import small_design
 
 from acoustic_fem.batch.elements import membrane_modulus
+from localize.recordings.touch_manifest import Part
 from studies.made_sensor.rig import HiddenScatter, Rig
 from studies.made_sensor.rig_touches import SLOW, TouchSession, _pressure, _with_play
 
@@ -24,9 +25,9 @@ def modulus(scatter: HiddenScatter, *frequency: float) -> np.ndarray:
     return membrane_modulus(Rig(small_design(), 1, scatter).hidden, np.array(frequency))[0, 0]
 
 
-def contact(session: TouchSession, part: str = "random-1-100", seed: int = 2) -> np.ndarray:
+def contact(session: TouchSession, part: Part = "random-1-100", seed: int = 2) -> np.ndarray:
     draws = [np.random.default_rng(seed + k) for k in (0, 1)]
-    return _pressure(part, COUNT, session, RATE, *draws)  # type: ignore[arg-type]
+    return _pressure(part, COUNT, session, RATE, *draws)
 
 
 def test_without_scatter_it_is_the_design() -> None:
