@@ -170,7 +170,7 @@ def main() -> None:
     parser.add_argument("--write", action="store_true", help="into docs/decoder.md")
     chosen = parser.parse_args()
     lines = [
-        "| design | sensor | nominal decoder | 5th percentile | error | tolerant | 5th percentile | error | ms a frame |",
+        "| design | sensor | nominal decoder | 5th percentile | error | tolerant | 5th percentile | error | ms |",
         "|---" * 9 + "|",
     ]
     print("\n".join(lines))

@@ -21,7 +21,8 @@ from localize.signals.array_response import response_of
 
 GRID = np.arange(1.0, 201.0)
 pytestmark = pytest.mark.filterwarnings("ignore:.*its library ends at 200 Hz")
-NOISE = 1e-3
+NOISE, HEARD = 1e-3, 0.03
+NO_SCATTER = (Tolerance("bore", 0.0, "relative", "a test"),)
 
 
 @pytest.fixture(scope="module")
@@ -37,17 +38,26 @@ def decoder(library: acoustic_fem.Library) -> localize.TolerantDecoder:
 
 @pytest.fixture(scope="module")
 def frames(library: acoustic_fem.Library) -> np.ndarray:
-    touches = localize.TouchGenerator(response_of(library), 0, "evaluation", 0.03)
+    touches = localize.TouchGenerator(response_of(library), 0, "evaluation", HEARD)
     return touches.samples(0, 40).signals[..., -250:].numpy()
 
 
 def test_without_tolerances_it_is_the_decoder_of_the_library_at_its_own_temperature(
     library: acoustic_fem.Library, frames: np.ndarray
 ) -> None:
-    exact = localize.TolerantDecoder(library, [Tolerance("bore", 0.0, "relative", "a test")], NOISE)
-    known = localize.BayesDecoder(library, NOISE).log_probability(frames)
-    assert exact.locate(frames) == pytest.approx(scipy.special.softmax(known / WARMTH, axis=1), abs=1e-6)
+    exact = localize.TolerantDecoder(library, NO_SCATTER, HEARD)
+    known = localize.BayesDecoder(library, HEARD).log_probability(frames)
+    assert exact.locate(frames) == pytest.approx(scipy.special.softmax(known / WARMTH, axis=1), abs=1e-3)  # of powers of the grid
     assert exact.locate(frames[3]) == pytest.approx(exact.locate(frames)[3], abs=1e-6)
+
+
+def test_it_is_less_sure_of_frames_that_no_drawn_sensor_fits(library: acoustic_fem.Library, frames: np.ndarray) -> None:
+    # of which the noise is thirty times what is told
+    told = localize.TolerantDecoder(library, NO_SCATTER, NOISE).log_probability(frames)
+    known = localize.BayesDecoder(library, NOISE).log_probability(frames) / WARMTH
+    ahead = [np.diff(np.sort(each, axis=1)[:, -2:], axis=1) for each in (told, known)]
+    assert (told.argmax(1) == known.argmax(1)).all()
+    assert (ahead[0] < ahead[1] / 10).all()
 
 
 def test_its_hypotheses_repeat_and_their_priors_sum_to_one(
