@@ -145,6 +145,7 @@ def show_check(found: DesignCheck) -> None:
     _show_verdict(found.printing)
     length, width, height = max(found.size[:2]), min(found.size[:2]), found.size[2]
     print(f"{length:.1f} x {width:.1f} x {height:.1f} mm")
+    print(found.covered)
     _show_wiring(found.wiring)
     table = table_of("distinct cell", "places", numbers=(1,))
     for cell, places in found.cells:

@@ -22,6 +22,7 @@ from geometry.plan.topology import WiringCounts, wiring_counts
 from geometry.printing.report_files import report_content
 from geometry.refusal import Refusal
 from geometry.stated.fields import DesignError
+from studies.metrics.covered_area import FINGER, coverage
 from studies.metrics.pairs import BAND, worst_heard
 from studies.output.display import Display, Report
 from studies.output.folders import check_new_file, write_json
@@ -88,6 +89,8 @@ class DesignCheck:
     """Number of points, lines and transducers, against the usual wirings."""
     size: tuple[float, float, float]
     """Extent along x, y and z, mm: that of :func:`geometry.layout.size.array_size`."""
+    coverage: float
+    """Share of its area in which a finger is felt: that of :func:`studies.metrics.coverage`."""
     cells: tuple[tuple[Cell, int], ...]
     """Distinct cells and how many places of the array each fills."""
     kinds: tuple[KindUse, ...]
@@ -109,6 +112,11 @@ class DesignCheck:
     attenuation: tuple[tuple[float, float, int], ...]
     """Frequency (Hz), then of the point that is heard worst: level at its second-loudest microphone (dB; a ratio needs
     two) and number; at fidelity lumped."""
+
+    @property
+    def covered(self) -> str:
+        """Line on the share of its area in which a finger is felt."""
+        return f"coverage {self.coverage:.0%}: there a contact of {FINGER:g} mm radius touches a membrane"
 
     @property
     def fidelities(self) -> tuple[str, ...]:
@@ -155,6 +163,7 @@ class DesignCheck:
             "design": self.design.name,
             "wiring": asdict(self.wiring),
             "size_mm": list(self.size),
+            "coverage": self.coverage,
             "cells": [{"cell": cell.label, "places": count} for cell, count in self.cells],
             "kinds": [asdict(kind) for kind in self.kinds],
             "layout_notes": list(self.notes),
@@ -225,6 +234,7 @@ def _judged(design: ArrayDesign, report: Report) -> DesignCheck:
         design=design,
         wiring=wiring_counts(len(design.microphones), [line.points for line in design.lines]),
         size=array_size(design, layout),
+        coverage=coverage(design, layout=layout),
         cells=cell_uses(design, layout),
         kinds=kind_uses(design),
         notes=schematic_notes(design, layout),

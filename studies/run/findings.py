@@ -12,6 +12,7 @@ import numpy as np
 from geometry.layout.size import array_size
 from geometry.refusal import counted
 from studies.judging.full_evaluation import RIG_GROUP
+from studies.metrics.covered_area import FINGER, coverage
 from studies.metrics.pairs import BAND, attenuation, sensitivity, worst_heard
 from studies.output.display import number
 from studies.output.folders import write_json
@@ -191,6 +192,11 @@ def key_figures(result: RunResult) -> list[KeyFigure]:
             "size",
             f"{max(sides):.1f} x {min(sides):.1f} x {height:.1f} mm",
             "of all that is built, membranes, boards and tubes included",
+        ),
+        KeyFigure(
+            "coverage",
+            f"{coverage(design, layout=result.layout):.0%}",
+            f"of the area, where a contact of {FINGER:g} mm radius touches a membrane",
         ),
         KeyFigure("localizer, top-1", _percent(network.top1), f"{network.touches} {network.signals}, {noise}"),
         KeyFigure("localizer, top-2", _percent(network.top2), f"within one place: {_percent(network.within_one)}"),

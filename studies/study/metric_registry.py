@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from geometry.refusal import Refusal
 from studies.metrics import build, touch
+from studies.metrics.covered_area import FINGER, coverage
 from studies.metrics.pairs import BAND, check_band
 from studies.metrics.responses import Responses, known
 from studies.metrics.shared import SharedFigures
@@ -269,6 +270,8 @@ def _touches() -> Iterable[Metric]:
 
 def _build() -> Iterable[Metric]:
     for name, unit, long_name, definition, compute, better in (
+        ("coverage", "1", "coverage", "Share of the area within the hull of all membranes, in plan, in which a "
+         f"contact of {FINGER:g} mm radius reaches a membrane.", partial(_of_designs, coverage), "larger"),
         ("length", "mm", "length", "Longer side of the box around all that is built, tubes and boards included.",
          lambda figures: figures.sizes()[:, 0], "smaller"),
         ("width", "mm", "width", "Shorter side of that box.", lambda figures: figures.sizes()[:, 1], "smaller"),

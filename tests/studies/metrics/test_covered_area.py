@@ -1,0 +1,52 @@
+"""The share of an array's area where a contact reaches a membrane: against points thrown at it, and known cases."""
+
+import numpy as np
+import pytest
+from scipy.spatial import ConvexHull, Delaunay
+
+import geometry
+from geometry.layout.arrangement import lay_out
+from geometry.refusal import Refusal
+from studies.metrics import coverage
+
+
+def by_points(design, radius, count=40_000):
+    place = np.array([point.position for point in lay_out(design).points])
+    own = np.array([design.of_kind(kind).resonator.cavity_diameter / 2 for kind in design.kinds])
+    own = own[list(design.kind_of_point)]
+    turn = np.linspace(0, 2 * np.pi, 60)
+    rim = (place[:, None] + own[:, None, None] * np.stack([np.cos(turn), np.sin(turn)], -1)).reshape(-1, 2)
+    hull = Delaunay(rim[ConvexHull(rim).vertices])
+    thrown = np.random.default_rng(1).uniform(rim.min(axis=0), rim.max(axis=0), (count, 2))
+    thrown = thrown[hull.find_simplex(thrown) >= 0]
+    near = np.linalg.norm(thrown[:, None] - place, axis=-1) < own + radius
+    return near.any(axis=1).mean()
+
+
+@pytest.mark.parametrize(("name", "radius"), [("array-2x6", 5.0), ("glove", 5.0), ("glove", 20.0), ("line-2", 1.0)])
+def test_the_share_is_that_of_points_thrown_at_the_area(name, radius):
+    design = geometry.prototype(name)
+    assert coverage(design, radius) == pytest.approx(by_points(design, radius), abs=0.012)
+
+
+def test_the_quoted_figures():
+    assert coverage(geometry.prototype("array-2x6")) == pytest.approx(0.66, abs=0.005)
+    assert coverage(geometry.prototype("fingertip-3x4")) == 1.0
+    assert coverage(geometry.prototype("fingertip-4x6")) == 1.0
+
+
+def test_a_contact_without_extent_reaches_the_membranes_and_a_wide_one_everything():
+    design = geometry.prototype("array-2x6")
+    hull = 92.5 * 18.5 + 6 * (92.5 + 18.5) + 9 * np.pi
+    assert coverage(design, 0.0) == pytest.approx(12 * 9 * np.pi / hull, rel=2e-3)
+    assert coverage(design, 100.0) == 1.0
+
+
+def test_kinds_of_one_width_and_single_points_are_covered_as_they_are():
+    line = geometry.prototype("array-2x6").with_values({"lines.0.points": 1})
+    assert coverage(line, 0.0) == pytest.approx(1.0, abs=2e-3)
+
+
+def test_a_radius_below_zero_is_refused():
+    with pytest.raises(Refusal, match="radius = -1 mm must be between 0 and 1000 mm"):
+        coverage(geometry.prototype("array-2x6"), -1.0)
