@@ -27,7 +27,7 @@ from studies.made_sensor.rig import HiddenScatter, Rig
 
 PAGE = Path(__file__).parents[1] / "docs" / "calibration.md"
 BEGIN, END = "<!-- drift: made by benchmarks/drift.py -->", "<!-- end of drift -->"
-FIRST, SENSORS, TOUCHES = 9400, 3, 200
+FIRST, SENSORS, TOUCHES = 9400, 20, 200
 SETTLED = 9
 """Touches before those that are counted."""
 GRID = np.geomspace(1.0, 150.0, 48)

@@ -145,16 +145,7 @@ def rows_of(name: str, sensors: int) -> list[str]:
     for truth in TRUTHS:
         there = design if truth.pressure is None else design.with_values({"air.pressure": truth.pressure})
         rigs = [Rig(there, FIRST + k, truth.scatter) for k in range(1 if truth.is_one else sensors)]
-        made = [
-            replace(
-                response,
-                transfer_function=rig.transfer_function(grid),
-                frequency=grid,
-                ambient_response=None,
-                vent_ratio=None,
-            )
-            for rig in rigs
-        ]
+        made = [response.of_sensor(rig.transfer_function(grid), grid) for rig in rigs]
         decoders = decoders_of(library.in_air(pressure=truth.pressure)) if truth.is_told else told_nothing
         cells = " | ".join(cells_of(each, made) for each in decoders)
         rows.append(f"| {name} | {truth.name} | {cells} | {times} |")

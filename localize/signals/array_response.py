@@ -135,6 +135,27 @@ class ArrayResponse:
             ambient_response=None if sound is None else sound[kept],
         )
 
+    def of_sensor(self, transfer_function: NDArray[np.complex128], frequency: NDArray[np.float64]) -> ArrayResponse:
+        """The array with the transfer functions of another sensor, at frequencies of their own.
+
+        What else is known at the frequencies before, of sound around, vents and forces, is left out.
+
+        Args:
+            transfer_function: (n_point, n_microphone, n) complex128, Pa/Pa.
+            frequency: (n,) float64, Hz.
+
+        Raises:
+            Refusal: as of the class.
+        """
+        return replace(
+            self,
+            transfer_function=transfer_function,
+            frequency=frequency,
+            ambient_response=None,
+            vent_ratio=None,
+            cavity_response=None,
+        )
+
     def noise(self, choice: NoiseChoice) -> float | NoiseSpectrum:
         """Noise that is added to every microphone: white, in Pa rms over 0 to 500 Hz, or that of the design.
 

@@ -47,7 +47,9 @@ def test_without_tolerances_it_is_the_decoder_of_the_library_at_its_own_temperat
 ) -> None:
     exact = localize.TolerantDecoder(library, NO_SCATTER, HEARD)
     known = localize.BayesDecoder(library, HEARD).log_probability(frames)
-    assert exact.locate(frames) == pytest.approx(scipy.special.softmax(known / WARMTH, axis=1), abs=1e-3)  # of powers of the grid
+    assert exact.locate(frames) == pytest.approx(
+        scipy.special.softmax(known / WARMTH, axis=1), abs=1e-3
+    )  # of powers of the grid
     assert exact.locate(frames[3]) == pytest.approx(exact.locate(frames)[3], abs=1e-6)
 
 
