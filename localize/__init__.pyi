@@ -5,6 +5,7 @@ from . import (
     learned as learned,
     live as live,
     recalibration as recalibration,
+    recognition as recognition,
     recordings as recordings,
     signals as signals,
 )
@@ -22,6 +23,7 @@ from .decoders.sound_test import SoundTest as SoundTest
 from .decoders.tolerant import TolerantDecoder as TolerantDecoder
 from .decoders.two_touches import TwoTouchDecoder as TwoTouchDecoder, TwoTouches as TwoTouches
 from .evaluation.accuracy import Evaluation as Evaluation, evaluate as evaluate
+from .learned.epochs import TrainingProgress as TrainingProgress
 from .learned.localizer import (
     Localizer as Localizer,
     LocalizerError as LocalizerError,
@@ -29,7 +31,7 @@ from .learned.localizer import (
 )
 from .learned.onnx import OnnxLocalizer as OnnxLocalizer, export_onnx as export_onnx
 from .learned.plan import TrainingPlan as TrainingPlan
-from .learned.training import TrainingProgress as TrainingProgress, train as train
+from .learned.training import train as train
 from .live.events import Decision as Decision, Fault as Fault, TouchEvent as TouchEvent
 from .live.front_end import Listening as Listening
 from .live.stream import TouchStream as TouchStream
@@ -39,6 +41,13 @@ from .recalibration.self_calibration import (
     SelfCalibration as SelfCalibration,
     SelfCalibrationError as SelfCalibrationError,
     self_calibrate as self_calibrate,
+)
+from .recognition.learning import train_recognizer as train_recognizer
+from .recognition.plan import RecognitionPlan as RecognitionPlan
+from .recognition.recognizer import (
+    Recognizer as Recognizer,
+    RecognizerError as RecognizerError,
+    load_recognizer as load_recognizer,
 )
 from .recordings.recording import (
     Recording as Recording,

@@ -23,10 +23,18 @@ from .findings.reporting import (
 )
 from .findings.searching import Search as Search, optimize as optimize
 from .judging.evaluating import evaluate_localizer as evaluate_localizer
-from .judging.training import TrainedLocalizer as TrainedLocalizer, train_localizer as train_localizer
+from .judging.training import (
+    TrainedLocalizer as TrainedLocalizer,
+    train_kinds as train_kinds,
+    train_localizer as train_localizer,
+)
 from .listening.exporting import ExportedDecoder as ExportedDecoder, export_decoder as export_decoder
 from .listening.live import LiveInput as LiveInput, LiveSummary as LiveSummary, listen as listen
 from .listening.opening import Decoding as Decoding
+from .listening.recognized import (
+    RecognizedTouch as RecognizedTouch,
+    recognize_recording as recognize_recording,
+)
 from .listening.recorded import LocatedTouches as LocatedTouches, locate_recording as locate_recording
 from .made_sensor.calibrating import SensorCalibration as SensorCalibration, calibrate_sensor as calibrate_sensor
 from .made_sensor.recalibrating import Recalibration as Recalibration, recalibrate as recalibrate

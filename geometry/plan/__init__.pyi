@@ -1,4 +1,3 @@
-from .area import area_positions as area_positions, outside_at as outside_at
 from .cylinder import (
     FLAT as FLAT,
     Axes as Axes,

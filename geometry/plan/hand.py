@@ -13,8 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from geometry.plan.meeting import angle_between, meetings
-from geometry.plan.routing import unit
+from geometry.plan.routing import bearing, unit
 
 if TYPE_CHECKING:
     from geometry.stated.array import StatedArray
@@ -62,11 +61,11 @@ def meeting_angle(design: StatedArray, microphone: str) -> float | None:
     if meeting is None:
         return None
     first, second = (
-        points[-line.between.index(microphone)]
+        bearing(meeting, points[-line.between.index(microphone)])
         for line, points in zip(design.lines, positions, strict=True)
         if microphone in line.between
     )
-    return angle_between(meeting, first, second)
+    return abs((first - second + 180) % 360 - 180)
 
 
 def meeting_at(
@@ -80,12 +79,26 @@ def meeting_at(
         microphone: its name.
 
     Returns:
-        (2,) float64, mm, in plan: of the two places the one nearer to the wrist; None where no two tubes meet.
+        (2,) float64, mm, in plan; None where no two tubes meet.
     """
     ends = [(line, points) for line, points in zip(design.lines, positions, strict=True) if microphone in line.between]
     if len(ends) != 2:
         return None
     points = [points[-line.between.index(microphone)] for line, points in ends]
     reach = [design.microphone_reach_of(line) for line, _ in ends]
-    places = meetings(points[0], points[1], reach[0], reach[1])
-    return min(places, key=lambda place: float(np.linalg.norm(place)), default=None)
+    return _meeting(points[0], points[1], reach[0], reach[1])
+
+
+def _meeting(
+    first: NDArray[np.float64], second: NDArray[np.float64], first_reach: float, second_reach: float
+) -> NDArray[np.float64] | None:
+    """The point at these distances from two points that is nearer to the wrist; None where there is none."""
+    apart = float(np.linalg.norm(second - first))
+    if not abs(first_reach - second_reach) < apart < first_reach + second_reach:
+        return None
+    along = (second - first) / apart
+    foot = (apart**2 + first_reach**2 - second_reach**2) / (2 * apart)
+    height = math.sqrt(first_reach**2 - foot**2)
+    across = np.array([-along[1], along[0]])
+    candidates = [first + foot * along + side * height * across for side in (1, -1)]
+    return min(candidates, key=lambda point: float(np.linalg.norm(point)))

@@ -47,7 +47,7 @@ class Progress:
     losses: list[float] = field(default_factory=list)
     """Losses of the steps of the epoch under way."""
     curve: list[list[Any]] = field(default_factory=list)
-    """Fields of :class:`localize.learned.training.TrainingProgress`, per epoch."""
+    """Fields of :class:`localize.learned.epochs.TrainingProgress`, per epoch."""
 
 
 def training_identity(plan: Mapping[str, Any], touches: TouchGenerator) -> dict[str, str]:

@@ -128,7 +128,7 @@ class TouchNetwork(nn.Module):
         """Logits of a batch of normalised maps.
 
         Args:
-            maps: (n, maps, 64, 32) float32.
+            maps: (n, n_map, 64, 32) float32.
 
         Returns:
             (n, points) float32.
@@ -136,23 +136,17 @@ class TouchNetwork(nn.Module):
         return self.head(self.stages(maps).mean((-2, -1)))
 
 
-class TouchClassifier(nn.Module):
-    """Classifier of frames (n, n_microphone, 250), one logit per point: features, normalisation, network."""
+class MapClassifier(nn.Module):
+    """Classifier of maps (n, maps, 64, 32), one logit per class: normalisation and network."""
 
     mean: Tensor
-    """Mean of each map and frequency over the frames of :meth:`fit_normalisation`; (1, maps, 64, 1) float32."""
+    """Mean of each map and row over what :meth:`fit_normalisation` was given; (1, maps, 64, 1) float32."""
     scale: Tensor
-    """Standard deviation of each map and frequency over these frames, at least 1e-3; (1, maps, 64, 1) float32."""
+    """Standard deviation of each map and row over the same, at least 1e-3; (1, maps, 64, 1) float32."""
 
-    def __init__(self, microphones: int, shape: NetworkShape) -> None:
+    def __init__(self, shape: NetworkShape) -> None:
         super().__init__()
-        self.features = PairFeatures(microphones, shape.features)
-        if shape.maps != self.features.map_count:
-            raise Refusal(
-                f"network: maps = {shape.maps} must be {self.features.map_count} for "
-                f"{counted(microphones, 'microphone')}"
-            )
-        # One mean and one scale per map and frequency, found from the training signals.
+        # One mean and one scale per map and row, found from the training signals.
         self.register_buffer("mean", torch.zeros(1, shape.maps, FREQUENCIES, 1))
         self.register_buffer("scale", torch.ones(1, shape.maps, FREQUENCIES, 1))
         self.network = TouchNetwork(shape)
@@ -160,36 +154,71 @@ class TouchClassifier(nn.Module):
             if parameter.ndim == 4:  # the faster layout for small convolutions on a processor
                 parameter.data = parameter.data.contiguous(memory_format=torch.channels_last)
 
-    def fit_normalisation(self, frames: Tensor) -> None:
-        """Take mean and standard deviation of the maps over frames.
+    def raw_maps(self, inputs: Tensor) -> Tensor:
+        """Maps of a batch of inputs before they are normalised: here the inputs are the maps.
 
         Args:
-            frames: (n, n_microphone, 250) float32, Pa, at 1 kHz.
+            inputs: (n, n_map, 64, 32) float32.
+
+        Returns:
+            (n, n_map, 64, 32) float32.
         """
-        maps = self.features(frames)
+        return inputs
+
+    def fit_normalisation(self, inputs: Tensor) -> None:
+        """Take mean and standard deviation of the maps over inputs.
+
+        Args:
+            inputs: as of :meth:`raw_maps`.
+        """
+        maps = self.raw_maps(inputs)
         self.mean.copy_(maps.mean((0, 3), keepdim=True))
         self.scale.copy_(maps.std((0, 3), keepdim=True).clamp_min(1e-3))
 
-    def maps(self, frames: Tensor) -> Tensor:
-        """Normalised maps of a batch of frames; nothing is differentiated through them.
+    def maps(self, inputs: Tensor) -> Tensor:
+        """Normalised maps of a batch of inputs; nothing is differentiated through them.
 
         Args:
-            frames: (n, n_microphone, 250) float32, Pa, at 1 kHz.
+            inputs: as of :meth:`raw_maps`.
 
         Returns:
-            (n, maps, 64, 32) float32.
+            (n, n_map, 64, 32) float32.
         """
         with torch.no_grad():
-            maps = (self.features(frames) - self.mean) / self.scale
+            maps = (self.raw_maps(inputs) - self.mean) / self.scale
         return maps.contiguous(memory_format=torch.channels_last)
 
-    def forward(self, frames: Tensor) -> Tensor:
-        """Logits of a batch of frames.
+    def forward(self, inputs: Tensor) -> Tensor:
+        """Logits of a batch of inputs.
 
         Args:
-            frames: (n, n_microphone, 250) float32, Pa, at 1 kHz.
+            inputs: as of :meth:`raw_maps`.
 
         Returns:
-            (n, n_point) float32.
+            (n, n_class) float32.
         """
-        return self.network(self.maps(frames))
+        return self.network(self.maps(inputs))
+
+
+class TouchClassifier(MapClassifier):
+    """Classifier of frames (n, n_microphone, 250), one logit per point: features, normalisation, network."""
+
+    def __init__(self, microphones: int, shape: NetworkShape) -> None:
+        super().__init__(shape)
+        self.features = PairFeatures(microphones, shape.features)
+        if shape.maps != self.features.map_count:
+            raise Refusal(
+                f"network: maps = {shape.maps} must be {self.features.map_count} for "
+                f"{counted(microphones, 'microphone')}"
+            )
+
+    def raw_maps(self, inputs: Tensor) -> Tensor:
+        """Level and phase differences of a batch of frames.
+
+        Args:
+            inputs: (n, n_microphone, 250) float32, Pa, at 1 kHz.
+
+        Returns:
+            (n, n_map, 64, 32) float32.
+        """
+        return self.features(inputs)

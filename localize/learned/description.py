@@ -1,6 +1,7 @@
-"""What files of localizers say of themselves, as schemas: every value is checked before anything is made from it.
+"""Files of localizers: what they say of themselves, as schemas, and the weights of their networks.
 
-Sizes are bounded here: what a description asks for is allocated later without another look.
+Every value is checked before anything is made from it. Sizes are bounded here: what a description asks
+for is allocated later without another look.
 """
 
 from __future__ import annotations
@@ -9,12 +10,20 @@ import dataclasses
 import hashlib
 import json
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal, Self, TypeVar, get_type_hints
 
+import torch
 from pydantic import BaseModel, ConfigDict, Field, ValidationError, create_model, model_validator
+from torch import Tensor
 
+from geometry.files.ordinary import library_reads, read_bytes
+from geometry.files.reading import parse_json
+from geometry.files.writing import whole_file, write_text
 from geometry.refusal import Refusal
+from localize.learned.classifier import MapClassifier, NetworkShape
 from localize.learned.features import FeatureChoice, map_count
 from localize.learned.plan import TrainingPlan
 from localize.signals.frames import FRAME
@@ -22,6 +31,7 @@ from localize.signals.noise import NoiseChoice
 from localize.signals.stimulus import SAMPLE_RATE
 
 _Model = TypeVar("_Model", bound=BaseModel)
+_Classifier = TypeVar("_Classifier", bound=MapClassifier)
 
 LARGEST_DESCRIPTION = 20_000_000
 """Most bytes of a description: the largest array has 120,000 points, and a long training a curve of 10,000 epochs."""
@@ -30,16 +40,18 @@ LARGEST_MODEL = 256_000_000
 SEAL = "sha256"
 """Field of a description with the checksum of all its other fields, and of what it describes."""
 
-_Digest = Annotated[str, Field(pattern=r"^[0-9a-f]{64}$")]
+Digest = Annotated[str, Field(pattern=r"^[0-9a-f]{64}$")]
 _Share = Annotated[float, Field(ge=0, le=1)]
 _Count = Annotated[int, Field(ge=0, le=2**53)]
 
 
-class _Strict(BaseModel):
+class Strict(BaseModel):
+    """Fields of exactly these names and kinds, and numbers that are finite."""
+
     model_config = ConfigDict(strict=True, extra="forbid", allow_inf_nan=False)
 
 
-class Array(_Strict):
+class Array(Strict):
     """The array that a localizer is of."""
 
     design: Annotated[str, Field(min_length=1, max_length=200)]
@@ -61,7 +73,7 @@ class Array(_Strict):
         return self
 
 
-class Network(_Strict):
+class Network(Strict):
     """Fields of :class:`localize.learned.classifier.NetworkShape`, which checks how they go together."""
 
     maps: Annotated[int, Field(ge=1, le=1000)]
@@ -72,8 +84,17 @@ class Network(_Strict):
     merge_last: bool
     features: FeatureChoice
 
+    def shape(self) -> NetworkShape:
+        """Sizes of the network.
 
-class _Plan(_Strict):
+        Raises:
+            Refusal: sizes that do not go together.
+        """
+        cut = (self.patch[0], self.patch[1])
+        return NetworkShape(**{**self.model_dump(), "depths": tuple(self.depths), "patch": cut})
+
+
+class _Plan(Strict):
     @model_validator(mode="after")
     def _in_range(self) -> Self:
         TrainingPlan(**{name: getattr(self, name) for name in type(self).model_fields})
@@ -94,7 +115,7 @@ else:
     Plan = _plan_model()
 
 
-class Training(_Strict):
+class Training(Strict):
     """The record of a training; that of recordings comes on top."""
 
     model_config = ConfigDict(extra="allow")
@@ -117,11 +138,11 @@ class LocalizerDescription(Array):
     format: str
     version: int
     weights: Annotated[str, Field(pattern=r"^weights-[0-9a-f]{12}\.safetensors$")]
-    weights_sha256: _Digest
+    weights_sha256: Digest
     network: Network
     plan: Plan
     training: Training
-    sha256: _Digest
+    sha256: Digest
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
@@ -145,7 +166,7 @@ class GraphDescription(Array):
     noise_rms: Annotated[float, Field(ge=0, le=100)]
     opset: _Count
     versions: dict[str, Any]
-    sha256: _Digest | None = None
+    sha256: Digest | None = None
 
     @model_validator(mode="after")
     def _as_signals_are(self) -> Self:
@@ -155,7 +176,7 @@ class GraphDescription(Array):
         return self
 
 
-class TrainingState(_Strict):
+class TrainingState(Strict):
     """Fields of :class:`localize.learned.checkpoint.Progress`."""
 
     step: _Count
@@ -166,7 +187,12 @@ class TrainingState(_Strict):
 
 
 def check_format(
-    values: object, format: str, version: int, source: str | os.PathLike[str], refusal: Callable[[str], Exception]
+    values: object,
+    format: str,
+    version: int,
+    source: str | os.PathLike[str],
+    refusal: Callable[[str], Exception],
+    what: str = "a localizer",
 ) -> None:
     """Refuse a description of something else, or of another version of the program, before its values are looked at.
 
@@ -176,12 +202,13 @@ def check_format(
         version: the same.
         source: where it stands, put before the message.
         refusal: makes the error of a message.
+        what: what it should be of.
 
     Raises:
         Exception: by ``refusal``.
     """
     if not isinstance(values, dict) or values.get("format") != format:
-        raise refusal(f"{source}: not a localizer: its format is not {format!r}")
+        raise refusal(f"{source}: not {what}: its format is not {format!r}")
     if values.get("version") != version:
         raise refusal(f"{source}: version = {values.get('version')} must be {version}")
 
@@ -228,3 +255,99 @@ def is_sealed(description: dict[str, Any], content: bytes = b"") -> bool:
 def _checksum(description: dict[str, Any], content: bytes) -> str:
     text = json.dumps(description, sort_keys=True, ensure_ascii=True)
     return hashlib.sha256(text.encode("ascii") + b"\n" + content).hexdigest()
+
+
+def save_model(path: Path, description: Mapping[str, Any], classifier: MapClassifier) -> None:
+    """Write a description and the weights it names into a folder, which is made.
+
+    The description is renamed into place last: a run that is killed leaves the model that was there before.
+
+    Args:
+        path: of the description.
+        description: what it says, but for the weights and its checksum.
+        classifier: the network.
+    """
+    from safetensors.torch import save
+
+    path.parent.mkdir(parents=True, exist_ok=True)
+    weights = save({name: value.contiguous() for name, value in classifier.state_dict().items()})
+    digest = hashlib.sha256(weights).hexdigest()
+    name = f"weights-{digest[:12]}.safetensors"
+    with whole_file(path.parent / name) as beside:
+        beside.write_bytes(weights)
+    write_text(path, json.dumps(sealed({**description, "weights": name, "weights_sha256": digest}), indent=1))
+    for old in path.parent.glob("weights-*.safetensors"):
+        if old.name != name:
+            old.unlink()
+
+
+def read_model(
+    path: Path, model: type[_Model], kind: tuple[str, int, str], refusal: type[Refusal]
+) -> tuple[dict[str, Any], _Model, dict[str, Tensor]]:
+    """Read what :func:`save_model` wrote.
+
+    Args:
+        path: of the description.
+        model: its schema, with the fields ``weights`` and ``weights_sha256``.
+        kind: its format and version, and what it is of, such as "a localizer".
+        refusal: class of the errors.
+
+    Returns:
+        What the description says, the same checked, and the weights by name, each of the shape of its layer.
+
+    Raises:
+        Refusal: of the class given: a file is missing, cut short, changed, too large or of something else, or a value
+            in it is not allowed.
+    """
+    from safetensors.torch import load
+
+    format, version, what = kind
+    text = read_bytes(path, f"{what}'s description", refusal, LARGEST_DESCRIPTION)
+    values = parse_json(text, str(path), refusal)
+    check_format(values, format, version, path, refusal, what)
+    said = described(model, text, path, refusal)
+    if not is_sealed(values):
+        raise refusal(f"{path}: changed or damaged: its checksum is not that of what it says")
+    weights_path = path.parent / values["weights"]
+    weights = read_bytes(weights_path, f"the weights of {what}", refusal, LARGEST_MODEL)
+    if hashlib.sha256(weights).hexdigest() != values["weights_sha256"]:
+        raise refusal(f"{weights_path}: cut short or changed: its checksum is not the one in {path.name}")
+    with library_reads(weights_path, f"the weights of {what}", refusal):
+        return values, said, load(weights)
+
+
+@contextmanager
+def naming(path: Path, refusal: type[Refusal]) -> Iterator[None]:
+    """Refusals within name the file, and are of the class given."""
+    try:
+        yield
+    except Refusal as error:
+        raise refusal(f"{path}: {error}") from None
+
+
+def with_weights(make: Callable[[], _Classifier], weights: Mapping[str, Tensor]) -> _Classifier:
+    """Network with weights that fit it, ready to name; it is laid out without memory first, so that it never takes
+    more than they do.
+
+    Args:
+        make: makes the network.
+        weights: of it, by name.
+
+    Raises:
+        Refusal: other weights than the network has, or some that are not finite.
+    """
+    with torch.device("meta"):
+        wanted = make().state_dict()
+    for name in sorted({*wanted, *weights}):
+        if name not in wanted or name not in weights:
+            raise Refusal(
+                f"the weights do not fit the network: {name} is {'none of it' if name in weights else 'missing'}"
+            )
+        mine, other = ((tuple(each[name].shape), each[name].dtype) for each in (wanted, weights))
+        if mine != other:
+            raise Refusal(f"the weights do not fit the network: {name} is {other}, must be {mine}")
+        if not torch.isfinite(weights[name]).all():
+            raise Refusal(f"the weights hold a value of {name} that is not finite")
+    classifier = make()
+    classifier.load_state_dict(dict(weights))
+    return classifier.eval()

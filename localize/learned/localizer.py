@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
-import json
 import os
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field
@@ -15,20 +13,9 @@ import torch
 from numpy.typing import ArrayLike, NDArray
 from torch import Tensor
 
-from geometry.files.ordinary import library_reads, read_bytes
-from geometry.files.reading import parse_json
-from geometry.files.writing import whole_file, write_text
 from geometry.refusal import Refusal
 from localize.learned.classifier import NetworkShape, TouchClassifier
-from localize.learned.description import (
-    LARGEST_DESCRIPTION,
-    LARGEST_MODEL,
-    LocalizerDescription,
-    check_format,
-    described,
-    is_sealed,
-    sealed,
-)
+from localize.learned.description import LocalizerDescription, naming, read_model, save_model, with_weights
 from localize.signals.frames import checked_signals, combined_probability, cut_frames
 from localize.signals.threads import one_thread
 
@@ -104,17 +91,9 @@ class Localizer:
 
         The description is renamed into place last: a run that is killed leaves the localizer that was there before.
         """
-        from safetensors.torch import save
-
-        folder = Path(folder)
-        folder.mkdir(parents=True, exist_ok=True)
-        weights = save({name: value.contiguous() for name, value in self.classifier.state_dict().items()})
-        digest = hashlib.sha256(weights).hexdigest()
         description = {
             "format": FORMAT,
             "version": VERSION,
-            "weights": f"weights-{digest[:12]}.safetensors",
-            "weights_sha256": digest,
             "design": self.design,
             "microphones": list(self.microphones),
             "line": self.line.tolist(),
@@ -124,12 +103,7 @@ class Localizer:
             "training": dict(self.training),
             "provenance": dict(self.provenance),
         }
-        with whole_file(folder / description["weights"]) as beside:
-            beside.write_bytes(weights)
-        write_text(folder / DESCRIPTION_FILE, json.dumps(sealed(description), indent=1))
-        for old in folder.glob("weights-*.safetensors"):
-            if old.name != description["weights"]:
-                old.unlink()
+        save_model(Path(folder) / DESCRIPTION_FILE, description, self.classifier)
 
 
 def load_localizer(folder: str | os.PathLike[str]) -> Localizer:
@@ -139,30 +113,11 @@ def load_localizer(folder: str | os.PathLike[str]) -> Localizer:
         LocalizerError: a file is missing, cut short, changed, too large or not of a localizer, or a value in it is not
             allowed.
     """
-    from safetensors.torch import load
-
     path = Path(folder) / DESCRIPTION_FILE
-    text = read_bytes(path, "a localizer's description", LocalizerError, LARGEST_DESCRIPTION)
-    values = parse_json(text, str(path), LocalizerError)
-    check_format(values, FORMAT, VERSION, path, LocalizerError)
-    said = described(LocalizerDescription, text, path, LocalizerError)
-    if not is_sealed(values):
-        raise LocalizerError(f"{path}: changed or damaged: its checksum is not that of what it says")
-    weights_path = path.parent / said.weights
-    weights = read_bytes(weights_path, "the weights of a localizer", LocalizerError, LARGEST_MODEL)
-    if hashlib.sha256(weights).hexdigest() != said.weights_sha256:
-        raise LocalizerError(f"{weights_path}: cut short or changed: its checksum is not the one in {path.name}")
-    with library_reads(weights_path, "the weights of a localizer", LocalizerError):
-        tensors = load(weights)
-    network = said.network
-    try:
-        shape = NetworkShape(
-            **{**network.model_dump(), "depths": tuple(network.depths), "patch": (network.patch[0], network.patch[1])}
-        )
-        classifier = _classifier(len(said.microphones), shape, tensors)
-    except Refusal as error:
-        raise LocalizerError(f"{path}: {error}") from None
-    classifier.eval()
+    values, said, weights = read_model(path, LocalizerDescription, (FORMAT, VERSION, "a localizer"), LocalizerError)
+    with naming(path, LocalizerError):
+        shape = said.network.shape()
+        classifier = with_weights(lambda: TouchClassifier(len(said.microphones), shape), weights)
     return Localizer(
         classifier=classifier,
         shape=shape,
@@ -174,26 +129,3 @@ def load_localizer(folder: str | os.PathLike[str]) -> Localizer:
         training=values["training"],
         provenance=said.provenance,
     )
-
-
-def _classifier(microphones: int, shape: NetworkShape, weights: Mapping[str, Tensor]) -> TouchClassifier:
-    """Network with weights that fit it; it is laid out without memory first, so that it never takes more than they do.
-
-    Raises:
-        Refusal: other weights than the network has, or some that are not finite.
-    """
-    with torch.device("meta"):
-        wanted = TouchClassifier(microphones, shape).state_dict()
-    for name in sorted({*wanted, *weights}):
-        if name not in wanted or name not in weights:
-            raise Refusal(
-                f"the weights do not fit the network: {name} is {'none of it' if name in weights else 'missing'}"
-            )
-        mine, other = ((tuple(each[name].shape), each[name].dtype) for each in (wanted, weights))
-        if mine != other:
-            raise Refusal(f"the weights do not fit the network: {name} is {other}, must be {mine}")
-        if not torch.isfinite(weights[name]).all():
-            raise Refusal(f"the weights hold a value of {name} that is not finite")
-    classifier = TouchClassifier(microphones, shape)
-    classifier.load_state_dict(dict(weights))
-    return classifier

@@ -14,16 +14,16 @@ from torch import Tensor
 
 from localize.evaluation.accuracy import Locator
 from localize.live.events import Decision
-from localize.live.front_end import AS_IT_COMES
+from localize.live.front_end import AS_IT_COMES, Listening
 from localize.live.stream import TouchStream
 from localize.recordings.recording import read_recording
-from localize.recordings.same_take import find_same_take
 from localize.recordings.touch_manifest import (
     PARTS,
     Part,
     TouchManifestError,
     TouchRecording,
     read_touch_manifest,
+    refuse_same_take,
     split,
 )
 from localize.signals.array_response import ArrayResponse
@@ -93,18 +93,12 @@ class RecordedFrames:
         for each in self.recordings:
             full_scale = found.full_scale if each.path.suffix.lower() == ".wav" else None
             heard = read_recording(each.path, response.microphones, full_scale).signals
-            first = _touched(heard, response.microphones, noise_rms)
+            first = touched_frames(heard, response.microphones, noise_rms)
             if not len(first):
                 raise TouchManifestError(f"{each.path}: holds no frame that is louder than the microphones' noise")
             signals.append(heard.astype(np.float32))
             touched.append(first)
-        same = find_same_take(signals, touched)
-        if same is not None:
-            one, other = (self.recordings[number].file for number in (same.first, same.second))
-            raise TouchManifestError(
-                f"{found.path}: {other} is the same take as {one}: the correlation of a stretch of them is "
-                f"{same.correlation:.4f}"
-            )
+        refuse_same_take(found, signals, touched)
         self._signals = torch.from_numpy(np.concatenate(signals, axis=1)).to(device)
         begins = np.cumsum([0, *(each.shape[1] for each in signals[:-1])])
         self._frames = [torch.from_numpy(first + begin) for first, begin in zip(touched, begins, strict=True)]
@@ -212,9 +206,24 @@ class RecordedFrames:
         }
 
 
-def _touched(signals: NDArray[np.float64], microphones: Sequence[str], noise_rms: float) -> NDArray[np.int64]:
-    """First samples of the frames in which a stream hears a touch."""
-    events = TouchStream(_Ears(tuple(microphones), noise_rms), listening=AS_IT_COMES).push(signals)
+def touched_frames(
+    signals: NDArray[np.float64],
+    microphones: Sequence[str],
+    noise_rms: float,
+    listening: Listening = AS_IT_COMES,
+) -> NDArray[np.int64]:
+    """First samples of the frames in which a stream hears a touch.
+
+    Args:
+        signals: (n_microphone, n_sample) float64, Pa at 1 kHz.
+        microphones: their names.
+        noise_rms: Pa rms of a microphone, by which silence is told.
+        listening: what is done with the samples first.
+
+    Returns:
+        (n,) int64, ascending.
+    """
+    events = TouchStream(_Ears(tuple(microphones), noise_rms), listening=listening).push(signals)
     ends = [round(e.time * SAMPLE_RATE) for e in events if isinstance(e, Decision) and e.state == "touch"]
     return np.array(ends, np.int64) - FRAME
 

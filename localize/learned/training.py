@@ -4,19 +4,19 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Callable, Mapping
-from dataclasses import asdict, astuple, dataclass, field
-from time import perf_counter
+from collections.abc import Callable
+from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import torch
 from numpy.typing import NDArray
-from torch import Tensor, nn
+from torch import Tensor
 
 from acoustic_fem.library.provenance import versions
-from localize.learned.checkpoint import Checkpoint, Progress, training_identity
+from localize.learned.checkpoint import Checkpoint, training_identity
 from localize.learned.classifier import NETWORKS, NetworkShape, TouchClassifier
+from localize.learned.epochs import Lesson, TrainingProgress, named_classes, run_epochs
 from localize.learned.features import map_count
 from localize.learned.localizer import Localizer
 from localize.learned.plan import TrainingPlan
@@ -32,34 +32,10 @@ from localize.signals.touch_generator import TouchGenerator, TouchSignals
 if TYPE_CHECKING:
     from acoustic_fem import Library
 
-__all__ = ["TrainingPlan", "TrainingProgress", "soft_labels", "train"]
+__all__ = ["TrainingPlan", "soft_labels", "train"]
 
-WARM_UP = 20
-"""Number of steps over which the learning rate rises: a fresh batch normalisation does not bear the full one."""
-SETTLING = 0.25
-"""Share of a time limit after which the speed of training is judged."""
 NORMALISATION_TOUCHES = 20
 """Number of touches per point from which the normalisation of the maps is taken."""
-SAVE_EVERY = 60.0
-"""Time between checkpoints within an epoch, s; there is one at the end of every epoch too."""
-
-
-@dataclass(frozen=True)
-class TrainingProgress:
-    """Figures of one finished epoch; where time runs out, the last one is a part of one."""
-
-    epoch: int
-    """Number of the epoch, from 1."""
-    epochs: int
-    """Number of epochs that there will be."""
-    loss: float
-    """Mean soft-target cross-entropy over the epoch."""
-    accuracy: float
-    """Share of held-out touches whose most probable point is the right one."""
-    seconds: float
-    """Time since training began, s."""
-    recorded: Mapping[str, float] = field(default_factory=dict)
-    """Share of the frames of held-out recordings that are named right, by part; empty without recordings."""
 
 
 def train(
@@ -120,7 +96,21 @@ def train(
         classifier.fit_normalisation(batches.frames(0, NORMALISATION_TOUCHES * response.point_count)[0])
         identity = {**training_identity(asdict(plan), touches), **(recorded.identity() if recorded else {})}
         kept = None if checkpoint is None else Checkpoint(checkpoint, identity)
-        curve, touch_count = _run_epochs(classifier, batches, held_out, kept, progress)
+        target = torch.from_numpy(soft_labels(response.line, response.place, plan.label_sigma)).float().to(device)
+        curve, touch_count = run_epochs(
+            classifier,
+            Lesson(
+                batches.frames,
+                _steps_per_epoch(plan, response),
+                target,
+                held_out.signals,
+                held_out.point,
+                lambda: _by_part(classifier, recorded),
+            ),
+            plan,
+            kept,
+            progress,
+        )
         of_recordings = _of_recordings(recorded, classifier, curve)
     classifier.cpu().eval()
     return Localizer(
@@ -190,66 +180,6 @@ class _Batches:
         return torch.cat(frames), torch.cat(point)
 
 
-def _run_epochs(
-    classifier: TouchClassifier,
-    batches: _Batches,
-    held_out: TouchSignals,
-    checkpoint: Checkpoint | None,
-    report: Callable[[TrainingProgress], None] | None,
-) -> tuple[list[TrainingProgress], int]:
-    """Train in place; one entry per epoch, and the number of touches used."""
-    plan, touches = batches.plan, batches.touches
-    response = touches.response
-    target = torch.from_numpy(soft_labels(response.line, response.place, plan.label_sigma)).float().to(touches.device)
-    optimizer = torch.optim.AdamW(classifier.parameters(), lr=plan.learning_rate, weight_decay=plan.weight_decay)
-    at = (checkpoint.load(classifier, optimizer) if checkpoint else None) or Progress()
-    curve = [TrainingProgress(int(entry[0]), int(entry[1]), *entry[2:]) for entry in at.curve]
-    if report:
-        for entry in curve:
-            report(entry)
-    saved = perf_counter()
-    started = saved - at.seconds
-    steps_per_epoch = _steps_per_epoch(plan, response)
-    planned = steps = plan.epochs * steps_per_epoch
-    if at.turned == 1.0:  # it had ended, by its limit of time perhaps
-        steps = at.step
-    while at.step < steps:
-        classifier.train()
-        rate = plan.learning_rate * min(1.0, (at.step + 1) / WARM_UP) * 0.5 * (1 + math.cos(math.pi * at.turned))
-        for group in optimizer.param_groups:
-            group["lr"] = rate
-        frames, point = batches.frames(at.step, plan.batch)
-        maps = classifier.maps(frames)
-        with torch.autocast(maps.device.type, torch.bfloat16, enabled=plan.bfloat16):
-            logits = classifier.network(maps)
-        loss = nn.functional.cross_entropy(logits.float(), target[point])
-        optimizer.zero_grad()
-        loss.backward()
-        optimizer.step()
-        at.losses.append(loss.item())
-        at.step += 1
-        if plan.time_limit is not None:
-            steps = _affordable(at.step, perf_counter() - started, plan.time_limit, planned)
-        # What is left of the cosine is spread evenly over the steps that are left.
-        at.turned += (1 - at.turned) / (max(steps - at.step, 0) + 1)
-        ended = at.step % steps_per_epoch == 0 or at.step >= steps
-        if ended:
-            epoch, epochs = (math.ceil(k / steps_per_epoch) for k in (at.step, max(at.step, steps)))
-            accuracy = float((_named(classifier, held_out.signals) == held_out.point).double().mean())
-            recorded = _by_part(classifier, batches.recordings)
-            seconds = perf_counter() - started
-            curve.append(TrainingProgress(epoch, epochs, float(np.mean(at.losses)), accuracy, seconds, recorded))
-            at.curve.append(list(astuple(curve[-1])))
-            at.losses = []
-        if checkpoint and (ended or perf_counter() - saved > SAVE_EVERY):
-            at.seconds = perf_counter() - started
-            checkpoint.save(classifier, optimizer, at)
-            saved = perf_counter()
-        if ended and report:
-            report(curve[-1])
-    return curve, at.step * plan.batch
-
-
 def _touches(
     response: ArrayResponse,
     plan: TrainingPlan,
@@ -274,14 +204,6 @@ def _touches(
 
 def _steps_per_epoch(plan: TrainingPlan, response: ArrayResponse) -> int:
     return math.ceil(plan.seconds_per_point * response.point_count / plan.batch)
-
-
-def _affordable(step: int, seconds: float, limit: float, planned: int) -> int:
-    """How many of the planned steps there may be in all, judged by those done so far."""
-    # The first ones are slow and say little; a plan that fits easily is then never touched, and repeats exactly.
-    if seconds < SETTLING * limit:
-        return planned
-    return min(planned, step + max(0, math.floor((limit - seconds) * step / seconds)))
 
 
 def _frames(touches: TouchSignals) -> Tensor:
@@ -309,17 +231,10 @@ def _held_out(plan: TrainingPlan, touches: TouchGenerator) -> TouchSignals:
     )
 
 
-def _named(classifier: TouchClassifier, frames: Tensor) -> Tensor:
-    """(n,) most probable points, from 0."""
-    classifier.eval()
-    with torch.inference_mode():
-        return torch.cat([classifier(part).argmax(1) for part in frames.split(512)])
-
-
 def _by_part(classifier: TouchClassifier, recordings: RecordedFrames | None) -> dict[str, float]:
     if recordings is None:
         return {}
-    judged = recordings.judged(_named(classifier, recordings.judged_frames))
+    judged = recordings.judged(named_classes(classifier, recordings.judged_frames))
     return {part: found.right for part, found in judged.items()}
 
 
@@ -329,7 +244,7 @@ def _of_recordings(
     """What the localizer keeps of its recordings: the split, the curves, and how the held-out ones are named."""
     if recordings is None:
         return {}
-    judged = recordings.judged(_named(classifier, recordings.judged_frames))
+    judged = recordings.judged(named_classes(classifier, recordings.judged_frames))
     return {
         "recordings": recordings.to_dict(),
         "held_out_recordings": {part: asdict(found) for part, found in judged.items()},

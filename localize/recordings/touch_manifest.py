@@ -7,6 +7,8 @@
     file = "point-01-taps-1.wav"      # beside the manifest; WAV, CSV or NPZ, see localize.recordings.recording
     point = 1
     part = "taps"                     # random-1-100, random-1-10, friction or taps
+    label = "double tap"              # instead of the part, to learn kinds of touch: a name of one's own
+    speed = 12.0                      # beside a label, mm/s, where something slides at a known speed
 
 Recordings are split, never frames of one: neighbouring frames are nearly the same, and a network that has seen one
 knows the other.
@@ -16,19 +18,21 @@ from __future__ import annotations
 
 import hashlib
 import os
-from collections import defaultdict
+from collections import Counter, defaultdict
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated, Generic, Literal, TypeVar
 
 import numpy as np
+from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict, Field
 
 from geometry.files.ordinary import LARGEST_DATA, read_bytes
 from geometry.files.reading import read_toml
 from geometry.refusal import Refusal
 from geometry.stated.fields import model_of
+from localize.recordings.same_take import find_same_take
 from localize.signals.resampling import FULL_SCALES
 
 Part = Literal["random-1-100", "random-1-10", "friction", "taps"]
@@ -47,7 +51,9 @@ class _Recording(BaseModel):
 
     file: Annotated[str, Field(min_length=1)]
     point: Annotated[int, Field(ge=1)]
-    part: Part
+    part: Part | None = None
+    label: Annotated[str, Field(min_length=1, max_length=100)] | None = None
+    speed: Annotated[float, Field(ge=1.0, le=100.0, strict=False)] | None = None
 
 
 class _File(BaseModel):
@@ -74,18 +80,39 @@ class TouchRecording:
 
 
 @dataclass(frozen=True)
-class TouchManifest:
+class LabelledRecording:
+    """Recording of one kind of touch, as a manifest states it."""
+
+    file: str
+    """Name of the file, as the manifest gives it."""
+    path: Path
+    """Path of the file."""
+    point: int
+    """Point that is touched, from 1."""
+    label: str
+    """Kind of the touches, a name of the user's."""
+    speed: float | None
+    """Speed of what slides, mm/s; None where none is known."""
+    sha256: str
+    """SHA-256 of the file's content, hexadecimal."""
+
+
+_Recorded = TypeVar("_Recorded", TouchRecording, LabelledRecording)
+
+
+@dataclass(frozen=True)
+class TouchManifest(Generic[_Recorded]):
     """Manifest of recorded touches, read and checked."""
 
     path: Path
     """Path of the manifest itself."""
-    recordings: tuple[TouchRecording, ...]
+    recordings: tuple[_Recorded, ...]
     """All recordings, in the order of the manifest."""
     full_scale: float
     """Pressure at full scale of WAV files, Pa."""
 
 
-def read_touch_manifest(path: str | os.PathLike[str], points: int) -> TouchManifest:
+def read_touch_manifest(path: str | os.PathLike[str], points: int) -> TouchManifest[TouchRecording]:
     """Read a manifest and the checksums of its files; whether they are good recordings is seen when they are read.
 
     Args:
@@ -97,8 +124,52 @@ def read_touch_manifest(path: str | os.PathLike[str], points: int) -> TouchManif
             there or a recording that is there twice, or no recording of one of the points.
     """
     path = Path(path)
+    file, digests = _read(path, points)
+    found = []
+    for number, (each, digest) in enumerate(zip(file.recordings, digests, strict=True)):
+        if each.part is None:
+            raise TouchManifestError(
+                f"{path}: recordings.{number}.part is missing; it must be one of {', '.join(PARTS)}"
+            )
+        found.append(TouchRecording(each.file, path.parent / each.file, each.point, each.part, digest))
+    without = sorted(set(range(1, points + 1)) - {each.point for each in found})
+    if without:
+        raise TouchManifestError(
+            f"{path}: no recording of point {', '.join(map(str, without))}; every point must have one to train on"
+        )
+    return TouchManifest(path, tuple(found), file.full_scale)
+
+
+def read_labelled_manifest(path: str | os.PathLike[str], points: int) -> TouchManifest[LabelledRecording]:
+    """Read a manifest whose recordings have labels, and the checksums of its files.
+
+    Args:
+        path: of the TOML file.
+        points: of the array.
+
+    Raises:
+        TouchManifestError: as :func:`read_touch_manifest`, but that every recording must have a label, and every label
+            two recordings, of which one is kept for judging; and there must be two labels.
+    """
+    path = Path(path)
+    file, digests = _read(path, points)
+    found = []
+    for number, (each, digest) in enumerate(zip(file.recordings, digests, strict=True)):
+        if each.label is None:
+            raise TouchManifestError(f"{path}: recordings.{number}.label must be given: the kind of touch")
+        found.append(LabelledRecording(each.file, path.parent / each.file, each.point, each.label, each.speed, digest))
+    counts = Counter(each.label for each in found)
+    for label, count in counts.items():
+        if count < 2:
+            raise TouchManifestError(f"{path}: label {label!r} has one recording, must have at least 2: one is judged")
+    if len(counts) < 2:
+        raise TouchManifestError(f"{path}: all recordings have one label; there must be at least 2 to tell apart")
+    return TouchManifest(path, tuple(found), file.full_scale)
+
+
+def _read(path: Path, points: int) -> tuple[_File, list[str]]:
+    """What a manifest states, and the checksums of its files."""
     file = model_of(_File, read_toml(path, "a manifest", TouchManifestError), str(path), "manifest", TouchManifestError)
-    found: list[TouchRecording] = []
     seen: dict[str, str] = {}
     for number, each in enumerate(file.recordings):
         if each.point > points:
@@ -111,16 +182,34 @@ def read_touch_manifest(path: str | os.PathLike[str], points: int) -> TouchManif
         if digest in seen:
             raise TouchManifestError(f"{path}: {each.file} is the same recording as {seen[digest]}")
         seen[digest] = each.file
-        found.append(TouchRecording(each.file, path.parent / each.file, each.point, each.part, digest))
-    without = sorted(set(range(1, points + 1)) - {each.point for each in found})
-    if without:
+    return file, list(seen)
+
+
+def refuse_same_take(
+    manifest: TouchManifest[_Recorded],
+    signals: Sequence[NDArray[np.float32]],
+    touched: Sequence[NDArray[np.int64]],
+) -> None:
+    """Refuse recordings of which two hold one take, by the names of both.
+
+    Args:
+        manifest: that names them.
+        signals: as of :func:`localize.recordings.same_take.find_same_take`.
+        touched: as of the same.
+
+    Raises:
+        TouchManifestError: two recordings hold one take.
+    """
+    same = find_same_take(signals, touched)
+    if same is not None:
+        one, other = (manifest.recordings[number].file for number in (same.first, same.second))
         raise TouchManifestError(
-            f"{path}: no recording of point {', '.join(map(str, without))}; every point must have one to train on"
+            f"{manifest.path}: {other} is the same take as {one}: the correlation of a stretch of them is "
+            f"{same.correlation:.4f}"
         )
-    return TouchManifest(path, tuple(found), file.full_scale)
 
 
-def split(recordings: Sequence[tuple[int, Part, str]], seed: int) -> tuple[bool, ...]:
+def split(recordings: Sequence[tuple[int, str, str]], seed: int, parts: Sequence[str] = PARTS) -> tuple[bool, ...]:
     """Which recordings are held out: a fifth of those of each point and part, at least one where there are two.
 
     One that is alone of its point and part is trained on. The split of a point and part depends on the seed and on the
@@ -129,8 +218,9 @@ def split(recordings: Sequence[tuple[int, Part, str]], seed: int) -> tuple[bool,
     Args:
         recordings: point, part and a name, no two alike.
         seed: any non-negative integer.
+        parts: all parts that there may be, in their order.
     """
-    groups: defaultdict[tuple[int, Part], list[int]] = defaultdict(list)
+    groups: defaultdict[tuple[int, str], list[int]] = defaultdict(list)
     for index, (point, part, _) in enumerate(recordings):
         groups[point, part].append(index)
     held = [False] * len(recordings)
@@ -138,7 +228,7 @@ def split(recordings: Sequence[tuple[int, Part, str]], seed: int) -> tuple[bool,
         if len(own) < 2:
             continue
         own = sorted(own, key=lambda index: recordings[index][2])
-        random = np.random.default_rng(np.random.SeedSequence(seed, spawn_key=(point, PARTS.index(part))))
+        random = np.random.default_rng(np.random.SeedSequence(seed, spawn_key=(point, parts.index(part))))
         for place in random.permutation(len(own))[: max(1, round(HELD_OUT * len(own)))]:
             held[own[int(place)]] = True
     return tuple(held)

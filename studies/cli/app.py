@@ -70,6 +70,7 @@ VERBS = (
     localizers.evaluate,
     locating.onnx,
     locating.locate,
+    locating.recognize,
     live.live,
     designs.run,
     bending.bend,

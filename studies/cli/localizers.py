@@ -12,7 +12,7 @@ from localize.learned.plan import TrainingPlan
 from studies.cli.options import LibraryFile, Noise, defaults_of, display_on_stderr, named
 from studies.cli.tables import show, table_of, tell
 from studies.judging.evaluating import evaluate_localizer
-from studies.judging.training import train_localizer
+from studies.judging.training import train_kinds, train_localizer
 
 if TYPE_CHECKING:
     from localize import Localizer
@@ -54,14 +54,27 @@ def train(
             show_default=False,
         ),
     ] = None,
+    kind: Annotated[
+        str | None,
+        typer.Option(
+            help="Tell kinds of touch instead of points: events, textures, or labels, those of the recordings: "
+            "docs/kinds.md.",
+            show_default="points",
+        ),
+    ] = None,
 ) -> None:
     """Train a localizer on touches made from a library, and on recorded ones where there are some.
+
+    With --kind it is a recognizer, which tells what a touch is instead of where.
 
     Killed and started again it goes on where it was, to the same weights: its state is kept in checkpoint.safetensors
     until it is done. Beside the localizer come training.csv and confusion.csv, and a picture of each.
 
     Example: [bold]acoustic-fem train library.nc --out localizer --epochs 10[/bold]
     """
+    if kind is not None:
+        _train_kinds(library, out, kind, seconds, epochs, noise, seed, network, recordings, stimuli)
+        return
     with (
         named(
             time_limit="--seconds",
@@ -84,11 +97,46 @@ def train(
         localizer = train_localizer(library, out, plan=plan, recordings=recordings, display=display).localizer
     accuracy = localizer.training["held_out_accuracy"][-1]
     short = f", cut short by --seconds {seconds:g}" if localizer.training["cut_short"] else ""
-    if recordings is not None:
-        _show_recorded(localizer)
+    _show_recorded(localizer)
     tell(
         f"{out}: {counted(localizer.training['epochs'], 'epoch')}{short}, {accuracy:.1%} of held-out touches "
         f"({', '.join(plan.stimuli)} on the sensor of the library) named right"
+    )
+
+
+def _train_kinds(
+    library: Path,
+    out: Path,
+    kind: str,
+    seconds: float | None,
+    epochs: int,
+    noise: float | None,
+    seed: int,
+    network: str,
+    recordings: Path | None,
+    stimuli: list[str] | None,
+) -> None:
+    """A recognizer in place of a localizer."""
+    if stimuli:
+        raise typer.BadParameter("--stimuli is of localizers; with --kind it says nothing")
+    from localize.recognition.plan import RecognitionPlan
+
+    options = {"time_limit": "--seconds", "microphone_noise": "--noise", "subject": "--kind"}
+    options |= {name: f"--{name}" for name in ("epochs", "seed", "network")}
+    with named(**options), display_on_stderr() as display:
+        plan = RecognitionPlan(
+            epochs=epochs,
+            microphone_noise="design" if noise is None else noise,
+            seed=seed,
+            time_limit=seconds,
+            network=network,
+        )
+        recognizer = train_kinds(library, out, kind, plan=plan, recordings=recordings, display=display)
+    record = recognizer.training
+    sensor = "recordings" if recordings is not None else "simulated takes on the sensor of the library"
+    tell(
+        f"{out}: {counted(len(recognizer.labels), 'kind')}, {counted(record['epochs'], 'epoch')}, "
+        f"{record['held_out_accuracy'][-1]:.1%} of {record['held_out_takes']} held-out {sensor} told right"
     )
 
 
@@ -154,7 +202,9 @@ def _show_evaluations(results: dict[str, Headline]) -> None:
 
 
 def _show_recorded(localizer: Localizer) -> None:
-    """How held-out recordings were named, by part."""
+    """How held-out recordings were named, by part, where there are any."""
+    if "held_out_recordings" not in localizer.training:
+        return
     table = table_of("recorded", "held-out recordings", "frames", "named right (%)", numbers=(1, 2, 3))
     for part, found in localizer.training["held_out_recordings"].items():
         table.add_row(part, str(found["recordings"]), str(found["frames"]), f"{100 * found['right']:.1f}")

@@ -1,4 +1,4 @@
-"""Verbs that put a localizer to work: onnx, locate."""
+"""Verbs that put a localizer or a recognizer to work: onnx, locate, recognize."""
 
 from __future__ import annotations
 
@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from geometry.refusal import counted
-from studies.cli.options import AIR_OPTIONS, Altitude, Pressure, Temperature, named
+from studies.cli.options import AIR_OPTIONS, Altitude, LibraryFile, Pressure, Temperature, named
 from studies.cli.tables import show, table_of, tell
 from studies.listening.exporting import export_decoder
 from studies.listening.opening import Decoding
+from studies.listening.recognized import recognize_recording
 from studies.listening.recorded import locate_recording
 
 if TYPE_CHECKING:
@@ -150,6 +151,43 @@ def locate(
     tell(
         f"points are those of the design {found.design}, as {model}{told_of} has it: of another array they say nothing"
     )
+
+
+def recognize(
+    model: Annotated[
+        Path, typer.Argument(metavar="MODEL", help="A recognizer, from train --kind (a folder).", show_default=False)
+    ],
+    library: LibraryFile,
+    recording: Annotated[
+        Path,
+        typer.Argument(metavar="RECORDING", help="Of the array's microphones, as for locate.", show_default=False),
+    ],
+    out: Annotated[
+        Path | None, typer.Option(help="Write a line of JSON for every touch here.", show_default=False)
+    ] = None,
+    point: Annotated[
+        int | None,
+        typer.Option(help="The point that is touched.", show_default="the one that the library's decoder names"),
+    ] = None,
+    speed: Annotated[
+        float | None, typer.Option(help="Of what slides, mm/s: textures need it.", show_default=False)
+    ] = None,
+    full_scale: Annotated[
+        float | None, typer.Option(help="Pa: of WAV files the pressure at full scale.", show_default="1 Pa")
+    ] = None,
+) -> None:
+    """What kind each touch of a recording is: events, textures, or the labels that a recognizer was trained on.
+
+    Example: [bold]acoustic-fem recognize events library.nc recording.wav[/bold]
+    """
+    with named(full_scale="--full-scale", speed="--speed", point="--point"):
+        found = recognize_recording(model, library, recording, out, point=point, speed=speed, full_scale=full_scale)
+    table = table_of("from (s)", "to (s)", "point", "kind", "probability (%)", numbers=(0, 1, 2, 4))
+    for each in found:
+        share = f"{100 * each.probability:.1f}"
+        table.add_row(f"{each.start:.3f}", f"{each.end:.3f}", str(each.point), each.kind, share)
+    show(table)
+    tell(f"{recording}: {counted(len(found), 'touch')}")
 
 
 def _show_touches(found: LocatedTouches) -> None:

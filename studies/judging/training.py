@@ -13,7 +13,7 @@ from studies.output.folders import check_folder
 from studies.output.sole_writer import sole_writer_of
 
 if TYPE_CHECKING:
-    from localize import Evaluation, Localizer, TrainingPlan
+    from localize import Evaluation, Localizer, RecognitionPlan, Recognizer, TrainingPlan
 
 #: Where the state of a training is kept until it is done.
 _CHECKPOINT = "checkpoint.safetensors"
@@ -82,6 +82,58 @@ def train_localizer(
     return TrainedLocalizer(folder, localizer, judged)
 
 
+def train_kinds(
+    library: str | os.PathLike[str],
+    out: str | os.PathLike[str],
+    kind: str,
+    *,
+    plan: RecognitionPlan | None = None,
+    recordings: str | os.PathLike[str] | None = None,
+    display: Display | None = None,
+) -> Recognizer:
+    """Recognizer of kinds of touch, as :func:`localize.load_recognizer` reads it from its folder.
+
+    Killed and called again it goes on where it was, to the same weights.
+
+    Args:
+        library: the file.
+        out: the folder for the recognizer, ``training.csv`` and ``confusion.csv``, and a picture of each.
+        kind: sort of what it tells, see :func:`localize.train_recognizer`.
+        plan: how to train.
+        recordings: a manifest of recorded touches with labels, where ``kind`` is "labels".
+        display: shows what is being done.
+
+    Raises:
+        Refusal: as :func:`train_localizer` and :func:`localize.train_recognizer`.
+    """
+    folder = Path(out)
+    checkpoint = folder / _CHECKPOINT
+    _check_unfinished(folder)
+    check_folder(folder, "train", _CHECKPOINT, reads=(library, recordings))
+    import acoustic_fem
+    from localize import train_recognizer
+    from studies.judging.training_files import write_recognizer_files
+
+    loaded = acoustic_fem.load(library)
+    with sole_writer_of(folder, "train", Refusal), (display or Display()).stage("Recognizer") as report:
+        _check_unfinished(folder)
+        report("takes", 0.0)
+        recognizer = train_recognizer(
+            loaded,
+            kind,
+            plan,
+            lambda p: report(f"epoch {p.epoch} of {p.epochs}: {p.accuracy:.1%}", 0.5 + 0.5 * p.epoch / p.epochs),
+            checkpoint,
+            None if recordings is None else Path(recordings),
+            lambda share: report("takes", 0.5 * share),
+        )
+        recognizer.save(folder)
+        write_recognizer_files(folder, recognizer)
+        checkpoint.unlink()
+    return recognizer
+
+
 def _check_unfinished(folder: Path) -> None:
-    if (folder / "localizer.json").exists() and not (folder / _CHECKPOINT).exists():
-        raise Refusal(f"{folder}: holds a finished localizer; remove it, or choose another folder")
+    for name, what in (("localizer.json", "localizer"), ("recognizer.json", "recognizer")):
+        if (folder / name).exists() and not (folder / _CHECKPOINT).exists():
+            raise Refusal(f"{folder}: holds a finished {what}; remove it, or choose another folder")

@@ -4,13 +4,17 @@ from __future__ import annotations
 
 import csv
 import io
+from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
 
 from geometry.files.writing import write_text
 
 if TYPE_CHECKING:
-    from localize import Evaluation, Localizer
+    from localize import Evaluation, Localizer, Recognizer
 
 CURVES, CONFUSION = "training", "confusion"
 #: Touches of every point from which the confusions are counted.
@@ -27,22 +31,39 @@ def write_training_files(folder: Path, localizer: Localizer, judged: Evaluation)
         localizer: just trained.
         judged: of the localizer, on touches that it has not seen.
     """
+    points = tuple(range(1, localizer.point_count + 1))
+    _write(folder, localizer.training, points, judged.confusion, "point")
+
+
+def write_recognizer_files(folder: Path, recognizer: Recognizer) -> None:
+    """Write the files of :func:`write_training_files` for a recognizer, confusions being those of held-out takes.
+
+    Args:
+        folder: must exist; files of these names are replaced.
+        recognizer: just trained.
+    """
+    confusion = np.array(recognizer.training["confusion"], np.int64)
+    _write(folder, recognizer.training, recognizer.labels, confusion, "kind")
+
+
+def _write(
+    folder: Path, training: Mapping[str, Any], names: Sequence[int | str], confusion: NDArray[np.int64], what: str
+) -> None:
     from studies.output.figures import draw_confusion, draw_training
 
-    loss, accuracy = localizer.training["loss"], localizer.training["held_out_accuracy"]
-    by_epoch = localizer.training.get("recorded_accuracy") or [{} for _ in loss]
+    loss, accuracy = training["loss"], training["held_out_accuracy"]
+    by_epoch = training.get("recorded_accuracy") or [{} for _ in loss]
     recorded = {part: [entry[part] for entry in by_epoch] for part in by_epoch[0]}
     rows = [["epoch", "loss", "held_out_accuracy", *(f"recorded {part}" for part in recorded)]]
     rows += [
         [str(k), *map(repr, values)] for k, values in enumerate(zip(loss, accuracy, *recorded.values(), strict=True), 1)
     ]
     write_text(folder / f"{CURVES}.csv", _table(rows))
-    draw_training(loss, {"simulated": accuracy, **recorded}, folder / f"{CURVES}.png")
-    points = tuple(range(1, localizer.point_count + 1))
-    rows = [["touched", *(str(point) for point in points)]]
-    rows += [[str(k), *(str(n) for n in named)] for k, named in enumerate(judged.confusion.tolist(), 1)]
+    draw_training(loss, {"held out" if what == "kind" else "simulated": accuracy, **recorded}, folder / f"{CURVES}.png")
+    rows = [["touched", *(str(name) for name in names)]]
+    rows += [[str(name), *map(str, named)] for name, named in zip(names, confusion.tolist(), strict=True)]
     write_text(folder / f"{CONFUSION}.csv", _table(rows))
-    draw_confusion(judged.confusion, points, folder / f"{CONFUSION}.png")
+    draw_confusion(confusion, names, folder / f"{CONFUSION}.png", what)
 
 
 def _table(rows: list[list[str]]) -> str:

@@ -125,15 +125,18 @@ def draw_separability(separability: Separability, path: str | os.PathLike[str]) 
         return save_figure(figure, path)
 
 
-def draw_confusion(confusion: NDArray[np.int64], points: tuple[int, ...], path: str | os.PathLike[str]) -> Path:
+def draw_confusion(
+    confusion: NDArray[np.int64], points: Sequence[int | str], path: str | os.PathLike[str], what: str = "point"
+) -> Path:
     """Picture of the percent of the touches of the row's point for which the column's point was named.
 
     White is never, and colours are logarithmic, for what is to be seen are the few percent beside the diagonal.
 
     Args:
         confusion: (n_point, n_point) int64, touches of the row's point named the column's.
-        points: numbers of the points.
+        points: numbers of the points, or names of what else is told.
         path: of the PNG, which is handed back.
+        what: what is told.
     """
     from matplotlib.colors import LogNorm
 
@@ -148,9 +151,11 @@ def draw_confusion(confusion: NDArray[np.int64], points: tuple[int, ...], path: 
             norm=LogNorm(0.1, 100.0, clip=True),
             cmap="Blues",
             plain_scale=True,
-            bar="touches of the row's point (%)",
+            bar=f"touches of the row's {what} (%)",
         )
-        axes.set(title="touched and named points", xlabel="named point", ylabel="touched point")
+        axes.set(title=f"touched and named {what}s", xlabel=f"named {what}", ylabel=f"touched {what}")
+        if any(isinstance(each, str) and len(each) > 2 for each in points):
+            axes.tick_params("x", rotation=90)
         return save_figure(figure, path)
 
 
@@ -214,7 +219,7 @@ def _matrix(
     axes: Axes,
     figure: Figure,
     values: NDArray[np.float64],
-    points: tuple[int, ...],
+    points: Sequence[int | str],
     label: Any,
     bar: str,
     plain_scale: bool,

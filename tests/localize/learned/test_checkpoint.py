@@ -16,7 +16,7 @@ from clocks import ticking
 from rc_line import rc_line
 
 import localize
-from localize.learned import training
+from localize.learned import epochs
 from localize.learned.checkpoint import CheckpointError
 from localize.learned.description import sealed
 
@@ -49,7 +49,7 @@ class Stop(Exception):
 @pytest.mark.parametrize("step", [1, 3, 6, 11])
 def test_weights_after_a_stop_within_or_between_epochs_are_those_without(array, whole, tmp_path, monkeypatch, step):
     # A checkpoint at every step; the samples of one of them then fail.
-    monkeypatch.setattr(training, "SAVE_EVERY", 0.0)
+    monkeypatch.setattr(epochs, "SAVE_EVERY", 0.0)
     drawn = localize.TouchGenerator.samples
 
     def failing(self, start, count):
@@ -83,9 +83,9 @@ import time
 sys.path.insert(0, "tests/support")
 import localize
 from localize.learned.description import sealed
-from localize.learned import training
+from localize.learned import epochs
 from rc_line import rc_line
-training.SAVE_EVERY = 0.0
+epochs.SAVE_EVERY = 0.0
 def told(progress):
     print(progress.epoch, flush=True)
     if progress.epoch == 9:
@@ -180,7 +180,7 @@ def test_a_file_that_is_no_checkpoint_is_refused_and_kept(array, tmp_path, damag
 
 
 def test_a_training_that_ended_by_its_limit_of_time_is_not_gone_on_with(array, tmp_path, monkeypatch):
-    monkeypatch.setattr(training, "perf_counter", ticking(0.01))
+    monkeypatch.setattr(epochs, "perf_counter", ticking(0.01))
     path, plan = tmp_path / "checkpoint.safetensors", replace(PLAN, epochs=5000, time_limit=1.0)
     ended = localize.train(array, plan, checkpoint=path)
     again = localize.train(array, plan, checkpoint=path)

@@ -14,7 +14,7 @@ from rc_line import rc_line
 from safetensors.torch import save_file
 
 import localize
-from localize.learned import training
+from localize.learned import epochs
 from localize.learned.classifier import NetworkShape, TouchClassifier
 from localize.learned.description import sealed
 from localize.learned.features import map_count
@@ -80,7 +80,7 @@ def test_training_leaves_the_global_random_state_alone(array):
 
 @pytest.mark.slow
 def test_a_time_limit_shortens_training_and_still_ends_it_well(array, monkeypatch):
-    monkeypatch.setattr(training, "perf_counter", ticking(0.03))
+    monkeypatch.setattr(epochs, "perf_counter", ticking(0.03))
     reports = []
     plan = replace(PLAN, seconds_per_point=50, epochs=5000, time_limit=2.5)
     localizer = localize.train(array, plan, reports.append)

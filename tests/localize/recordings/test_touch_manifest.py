@@ -11,7 +11,7 @@ from rc_line import rc_line
 
 import localize
 from acoustic_fem.sound.sound_file import write_wav
-from localize.learned import training
+from localize.learned import epochs
 from localize.learned.checkpoint import CheckpointError
 from localize.learned.recorded_frames import JUDGED, RecordedFrames
 from localize.live import AS_IT_COMES
@@ -187,7 +187,7 @@ class Stop(Exception):
 @pytest.mark.parametrize("step", [2, 7])
 def test_a_training_with_recordings_goes_on_bit_for_bit(array, manifest, tmp_path, monkeypatch, step) -> None:
     whole = localize.train(array, PLAN, recordings=manifest)
-    monkeypatch.setattr(training, "SAVE_EVERY", 0.0)
+    monkeypatch.setattr(epochs, "SAVE_EVERY", 0.0)
     drawn = RecordedFrames.samples
 
     def failing(self, start, count):

@@ -39,6 +39,7 @@ FILES = {
     "convert": ("library.nc", ".csv"),
     "onnx": ("library.nc", ".onnx"),
     "locate": ("library.nc take.wav", ".jsonl"),
+    "recognize": ("localizer library.nc take.wav", ".jsonl"),
     "live": ("library.nc --replay take.wav", ".jsonl"),
     "report": ("results.zarr", ".html"),
     "best": ("results.zarr 0", ".toml"),

@@ -1,0 +1,159 @@
+"""Kinds of touch on the glove: events and textures, nominal and mis-made. ``python benchmarks/kinds.py`` trains both
+recognizers, prints the tables of docs/kinds.md and writes them there, in some minutes of one core.
+
+Lumped fidelity, the noise of the design's microphone, hum and drift of a recorder. Made sensors are the virtual rig's,
+with effects that no library has; their waveforms are made with the nominal library. No constant was chosen on these
+seeds.
+"""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from time import perf_counter, process_time
+from typing import Any
+
+import numpy as np
+from made_sensors import made_sensors
+from numpy.typing import NDArray
+
+import acoustic_fem
+import geometry
+import localize
+from geometry.files.writing import replace_section
+from localize.decoders.reconstruct import Reconstructor
+from localize.evaluation.accuracy import wilson_interval
+from localize.recognition import SPEED, SUBJECTS, TakeMaker, maps_of
+from localize.signals.array_response import ArrayResponse, response_of
+from studies.output.figures import draw_confusion
+
+ROOT = Path(__file__).parents[1]
+PAGE, IMAGES = ROOT / "docs" / "kinds.md", ROOT / "docs" / "images"
+BEGIN, END = "<!-- kinds: made by benchmarks/kinds.py -->", "<!-- end kinds -->"
+DESIGN, SEED, SENSORS, TAKES = "glove", 41, range(300, 312), 60
+FREQUENCY = np.arange(0.5, 500.5, 0.5)
+SPEEDS = {"± 1 %": (0.99, 1.01), "± 15 %": (0.85, 1.15), "x 1.5": (1.4999, 1.5001)}
+
+
+def nominal() -> ArrayResponse:
+    return response_of(acoustic_fem.solve(geometry.prototype(DESIGN), FREQUENCY, "lumped"))
+
+
+def cell(right: NDArray[np.bool_]) -> str:
+    low, high = (100 * end for end in wilson_interval(float(right.mean()), len(right)))
+    return f"{100 * right.mean():.1f} ({low:.1f} to {high:.1f})"
+
+
+class Judge:
+    """Takes of one subject, told by one recognizer."""
+
+    def __init__(self, subject: str, response: ArrayResponse) -> None:
+        begun = perf_counter()
+        self.recognizer = localize.train_recognizer(response, subject)
+        self.seconds = perf_counter() - begun
+        self.subject, self.response = subject, response
+        self.reconstructor = Reconstructor(response, "design")
+        self.count = TAKES * len(SUBJECTS[subject].labels)
+
+    def maker(self, sensors: tuple[ArrayResponse, ...], **how: Any) -> TakeMaker:
+        return TakeMaker(self.subject, self.reconstructor, sensors, SEED, "design", **how)
+
+    def told(self, sensors: tuple[ArrayResponse, ...], **how: Any) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+        maps, kind = self.maker(sensors, **how).maps("evaluation", self.count)
+        return self.recognizer.of_maps(maps).argmax(1), kind.numpy()
+
+    def right(self, sensors: tuple[ArrayResponse, ...], **how: Any) -> NDArray[np.bool_]:
+        named, kind = self.told(sensors, **how)
+        return named == kind
+
+    def with_points_named(self, sensors: tuple[ArrayResponse, ...], locator: Any) -> tuple[str, str]:
+        """Points that are named right, and kinds at the points that are named."""
+        maker, points, kinds = self.maker(sensors), [], []
+        for number in range(self.count):
+            signals, kind, point, _ = maker.signals("evaluation", number)
+            named = int(locator.locate(signals).argmax())
+            window = self.reconstructor.waveform(signals, named).pressure[0]
+            window = window[np.isfinite(window)][-1024:]
+            points.append(named == point)
+            kinds.append(int(self.recognizer.recognize(window).argmax()) == kind)
+        return cell(np.array(points)), cell(np.array(kinds))
+
+    def picture(self, sensors: tuple[ArrayResponse, ...]) -> None:
+        named, kind = self.told(sensors)
+        confusion = np.zeros((len(self.recognizer.labels),) * 2, np.int64)
+        np.add.at(confusion, (kind, named), 1)
+        draw_confusion(confusion, self.recognizer.labels, IMAGES / f"kinds-{self.subject}.png", "kind")
+
+
+def milliseconds(judge: Judge) -> list[str]:
+    """Median times of one decision in a stream: where, the waveform at the newest window, its maps, what."""
+    signals, _, point, _ = judge.maker((judge.response,)).signals("evaluation", 0)
+    decoder = localize.BayesDecoder(judge.response, 1e-3)
+    window = judge.reconstructor.waveform(signals, point).pressure[0]
+    window = window[np.isfinite(window)][-1024:]
+    maps = maps_of(window[None])
+    steps = {
+        "where: the model-based decoder, 250 ms": lambda: decoder.locate(signals[:, -250:]),
+        "the waveform of 1,274 samples": lambda: judge.reconstructor.waveform(signals, point),
+        "its maps, 2 x 64 x 32": lambda: maps_of(window[None]),
+        "what: the network": lambda: judge.recognizer.of_maps(maps),
+    }
+    rows, total = [], 0.0
+    for name, step in steps.items():
+        times = []
+        for _ in range(60):
+            begun = process_time()
+            step()
+            times.append(process_time() - begun)
+        took = 1e3 * float(np.median(times))
+        total += took
+        rows.append(f"| {name} | {took:.2f} |")
+    return [
+        "",
+        "| a decision, processor time of one core, medians of 60 | ms |",
+        "|---|---|",
+        *rows,
+        f"| in all (the paper: 1.5 + 2.7 + 1.2) | {total:.2f} |",
+    ]
+
+
+def main() -> None:
+    response = nominal()
+    sensors = {"nominal": (response,), "mis-made": made_sensors(response, DESIGN, SENSORS)}
+    events = Judge("events", response)
+    lines = [f"| {DESIGN}, right (%) | nominal | mis-made, nominal library |", "|---|---|---|"]
+
+    def row(title: str, judge: Judge, **how: Any) -> None:
+        lines.append(f"| {title} | " + " | ".join(cell(judge.right(each, **how)) for each in sensors.values()) + " |")
+        print(lines[-1], file=sys.stderr)
+
+    row("events", events)
+    row("events, a finger 1.5 times as blunt", events, blunter=1.5)
+    locators = {"nominal": localize.BayesDecoder(response, 1e-3), "mis-made": None}
+    library = acoustic_fem.solve(geometry.prototype(DESIGN), np.arange(1.0, 501.0), "lumped")
+    locators["mis-made"] = localize.TolerantDecoder(library, microphone_noise=1e-3)
+    named = [events.with_points_named(sensors[name], locators[name]) for name in sensors]
+    lines.append(f"| their points, named by the decoder | {named[0][0]} | {named[1][0]} |")
+    lines.append(f"| events at the points that are named | {named[0][1]} | {named[1][1]} |")
+    textures = Judge("textures", response)
+    for name, (low, high) in SPEEDS.items():
+        speeds = (low * SPEED, high * SPEED)
+        row(f"textures, speed {name}, known to 1 %", textures, speeds=speeds)
+        row(f"textures, speed {name}, known to 5 %", textures, speeds=speeds, speed_error=0.05)
+        row(f"textures, speed {name}, not known", textures, speeds=speeds, speed_known=False)
+        row(f"textures, speed {name}, a finger 1.5 times as blunt", textures, speeds=speeds, blunter=1.5)
+    lines.append("")
+    lines.append(
+        f"{events.count} and {textures.count} takes in a cell. Training: {events.seconds:.0f} s and "
+        f"{textures.seconds:.0f} s of one core, of {events.recognizer.training['takes']} and "
+        f"{textures.recognizer.training['takes']} takes."
+    )
+    lines += milliseconds(events)
+    print("\n".join(lines))
+    replace_section(PAGE, BEGIN, END, lines)
+    events.picture(sensors["mis-made"])
+    textures.picture(sensors["mis-made"])
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,35 @@
+"""Sensors of the virtual rig as arrays, for benchmarks: hidden deviations that no library has."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
+
+import numpy as np
+
+import geometry
+from localize.signals.array_response import ArrayResponse, interpolated
+from studies.made_sensor.rig import Rig
+
+#: Frequencies, Hz: the rig's sensors are not heard beyond.
+HEARD = np.geomspace(0.5, 160.0, 150)
+
+
+def made_sensors(response: ArrayResponse, design: str, seeds: Iterable[int]) -> tuple[ArrayResponse, ...]:
+    """Made sensors of a design, which keep its microphones' noise and the response of its cavities to a force.
+
+    Args:
+        response: of the design, over 0.5 to 160 Hz at least.
+        design: name of the prototype.
+        seeds: one for each sensor.
+    """
+    cavity = response.cavity_response
+    bare = {
+        "frequency": HEARD,
+        "ambient_response": None,
+        "vent_ratio": None,
+        "cavity_response": None if cavity is None else interpolated(cavity, response.frequency, HEARD),
+        "sealed": False,
+    }
+    rigs = (Rig(geometry.prototype(design), seed) for seed in seeds)
+    return tuple(replace(response, transfer_function=each.transfer_function(HEARD), **bare) for each in rigs)

@@ -1,0 +1,180 @@
+"""The loop that trains a network, whatever it names: epochs, learning rate, checkpoints, a limit of time."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import astuple, dataclass, field
+from time import perf_counter
+from typing import Protocol
+
+import numpy as np
+import torch
+from torch import Tensor, nn
+
+from localize.learned.checkpoint import Checkpoint, Progress
+from localize.learned.classifier import MapClassifier
+
+WARM_UP = 20
+"""Number of steps over which the learning rate rises: a fresh batch normalisation does not bear the full one."""
+SETTLING = 0.25
+"""Share of a time limit after which the speed of training is judged."""
+SAVE_EVERY = 60.0
+"""Time between checkpoints within an epoch, s; there is one at the end of every epoch too."""
+
+
+@dataclass(frozen=True)
+class TrainingProgress:
+    """Figures of one finished epoch; where time runs out, the last one is a part of one."""
+
+    epoch: int
+    """Number of the epoch, from 1."""
+    epochs: int
+    """Number of epochs that there will be."""
+    loss: float
+    """Mean soft-target cross-entropy over the epoch."""
+    accuracy: float
+    """Share of held-out touches whose most probable point is the right one."""
+    seconds: float
+    """Time since training began, s."""
+    recorded: Mapping[str, float] = field(default_factory=dict)
+    """Share of the frames of held-out recordings that are named right, by part; empty without recordings."""
+
+
+class Schedule(Protocol):
+    """How long and how fast is trained: the fields of a plan that the loop reads."""
+
+    @property
+    def epochs(self) -> int:
+        """Number of epochs."""
+
+    @property
+    def batch(self) -> int:
+        """Number of samples of a step."""
+
+    @property
+    def learning_rate(self) -> float:
+        """Highest learning rate; a cosine takes it to zero."""
+
+    @property
+    def weight_decay(self) -> float:
+        """Weight decay of AdamW."""
+
+    @property
+    def time_limit(self) -> float | None:
+        """Time limit, s, or None."""
+
+    @property
+    def bfloat16(self) -> bool:
+        """Whether the network computes in bfloat16 while it is trained."""
+
+
+@dataclass(frozen=True, eq=False)
+class Lesson:
+    """What a classifier is taught, and what it is asked after every epoch."""
+
+    batch: Callable[[int, int], tuple[Tensor, Tensor]]
+    """Inputs and classes, from 0, of step k of steps of so many samples; the same whatever was asked for before."""
+    steps_per_epoch: int
+    """Number of steps of an epoch."""
+    target: Tensor
+    """Probabilities to aim at for each class; (n_class, n_class) float32."""
+    held_out: Tensor
+    """Inputs that are judged and never trained on; (n, ...) float32."""
+    held_out_class: Tensor
+    """Their classes, from 0; (n,) int64."""
+    judge: Callable[[], Mapping[str, float]] = dict
+    """Shares of what else is judged after an epoch, by name."""
+
+
+def run_epochs(
+    classifier: MapClassifier,
+    lesson: Lesson,
+    plan: Schedule,
+    checkpoint: Checkpoint | None,
+    report: Callable[[TrainingProgress], None] | None,
+) -> tuple[list[TrainingProgress], int]:
+    """Train in place.
+
+    Args:
+        classifier: normalised already.
+        lesson: what it is taught.
+        plan: how long and how fast.
+        checkpoint: where the state is kept, and gone on from.
+        report: called after every epoch, those that are gone on from included.
+
+    Returns:
+        One entry per epoch, and the number of samples used.
+
+    Raises:
+        CheckpointError: as :meth:`localize.learned.checkpoint.Checkpoint.load`.
+    """
+    optimizer = torch.optim.AdamW(classifier.parameters(), lr=plan.learning_rate, weight_decay=plan.weight_decay)
+    at = (checkpoint.load(classifier, optimizer) if checkpoint else None) or Progress()
+    curve = [TrainingProgress(int(entry[0]), int(entry[1]), *entry[2:]) for entry in at.curve]
+    if report:
+        for entry in curve:
+            report(entry)
+    saved = perf_counter()
+    started = saved - at.seconds
+    planned = steps = plan.epochs * lesson.steps_per_epoch
+    if at.turned == 1.0:  # it had ended, by its limit of time perhaps
+        steps = at.step
+    while at.step < steps:
+        classifier.train()
+        rate = plan.learning_rate * min(1.0, (at.step + 1) / WARM_UP) * 0.5 * (1 + math.cos(math.pi * at.turned))
+        for group in optimizer.param_groups:
+            group["lr"] = rate
+        at.losses.append(_step(classifier, optimizer, lesson, plan, at.step))
+        at.step += 1
+        if plan.time_limit is not None:
+            steps = _affordable(at.step, perf_counter() - started, plan.time_limit, planned)
+        # What is left of the cosine is spread evenly over the steps that are left.
+        at.turned += (1 - at.turned) / (max(steps - at.step, 0) + 1)
+        ended = at.step % lesson.steps_per_epoch == 0 or at.step >= steps
+        if ended:
+            epoch, epochs = (math.ceil(k / lesson.steps_per_epoch) for k in (at.step, max(at.step, steps)))
+            right = named_classes(classifier, lesson.held_out) == lesson.held_out_class
+            judged = lesson.judge()
+            seconds = perf_counter() - started
+            accuracy = float(right.double().mean())
+            curve.append(TrainingProgress(epoch, epochs, float(np.mean(at.losses)), accuracy, seconds, judged))
+            at.curve.append(list(astuple(curve[-1])))
+            at.losses = []
+        if checkpoint and (ended or perf_counter() - saved > SAVE_EVERY):
+            at.seconds = perf_counter() - started
+            checkpoint.save(classifier, optimizer, at)
+            saved = perf_counter()
+        if ended and report:
+            report(curve[-1])
+    return curve, at.step * plan.batch
+
+
+def named_classes(classifier: MapClassifier, inputs: Tensor) -> Tensor:
+    """Most probable class of each input, from 0; (n,) int64."""
+    classifier.eval()
+    with torch.inference_mode():
+        return torch.cat([classifier(part).argmax(1) for part in inputs.split(512)])
+
+
+def _step(
+    classifier: MapClassifier, optimizer: torch.optim.Optimizer, lesson: Lesson, plan: Schedule, number: int
+) -> float:
+    """Loss of a step that is done."""
+    inputs, label = lesson.batch(number, plan.batch)
+    maps = classifier.maps(inputs)
+    with torch.autocast(maps.device.type, torch.bfloat16, enabled=plan.bfloat16):
+        logits = classifier.network(maps)
+    loss = nn.functional.cross_entropy(logits.float(), lesson.target[label])
+    optimizer.zero_grad()
+    loss.backward()
+    optimizer.step()
+    return float(loss.item())
+
+
+def _affordable(step: int, seconds: float, limit: float, planned: int) -> int:
+    """How many of the planned steps there may be in all, judged by those done so far."""
+    # The first ones are slow and say little; a plan that fits easily is then never touched, and repeats exactly.
+    if seconds < SETTLING * limit:
+        return planned
+    return min(planned, step + max(0, math.floor((limit - seconds) * step / seconds)))

@@ -1,0 +1,4 @@
+from .events import EVENTS as EVENTS, event_pressure as event_pressure
+from .recorded_takes import windows_of as windows_of
+from .takes import SUBJECTS as SUBJECTS, TakeMaker as TakeMaker, at_usual_speed as at_usual_speed
+from .textures import PROFILES as PROFILES, SPEED as SPEED, Profile as Profile, texture_pressure as texture_pressure

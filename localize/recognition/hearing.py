@@ -1,0 +1,84 @@
+"""A recognizer put to work: touches of a recording, the waveform at the point of each, and its kind."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from localize.decoders.reconstruct import Reconstructor
+from localize.evaluation.accuracy import Locator
+from localize.recognition.power_maps import WINDOW
+from localize.recognition.recognizer import Recognizer
+from localize.recognition.recorded_takes import Stretch, cut, heard_frames, stretched_waveform, stretches
+from localize.signals.array_response import ArrayResponse, response_of
+from localize.signals.frames import FRAME
+from localize.signals.noise import NoiseSpectrum
+from localize.signals.stimulus import SAMPLE_RATE
+
+if TYPE_CHECKING:
+    from acoustic_fem import Library
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class ToldTouch:
+    """Touch whose kind is told."""
+
+    start: float
+    """Time from which something is heard, s."""
+    end: float
+    """Time to which something is heard, s."""
+    point: int
+    """Point that is touched, from 0."""
+    probability: Array
+    """Probability of each kind; (n_label,) float64."""
+
+
+class Ear:
+    """Recognizer with the filters of its array.
+
+    Args:
+        library: of the array.
+        recognizer: for it.
+    """
+
+    def __init__(self, library: Library | ArrayResponse, recognizer: Recognizer) -> None:
+        response = response_of(library)
+        noise = response.noise(recognizer.plan["microphone_noise"])
+        self._rms = noise.rms if isinstance(noise, NoiseSpectrum) else noise
+        self._recognizer = recognizer
+        self._reconstructor = Reconstructor(response, recognizer.plan["microphone_noise"] or 1e-5)
+
+    def touches(
+        self, signals: Array, point: int | None, speed: float | None, locator: Locator
+    ) -> tuple[ToldTouch, ...]:
+        """Touches of a recording in the order of time; one that is too short at an end of it is left out.
+
+        Args:
+            signals: (n_microphone, n_sample) float64, Pa at 1 kHz.
+            point: that is touched, from 0; None to have each named.
+            speed: of what slides, mm/s.
+            locator: names points.
+        """
+        found = []
+        for each in stretches(heard_frames(signals, self._recognizer.microphones, self._rms)):
+            touched = self._named(locator, signals, each) if point is None else point
+            waveform, stretched = stretched_waveform(self._reconstructor, signals, touched, speed)
+            windows = cut(waveform, Stretch(round(each.begin * stretched), round(each.end * stretched)))
+            if not len(windows):
+                continue
+            # windows of one touch overlap, and are hardly independent: their mean is what is told
+            probability = self._recognizer.recognize(windows[:, -WINDOW:]).mean(0)
+            found.append(ToldTouch(each.begin / SAMPLE_RATE, each.end / SAMPLE_RATE, touched, probability))
+        return tuple(found)
+
+    @staticmethod
+    def _named(locator: Locator, signals: Array, each: Stretch) -> int:
+        """Most probable point over the frames of a touch."""
+        begin = max(0, min(each.begin - FRAME // 5, signals.shape[1] - FRAME))
+        heard = signals[:, begin : max(each.end + FRAME // 5, begin + FRAME)]
+        return int(locator.locate(heard).argmax())

@@ -1,0 +1,226 @@
+"""Windows of recorded touches: where something is heard, the waveform at the touched point, cut for the recognizer."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+
+import numpy as np
+import torch
+from numpy.typing import NDArray
+from torch import Tensor
+
+from localize.decoders.reconstruct import Reconstructor
+from localize.learned.recorded_frames import touched_frames
+from localize.live.front_end import Listening
+from localize.recognition.power_maps import WINDOW, maps_of
+from localize.recognition.takes import at_usual_speed, prepared
+from localize.recognition.textures import SPEED
+from localize.recordings.recording import read_recording
+from localize.recordings.touch_manifest import (
+    TouchManifestError,
+    read_labelled_manifest,
+    refuse_same_take,
+    split,
+)
+from localize.signals.array_response import ArrayResponse
+from localize.signals.frames import FRAME
+from localize.signals.stimulus import SAMPLE_RATE
+
+Array = NDArray[np.float64]
+
+APART = 0.4
+"""Silence from which two touches are two, s: the taps of a double tap lie closer."""
+BEFORE = (0.05, 0.2, 0.35, 0.5)
+"""Times before a short touch at which windows begin to train on, s; one is named by the second."""
+AROUND = 150
+"""Samples around a stretch that belong to its touch: a stream hears with a high-pass."""
+WITHIN = (0.01, 0.99)
+"""Shares of a touch's energy between which its windows lie."""
+HOP = WINDOW // 4
+"""Samples from window to window of a long touch."""
+
+
+def heard_frames(signals: Array, microphones: tuple[str, ...], noise_rms: float) -> NDArray[np.int64]:
+    """First samples of the frames with a touch, hum and slow drift being left out.
+
+    Args:
+        signals: (n_microphone, n_sample) float64, Pa at 1 kHz.
+        microphones: their names.
+        noise_rms: Pa rms of a microphone, where it cannot be measured.
+
+    Returns:
+        (n,) int64, ascending.
+    """
+    return touched_frames(signals, microphones, noise_rms, Listening())
+
+
+@dataclass(frozen=True)
+class Stretch:
+    """Stretch of a recording in which something is heard without a longer pause."""
+
+    begin: int
+    """First sample."""
+    end: int
+    """Sample behind the last one."""
+
+
+def stretches(frames: NDArray[np.int64]) -> list[Stretch]:
+    """Stretches in which something is heard.
+
+    Args:
+        frames: (n,) int64, ascending, first samples of the frames with a touch.
+    """
+    found: list[Stretch] = []
+    for first in frames.tolist():
+        # A frame has heard a touch from the first sample that it shares with it on.
+        if found and first - found[-1].end < APART * SAMPLE_RATE - FRAME:
+            found[-1] = Stretch(found[-1].begin, first + 1)
+        else:
+            found.append(Stretch(first + FRAME - 1, first + 1))
+    return [Stretch(min(each.begin, each.end), max(each.begin, each.end)) for each in found]
+
+
+def cut(waveform: Array, stretch: Stretch, before: tuple[float, ...] = BEFORE[1:2]) -> Array:
+    """Windows of a touch: of what holds all but two percent of its energy.
+
+    Args:
+        waveform: (n_sample,) float64 of the whole recording, NaN where there is none.
+        stretch: of the touch.
+        before: where windows of a short touch begin, s before it.
+
+    Returns:
+        (n, 1024) float64; a short touch has one for each value of ``before``, a long one as many as fit.
+    """
+    known = np.flatnonzero(np.isfinite(waveform))
+    if len(known) < WINDOW:
+        return np.zeros((0, WINDOW))
+    least, most = int(known[0]), int(known[-1]) + 1 - WINDOW
+    begin, end = max(stretch.begin - AROUND, least), min(stretch.end + AROUND, most + WINDOW)
+    if end <= begin:
+        return np.zeros((0, WINDOW))
+    energy = np.cumsum(waveform[begin:end] ** 2)
+    first, last = begin + np.searchsorted(energy, np.array(WITHIN) * energy[-1])
+    starts = [first - round(time * SAMPLE_RATE) for time in before]
+    if last - first > WINDOW - before[0] * SAMPLE_RATE:
+        starts = list(range(first, max(first, last - WINDOW) + 1, HOP))
+    places = np.unique(np.clip(starts, least, most))
+    return waveform[places[:, None] + np.arange(WINDOW)]
+
+
+def windows_of(
+    reconstructor: Reconstructor,
+    signals: Array,
+    frames: NDArray[np.int64],
+    point: int,
+    speed: float | None,
+    before: tuple[float, ...] = BEFORE[1:2],
+) -> Array:
+    """Windows of all touches of a recording, in the order of time.
+
+    Args:
+        reconstructor: of the library.
+        signals: (n_microphone, n_sample) float64, Pa at 1 kHz.
+        frames: (n,) int64, first samples of the frames with a touch.
+        point: that is touched, from 0.
+        speed: of what slides, mm/s, which brings it to 12 mm/s.
+        before: as of :func:`cut`.
+
+    Returns:
+        (n, 1024) float64, Pa.
+    """
+    waveform, stretched = stretched_waveform(reconstructor, signals, point, speed)
+    found = [Stretch(round(each.begin * stretched), round(each.end * stretched)) for each in stretches(frames)]
+    return np.concatenate([np.zeros((0, WINDOW)), *(cut(waveform, each, before) for each in found)])
+
+
+def stretched_waveform(
+    reconstructor: Reconstructor, signals: Array, point: int, speed: float | None
+) -> tuple[Array, float]:
+    """Waveform of a whole recording, and by how much its time is stretched.
+
+    Args:
+        reconstructor: of the library.
+        signals: (n_microphone, n_sample) float64, Pa at 1 kHz.
+        point: that is touched, from 0.
+        speed: of what slides, mm/s, which brings it to 12 mm/s.
+
+    Returns:
+        (m,) float64, Pa, NaN where there is none; and m over the number of samples.
+    """
+    waveform = reconstructor.waveform(prepared(signals), point).pressure[0]
+    if speed is None:
+        return waveform, 1.0
+    known, stretched = np.isfinite(waveform), speed / SPEED
+    ends = [np.full(round(stretched * count), np.nan) for count in (known.argmax(), known[::-1].argmax())]
+    return np.concatenate([ends[0], at_usual_speed(waveform[known], speed), ends[1]]), stretched
+
+
+@dataclass(frozen=True, eq=False)
+class RecordedTakes:
+    """Windows of the recordings of a manifest, split by recording."""
+
+    labels: tuple[str, ...]
+    """Kinds, sorted by name."""
+    maps: Tensor
+    """Maps of the windows to train on; (n, 2, 64, 32) float32."""
+    kind: Tensor
+    """Their kinds, from 0; (n,) int64."""
+    held_out_maps: Tensor
+    """Maps of the windows of held-out recordings; (m, 2, 64, 32) float32."""
+    held_out_kind: Tensor
+    """Their kinds, from 0; (m,) int64."""
+    at_usual_speed: bool
+    """Whether all recordings state a speed, and were brought to 12 mm/s."""
+    files: dict[str, str]
+    """What is said of each recording in a checkpoint: checksum, point, label and side, by file."""
+
+
+def recorded_takes(
+    path: str | os.PathLike[str], response: ArrayResponse, reconstructor: Reconstructor, noise_rms: float, seed: int
+) -> RecordedTakes:
+    """Windows of recorded kinds of touch; a fifth of the recordings of each kind is held out.
+
+    Args:
+        path: a manifest with labels, see :mod:`localize.recordings.touch_manifest`.
+        response: the array.
+        reconstructor: of its library.
+        noise_rms: Pa rms of a microphone, by which silence is told.
+        seed: of the split.
+
+    Raises:
+        TouchManifestError: as :func:`localize.recordings.touch_manifest.read_labelled_manifest`; some recordings with a
+            speed and some without; a recording in which nothing is heard; or two that hold one take.
+        RecordingError: a recording that cannot be used.
+    """
+    found = read_labelled_manifest(path, response.point_count)
+    labels = tuple(sorted({each.label for each in found.recordings}))
+    moving = {each.speed is not None for each in found.recordings}
+    if len(moving) > 1:
+        raise TouchManifestError(f"{found.path}: some recordings state a speed and some do not; all must, or none")
+    held = split([(0, each.label, each.file) for each in found.recordings], seed, labels)
+    signals, touched, parts = [], [], []
+    for each in found.recordings:
+        full_scale = found.full_scale if each.path.suffix.lower() == ".wav" else None
+        heard = read_recording(each.path, response.microphones, full_scale).signals
+        frames = heard_frames(heard, response.microphones, noise_rms)
+        own = windows_of(reconstructor, heard, frames, each.point - 1, each.speed, BEFORE)
+        if not len(own):
+            raise TouchManifestError(f"{each.path}: holds no window of {WINDOW} samples in which something is heard")
+        signals.append(heard.astype(np.float32))
+        touched.append(frames)
+        parts.append((maps_of(own), torch.full((len(own),), labels.index(each.label))))
+    refuse_same_take(found, signals, touched)
+    seen, judged = ([part for part, h in zip(parts, held, strict=True) if h is side] for side in (False, True))
+    return RecordedTakes(
+        labels=labels,
+        maps=torch.cat([maps for maps, _ in seen]),
+        kind=torch.cat([kind for _, kind in seen]),
+        held_out_maps=torch.cat([maps for maps, _ in judged]),
+        held_out_kind=torch.cat([kind for _, kind in judged]),
+        at_usual_speed=moving == {True},
+        files={
+            each.file: f"{each.sha256[:16]}, point {each.point}, {each.label}, {'held out' if h else 'training'}"
+            for each, h in zip(found.recordings, held, strict=True)
+        },
+    )

@@ -1,0 +1,251 @@
+"""Simulated takes of kinds of touch: what a sensor hears of them, and the waveforms that are made of that again."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+import scipy.fft
+import scipy.interpolate
+import torch
+from numpy.typing import NDArray
+from torch import Tensor
+
+from geometry.refusal import Refusal
+from localize.decoders.reconstruct import Reconstructor
+from localize.live.front_end import HighPass
+from localize.recognition.events import EVENTS, event_pressure
+from localize.recognition.power_maps import WINDOW, maps_of
+from localize.recognition.textures import PROFILES, SPEED, texture_pressure
+from localize.signals.array_response import ArrayResponse
+from localize.signals.frames import FRAME
+from localize.signals.noise import NoiseChoice, NoiseSpectrum
+from localize.signals.random_streams import PURPOSES, Purpose
+from localize.signals.stimulus import SAMPLE_RATE
+from localize.signals.threads import one_thread
+
+Array = NDArray[np.float64]
+LEAD = FRAME
+"""Samples before a window that the filter of the waveform needs."""
+CORNER = 1.0
+"""Corner of the high-pass of all signals that waveforms are made of, Hz."""
+LOWEST = (0.2, 0.5)
+"""Frequencies between which what is heard is faded out, Hz."""
+HUM = (3e-5, 5e-3)
+"""Lowest and highest amplitude of the mains in simulated takes, Pa."""
+DRIFT = (1e-3, 2e-2)
+"""Lowest and highest amplitude of the wander of the zero in simulated takes, Pa."""
+SLOWEST, FASTEST = 0.75 * SPEED, 1.7 * SPEED
+"""Lowest and highest speed of textures that are trained on, mm/s."""
+_EASE = 2000
+"""Samples before and behind a take in which its pressure comes and goes."""
+_TOP = 0.8
+"""Share of the band of a response above which what is heard is faded out."""
+
+
+@dataclass(frozen=True)
+class Subject:
+    """What kinds of touch there are of one sort, and how they are made."""
+
+    labels: tuple[str, ...]
+    """Names of the kinds."""
+    make: Callable[[int, float, np.random.Generator, float], Array]
+    """Pressure in the cavity, Pa, of kind k, at a speed in mm/s, with random numbers, by a finger that is so much
+    blunter than usual."""
+    speeds: tuple[float, float] | None = None
+    """Lowest and highest speed that is trained on, mm/s; None where there is no speed."""
+
+
+def _event(kind: int, speed: float, random: np.random.Generator, blunter: float) -> Array:
+    made = event_pressure(tuple(EVENTS)[kind], WINDOW + LEAD, random)
+    if blunter == 1.0:
+        return made
+    # A softer, broader contact takes longer to do the same.
+    width = max(1, round(8 * (blunter - 1)))
+    return np.convolve(np.pad(made, width, mode="edge"), np.hanning(2 * width + 3)[1:-1] / (width + 1), "valid")
+
+
+def _texture(kind: int, speed: float, random: np.random.Generator, blunter: float) -> Array:
+    count = int(np.ceil(WINDOW * SPEED / min(speed, SLOWEST))) + 2 * LEAD  # of one length, but for slower ones
+    return texture_pressure(PROFILES[kind], count, speed, random, blunter)
+
+
+SUBJECTS: Mapping[str, Subject] = {
+    "events": Subject(tuple(EVENTS), _event),
+    "textures": Subject(tuple(profile.name for profile in PROFILES), _texture, (SLOWEST, FASTEST)),
+}
+"""What a recogniser can be trained on without recordings, by name."""
+
+
+def heard(
+    response: ArrayResponse, point: int, pressure: Array, noise: NoiseChoice, random: np.random.Generator
+) -> Array:
+    """What the microphones of a sensor record of a pressure in one cavity.
+
+    Args:
+        response: the sensor; what lies beyond its frequencies is not heard.
+        point: from 0.
+        pressure: (n_sample,) float64, Pa at 1 kHz.
+        noise: of the microphones.
+        random: draws the noise.
+
+    Returns:
+        (n_microphone, n_sample) float64, Pa, as :func:`prepared`, hum and drift of a recorder included.
+    """
+    ease = np.hanning(2 * _EASE)[:_EASE]
+    whole = np.concatenate([pressure[0] * ease, pressure, pressure[-1] * ease[::-1]])
+    total = scipy.fft.next_fast_len(len(whole), real=True)
+    inside, response_inside = _faded_response(response, total)
+    spectrum = np.zeros((len(response.microphones), total // 2 + 1), np.complex128)
+    spectrum[:, inside] = response_inside[point] * scipy.fft.rfft(whole, total)[inside]
+    signals = scipy.fft.irfft(spectrum, total)[:, _EASE : _EASE + len(pressure)]
+    signals += _noise_of(response, noise, len(pressure), random) + _of_recorder(len(pressure), len(signals), random)
+    return prepared(signals)
+
+
+def prepared(signals: Array) -> Array:
+    """Signals of which waveforms are made, simulated and recorded alike: without what lies below 1 Hz.
+
+    Args:
+        signals: (n_microphone, n_sample) float64, Pa at 1 kHz, at least a frame.
+
+    Returns:
+        Same shape, float64, Pa.
+    """
+    return HighPass(len(signals), CORNER).begin(signals)
+
+
+def _of_recorder(count: int, channels: int, random: np.random.Generator) -> Array:
+    """(n_microphone, count) Pa: mains with their third harmonic, and a slow wander of each channel's zero."""
+    time = np.arange(count) / SAMPLE_RATE
+    mains = (50.0, 60.0)[int(random.integers(2))] + random.uniform(-0.1, 0.1)
+    phase = random.uniform(0, 2 * np.pi, 2)
+    hum = np.sin(2 * np.pi * mains * time + phase[0]) + np.sin(6 * np.pi * mains * time + phase[1]) / 3
+    wander = np.sin(2 * np.pi * random.uniform(0.05, 0.5, (channels, 1)) * time + random.uniform(0, 6.3, (channels, 1)))
+    return np.asarray(_drawn(HUM, random) * hum + _drawn(DRIFT, random) * wander)
+
+
+def _drawn(of: tuple[float, float], random: np.random.Generator) -> float:
+    return float(np.exp(random.uniform(*np.log(of))))
+
+
+@functools.lru_cache(maxsize=16)
+def _faded_response(response: ArrayResponse, total: int) -> tuple[NDArray[np.bool_], NDArray[np.complex128]]:
+    """Which lines of a real transform of that length are heard, and the transfer functions there."""
+    line = scipy.fft.rfftfreq(total, 1 / SAMPLE_RATE)
+    top = min(float(response.frequency[-1]), SAMPLE_RATE / 2)
+    inside = (line > max(LOWEST[0], 0.0)) & (line < top)
+    grid = line[inside]
+    fade = np.clip((grid - LOWEST[0]) / (LOWEST[1] - LOWEST[0]), 0, 1) * np.clip(
+        (top - grid) / (top * (1 - _TOP)), 0, 1
+    )
+    return inside, response.at(grid) * fade
+
+
+def _noise_of(response: ArrayResponse, noise: NoiseChoice, count: int, random: np.random.Generator) -> Array:
+    """(n_microphone, count) Pa."""
+    white = random.standard_normal((len(response.microphones), count))
+    spectrum = response.noise(noise)
+    if not isinstance(spectrum, NoiseSpectrum):
+        return spectrum * white
+    # White samples of variance one have 2 / SAMPLE_RATE in every hertz.
+    frequency = scipy.fft.rfftfreq(count, 1 / SAMPLE_RATE)
+    density = np.interp(frequency, np.arange(len(spectrum.power)), spectrum.power) * SAMPLE_RATE / 2
+    return np.asarray(scipy.fft.irfft(scipy.fft.rfft(white) * np.sqrt(density), count))
+
+
+def waveform_windows(reconstructor: Reconstructor, signals: Array, point: int) -> Array:
+    """Waveform of a take without the samples at its ends that have no whole window of the filter.
+
+    Args:
+        reconstructor: of the library.
+        signals: (n_microphone, n_sample) float64, Pa at 1 kHz.
+        point: from 0.
+
+    Returns:
+        (n,) float64, Pa.
+    """
+    pressure = reconstructor.waveform(signals, point).pressure[0]
+    return pressure[reconstructor.window - 1 - reconstructor.latency : len(pressure) - reconstructor.latency]
+
+
+def at_usual_speed(waveform: Array, speed: float) -> Array:
+    """A waveform as it would be at 12 mm/s.
+
+    Args:
+        waveform: (n,) float64 at 1 kHz.
+        speed: at which it was made, mm/s.
+
+    Returns:
+        (m,) float64 at 1 kHz, m = n speed / 12 mm/s.
+
+    Raises:
+        Refusal: a speed that is not between 1 and 100 mm/s.
+    """
+    if not 1.0 <= speed <= 100.0:
+        raise Refusal(f"speed = {speed:g} mm/s must be between 1 and 100 mm/s")
+    place = np.arange(int(len(waveform) * speed / SPEED)) * (SPEED / speed)
+    spline = scipy.interpolate.make_interp_spline(np.arange(len(waveform)), waveform, k=3)
+    return np.asarray(spline(np.minimum(place, len(waveform) - 1)))
+
+
+@dataclass(frozen=True, eq=False)
+class TakeMaker:
+    """Maker of simulated takes: take i is of kind i modulo the number of kinds, the same whatever was made before."""
+
+    subject: str
+    """Name of :data:`SUBJECTS`."""
+    reconstructor: Reconstructor
+    """Filters of the library that waveforms are made by."""
+    sensors: tuple[ArrayResponse, ...]
+    """Sensors that are touched, one after the other."""
+    seed: int = 0
+    """Of the takes."""
+    noise: NoiseChoice = 1e-3
+    """Noise of the microphones."""
+    speeds: tuple[float, float] | None = None
+    """Lowest and highest speed of a texture, mm/s; by default those that are trained on."""
+    speed_known: bool = True
+    """Whether waveforms are brought to the usual speed."""
+    speed_error: float = 0.01
+    """Standard deviation of the speed that is known, a share of it."""
+    blunter: float = 1.0
+    """Radius of the finger over the usual one."""
+
+    def signals(self, purpose: Purpose, number: int) -> tuple[Array, int, int, float]:
+        """Signals of one take, (n_microphone, n_sample) Pa; its kind and point, from 0; and its speed, mm/s."""
+        subject = SUBJECTS[self.subject]
+        key = (PURPOSES.index(purpose), tuple(SUBJECTS).index(self.subject), number)
+        random = np.random.default_rng(np.random.SeedSequence(self.seed, spawn_key=key))
+        kind = number % len(subject.labels)
+        sensor = self.sensors[number // len(subject.labels) % len(self.sensors)]
+        point = int(random.integers(sensor.point_count))
+        speeds = self.speeds or subject.speeds
+        speed = SPEED if speeds is None else float(np.exp(random.uniform(*np.log(speeds))))
+        pressure = subject.make(kind, speed, random, self.blunter)
+        return heard(sensor, point, pressure, self.noise, random), kind, point, speed
+
+    def waveform(self, purpose: Purpose, number: int) -> tuple[Array, int]:
+        """Window that one take is told by, (1024,) float64 Pa, and its kind, from 0."""
+        signals, kind, point, speed = self.signals(purpose, number)
+        made = waveform_windows(self.reconstructor, signals, point)
+        if SUBJECTS[self.subject].speeds is not None and self.speed_known:
+            error = np.random.default_rng((self.seed, number)).standard_normal()
+            made = at_usual_speed(made, speed * (1 + self.speed_error * float(error)))
+        return made[-WINDOW:], kind
+
+    @one_thread()
+    def maps(
+        self, purpose: Purpose, count: int, report: Callable[[float], None] | None = None
+    ) -> tuple[Tensor, Tensor]:
+        """Maps of takes 0 to ``count - 1``, (count, 2, 64, 32) float32, and their kinds, (count,) int64."""
+        maps, kinds = [], []
+        for first in range(0, count, 64):
+            made = [self.waveform(purpose, number) for number in range(first, min(first + 64, count))]
+            maps.append(maps_of(np.stack([each for each, _ in made])))
+            kinds += [kind for _, kind in made]
+            if report:
+                report(len(kinds) / count)
+        return torch.cat(maps), torch.tensor(kinds)
