@@ -1,11 +1,11 @@
-"""Rules of layouts: what a ring, a cylinder and a hand need of the lengths of a design."""
+"""Rules of layouts: what a ring, an area, a cylinder and a hand need of the lengths of a design."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from geometry.plan import cylinder, hand, ring
+from geometry.plan import area, cylinder, hand, ring
 from geometry.refusal import Refusal
 
 if TYPE_CHECKING:
@@ -50,6 +50,49 @@ def _pitch_must(pitch: float, touching: float, straight: float) -> str:
     """What is wrong with a pitch, and one that can be built: where tubes are bowed, only the layout shows which can."""
     wrong = f"is below {touching:g} mm, where shells touch" if pitch < touching else "is more than its tubes reach"
     return f"{wrong}; it must be left out, or {straight:g} mm: the tubes then lie straight"
+
+
+def area_rules(design: StatedArray) -> Iterator[str]:
+    """The lines of an area follow each other over a grid, with straight tubes, and meet at its edge."""
+    if design.layout.kind != "area":
+        return
+    if design.layout.pitch is not None:
+        pitch = design.layout.pitch
+        yield f"layout.pitch = {pitch:g} mm must not be given for layout.kind = 'area': its tubes never bow"
+        return
+    if not area.is_chain(design):
+        yield (
+            "lines must follow each other for layout.kind = 'area': each begins at the microphone at which the one "
+            "before it ends, and no microphone joins more than two"
+        )
+        return
+    if area.is_closed(design) and not area.has_way_back(design):
+        yield (
+            f"layout.columns = {design.layout.columns} must divide the {design.point_count} points into at least 2 "
+            "rows for lines in a circle, of at least 2 points each, the number of points being even"
+        )
+        return
+    inside = area.ends_inside(design)
+    if inside:
+        name = design.lines[inside[0]].between[1]
+        yield (
+            f"lines.{inside[0]}.points = {design.lines[inside[0]].points} puts microphone {name!r} between the points "
+            "of an area; lines must end at its edge"
+        )
+        return
+    for what, lengths in zip(("rows", "columns"), area.tube_lengths(design), strict=True):
+        if len(lengths) > 1:
+            yield (
+                f"layout.kind = 'area' needs tubes of one length along its {what}; they have "
+                f"{', '.join(f'{length:g}' for length in sorted(lengths))} mm"
+            )
+            return
+    lacking, name = area.shortest_reach(design)
+    if name:
+        yield (
+            f"microphone_tube.length must be larger: the two tubes that microphone {name!r} joins are {lacking:.3g} mm "
+            "too short together to meet beside the area"
+        )
 
 
 def cylinder_rules(design: StatedArray) -> Iterator[str]:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from geometry.design import shell_rules
 from geometry.design.kind_rules import kind_rules, pattern_rules
-from geometry.design.layout_rules import cylinder_rules, hand_rules, plane_rules
+from geometry.design.layout_rules import area_rules, cylinder_rules, hand_rules, plane_rules
 from geometry.design.tube_rules import microphone_socket_rules, socket_rules, tube_rules
 from geometry.refusal import Refusal
 from geometry.stated.materials import MATERIALS
@@ -47,6 +47,7 @@ def check_consistency(design: StatedArray) -> None:
         _sound_hole,
         _board,
         plane_rules,
+        area_rules,
         cylinder_rules,
         hand_rules,
         microphone_socket_rules,

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from geometry.plan import hand, ring
+from geometry.plan import area, hand, ring
 from geometry.refusal import counted
 from geometry.stated.parts import SOCKET_COVER, STUB_LENGTH_IN_RADII
 
@@ -100,7 +100,7 @@ def _socket_depth(outside: float, hole: float) -> float:
 
 
 def microphone_socket_rules(design: StatedArray) -> Iterator[str]:
-    """Lines enter a chamber at equal angles, at a corner of a ring along its two sides, in a palm as they meet."""
+    """Lines enter a chamber at equal angles, along the sides of a ring, else as they meet."""
     chamber, printing = design.microphone, design.printing
     at_corners = design.layout.kind == "ring"
     angles = ring.corner_angles(ring.corners(ring.side_lengths(design))) if at_corners else None
@@ -110,6 +110,8 @@ def microphone_socket_rules(design: StatedArray) -> Iterator[str]:
             apart = 360 / len(ends) if angles is None else float(angles[index])
             if design.layout.kind == "hand":
                 apart = hand.meeting_angle(design, name) or apart
+            if design.layout.kind == "area":
+                apart = area.outside_angle(design, name) or apart
             hole = max(tube.outer_diameter for tube in ends) / 2 + printing.glue_gap
             bore = max(tube.inner_diameter for tube in ends) / 2
             half = math.radians(min(apart, 360 - apart)) / 2

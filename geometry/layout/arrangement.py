@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from geometry.design.array_design import ArrayDesign
-from geometry.layout.lines_in_plan import End, Run, hand_runs, ring_runs, serpentine_runs
+from geometry.layout.lines_in_plan import End, Run, area_runs, hand_runs, ring_runs, serpentine_runs
 from geometry.layout.placement import ArrayLayout, MicrophonePlacement, MicrophonePort, PointPlacement, TubePlacement
 from geometry.plan.cylinder import Cylinder, Plane, surface_of
 from geometry.plan.routing import bearing, bow_angle, bowed_path, drawn_path, tidy, unit
@@ -29,6 +29,8 @@ def lay_out(design: ArrayDesign) -> ArrayLayout:
     ``cylinder``: a serpentine whose rows run around a cylinder; the plan is unrolled at the height of the ports.
     Tubes of a row are arcs between the shells, those from row to row straight, all of exactly their length.
 
+    ``area``: see :mod:`geometry.plan.area`.
+
     ``hand``: see :mod:`geometry.plan.hand`.
 
     ``ring``: the lines are the sides of a polygon at their true length, the microphones its corners (see
@@ -36,7 +38,13 @@ def lay_out(design: ArrayDesign) -> ArrayLayout:
 
     What of it could not be built as drawn says :func:`geometry.layout.overlaps.buildability_notes`.
     """
-    builders = {"serpentine": serpentine_runs, "cylinder": serpentine_runs, "ring": ring_runs, "hand": hand_runs}
+    builders = {
+        "serpentine": serpentine_runs,
+        "cylinder": serpentine_runs,
+        "ring": ring_runs,
+        "area": area_runs,
+        "hand": hand_runs,
+    }
     surface = surface_of(design)
     runs = builders[design.layout.kind](design, surface)
     ends = [end for run in runs for end in run.ends]

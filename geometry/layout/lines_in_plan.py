@@ -1,4 +1,4 @@
-"""Where the points of each line lie in plan, and which way its ends point: a serpentine, flat or wound, and a ring."""
+"""Where the points of each line lie in plan, and which way its ends point: a serpentine, an area, a ring, a hand."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from geometry.design.array_design import ArrayDesign
 from geometry.plan import ring
+from geometry.plan.area import area_positions, outside_at
 from geometry.plan.cylinder import Cylinder, Plane, wound_turn
 from geometry.plan.hand import finger_positions, meeting_at
 from geometry.plan.routing import bearing, unit
@@ -161,6 +162,20 @@ def _microphone_reach(design: ArrayDesign, line: int, surface: Plane | Cylinder)
     outer = (design.resonator.outer_diameter / 2, inner[1] + design.microphone.wall_thickness)
     length, radius = design.microphone_tube_of(design.lines[line]).length, surface.port_radius
     return radius * wound_turn(length, inner, outer, radius), straight
+
+
+def area_runs(design: ArrayDesign, surface: Plane | Cylinder) -> list[Run]:
+    """The lines of an area. Their tubes lie straight; a microphone that joins two lines lies where their tubes meet."""
+    positions = area_positions(design)
+    runs = []
+    for index, (line, points) in enumerate(zip(design.lines, positions, strict=True)):
+        out = [bearing(points[1], points[0]), bearing(points[-2], points[-1])] if len(points) > 1 else [180.0, 0.0]
+        for end, name in enumerate(line.between):
+            place = outside_at(design, positions, name)
+            if place is not None:
+                out[end] = bearing(points[-end], place)
+        runs.append(run_of(design, index, points, (1,) * (len(points) - 1), (out[0], out[1]), surface))
+    return runs
 
 
 def hand_runs(design: ArrayDesign, surface: Plane | Cylinder) -> list[Run]:

@@ -1,4 +1,4 @@
-"""Where points could lie in plan, from lengths alone: ring, hand, cylinder, routes, wiring counts.
+"""Where points could lie in plan, from lengths alone: ring, area, hand, cylinder, routes, wiring counts.
 
 Stands on: stated.
 """

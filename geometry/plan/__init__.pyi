@@ -1,3 +1,4 @@
+from .area import area_positions as area_positions, outside_at as outside_at
 from .cylinder import (
     FLAT as FLAT,
     Axes as Axes,

@@ -13,7 +13,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from geometry.plan.routing import bearing, unit
+from geometry.plan.meeting import angle_between, meetings
+from geometry.plan.routing import unit
 
 if TYPE_CHECKING:
     from geometry.stated.array import StatedArray
@@ -61,11 +62,11 @@ def meeting_angle(design: StatedArray, microphone: str) -> float | None:
     if meeting is None:
         return None
     first, second = (
-        bearing(meeting, points[-line.between.index(microphone)])
+        points[-line.between.index(microphone)]
         for line, points in zip(design.lines, positions, strict=True)
         if microphone in line.between
     )
-    return abs((first - second + 180) % 360 - 180)
+    return angle_between(meeting, first, second)
 
 
 def meeting_at(
@@ -79,26 +80,12 @@ def meeting_at(
         microphone: its name.
 
     Returns:
-        (2,) float64, mm, in plan; None where no two tubes meet.
+        (2,) float64, mm, in plan: of the two places the one nearer to the wrist; None where no two tubes meet.
     """
     ends = [(line, points) for line, points in zip(design.lines, positions, strict=True) if microphone in line.between]
     if len(ends) != 2:
         return None
     points = [points[-line.between.index(microphone)] for line, points in ends]
     reach = [design.microphone_reach_of(line) for line, _ in ends]
-    return _meeting(points[0], points[1], reach[0], reach[1])
-
-
-def _meeting(
-    first: NDArray[np.float64], second: NDArray[np.float64], first_reach: float, second_reach: float
-) -> NDArray[np.float64] | None:
-    """The point at these distances from two points that is nearer to the wrist; None where there is none."""
-    apart = float(np.linalg.norm(second - first))
-    if not abs(first_reach - second_reach) < apart < first_reach + second_reach:
-        return None
-    along = (second - first) / apart
-    foot = (apart**2 + first_reach**2 - second_reach**2) / (2 * apart)
-    height = math.sqrt(first_reach**2 - foot**2)
-    across = np.array([-along[1], along[0]])
-    candidates = [first + foot * along + side * height * across for side in (1, -1)]
-    return min(candidates, key=lambda point: float(np.linalg.norm(point)))
+    places = meetings(points[0], points[1], reach[0], reach[1])
+    return min(places, key=lambda place: float(np.linalg.norm(place)), default=None)

@@ -31,12 +31,15 @@ class Line(Section):
 class Layout(Section):
     """Where the resonators lie."""
 
-    kind: Literal["serpentine", "ring", "cylinder", "hand"] = Field(
+    kind: Literal["serpentine", "ring", "area", "cylinder", "hand"] = Field(
         description="serpentine: rows of `columns` points, one block per line; ring: lines are the sides of a "
-        "polygon, microphones its corners; cylinder: a serpentine wound on a cylinder, rows around it; hand: "
-        "fingers of `columns` points that fan out from the wrist"
+        "polygon, microphones its corners; area: all lines one after the other along one way over rows of `columns` "
+        "points, microphones around it; cylinder: a serpentine wound on a cylinder, rows around it; hand: fingers of "
+        "`columns` points that fan out from the wrist"
     )
-    columns: Count = Field(default=1000, ge=1, le=1000, description="points per row of a serpentine, or per finger")
+    columns: Count = Field(
+        default=1000, ge=1, le=1000, description="points per row of a serpentine or an area, or per finger"
+    )
     pitch: Millimetre | None = Field(default=None, description="distance of neighbours; default: tubes lie straight")
     diameter: Millimetre | None = Field(
         default=None, ge=2, le=2000, description="cylinder on which the shells stand; for kind = 'cylinder' only"

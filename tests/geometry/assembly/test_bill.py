@@ -7,6 +7,7 @@ import math
 
 import pytest
 from built import built
+from rings import rectangle
 
 import geometry
 from geometry.assembly.bill import Prices, bill_of_materials, write_bill
@@ -72,7 +73,8 @@ def test_a_bent_spring_is_bought_as_long_as_its_turns_and_each_piece_says_its_li
     assert "cut to 3.37 mm, 67 turns, between points of line 1" in spring.note
     assert "cut to 3.6 mm" in sheath.note
     assert sheath.quantity - spring.quantity == pytest.approx(11 * 0.23e-3)
-    notes = [item.note for item in bill_of_materials(geometry.prototype("large-area-64"), built("large-area-64")).items]
+    ring = rectangle(2)
+    notes = [item.note for item in bill_of_materials(ring, geometry.build_parts(ring)).items]
     assert any(note.endswith("between points of lines 1, 3") for note in notes)
     assert any(note.endswith("between points of lines 2, 4") for note in notes)
 

@@ -82,8 +82,8 @@ def test_every_tube_end_fits_its_port_and_its_bore_carries_on_the_spring(name):
         assert fit.glue_gap == pytest.approx(gap, abs=1e-9)
         assert fit.bore == pytest.approx(fit.spring_bore, abs=1e-9)
         # Directions of ports are rounded to 0.1 degrees, so that equal shells are one part.
-        assert fit.axis_offset < 1e-3
-    if not name.startswith("fingertip"):  # whose tubes are bowed
+        assert fit.axis_offset < model.design.resonator.outer_diameter / 2 * math.radians(0.05)
+    if name not in ("fingertip-3x4", "fingertip-4x6", "large-area-64"):  # whose tubes are bowed, or meet askew
         assert max(fit.axis_offset for fit in fits) < 1e-8
 
 

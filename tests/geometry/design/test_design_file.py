@@ -10,6 +10,7 @@ from typing import Any
 import pytest
 import tomlkit
 from hypothesis import given, strategies as st
+from rings import rectangle
 
 import geometry
 from acoustic_fem.duct.coil_bore import CoilBore
@@ -76,7 +77,7 @@ OUT_OF_RANGE = [
     (
         "layout.kind",
         "serpentin",
-        "= 'serpentin' must be one of 'serpentine', 'ring', 'cylinder', 'hand'; did you mean 'serpentine'?",
+        "= 'serpentin' must be one of 'serpentine', 'ring', 'area', 'cylinder', 'hand'; did you mean 'serpentine'?",
     ),
     ("layout.kind", 3, "= 3 must be one of 'serpentine', 'ring'"),
     ("printing.process", "ink", "= 'ink' must be one of 'sla-resin', 'dlp-fine', 'fdm', 'mjf'"),
@@ -209,7 +210,7 @@ def test_two_lines_between_the_same_microphones_are_refused() -> None:
 
 
 def test_a_ring_joins_neighbours_only() -> None:
-    design = geometry.prototype("large-area-64")
+    design = rectangle()
     assert design.layout.kind == "ring"
     with pytest.raises(DesignError, match=r"lines\.0\.between = \['A', 'C'\] must join neighbours"):
         design.with_values({"lines.0.between": ["A", "C"]})
@@ -448,7 +449,7 @@ def test_a_written_design_reads_back_exactly(design: ArrayDesign) -> None:
 
 # -- changed copies ---------------------------------------------------------------------------------
 def test_a_changed_copy_differs_in_that_field_only() -> None:
-    design = geometry.prototype("large-area-64")
+    design = rectangle()
     changed = design.with_values({"lines.1.tube.length": 20.0, "lines.0.points": 7, "air.pressure": 9e4})
     assert changed.lines[1].tube.length == 20.0
     assert changed.point_count == 64 - 9
@@ -569,7 +570,7 @@ def test_a_blend_lies_between_its_parts_and_hardness_out_of_range_is_refused() -
 
 # -- bores ------------------------------------------------------------------------------------------
 def test_a_stored_design_that_states_no_bore_had_smooth_ones() -> None:
-    design = geometry.prototype("large-area-64").with_values({"tube_kinds": {"own": geometry.prototype("line-2").tube}})
+    design = rectangle().with_values({"tube_kinds": {"own": geometry.prototype("line-2").tube}})
     stated = write_design(design.completed())
     assert read_stored_design(stated, "a library") == design
     older = "\n".join(line for line in stated.splitlines() if not line.startswith("bore ="))

@@ -7,6 +7,7 @@ import sys
 import numpy as np
 import pytest
 from hypothesis import assume, given, strategies as st
+from rings import rectangle
 
 import geometry
 from geometry.air.cells import cell_catalogue
@@ -165,8 +166,8 @@ def test_three_lines_make_the_triangle_of_their_lengths(points):
     assert math.cos(math.radians(other - port)) == pytest.approx(cosine, abs=1e-7)
 
 
-def test_the_large_array_is_a_rectangle_with_square_corners():
-    layout = lay_out(geometry.prototype("large-area-64"))
+def test_four_lines_make_a_rectangle_with_square_corners():
+    layout = lay_out(rectangle())
     # 15 pitches of 18 or 20 mm, and at both ends 3 + 12 + 0.9 mm
     assert sides_of(layout) == pytest.approx([301.8, 331.8, 301.8, 331.8], abs=1e-6)
     for microphone in layout.microphones:
