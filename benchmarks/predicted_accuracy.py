@@ -49,7 +49,16 @@ CASES: list[tuple[str, str, dict[str, Any], float]] = [
     ("24 points", "array-2x6", {"lines.0.points": 24}, 0.03),
     ("fingertip 3 x 4", "fingertip-3x4", {}, 0.03),
     ("fingertip 4 x 6", "fingertip-4x6", {}, 0.03),
-    ("glove", "glove", {}, 0.3),
+    (
+        "triangle of three lines of 5",
+        "glove",
+        {
+            "lines": [{"between": list(pair), "points": 5} for pair in ("AB", "AC", "BC")],
+            "layout": {"kind": "ring"},
+            "microphone.chamber_diameter": 1.8,
+        },
+        0.3,
+    ),
     ("line of 36", "line-2", {}, 0.003),
     ("line of 36", "line-2", {}, 0.01),
 ]

@@ -1,4 +1,4 @@
-"""A ring of four lines, two of them with tubes of their own: a rectangle with a microphone at each corner."""
+"""Rings of lines: a rectangle, two sides of which have tubes of their own, and a triangle."""
 
 from __future__ import annotations
 
@@ -14,3 +14,10 @@ def rectangle(points: int = 16) -> ArrayDesign:
     for line in lines[1::2]:
         line["tube"] = area.tube_kinds["across"]
     return area.with_values({"lines": lines, "tube_kinds": {}, "layout": {"kind": "ring"}})
+
+
+def triangle(**values: object) -> ArrayDesign:
+    """Three lines of five points between three microphones, with the parts of the glove, flat."""
+    lines = [{"between": list(pair), "points": 5} for pair in ("AB", "AC", "BC")]
+    ring = {"name": "triangle", "lines": lines, "layout": {"kind": "ring"}, "microphone.chamber_diameter": 1.8}
+    return geometry.prototype("glove").with_values({**ring, **values})

@@ -9,6 +9,7 @@ import netCDF4
 import numpy as np
 import pytest
 import xarray as xr
+from rings import triangle
 
 import acoustic_fem
 from acoustic_fem.library import sealed_netcdf
@@ -16,7 +17,7 @@ from acoustic_fem.library.netcdf_file import dataset_of, library_of
 from acoustic_fem.membrane.disc import design_disc, design_rubber
 from geometry.design.design_file import prototype, write_design
 
-DESIGN = prototype("glove")
+DESIGN = triangle()
 BAND = np.linspace(1, 100, 5)
 RESULTS = ("transfer_function", "source_response", "point_impedance", "microphone_impedance")
 

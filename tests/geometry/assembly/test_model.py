@@ -83,7 +83,7 @@ def test_every_tube_end_fits_its_port_and_its_bore_carries_on_the_spring(name):
         assert fit.bore == pytest.approx(fit.spring_bore, abs=1e-9)
         # Directions of ports are rounded to 0.1 degrees, so that equal shells are one part.
         assert fit.axis_offset < model.design.resonator.outer_diameter / 2 * math.radians(0.05)
-    if name not in ("fingertip-3x4", "fingertip-4x6", "large-area-64"):  # whose tubes are bowed, or meet askew
+    if name not in ("fingertip-3x4", "fingertip-4x6", "glove", "large-area-64"):  # whose tubes are bowed, or meet askew
         assert max(fit.axis_offset for fit in fits) < 1e-8
 
 
@@ -248,7 +248,7 @@ def test_pictures_show_all_kinds_of_parts(view, tmp_path):
     assert np.mean(np.minimum(np.minimum(red, green), blue) > 250) > 0.4
 
 
-@pytest.mark.parametrize("name", ["array-2x6", "glove"])
+@pytest.mark.parametrize("name", ["array-2x6", "line-2"])
 def test_the_layers_of_an_exploded_view_lie_clear_of_each_other_and_fill_the_picture(name, tmp_path):
     import pyvista as pv
 

@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 import tomlkit
 from hypothesis import given, strategies as st
-from rings import rectangle
+from rings import rectangle, triangle
 
 import geometry
 from acoustic_fem.duct.coil_bore import CoilBore
@@ -219,7 +219,7 @@ def test_a_ring_joins_neighbours_only() -> None:
 def ring_of(points: tuple[int, ...], **values: Any) -> ArrayDesign:
     names = ["A", "B", "C"]
     lines = [{"between": [names[k], names[(k + 1) % 3]], "points": count} for k, count in enumerate(points)]
-    return geometry.prototype("glove").with_values({"lines": lines, **values})
+    return triangle(lines=lines, **values)
 
 
 def test_a_ring_that_cannot_close_is_refused_with_its_lengths() -> None:

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 import trimesh
 from built import built
+from rings import triangle
 
 import geometry
 from geometry.assembly.parts import PartSet
@@ -122,14 +123,14 @@ def test_a_tapered_slot_is_as_narrow_as_its_floor():
     assert narrowest_gap(Faces(slotted, facets_of(slotted))).value == pytest.approx(0.1, abs=1e-9)
 
 
-def test_the_web_of_the_glove_is_found_and_a_thinner_one_fails():
-    glove = geometry.prototype("glove")
-    name, parts = "microphone-housing-60", built("glove")
+def test_the_web_of_a_corner_is_found_and_a_thinner_one_fails():
+    corner = triangle()
+    name, parts = "microphone-housing-60", geometry.build_parts(corner)
     # Bores of 0.64 mm, 60 degrees apart, in the wall of a chamber of 1.8 mm.
     web = 2 * (math.sqrt(0.9**2 - 0.32**2) / 2 - 0.32 * math.cos(math.pi / 6))
-    found = finding(print_report(parts.only(name), design=glove), name, "thinnest wall")
+    found = finding(print_report(parts.only(name), design=corner), name, "thinnest wall")
     assert (found.value, found.verdict) == (pytest.approx(web, abs=1e-6), "warn")
-    thin = glove.with_values(
+    thin = corner.with_values(
         {"lines.0.points": 1, "lines.1.points": 5, "lines.2.points": 5, "microphone.chamber_diameter": 6.74}
     )
     parts = geometry.build_parts(thin)

@@ -31,6 +31,7 @@ def test_the_share_is_that_of_points_thrown_at_the_area(name, radius):
 
 def test_the_quoted_figures():
     assert coverage(geometry.prototype("array-2x6")) == pytest.approx(0.66, abs=0.005)
+    assert coverage(geometry.prototype("large-area-64")) == pytest.approx(0.58, abs=0.005)
     assert coverage(geometry.prototype("fingertip-3x4")) == 1.0
     assert coverage(geometry.prototype("fingertip-4x6")) == 1.0
 
