@@ -44,6 +44,7 @@ from .recalibration.self_calibration import (
 )
 from .recognition.learning import train_recognizer as train_recognizer
 from .recognition.plan import RecognitionPlan as RecognitionPlan
+from .recognition.pulse import PulseReader as PulseReader, PulseReading as PulseReading
 from .recognition.recognizer import (
     Recognizer as Recognizer,
     RecognizerError as RecognizerError,

@@ -19,6 +19,7 @@ from .contact import Contact as Contact, covered_force as covered_force, hertz_s
 from .gestures import (
     double_tap as double_tap,
     press as press,
+    pulse_times as pulse_times,
     pulse_wave as pulse_wave,
     slide as slide,
     tap as tap,

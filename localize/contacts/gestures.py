@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -144,27 +145,65 @@ def pulse_wave(
     Raises:
         Refusal: a rate or a length out of range.
     """
+    heart = _heart(rate, seconds, seed, purpose, sample)
+    time, pulse = times(seconds), np.zeros(len(times(seconds)))
+    for foot, stretch in heart.beats:
+        for later, weight, width in heart.waves.values():
+            pulse += weight * np.exp(-0.5 * ((time - foot - later * stretch) / (width * stretch)) ** 2)
+    sway = heart.draws.noise(time, (0.1, 0.5))
+    fade = np.sin(np.pi / 2 * np.clip(np.minimum(time, time[-1] - time) / PULSE_FADE, 0, 1)) ** 2
+    force = fade * (heart.height * pulse + heart.swaying * (sway - sway.min()))
+    return Contact(time, still(place, len(time)), force, heart.radius, 0.0, "pulse wave")
+
+
+def pulse_times(
+    rate: float = 75.0, seconds: float = 4.0, *, seed: int = 0, purpose: Purpose = "evaluation", sample: int = 0
+) -> dict[str, Array]:
+    """Times of the waves of :func:`pulse_wave`, whose arguments and errors it shares.
+
+    Returns:
+        (n_beat,) float64, s, by the name of the wave; the first beats lie before the contact.
+    """
+    heart = _heart(rate, seconds, seed, purpose, sample)
+    return {
+        name: np.array([foot + later * stretch for foot, stretch in heart.beats])
+        for name, (later, _, _) in heart.waves.items()
+    }
+
+
+@dataclass(frozen=True)
+class _Heart:
+    """What is drawn for one pulse."""
+
+    draws: Draws
+    swaying: float
+    height: float
+    radius: float
+    waves: dict[str, tuple[float, float, float]]
+    """Time after the foot and width at 75 beats a minute, s, and height of each wave."""
+    beats: tuple[tuple[float, float], ...]
+    """Time of the foot of each beat, s, and by how much its waves are stretched."""
+
+
+def _heart(rate: float, seconds: float, seed: int, purpose: Purpose, sample: int) -> _Heart:
     in_range("rate", rate, *HEART_RATES, "beats a minute")
+    in_range("seconds", seconds, 0.5, 1000.0, "s")
     draws = Draws("pulse", seed, purpose, sample)
-    time = times(in_range("seconds", seconds, 0.5, 1000.0, "s"))
     swaying, height = draws.log_between((2e-6, 50e-6)), draws.log_between((20e-6, 200e-6))
     radius = draws.between(FINGER.radius)
-    waves = [[draws.between(limits) for limits in wave] for wave in WAVES.values()]
+    waves = {}
+    for name, limits in WAVES.items():
+        later, weight, width = (draws.between(each) for each in limits)
+        waves[name] = (later, weight, width)
     beat = 60 / rate
     at = -beat * (1 + draws.between((0.0, 1.0)))
-    beats = np.arange(math.ceil(seconds / beat) + 4, dtype=np.float64)
-    wander = draws.noise(beats * beat, (0.08, 0.3), 6)
-    pulse = np.zeros_like(time)
-    for moved in wander:
+    number = np.arange(math.ceil(seconds / beat) + 4, dtype=np.float64)
+    beats = []
+    for moved in draws.noise(number * beat, (0.08, 0.3), 6):
         length = beat * (1 + 0.02 * float(moved))
-        stretch = math.sqrt(length / 0.8)
-        for later, weight, width in waves:
-            pulse += weight * np.exp(-0.5 * ((time - at - later * stretch) / (width * stretch)) ** 2)
+        beats.append((at, math.sqrt(length / 0.8)))
         at += length
-    sway = draws.noise(time, (0.1, 0.5))
-    fade = np.sin(np.pi / 2 * np.clip(np.minimum(time, time[-1] - time) / PULSE_FADE, 0, 1)) ** 2
-    force = fade * (height * pulse + swaying * (sway - sway.min()))
-    return Contact(time, still(place, len(time)), force, radius, 0.0, "pulse wave")
+    return _Heart(draws, swaying, height, radius, waves, tuple(beats))
 
 
 def _hump(since: Array, lasts: float) -> Array:

@@ -1,6 +1,6 @@
-"""What a touch is: events, textures and the user's own kinds, told from reconstructed waveforms.
+"""What a touch is: events, textures, the user's own kinds, and the pulse, read from reconstructed waveforms.
 
-Stands on: decoders, evaluation, learned, live, recordings, signals.
+Stands on: contacts, decoders, evaluation, learned, live, recordings, signals.
 """
 
 import lazy_loader

@@ -1,7 +1,7 @@
 """Twelve kinds of events, as the pressure that each makes in the cavity of one point.
 
 The paper tells twelve events and does not say which; these are ours, and so are the ranges of their parameters, which
-are drawn anew for each take. The pulse has the three waves of an artery (:mod:`localize.recognition.pulse_beats`).
+are drawn anew for each take. The pulse is that of :func:`localize.contacts.pulse_wave`.
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ from collections.abc import Callable, Mapping
 import numpy as np
 from numpy.typing import NDArray
 
+from localize.contacts.gestures import pulse_wave
 from localize.recognition.power_maps import WINDOW
 from localize.signals.stimulus import SAMPLE_RATE
 
@@ -104,9 +105,8 @@ def _tremor(count: int, random: Draw) -> Array:
 
 
 def _pulse(count: int, random: Draw) -> Array:
-    from localize.recognition.pulse_beats import arterial_pressure
-
-    return arterial_pressure(count, random.uniform(50.0, 100.0), random)
+    rate, seconds = random.uniform(50.0, 100.0), count / SAMPLE_RATE + 1
+    return pulse_wave((0.0, 0.0), rate, seconds, seed=int(random.integers(2**62))).force[500 : 500 + count]
 
 
 def _knock(count: int, random: Draw) -> Array:

@@ -10,7 +10,6 @@ from geometry.refusal import Refusal
 from localize.decoders.reconstruct import Reconstructor
 from localize.recognition.events import EVENTS, PEAK, event_pressure
 from localize.recognition.power_maps import WINDOW
-from localize.recognition.pulse_beats import WAVES, arterial_pressure
 from localize.recognition.takes import LEAD, SUBJECTS, TakeMaker, at_usual_speed, heard
 from localize.recognition.textures import PROFILES, SPEED, Profile, felt_height, texture_pressure
 
@@ -73,13 +72,3 @@ def test_a_point_contact_feels_the_ridges_and_a_blunt_one_nothing_of_fine_ones()
 
 def test_every_texture_has_a_name_of_its_own() -> None:
     assert len({profile.name for profile in PROFILES}) == len(SUBJECTS["textures"].labels) == 8
-
-
-def test_beats_come_at_the_rate_with_three_waves_each() -> None:
-    truth: dict[str, np.ndarray] = {}
-    made = arterial_pressure(20_000, 75.0, np.random.default_rng(1), truth)
-    assert tuple(truth) == WAVES
-    inside = truth["percussion"][(truth["percussion"] > 0) & (truth["percussion"] < 20)]
-    assert 60 / np.diff(inside).mean() == pytest.approx(75, rel=0.02)
-    at = np.round(1000 * inside).astype(int)
-    assert (made[at[at < 20_000]] > 0.8).all()

@@ -1,0 +1,143 @@
+"""The pulse under a finger: its point, waveform, waves and rate. ``python benchmarks/pulse.py`` prints the table of
+docs/pulse.md and writes it there, in some minutes of one core.
+
+Contacts of :func:`localize.contacts.pulse_wave`, a finger on the middle of one point, 50 to 100 beats a minute, 10 s,
+the noise of the design's microphone, lumped fidelity. Made sensors are the virtual rig's, read with the nominal library
+and with their own. No constant was chosen on these seeds.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import scipy.signal
+from made_sensors import made_sensors
+from numpy.typing import NDArray
+
+import acoustic_fem
+import geometry
+import localize
+from geometry.files.writing import replace_section
+from localize.contacts import ContactRecorder, pulse_times, pulse_wave
+from localize.contacts.gestures import WAVES
+from localize.evaluation.accuracy import wilson_interval
+from localize.signals.array_response import ArrayResponse, response_of
+from studies.output.figure_style import WIDTH, figure_in_style, save_figure
+
+ROOT = Path(__file__).parents[1]
+PAGE, PICTURE = ROOT / "docs" / "pulse.md", ROOT / "docs" / "images" / "pulse-waveform.png"
+BEGIN, END = "<!-- pulse: made by benchmarks/pulse.py -->", "<!-- end pulse -->"
+DESIGNS, SEED, PULSES, SECONDS, SENSORS = ("array-2x6", "glove"), 61, 60, 10.0, range(320, 332)
+FREQUENCY = np.concatenate([np.arange(0.25, 20.0, 0.25), np.arange(20.0, 501.0)])
+FOUND = 0.04
+"""Distance up to which a wave is found, s."""
+LOWEST = 0.7
+"""Frequency above which waveforms are compared, Hz."""
+
+
+def cell(right: list[bool]) -> str:
+    low, high = (100 * end for end in wilson_interval(float(np.mean(right)), len(right)))
+    return f"{100 * np.mean(right):.1f} ({low:.1f} to {high:.1f})"
+
+
+def compared(waveform: NDArray[np.float64], force: NDArray[np.float64]) -> tuple[float, NDArray[np.float64]]:
+    """Signal over error, dB, above LOWEST and apart from a common factor; and the force times that factor."""
+    high = scipy.signal.butter(2, LOWEST, "highpass", fs=1000, output="sos")
+    inside = slice(1200, -1200)
+    made, true = (scipy.signal.sosfiltfilt(high, np.nan_to_num(each))[inside] for each in (waveform, force))
+    true = true * (made @ true) / (true @ true)
+    return float(10 * np.log10((true**2).mean() / ((made - true) ** 2).mean())), true
+
+
+def column(libraries: tuple[ArrayResponse, ...], sensors: tuple[ArrayResponse, ...]) -> list[str]:
+    """Figures of sensors that are read with libraries, one for each or one for all."""
+    readers = [localize.PulseReader(each, "design") for each in libraries]
+    decoders = [localize.BayesDecoder(each, "design") for each in libraries]
+    frames: dict[int, list[bool]] = {250: [], 1000: [], 2000: [], 8000: []}
+    found: dict[str, list[bool]] = {name: [] for name in WAVES}
+    ratios, errors, within = [], [], []
+    recorders = [ContactRecorder(each, microphone_noise="design", seed=SEED) for each in sensors]
+    for number in range(PULSES):
+        response, reader, decoder = (each[number % len(each)] for each in (libraries, readers, decoders))
+        point, rate = number % response.point_count, 50 + 50 * number / (PULSES - 1)
+        assert response.position is not None
+        contact = pulse_wave(tuple(response.position[point]), rate, SECONDS, seed=SEED, sample=number)
+        take = recorders[number % len(recorders)].take(contact, number)
+        for length, right in frames.items():
+            for begin in range(1000, 9000 - length + 1, length):
+                right.append(bool(decoder.locate(take.signals[:, begin : begin + length]).argmax() == point))
+        reading = reader.read(take.signals, point)
+        ratios.append(compared(reading.waveform, take.force)[0])
+        truth = pulse_times(rate, SECONDS, seed=SEED, sample=number)
+        inside = (truth["percussion"] > 1) & (truth["dicrotic"] < 9)
+        for name, times in truth.items():
+            found[name] += [bool(np.nanmin(np.append(abs(reading.waves[name] - t), 9)) < FOUND) for t in times[inside]]
+        beats = truth["percussion"]
+        beats = beats[(beats > 0.4) & (beats < SECONDS - 0.4)]
+        errors.append(reading.rate - 60 / np.diff(beats).mean())
+        within.append(abs(errors[-1]) < 2 * reading.rate_deviation)
+    return [
+        *(cell(right) for right in frames.values()),
+        f"{np.min(ratios):.1f} / {np.mean(ratios):.1f}",
+        *(cell(right) for right in found.values()),
+        f"{np.sqrt(np.mean(np.square(errors))):.2f} / {np.abs(errors).max():.2f}",
+        cell(within),
+    ]
+
+
+def picture(response: ArrayResponse) -> None:
+    """A force and what is read of it."""
+    assert response.position is not None
+    take = ContactRecorder(response, microphone_noise="design").take(
+        pulse_wave(tuple(response.position[5]), 66.0, 8.0, seed=SEED)
+    )
+    reading = localize.PulseReader(response, "design").read(take.signals, 5)
+    _, true = compared(reading.waveform, take.force)
+    time = take.time[1200:-1200]
+    with figure_in_style((WIDTH, 3.0)) as figure:
+        axes = figure.subplots()
+        axes.plot(time, 1e6 * true, label="force above 0.7 Hz", linewidth=2.5, alpha=0.4)
+        high = scipy.signal.butter(2, LOWEST, "highpass", fs=1000, output="sos")
+        read = scipy.signal.sosfiltfilt(high, np.nan_to_num(reading.waveform))[1200:-1200]
+        axes.plot(time, 1e6 * read, label="read")
+        for name, times in reading.waves.items():
+            own = times[(times > time[0]) & (times < time[-1])]
+            axes.plot(own, np.interp(own, time, 1e6 * read), "o", label=name, markersize=4)
+        axes.set(xlabel="time  (s)", ylabel="force  (uN)")
+        axes.legend(ncols=5, fontsize="small")
+        save_figure(figure, PICTURE)
+
+
+def main() -> None:
+    titles = [
+        "point named, 250 ms (%)",
+        "point named, 1 s (%)",
+        "point named, 2 s (%)",
+        "point named, 8 s (%)",
+        "signal over error, least / mean (dB)",
+        *(f"{name} wave found within {1000 * FOUND:.0f} ms (%)" for name in WAVES),
+        "error of the rate over 10 s, rms / most (a minute)",
+        "rate within two stated deviations (%)",
+    ]
+    heads, columns = [], []
+    for name in DESIGNS:
+        response = response_of(acoustic_fem.solve(geometry.prototype(name), FREQUENCY, "lumped"))
+        made = made_sensors(response, name, SENSORS)
+        for kind, libraries, sensors in (
+            ("", (response,), (response,)),
+            (", mis-made", (response,), made),
+            (", mis-made, its own library", made, made),
+        ):
+            heads.append(name + kind)
+            columns.append(column(libraries, sensors))
+        if name == DESIGNS[0]:
+            picture(response)
+    lines = [f"| | {' | '.join(heads)} |", "|---" * (len(heads) + 1) + "|"]
+    lines += [f"| {title} | {' | '.join(cells)} |" for title, *cells in zip(titles, *columns, strict=True)]
+    print("\n".join(lines))
+    replace_section(PAGE, BEGIN, END, lines)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,50 @@
+"""Pulses: waves are found where they are, the rate with its deviation, and short recordings are refused."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from rc_line import rc_line
+
+import localize
+from geometry.refusal import Refusal
+from localize.contacts import pulse_times, pulse_wave
+from localize.recognition.pulse import waves_of
+from localize.recognition.takes import heard
+
+ARRAY = rc_line(3, np.concatenate([np.arange(0.25, 10.0, 0.25), np.arange(10.0, 501.0, 2.0)]))
+
+
+@pytest.mark.parametrize("rate", [50.0, 75.0, 100.0])
+def test_the_waves_of_a_force_are_found_where_they_are(rate: float) -> None:
+    contact, truth = pulse_wave((0.0, 0.0), rate, 8.0, seed=2), pulse_times(rate, 8.0, seed=2)
+    found = waves_of(contact.force)
+    inside = (truth["percussion"] > 0.5) & (truth["dicrotic"] < 7.5)
+    for name, times in truth.items():
+        nearest = np.array([np.nanmin(np.abs(found[name] - time)) for time in times[inside]])
+        assert nearest.max() < 0.03, name
+    beats = truth["percussion"][inside]
+    own = [found["percussion"][np.abs(found["percussion"] - time).argmin()] for time in beats]
+    assert np.diff(own).mean() == pytest.approx(np.diff(beats).mean(), abs=2e-3)
+
+
+def test_a_pulse_without_a_dicrotic_wave_has_none() -> None:
+    time = np.arange(6000) / 1000
+    wave = sum(np.exp(-0.5 * ((time - beat) / 0.045) ** 2) for beat in np.arange(0.3, 6.0, 0.8))
+    found = waves_of(wave)
+    assert len(found["percussion"]) >= 6
+    assert np.isnan(found["tidal"]).all()
+    assert np.isnan(found["dicrotic"]).all()
+
+
+def test_a_reader_names_point_and_rate() -> None:
+    contact, truth = pulse_wave((0.0, 0.0), 70.0, 6.0, seed=5), pulse_times(70.0, 6.0, seed=5)["percussion"]
+    random = np.random.default_rng(0)
+    signals = heard(ARRAY, 1, 0.2 * contact.force / contact.force.max(), 1e-3, random)
+    reading = localize.PulseReader(ARRAY, 1e-3).read(signals)
+    assert reading.point == 1
+    rate = 60 / np.diff(truth[(truth > 0.5) & (truth < 5.5)]).mean()
+    assert abs(reading.rate - rate) < 3 * reading.rate_deviation + 1.0
+    assert reading.waveform.shape == (6001,)
+    with pytest.raises(Refusal, match=r"signals last 2 s, must last at least 3 s"):
+        localize.PulseReader(ARRAY, 1e-3).read(signals[:, :2000])
