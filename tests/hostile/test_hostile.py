@@ -14,7 +14,7 @@ from hostile.judge import counts, judged
 from shared import shared_folder
 
 #: Cases that are tried at every run of the tests, and at every run of the slow ones; all: python -m hostile.
-SAMPLE, MANY = 150, 1000
+SAMPLE, MANY = 50, 1000
 
 
 @pytest.fixture(scope="module")
