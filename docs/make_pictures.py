@@ -1,5 +1,5 @@
 """Draw pictures of the pages: top view, exploded view and mold section of every prototype that was made (parts.md), and
-waveforms of kinds of touch (kinds.md).
+waveforms of kinds of touch (kinds.md), and a finger's path with its signals (touches.md).
 
 python docs/make_pictures.py [NAME ...]
 """
@@ -48,8 +48,39 @@ def draw_kinds() -> list[Path]:
         return [save_figure(figure, IMAGES / "kinds-waveforms.png")]
 
 
+def draw_touches() -> list[Path]:
+    """A finger that writes an S on the large area: its path over the membranes, and the microphones' signals."""
+    from matplotlib.patches import Circle
+
+    import acoustic_fem
+    from localize.contacts import finger, record
+    from localize.signals import response_of
+
+    library = acoustic_fem.solve(geometry.prototype("large-area-64"), np.arange(1.0, 201.0), fidelity="lumped")
+    array = response_of(library)
+    turn = np.linspace(0.15 * np.pi, 1.5 * np.pi, 60)
+    upper = np.column_stack([70 + 34 * np.cos(turn), 90 + 27 * np.sin(turn)])
+    path = np.vstack([upper, np.array([140.0, 126.0]) - upper[::-1]])
+    take = record(finger(path, 60.0, sample=4), library, microphone_noise="design")
+    pressed = np.flatnonzero(take.force)[::20]
+    with figure_in_style((WIDTH, 4.0)) as figure:
+        over, beside = figure.subplots(1, 2, width_ratios=(1, 1.2))
+        for place, radius in zip(array.position, array.membrane_radius, strict=True):
+            over.add_patch(Circle(tuple(place), radius, facecolor="#e8c9bd", edgecolor="#999999", linewidth=0.5))
+        dots = over.scatter(*take.path[pressed].T, c=take.time[pressed], s=6, zorder=3)
+        figure.colorbar(dots, ax=over, label="time  (s)", shrink=0.7)
+        over.set(aspect="equal", xlabel="x  (mm)", ylabel="y  (mm)", title="path of the finger's middle")
+        over.grid(visible=False)
+        apart = np.ptp(take.signals)
+        for row, (name, signal) in enumerate(zip(array.microphones, take.signals, strict=True)):
+            beside.plot(take.time, signal - row * apart, linewidth=0.8)
+            beside.annotate(name, (take.time[-1], -row * apart), xytext=(4, 6), textcoords="offset points")
+        beside.set(yticks=[], xlabel="time  (s)", title=f"microphones, {apart:.1f} Pa from line to line")
+        return [save_figure(figure, IMAGES / "touches.png")]
+
+
 #: Pictures that are of no prototype.
-OTHERS = {"kinds": draw_kinds}
+OTHERS = {"kinds": draw_kinds, "touches": draw_touches}
 
 
 def main() -> None:

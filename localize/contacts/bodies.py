@@ -1,9 +1,9 @@
 """What touches: fingers, styluses, feathers, brushes, balls, insects, grains and puffs of air, each drawn anew.
 
-Forces are those under which a membrane stays linear: a cap of 6 to 8 mm gives way by a third of its thickness under
-some 5 mN, and what presses harder rests on the shells around it. The finger of a hand that explores presses with 0.5 N
-(Smith, Gosselin and Houde 2002, Experimental Brain Research 147, 209): ours is the light touch that such an array is
-made for. Where no source is named, ranges are ours.
+Forces are light ones, under which membranes stay linear or nearly so: a cap of 6 mm of Shore A 30 gives way by a third
+of its thickness under 15 mN, one of the fingertip arrays under 1 mN, and what presses harder rests on the shells around
+it. The finger of a hand that explores presses with 0.5 N (Smith, Gosselin and Houde 2002, Experimental Brain Research
+147, 209). Where no source is named, ranges are ours.
 """
 
 from __future__ import annotations
