@@ -74,9 +74,9 @@ class NetworkShape:
 #: What a training plan may ask for by name.
 NETWORKS: Mapping[str, Mapping[str, Any]] = {
     "patches": {"width": 32, "depths": (1, 2, 2), "patch": (4, 8)},
-    "two-stage": {"width": 32, "depths": (1, 2), "patch": (4, 4)},
     "stride-2": {"width": 12, "depths": (1, 1, 2, 2, 2), "patch": (2, 2)},
     "paper": {"width": 12, "depths": (1, 1, 2, 2, 2), "patch": (1, 1), "merge_last": True},
+    "two-stage": {"width": 32, "depths": (1, 2), "patch": (4, 4)},
 }
 
 
