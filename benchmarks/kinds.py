@@ -23,7 +23,8 @@ import localize
 from geometry.files.writing import replace_section
 from localize.decoders.reconstruct import Reconstructor
 from localize.evaluation.accuracy import wilson_interval
-from localize.recognition import SPEED, SUBJECTS, TakeMaker, maps_of
+from localize.recognition import SPEED, SUBJECTS, TakeMaker
+from localize.recognition.power_maps import maps_of
 from localize.signals.array_response import ArrayResponse, response_of
 from studies.output.figures import draw_confusion
 
