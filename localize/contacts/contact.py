@@ -3,8 +3,8 @@
 A round contact of radius a presses as Hertz says of two curved bodies, p = 3 F / (2 pi a^2) sqrt(1 - (r / a)^2)
 (Johnson, Contact Mechanics (1985), section 4.2); a membrane takes what lies over its opening, the shell around it the
 rest. Where the force lies on a membrane does not count: it goes in on the patch of
-:attr:`acoustic_fem.Library.force_response`, which is an assumption of ours. Spread evenly over a whole membrane it would
-move 0.41 to 0.45 of the air.
+:attr:`acoustic_fem.Library.force_response`, which is an assumption of ours. Spread evenly over a whole membrane it
+would move 0.41 to 0.45 of the air.
 """
 
 from __future__ import annotations
