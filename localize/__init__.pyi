@@ -8,6 +8,7 @@ from . import (
     recognition as recognition,
     recordings as recordings,
     signals as signals,
+    tracking as tracking,
 )
 from .contacts.contact import Contact as Contact
 from .decoders.bayes import BayesDecoder as BayesDecoder
@@ -57,3 +58,7 @@ from .recordings.recording import (
 )
 from .signals.array_response import ArrayResponse as ArrayResponse
 from .signals.touch_generator import TouchGenerator as TouchGenerator
+from .tracking.gestures import Gesture as Gesture, gesture_of as gesture_of
+from .tracking.path import PathTracker as PathTracker, Track as Track
+from .tracking.position import PositionDecoder as PositionDecoder, Positions as Positions
+from .tracking.recorded import track as track

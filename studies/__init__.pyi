@@ -36,6 +36,7 @@ from .listening.recognized import (
     recognize_recording as recognize_recording,
 )
 from .listening.recorded import LocatedTouches as LocatedTouches, locate_recording as locate_recording
+from .listening.tracked import TrackedRecording as TrackedRecording, track_recording as track_recording
 from .made_sensor.calibrating import SensorCalibration as SensorCalibration, calibrate_sensor as calibrate_sensor
 from .made_sensor.recalibrating import Recalibration as Recalibration, recalibrate as recalibrate
 from .made_sensor.rig import HiddenScatter as HiddenScatter, Recorder as Recorder, Rig as Rig

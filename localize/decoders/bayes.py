@@ -140,7 +140,7 @@ class BayesDecoder:
         self.noise_rms = noise.rms if isinstance(noise, NoiseSpectrum) else noise
         touched = self._touched(library, response)
         whitening = [joint_whitening(response, share_of(noise), level) for level in self.ambient]
-        self.tables = tuple(_tables(touched, *each) for each in zip(whitening, self.ambient, strict=True))
+        self.tables = tuple(tables_of(touched, *each) for each in zip(whitening, self.ambient, strict=True))
         self._prepare(whitening)
 
     @property
@@ -342,9 +342,17 @@ def checked_levels(response: ArrayResponse, ambient: Ambient) -> tuple[float | N
     return tuple(sorted(set(levels), key=lambda level: -1.0 if level is None else level))
 
 
-def _tables(touched: NDArray[np.float64], whiten: NDArray[np.float64], level: float | None) -> DecoderTables:
-    """From covariances of touches, (n_point, n, n) Pa^2, and what makes noise and sound white."""
-    values, vectors = np.linalg.eigh(whiten @ touched @ whiten.T)
+def tables_of(touched: NDArray[np.float64], whiten: NDArray[np.float64], level: float | None) -> DecoderTables:
+    """Tables of covariances of touches.
+
+    Args:
+        touched: (n_table, n, n) float64, Pa^2.
+        whiten: what makes noise and sound white, (n, n) float64, 1/Pa.
+        level: of the sound, dB SPL; None for quiet.
+    """
+    values, vectors = np.empty(touched.shape[:2]), np.empty_like(touched)
+    for k in range(0, len(touched), CHUNK):  # of many tables a copy of all would take memory
+        values[k : k + CHUNK], vectors[k : k + CHUNK] = np.linalg.eigh(whiten @ touched[k : k + CHUNK] @ whiten.T)
     # The largest eigenvalues come last. The same number for every point keeps the tables rectangular.
     rank = max(1, int((values > WEAKEST).sum(1).max()))
     gain = np.clip(values[:, -rank:, None], 0, None) * POWERS

@@ -101,9 +101,20 @@ def joint_whitening(
     Returns:
         (n, n) float64, n = n_microphone SAMPLES, microphone by microphone, 1/Pa.
     """
+    whole = joint_covariance(response, noise, ambient)
+    return np.asarray(scipy.linalg.solve_triangular(np.linalg.cholesky(whole), np.eye(len(whole)), lower=True))
+
+
+def joint_covariance(
+    response: ArrayResponse, noise: float | NoiseSpectrum, ambient: float | None
+) -> NDArray[np.float64]:
+    """Covariance of noise and sound at all microphones together; arguments as of :func:`joint_whitening`.
+
+    Returns:
+        (n, n) float64, n = n_microphone SAMPLES, microphone by microphone, Pa^2.
+    """
     alone = np.kron(np.eye(len(response.microphones)), scipy.linalg.toeplitz(frame_noise_covariance(noise)))
-    sound = 0.0 if ambient is None else ambient_covariance(response, ambient)
-    return np.asarray(scipy.linalg.solve_triangular(np.linalg.cholesky(alone + sound), np.eye(len(alone)), lower=True))
+    return np.asarray(alone if ambient is None else alone + ambient_covariance(response, ambient))
 
 
 def check_level(response: ArrayResponse, level: float | None) -> None:
@@ -157,6 +168,7 @@ def touch_covariances(
     response: ArrayResponse,
     whiten: NDArray[np.float64],
     density: SourceDensity = source_density,
+    lowest: float = BAND[0],
 ) -> NDArray[np.float64]:
     """Covariances C_i of every point at power 1, where the noise is white of variance 1.
 
@@ -164,12 +176,13 @@ def touch_covariances(
         response: the array.
         whiten: (SAMPLES, SAMPLES) float64, 1/Pa, of :func:`whitening`, or (n, n) of :func:`joint_whitening`.
         density: power density of the touch, Pa^2/Hz, from frequencies in Hz, both of shape (n_freq,).
+        lowest: frequency of the touch, Hz.
 
     Returns:
         (n_point, n, n) float64, n = n_microphone SAMPLES, microphone by microphone.
     """
     top = min(float(response.frequency[-1]), SAMPLE_RATE / 2)
-    frequency = np.arange(BAND[0], top + 1e-9, INTEGRATION_STEP)
+    frequency = np.arange(lowest, top + 1e-9, INTEGRATION_STEP)
     turn, gain = sampled_waves(frequency)
     turn = turn @ whiten.T
     amplitude = np.sqrt(density(frequency) * INTEGRATION_STEP) * gain

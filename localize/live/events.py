@@ -42,6 +42,9 @@ class Decision:
     """Amplitude that stands out of sound where sound is expected, in terms of the noise; None where it is not."""
     newest: float | None = field(default=None, repr=False, compare=False)
     """Level of the loudest microphone over the newest 96 samples, Pa rms."""
+    frame: NDArray[np.float64] | None = field(default=None, repr=False, compare=False)
+    """Samples that were judged, (n_microphone, 250) float64, Pa; None unless they are asked for, where nothing is
+    heard, and of a frame in which not all channels are good."""
     waveform: tuple[float, ...] | None = None
     """Pressure in the cavity of the point, Pa, over the newest 16 samples less the latency of the reconstructor; None
     without one, without a touch, and before its window is full."""

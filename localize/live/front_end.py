@@ -70,6 +70,8 @@ class Listening:
     made for."""
     fade: bool = True
     """Whether frames that hold only what is left of a touch are told from it."""
+    frames: bool = False
+    """Whether decisions carry the samples that were judged."""
 
     def __post_init__(self) -> None:
         if self.high_pass is not None and not 0.5 <= self.high_pass <= 20.0:

@@ -41,6 +41,8 @@ RESTART = 1000
 anew."""
 REFUSED = 1e-6
 """Share of the frames of true touches that are refused: at 62 a second one in four hours."""
+HISSES = 0.01
+"""Share of a frame's level below which a channel's noise is none: a finger that slides for long is as rough as that."""
 AGAIN = 500
 """Time within which a fault that returns still lasts, samples."""
 LARGEST_NUMBER = 2**53
@@ -245,7 +247,7 @@ class TouchStream:
         good = ~self._bad_channels(raw, events)
         if self.listening.follow and (good.all() or self._judges_of(good) is not None):
             self._floor.take(frame)
-            good &= ~self._hissing_channels(events)
+            good &= ~self._hissing_channels(frame, events)
         judges = self._judges if good.all() else self._judges_of(good)
         if judges is None:
             events.append(Decision(self._time, "unreadable", float(frame.std(1).max())))
@@ -257,6 +259,7 @@ class TouchStream:
     ) -> None:
         """Judge a frame by those of its channels that are good."""
         frame, noise = whole[good], self._floor.rms[good]
+        kept = whole.copy() if self.listening.frames and good.all() else None
         level = float(frame.std(1).max())
         newest = float(frame[:, -NEWEST:].std(1).max())
         self._loudest *= 10 ** (-FADES / 20 * HOP / SAMPLE_RATE)
@@ -268,7 +271,7 @@ class TouchStream:
             return
         if self.listening.fade and level < min(FADED * self._loudest, RISEN * self._least):
             self._least = min(self._least, level)
-            events.append(Decision(self._time, "fading", level, newest=newest))
+            events.append(Decision(self._time, "fading", level, newest=newest, frame=kept))
             return
         beside = _beside_sound(judges, frame, noise)
         if beside is not None and beside[0] > beside[1] and self.listening.follow and loud <= WEAK:
@@ -284,11 +287,12 @@ class TouchStream:
         found = judges.locator.locate(frame)
         best = int(found.argmax())
         if judges.residual_test is not None and judges.residual_test.p_value(frame[None], [best])[0] < self.refused:
-            events.append(Decision(self._time, "other", level, newest=newest))
+            events.append(Decision(self._time, "other", level, newest=newest, frame=kept))
             return
         weight = None if beside is None else math.sqrt(beside[0])
         shape = self._waveform(best) if good.all() else None
-        events.append(Decision(self._time, "touch", level, best + 1, float(found[best]), found, weight, newest, shape))
+        point, sure = best + 1, float(found[best])
+        events.append(Decision(self._time, "touch", level, point, sure, found, weight, newest, kept, shape))
 
     def _bad_channels(self, raw: NDArray[np.float64], events: list[Decision | Fault]) -> NDArray[np.bool_]:
         """Channels of a frame that are dead or clipped, (n_microphone,), which is told."""
@@ -302,9 +306,9 @@ class TouchStream:
                 self._tell("clipped", channel, self._number, events)
         return np.asarray(dead | clipped)
 
-    def _hissing_channels(self, events: list[Decision | Fault]) -> NDArray[np.bool_]:
+    def _hissing_channels(self, frame: NDArray[np.float64], events: list[Decision | Fault]) -> NDArray[np.bool_]:
         """Channels whose noise is far above that of the decoder, (n_microphone,), which is told."""
-        hisses = self._floor.hisses(self.silence / SILENCE)
+        hisses = self._floor.hisses(self.silence / SILENCE) & (self._floor.rms > HISSES * frame.std(1))
         for channel in np.flatnonzero(hisses).tolist():
             self._tell("hissing channel", channel, self._number, events)
         return hisses

@@ -71,6 +71,7 @@ VERBS = (
     locating.onnx,
     locating.locate,
     locating.recognize,
+    locating.track,
     live.live,
     designs.run,
     bending.bend,

@@ -1,4 +1,4 @@
-"""Verbs that put a localizer or a recognizer to work: onnx, locate, recognize."""
+"""Verbs that put a localizer or a recognizer to work: onnx, locate, recognize, track."""
 
 from __future__ import annotations
 
@@ -14,10 +14,12 @@ from studies.listening.exporting import export_decoder
 from studies.listening.opening import Decoding
 from studies.listening.recognized import recognize_recording
 from studies.listening.recorded import locate_recording
+from studies.listening.tracked import RADIUS, track_recording
 
 if TYPE_CHECKING:
     from localize.live.events import State
     from studies.listening.recorded import LocatedTouches
+    from studies.listening.tracked import TrackedRecording
 
 DecoderNoise = Annotated[
     float | None,
@@ -203,5 +205,67 @@ def _show_touches(found: LocatedTouches) -> None:
             str(found.array.place[index] + 1),
             f"{100 * touch.probability:.1f}",
             f"{touch.level:.3g}",
+        )
+    show(table)
+
+
+def track(
+    library: LibraryFile,
+    recording: Annotated[
+        Path,
+        typer.Argument(
+            metavar="RECORDING",
+            help="WAV with a channel per microphone; CSV with their names on top; NPZ or MAT with 'signals'.",
+            show_default=False,
+        ),
+    ],
+    out: Annotated[Path, typer.Option(help="Write a row for every 16 ms of each path here.", show_default=False)],
+    picture: Annotated[
+        Path | None, typer.Option(metavar="FILE.png", help="Draw the paths on the array.", show_default=False)
+    ] = None,
+    radius: Annotated[float, typer.Option(metavar="MM", help="Radius of the contact, mm: a stylus has 0.5.")] = RADIUS,
+    full_scale: Annotated[
+        float | None,
+        typer.Option(
+            help="Pa: of WAV files the pressure at full scale, of others that at which they clip.",
+            show_default="1 Pa; flat tops",
+        ),
+    ] = None,
+    noise: DecoderNoise = None,
+    ambient: DecoderAmbient = None,
+    pressure: Pressure = None,
+    altitude: Altitude = None,
+    temperature: Temperature = None,
+) -> None:
+    """Where a contact went on the surface, between the points too, from a recording; and gestures by rule.
+
+    Example: [bold]acoustic-fem track library.nc recording.wav --out path.csv --picture path.png[/bold]
+    """
+    from acoustic_fem.quantities.local_air import LocalAir
+
+    options = {"microphone_noise": "--noise", "loudest": "--ambient", "radius": "--radius"}
+    with named(full_scale="--full-scale", **options, **AIR_OPTIONS):
+        decoding = Decoding(noise=noise, ambient=ambient, air=LocalAir(pressure, altitude, temperature))
+        found = track_recording(
+            library, recording, out, picture=picture, radius=radius, full_scale=full_scale, decoding=decoding
+        )
+    _show_paths(found)
+    tell(f"{recording}: {counted(len(found.tracks), 'path')} in {found.seconds:.1f} s; {out}")
+    if not found.force_is_known:
+        tell(f"forces are by the membranes of the design {found.design}, which nobody measured on this sensor")
+
+
+def _show_paths(found: TrackedRecording) -> None:
+    table = table_of(
+        "from (s)", "to (s)", "gesture", "length (mm)", "speed (mm/s)", "deviation (mm)", numbers=(0, 1, 3, 4, 5)
+    )
+    for track, gesture in zip(found.tracks, found.gestures, strict=True):
+        table.add_row(
+            f"{gesture.start:.3f}",
+            f"{gesture.end:.3f}",
+            f"{gesture.kind} {gesture.direction}".strip(),
+            f"{gesture.length:.0f}",
+            f"{track.speed.mean():.0f}",
+            f"{track.deviation.mean():.1f}",
         )
     show(table)

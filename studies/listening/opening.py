@@ -12,7 +12,7 @@ from geometry.refusal import Refusal
 if TYPE_CHECKING:
     from acoustic_fem import Library
     from acoustic_fem.quantities.local_air import LocalAir
-    from localize import BayesDecoder, Localizer, OnnxLocalizer, TouchStream
+    from localize import BayesDecoder, Localizer, OnnxLocalizer, PathTracker, TouchStream
     from localize.live.spare import Judges, StreamLocator
     from localize.signals.array_response import ArrayResponse
     from localize.signals.noise import NoiseChoice
@@ -78,6 +78,28 @@ def open_trained(
     return BayesDecoder(_library_there(model, air), "design" if noise is None else noise, sound_levels(ambient))
 
 
+def open_tracker(library: Path, decoding: Decoding, radius: float) -> tuple[BayesDecoder, PathTracker]:
+    """Decoder of a library that tells what is heard, and the tracker of its paths.
+
+    Args:
+        library: of the array; its sensor is decoded as it is.
+        decoding: how signals are read.
+        radius: of the contact, mm.
+
+    Raises:
+        Refusal: a model that is no library, or as :class:`localize.PathTracker`.
+    """
+    from localize import BayesDecoder, PathTracker
+    from localize.decoders.bayes import sound_levels
+
+    if library.suffix == ".onnx" or _is_trained(library):
+        raise Refusal(f"{library}: is no library; paths need one, which tells what is heard of a contact at any place")
+    found = _library_there(library, decoding.air)
+    noise: NoiseChoice = "design" if decoding.noise is None else decoding.noise
+    tracker = PathTracker(found, radius, noise, decoding.ambient)
+    return BayesDecoder(found, noise, sound_levels(decoding.ambient)), tracker
+
+
 def open_localizer(model: Path, decoding: Decoding) -> Localizer | BayesDecoder | OnnxLocalizer:
     """Localizer of :func:`open_trained`, that of an ONNX file, or of a library the decoder that its sensor asks for.
 
@@ -128,6 +150,7 @@ def open_stream(
     localizer: Localizer | BayesDecoder | OnnxLocalizer,
     decoding: Decoding,
     limit: float | None = None,
+    frames: bool = False,
 ) -> TouchStream:
     """Stream that listens with a localizer.
 
@@ -136,6 +159,7 @@ def open_stream(
         localizer: of :func:`open_localizer`.
         decoding: what to tell beside the point.
         limit: Pa; a sample that reaches it is clipped. By default nothing is.
+        frames: whether decisions carry the samples that were judged.
 
     Raises:
         Refusal: a field that needs a library without one, a library of another design than the localizer's, or a figure
@@ -147,7 +171,7 @@ def open_stream(
     from localize.signals.same_array import check_same_design
 
     # A noise that is told is what there is: then nothing is measured.
-    listening = Listening(follow=decoding.noise is None)
+    listening = Listening(follow=decoding.noise is None, frames=frames)
     needy = decoding.needs_library
     path = decoding.library or (None if _is_trained(model) or model.suffix == ".onnx" else model)
     if path is None and needy is None:

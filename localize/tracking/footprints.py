@@ -1,0 +1,159 @@
+"""Footprints: what the microphones hear of a contact of given radius at any place of the surface.
+
+A contact presses all membranes that it covers, each with its share of the force, and the array is linear: what the
+microphones hear of it is the sum of the force responses of these membranes. Places at which the shares stand in the
+same ratios, such as all from which a contact reaches one membrane alone, cannot be told apart by one frame, and share
+a footprint.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from geometry.refusal import Refusal
+from localize.contacts.contact import Contact, covered_force
+from localize.signals.array_response import ArrayResponse
+from localize.signals.stimulus import BAND
+
+Array = NDArray[np.float64]
+
+STEP = 0.1
+"""Least distance of two places of a grid, in pitches: at 0.2 half as many taps of a wide finger are named right."""
+ALIKE = 1e-3
+"""Difference of the ratios of shares up to which footprints are one."""
+TOP = 150.0
+"""Frequency up to which footprints are told apart, Hz: above it the decoders' low-pass leaves nothing."""
+
+
+@dataclass(frozen=True, eq=False)
+class Footprints:
+    """Footprints of one contact on a square grid of places."""
+
+    place: Array
+    """Places from which the contact reaches a membrane; (n_place, 2) float64, mm."""
+    node: NDArray[np.int64]
+    """Row and column of each place in the grid; (n_place, 2) int64."""
+    footprint: NDArray[np.int64]
+    """Footprint of each place; (n_place,) int64."""
+    share: Array
+    """Shares of each footprint on the membranes, of Euclidean norm 1; (n_footprint, n_point) float64."""
+    step: float
+    """Distance of two neighbours of the grid, mm."""
+
+
+def pitch_of(response: ArrayResponse) -> float:
+    """Distance of a point to its nearest neighbour, the median over the points, mm.
+
+    Args:
+        response: of a library with a design.
+    """
+    assert response.position is not None
+    apart = np.linalg.norm(response.position[:, None] - response.position, axis=-1)
+    return float(np.median((apart + np.diag(np.full(len(apart), np.inf))).min(1)))
+
+
+def shares_at(response: ArrayResponse, radius: float, place: Array) -> Array:
+    """Share of the force of a contact that each membrane takes.
+
+    Args:
+        response: of a library with a design.
+        radius: of the contact, mm.
+        place: its middles, (n, 2) float64, mm.
+
+    Returns:
+        (n, n_point) float64.
+
+    Raises:
+        Refusal: bare transfer functions, or a radius out of range.
+    """
+    twice = np.concatenate([place, place[-1:]])  # a contact has two times at least
+    still = Contact(np.arange(len(twice), dtype=np.float64), twice, np.ones(len(twice)), radius)
+    return covered_force(still, response)[:-1]
+
+
+def footprints_over(response: ArrayResponse, radius: float, most: int) -> Footprints:
+    """Footprints all over an array, as finely as their number allows.
+
+    Args:
+        response: of a library with a design.
+        radius: of the contact, mm.
+        most: number of footprints at most, unless the points are more.
+
+    Raises:
+        Refusal: bare transfer functions, or a radius out of range.
+    """
+    step = STEP * _checked(response)
+    while True:
+        found = _footprints(response, radius, step)
+        if len(found.share) <= max(most, response.point_count) or step >= pitch_of(response):
+            return found
+        step *= 1.25
+
+
+def footprint_response(response: ArrayResponse, share: Array) -> ArrayResponse:
+    """Footprints in place of the points of an array: pressure at the microphones over that which their force makes in
+    a cavity of the mean point.
+
+    Args:
+        response: of a library with a design.
+        share: shares of each footprint on the membranes, at least two footprints; (n, n_point) float64.
+    """
+    force = response.force_response
+    assert force is not None
+    # The frequency above the top is kept: between the two values are interpolated.
+    kept = slice(0, int(np.searchsorted(response.frequency, max(TOP, BAND[1]))) + 1)
+    summed = np.einsum("np,pmf->nmf", share, force[..., kept]) / pressure_of_force(response)[kept]
+    return replace(
+        response,
+        transfer_function=summed,
+        frequency=response.frequency[kept],
+        line=np.zeros(len(share), np.int64),
+        place=np.arange(len(share)),
+        ambient_response=None,
+        vent_ratio=None,
+        cavity_response=None,
+        position=None,
+        membrane_radius=None,
+        sealed=False,
+    )
+
+
+def pressure_of_force(response: ArrayResponse) -> Array:
+    """Pressure in a cavity per force on its membrane, the mean over the points; (n_freq,) float64, Pa/N."""
+    assert response.cavity_response is not None
+    return np.asarray(np.abs(response.cavity_response).mean(0))
+
+
+def _checked(response: ArrayResponse) -> float:
+    """The pitch of an array that knows what its points are.
+
+    Raises:
+        Refusal: bare transfer functions.
+    """
+    if response.position is None or response.cavity_response is None:
+        raise Refusal(f"{response.name}: places need a library with a design: bare transfer functions know of none")
+    return pitch_of(response)
+
+
+def _footprints(response: ArrayResponse, radius: float, step: float) -> Footprints:
+    assert response.position is not None
+    assert response.membrane_radius is not None
+    # A finger beyond the outermost points by more than half a pitch is not on the array.
+    margin = min(radius + float(response.membrane_radius.max()), pitch_of(response) / 2)
+    least, most = response.position.min(0) - margin, response.position.max(0) + margin
+    # Points lie in the grid wherever they themselves lie on one.
+    below = np.floor(margin / step)
+    axes = [
+        first + margin - below * step + step * np.arange(int((last - first) / step) + 1)
+        for first, last in zip(least, most, strict=True)
+    ]
+    node = np.stack(np.meshgrid(*(np.arange(len(axis)) for axis in axes), indexing="ij"), -1).reshape(-1, 2)
+    place = np.column_stack([axis[node[:, k]] for k, axis in enumerate(axes)])
+    share = shares_at(response, radius, place)
+    covered = share.sum(1) > 0
+    share = share[covered] / np.linalg.norm(share[covered], axis=1, keepdims=True)
+    _, first, footprint = np.unique(np.round(share / ALIKE), axis=0, return_index=True, return_inverse=True)
+    return Footprints(place[covered], node[covered], footprint.reshape(-1), share[first], step)

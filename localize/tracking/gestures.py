@@ -1,0 +1,103 @@
+"""Gestures by rule, from the path of a contact: taps, double taps and holds of one that stays, swipes and circles of
+one that moves.
+
+What is held quite still is not heard. A contact that stays is told by what it does as it comes down and goes, and while
+a hand holds it: each tap of two begins with a force that rises.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from localize.tracking.path import Track
+from localize.tracking.smoothing import HOP_TIME
+
+Array = NDArray[np.float64]
+
+Kind = Literal["tap", "double tap", "hold", "swipe", "circle", "stroke"]
+
+STILL = 0.75
+"""Way from its first place, in pitches, up to which a contact stays where it is."""
+APART = (0.08, 0.5)
+"""Shortest and longest time from one tap of two to the other, s: what stays for longer is a hold."""
+QUIET = 0.2
+"""Share of its largest amplitude below which a contact that stays has come to rest."""
+ASIDE = 0.2
+"""Way from the line between its ends up to which a path is a swipe, over their distance."""
+TURNED = 270.0
+"""Angle that a circle turns by, degrees, at least."""
+CLOSED = 0.5
+"""Distance of the ends of a circle over its width, at most."""
+DIRECTIONS = ("right", "up", "left", "down")
+"""Directions of swipes, from that of x on anticlockwise; up is that of y."""
+
+
+@dataclass(frozen=True)
+class Gesture:
+    """What a contact did."""
+
+    start: float
+    """Time at which it began, s."""
+    end: float
+    """Time at which it ended, s."""
+    kind: Kind
+    """Kind of gesture; a stroke is a path that is neither straight nor a circle."""
+    direction: str = ""
+    """Direction of a swipe: right, up, left or down in plan; of a circle: clockwise or anticlockwise; else empty."""
+    length: float = 0.0
+    """Length of the path, mm; 0 of a contact that stays."""
+
+
+def gesture_of(track: Track) -> Gesture:
+    """Gesture of a path."""
+    start, end = float(track.time[0]), float(track.time[-1])
+    heard = track.place[track.heard]
+    if np.linalg.norm(heard - heard[0], axis=1).max() < STILL * track.pitch:
+        return Gesture(start, end, _staying(track))
+    steps = np.diff(track.place, axis=0)
+    length = float(np.linalg.norm(steps, axis=1).sum())
+    way = track.place[-1] - track.place[0]
+    straight = float(np.linalg.norm(way))
+    if straight > 0 and _aside(heard, track.place[0], way / straight) < ASIDE * straight:
+        quarter = round(float(np.degrees(np.arctan2(way[1], way[0]))) / 90) % 4
+        return Gesture(start, end, "swipe", DIRECTIONS[quarter], length)
+    turned = _turned(track.place)
+    if abs(turned) >= TURNED and straight < CLOSED * float(np.ptp(track.place, axis=0).max()):
+        return Gesture(start, end, "circle", "anticlockwise" if turned > 0 else "clockwise", length)
+    return Gesture(start, end, "stroke", "", length)
+
+
+def _aside(place: Array, start: Array, way: Array) -> float:
+    """Largest distance of places from the piece of a line that begins at one and goes on along a unit vector, mm."""
+    from_start = place - start
+    along = np.clip(from_start @ way, 0.0, None)
+    return float(np.linalg.norm(from_start - along[:, None] * way, axis=1).max())
+
+
+def _staying(track: Track) -> Literal["tap", "double tap", "hold"]:
+    """What a contact that stays does, by the force that is heard."""
+    force = np.nan_to_num(track.force)
+    loud = np.abs(force) > QUIET * np.abs(force).max()
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], loud, [False]]).astype(int)))
+    bursts = [slice(a, b) for a, b in zip(edges[::2], edges[1::2], strict=True)]
+    if (bursts[-1].start - bursts[0].start) * HOP_TIME > APART[1]:
+        return "hold"
+    rises = [burst for burst in bursts if _begins_up(force[burst])]
+    apart = np.diff([burst.start for burst in rises]) * HOP_TIME
+    return "double tap" if (apart >= APART[0]).any() else "tap"
+
+
+def _begins_up(force: Array) -> bool:
+    """Whether the first large value of a burst is that of a force that rises."""
+    return bool(force[np.abs(force) > 0.5 * np.abs(force).max()][0] > 0)
+
+
+def _turned(place: Array) -> float:
+    """Angle by which a path turns about its middle, degrees, anticlockwise."""
+    about = place - (place.max(0) + place.min(0)) / 2
+    angle = np.unwrap(np.arctan2(about[:, 1], about[:, 0]))
+    return float(np.degrees(angle[-1] - angle[0]))

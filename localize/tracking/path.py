@@ -1,0 +1,196 @@
+"""Paths of contacts over the surface, from the decisions of a stream.
+
+A path goes from the first hop in which a contact is heard to the last one before a pause. A contact that lies still, or
+is between membranes, is not heard: a short pause does not end a path.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+import scipy.ndimage
+from numpy.typing import NDArray
+
+from localize.live.events import Decision
+from localize.live.front_end import HIGH_PASS
+from localize.signals.array_response import ArrayResponse, response_of
+from localize.signals.noise import NoiseChoice
+from localize.signals.threads import one_thread
+from localize.tracking.footprints import footprints_over, pitch_of, pressure_of_force
+from localize.tracking.moving import AHEAD, LATENCY, STEP, HeardHop, MovingScorer
+from localize.tracking.smoothing import HOP_TIME, Cells, smoothed
+
+if TYPE_CHECKING:
+    from acoustic_fem import Library
+
+Array = NDArray[np.float64]
+
+RADIUS = 5.0
+"""Radius of a contact where none is given, mm: a finger that moves."""
+MOST = 100
+"""Number of footprints at most, unless points are more: their number makes the time of a frame."""
+PAUSE = 1.0
+"""Time without a sound of it after which a path has ended, s."""
+LOUD = 10.0
+"""Log-likelihood over that of nothing new from which on a hop is heard, nats."""
+FAINT, FAINTEST = 0.05, 0.08
+"""Amplitudes over the largest within a quarter and within a whole second below which a hop is not heard."""
+SURE = 0.1
+"""Standard deviation of the place in the loudest hop on a membrane, in pitches."""
+FORCE_BAND = (5.0, 50.0)
+"""Frequencies over which the pressure of a force is averaged, Hz."""
+SHORTEST = 3
+"""Number of hops that are heard at least in a path."""
+
+
+@dataclass(frozen=True, eq=False)
+class Track:
+    """Path of one contact, a row for every 16 ms."""
+
+    time: Array
+    """Times, s; (n,) float64."""
+    place: Array
+    """Middle of the contact in the plan of :attr:`localize.ArrayResponse.position`; (n, 2) float64, mm."""
+    deviation: Array
+    """Standard deviation of the place in each direction; (n,) float64, mm."""
+    speed: Array
+    """Speed; (n,) float64, mm/s."""
+    force: Array
+    """Force on the membranes as far as it changes faster than the high-pass of the stream, by the membranes of the
+    design; (n,) float64, N; not a number where nothing is heard."""
+    heard: NDArray[np.bool_]
+    """Whether the contact is heard there; between, the path goes on from one membrane to the next; (n,) bool."""
+    pitch: float
+    """Distance of the points of the array, mm."""
+
+
+@dataclass(frozen=True)
+class TrackedPlace:
+    """Place of a contact while it moves, told as soon as it is known."""
+
+    time: float
+    """Time at which the contact was there, s."""
+    place: tuple[float, float]
+    """Middle of the contact, mm."""
+    deviation: float
+    """Standard deviation in each direction, mm."""
+    latency: float
+    """Time from then to the end of the frame that told it, s."""
+
+    def json_line(self) -> str:
+        """Place as one line of JSON."""
+        import json
+
+        x, y = (round(value, 3) for value in self.place)
+        line = {"time": round(self.time, 6), "x": x, "y": y, "deviation": round(self.deviation, 3)}
+        return json.dumps(line | {"latency": round(self.latency, 5)})
+
+
+class PathTracker:
+    """Tracker of paths from the decisions of a stream whose ``listening`` keeps its frames.
+
+    Args:
+        library: with a design, as of :class:`localize.BayesDecoder`.
+        radius: of the contact, mm.
+        microphone_noise: as of :class:`localize.BayesDecoder`.
+        ambient: level of the sound around, dB SPL; None for quiet.
+        high_pass: that of the stream, Hz; None for none.
+
+    Raises:
+        Refusal: bare transfer functions; a radius out of range; as :class:`localize.BayesDecoder`.
+    """
+
+    @one_thread()
+    def __init__(
+        self,
+        library: Library | ArrayResponse,
+        radius: float = RADIUS,
+        microphone_noise: NoiseChoice = "design",
+        ambient: float | None = None,
+        high_pass: float | None = HIGH_PASS,
+    ) -> None:
+        self.response = response = response_of(library)
+        """Array on which the paths are."""
+        footprints = footprints_over(response, radius, MOST)
+        self._scorer = MovingScorer(response, footprints, microphone_noise, ambient, high_pass)
+        self.pitch = pitch_of(response)
+        """Distance of the points, mm."""
+        self._cells = Cells.of(footprints, self.pitch)
+        inside = (response.frequency >= FORCE_BAND[0]) & (response.frequency <= FORCE_BAND[1])
+        # The source is told along shares of norm 1; their sum is the force on the membranes.
+        self._newtons = footprints.share.sum(1) / float(pressure_of_force(response)[inside].mean())
+        self.tracks: list[Track] = []
+        """Paths that have ended."""
+        self._begin()
+
+    def _begin(self) -> None:
+        self._belief = np.full(len(self._cells.middle), 1 / len(self._cells.middle))
+        self._times: list[float] = []
+        self._hops: list[HeardHop] = []
+        self._silent = 0
+
+    @one_thread()
+    def take(self, event: object) -> list[TrackedPlace]:
+        """Take the next event of a stream and say where the contact is; nothing of what is no decision."""
+        if not isinstance(event, Decision):
+            return []
+        time = event.time - LATENCY
+        if self._times and not 0 < time - self._times[-1] < 1.5 * HOP_TIME:
+            self._end()
+            self._scorer.reset()
+        if event.frame is None:
+            count = len(self._cells.middle)
+            hop = HeardHop(np.zeros(count), np.zeros(count), np.zeros(count))
+        else:
+            hop = self._scorer.score(event.frame)
+        heard = float(hop.gain.max()) > LOUD
+        if not self._times and not heard:
+            self._scorer.decide(hop.power * 0)
+            return []
+        self._belief = self._cells.forward(self._belief, STEP / AHEAD * hop.gain)
+        self._scorer.decide(self._belief * hop.power)
+        self._times.append(time)
+        self._hops.append(hop)
+        self._silent = 0 if heard else self._silent + 1
+        if self._silent * HOP_TIME > PAUSE:
+            self._end()
+            return []
+        if not heard:
+            return []
+        middle = self._belief @ self._cells.middle
+        away = ((self._cells.middle - middle) ** 2).sum(1) / 2 + self._cells.extent**2
+        deviation = float(np.sqrt(self._belief @ away))
+        return [TrackedPlace(time, (float(middle[0]), float(middle[1])), deviation, LATENCY)]
+
+    def finish(self) -> None:
+        """End the path that the stream ends in, if there is one."""
+        self._end()
+
+    def _end(self) -> None:
+        if self._times:
+            track = self._track(np.array(self._times), self._hops)
+            if track is not None:
+                self.tracks.append(track)
+        self._begin()
+
+    def _track(self, time: Array, hops: list[HeardHop]) -> Track | None:
+        """Path of the hops of a contact; None of a few that are heard by chance."""
+        gain, power, source = (np.stack([getattr(hop, name) for hop in hops]) for name in ("gain", "power", "source"))
+        belief = self._cells.forward_backward(STEP / AHEAD * gain)
+        amplitude = np.sqrt((belief * power).sum(1))
+        near, wide = (scipy.ndimage.maximum_filter1d(amplitude, round(2 * each / HOP_TIME)) for each in (0.25, 1.0))
+        heard = ((belief * gain).sum(1) > LOUD) & (amplitude > FAINT * near) & (amplitude > FAINTEST * wide)
+        if heard.sum() < SHORTEST:
+            return None
+        place = belief @ self._cells.middle
+        apart = ((self._cells.middle[None] - place[:, None]) ** 2).sum(2) / 2
+        # A membrane is pressed less the farther its middle is.
+        off = 2 * (belief @ self._cells.extent) * (1 - amplitude / np.maximum(near, 1e-300))
+        sure = np.minimum(SURE * self.pitch, belief @ self._cells.extent)
+        deviation = np.sqrt((sure + off) ** 2 + (belief * apart).sum(1))
+        ends = slice(int(heard.argmax()), len(heard) - int(heard[::-1].argmax()))
+        place, deviation, speed = smoothed(place[ends], np.where(heard, deviation, np.inf)[ends])
+        force = np.where(heard, (belief * source * self._newtons).sum(1), np.nan)
+        return Track(time[ends], place, deviation, speed, force[ends], heard[ends], self.pitch)

@@ -1,0 +1,150 @@
+"""Paths of contacts in a recording of an array's microphones: a table, a picture, and gestures."""
+
+from __future__ import annotations
+
+import csv
+import io
+import os
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from geometry.files.writing import write_text
+from geometry.refusal import Refusal
+from studies.listening.opening import Decoding, open_stream, open_tracker
+from studies.output.folders import check_new_file
+
+if TYPE_CHECKING:
+    from localize import Gesture, Track
+    from localize.signals.array_response import ArrayResponse
+
+#: Columns of the table.
+COLUMNS = ("path", "time_s", "x_mm", "y_mm", "deviation_mm", "speed_mm_s", "force_N", "heard")
+#: Radius of the contact where none is given, mm: that of a finger that moves.
+RADIUS = 5.0
+#: Radii of contacts, mm.
+RADII = (0.1, 50.0)
+
+
+@dataclass(frozen=True, eq=False)
+class TrackedRecording:
+    """Paths of a recording."""
+
+    tracks: tuple[Track, ...]
+    """Paths in the order of time."""
+    gestures: tuple[Gesture, ...]
+    """Gesture of each path."""
+    seconds: float
+    """Length of the recording, s."""
+    design: str
+    """Name of the design on which the places are."""
+    force_is_known: bool
+    """Whether the membranes, by which forces are told, are those of the library: those of a calibrated sensor are
+    not measured, and taken as designed."""
+
+
+def track_recording(
+    library: str | os.PathLike[str],
+    recording: str | os.PathLike[str],
+    out: str | os.PathLike[str] | None = None,
+    *,
+    picture: str | os.PathLike[str] | None = None,
+    radius: float = RADIUS,
+    full_scale: float | None = None,
+    decoding: Decoding | None = None,
+) -> TrackedRecording:
+    """Paths of contacts over the surface of an array, from a recording of its microphones.
+
+    Args:
+        library: of the array, with a design.
+        recording: see :func:`localize.read_recording`.
+        out: a table for a row for every 16 ms of each path, ``.csv``; an earlier one is replaced.
+        picture: of the paths on the array, ``.png``; an earlier one is replaced.
+        radius: of the contact, mm, 0.1 to 50.
+        full_scale: as of :func:`studies.locate_recording`.
+        decoding: how signals are read.
+
+    Raises:
+        Refusal: a file that cannot be written or read, no library, or a radius out of range.
+    """
+    source, given = Path(library), decoding or Decoding()
+    table, drawn = (None if each is None else Path(each) for each in (out, picture))
+    check_new_file(table, ".csv", reads=(library, recording))
+    check_new_file(drawn, ".png", reads=(library, recording), option="picture")
+    if not RADII[0] <= radius <= RADII[1]:
+        raise Refusal(f"radius = {radius:g} mm must be between {RADII[0]:g} and {RADII[1]:g} mm")
+    from localize import gesture_of, read_recording
+    from localize.tracking import tracks_of
+
+    decoder, tracker = open_tracker(source, given, radius)
+    stream = open_stream(source, decoder, given, frames=True)
+    heard = read_recording(Path(recording), decoder.microphones, full_scale)
+    tracks = tuple(tracks_of(stream, tracker, heard.signals))
+    if table is not None:
+        write_text(table, _rows(tracks))
+    if drawn is not None:
+        draw_paths(tracks, tracker.response, drawn)
+    measured = tracker.response.provenance.get("fidelity") == "measured"
+    return TrackedRecording(tracks, tuple(map(gesture_of, tracks)), heard.seconds, decoder.design, not measured)
+
+
+def _rows(tracks: tuple[Track, ...]) -> str:
+    """The table as text."""
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(COLUMNS)
+    for number, track in enumerate(tracks, 1):
+        for k in range(len(track.time)):
+            force = f"{track.force[k]:.4g}" if track.heard[k] else ""
+            x, y = track.place[k]
+            speed = f"{track.speed[k]:.2f}"
+            place = (f"{track.time[k]:.3f}", f"{x:.3f}", f"{y:.3f}", f"{track.deviation[k]:.3f}", speed)
+            writer.writerow((number, *place, force, int(track.heard[k])))
+    return text.getvalue()
+
+
+def draw_paths(tracks: tuple[Track, ...], response: ArrayResponse, path: str | os.PathLike[str]) -> Path:
+    """Picture of paths on the points of an array: where they are heard, and how sure they are.
+
+    Args:
+        tracks: the paths.
+        response: of the array, with its places.
+        path: file, PNG.
+
+    Returns:
+        The path.
+    """
+    import numpy as np
+    from matplotlib.collections import EllipseCollection
+
+    from studies.output.figure_style import figure_in_style, line_colours, save_figure
+
+    assert response.position is not None
+    assert response.membrane_radius is not None
+    with figure_in_style((6.4, 6.0)) as figure:
+        axes = figure.add_subplot()
+        size = 2 * response.membrane_radius
+        axes.add_collection(
+            EllipseCollection(
+                size, size, np.zeros(len(size)), units="xy", offsets=response.position, transOffset=axes.transData,
+                facecolor="#eeeeee", edgecolor="#999999",
+            )
+        )  # fmt: skip
+        for number, (track, colour) in enumerate(zip(tracks, line_colours(len(tracks)), strict=True), 1):
+            axes.plot(*track.place.T, color=colour, linewidth=1.0, label=f"path {number}, from {track.time[0]:.2f} s")
+            wide = 2 * track.deviation
+            axes.add_collection(
+                EllipseCollection(
+                    wide, wide, np.zeros(len(wide)), units="xy", offsets=track.place, transOffset=axes.transData,
+                    facecolor=colour, alpha=0.06,
+                )
+            )  # fmt: skip
+            axes.plot(*track.place[track.heard].T, ".", color=colour, markersize=3)
+            axes.plot(*track.place[0], "o", color=colour, markersize=6)
+        axes.set_aspect("equal")
+        axes.margins(0.08)
+        axes.set_xlabel("x  (mm)")
+        axes.set_ylabel("y  (mm)")
+        if 0 < len(tracks) <= 8:
+            axes.legend(loc="upper left", bbox_to_anchor=(0, -0.1), ncols=2, fontsize=8)
+        return save_figure(figure, path)

@@ -1,0 +1,82 @@
+"""The verb track."""
+
+from __future__ import annotations
+
+import csv
+from pathlib import Path
+
+import numpy as np
+import pytest
+from command import Command
+
+import acoustic_fem
+import geometry
+import studies
+from acoustic_fem.sound import write_wav
+from localize.contacts import Contact, record
+from localize.signals import response_of
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A library of two rows of three points, and a recording of a finger that goes along the first."""
+    made = tmp_path_factory.mktemp("track")
+    design = geometry.prototype("array-2x6").with_values(
+        {"lines.0.points": 6, "layout.kind": "serpentine", "layout.columns": 3, "layout.pitch": 18.0}
+    )
+    library = acoustic_fem.solve(design, np.arange(1.0, 501.0, 1.0), "lumped")
+    acoustic_fem.save(library, made / "library.nc")
+    array = response_of(library)
+    assert array.position is not None
+    time = np.arange(2500) / 1e3
+    share = np.clip((time - 0.5) / 0.6, 0, 1)[:, None]
+    path = array.position[0] + share * (array.position[2] - array.position[0])
+    pressed = (time > 0.5) & (time < 1.1)
+    signals = record(Contact(time, path, 5e-3 * pressed, 5.0, 0.2), array, microphone_noise=1e-3).signals
+    write_wav(made / "slide.wav", signals / 100, 1000)
+    return made
+
+
+def test_track_writes_a_table_and_a_picture_and_names_the_gesture(command: Command, folder: Path) -> None:
+    words = ("--full-scale", 100, "--noise", 1e-3)
+    out, picture = folder / "path.csv", folder / "path.png"
+    told = command("track", folder / "library.nc", folder / "slide.wav", "--out", out, "--picture", picture, *words)
+    assert told.code == 0, told.err
+    assert "swipe" in told.out
+    assert "1 path in 2.5 s" in told.out
+    assert picture.read_bytes().startswith(b"\x89PNG")
+    with out.open(newline="") as file:
+        rows = list(csv.DictReader(file))
+    assert list(rows[0]) == list(studies.listening.tracked.COLUMNS)
+    assert {row["path"] for row in rows} == {"1"}
+    assert all(bool(row["force_N"]) == (row["heard"] == "1") for row in rows)
+    called = studies.track_recording(
+        folder / "library.nc", folder / "slide.wav", full_scale=100.0, decoding=studies.Decoding(noise=1e-3)
+    )
+    assert called.force_is_known
+    place = np.array([[float(row["x_mm"]), float(row["y_mm"])] for row in rows])
+    assert np.abs(place - called.tracks[0].place).max() < 1e-3
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (("library.nc", "slide.wav", "--out", "library.nc"), "library.nc"),
+        (("library.nc", "slide.wav", "--out", "x.csv", "--radius", 99), "--radius = 99 mm must be between 0.1 and 50"),
+        (("localizer", "slide.wav", "--out", "x.csv"), "localizer: is no library"),
+        (("library.nc", "short.wav", "--out", "x.csv"), "short.wav: has 100 samples"),
+        (("library.nc", "slide.wav", "--out", "x.csv", "--picture", "slide.wav"), "slide.wav"),
+    ],
+)
+def test_what_cannot_be_tracked_is_told_in_one_line(
+    command: Command, folder: Path, monkeypatch: pytest.MonkeyPatch, words: tuple[object, ...], message: str
+) -> None:
+    monkeypatch.chdir(folder)
+    Path("localizer").mkdir(exist_ok=True)
+    write_wav("short.wav", np.random.default_rng(0).uniform(-1, 1, (2, 100)), 1000)
+    told = command("track", *words)
+    assert told.code == 1
+    line = [each for each in told.err.splitlines() if each.startswith("acoustic-fem: ")]
+    assert len(line) == 1
+    assert message in line[0]
+    assert not Path("x.csv").exists()
