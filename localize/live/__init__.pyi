@@ -1,4 +1,10 @@
-from .events import HOP as HOP, Decision as Decision, Fault as Fault, State as State
+from .events import (
+    HOP as HOP,
+    Decision as Decision,
+    Fault as Fault,
+    State as State,
+    TrackedPlace as TrackedPlace,
+)
 from .front_end import AS_IT_COMES as AS_IT_COMES, Listening as Listening
 from .listener import Heard as Heard, Latencies as Latencies, LiveListener as LiveListener, Notice as Notice
 from .recorder import LiveRecorder as LiveRecorder

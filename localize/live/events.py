@@ -105,3 +105,23 @@ class TouchEvent:
         line = {"time": round(self.time, 6), "event": self.kind, "touch": self.touch, "point": self.point}
         line |= {"probability": self.probability, "level": self.level, "latency": round(self.latency, 5)}
         return json.dumps(line)
+
+
+@dataclass(frozen=True)
+class TrackedPlace:
+    """Place of a contact while it moves, told as soon as it is known."""
+
+    time: float
+    """Time at which the contact was there, s."""
+    place: tuple[float, float]
+    """Middle of the contact, mm."""
+    deviation: float
+    """Standard deviation in each direction, mm."""
+    latency: float
+    """Time from then to the end of the frame that told it, s."""
+
+    def json_line(self) -> str:
+        """Place as one line of JSON."""
+        x, y = (round(value, 3) for value in self.place)
+        line = {"time": round(self.time, 6), "x": x, "y": y, "deviation": round(self.deviation, 3)}
+        return json.dumps(line | {"latency": round(self.latency, 5)})

@@ -7,20 +7,19 @@ count then goes on by the clock, so that the stream tells how many samples are m
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Generator, Iterator
+from collections.abc import Callable, Generator, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from time import perf_counter, sleep
-from typing import Literal
+from typing import Literal, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
-from localize.live.events import Decision, Fault, TouchEvent
+from localize.live.events import Decision, Fault, TouchEvent, TrackedPlace
 from localize.live.recorder import LiveRecorder
 from localize.live.sources import Block, BlockQueue, Source, SourceError
 from localize.live.stream import TouchStream
-from localize.live.touches import TouchTracker
 from localize.signals.resampling import StreamResampler
 from localize.signals.stimulus import SAMPLE_RATE
 
@@ -54,18 +53,28 @@ class Notice:
 class Heard:
     """Event of a stream, with the time at which its samples were there."""
 
-    event: Decision | Fault | TouchEvent | Notice
-    """Decision or fault of the stream, touch, or notice of the listener."""
+    event: Decision | Fault | TouchEvent | TrackedPlace | Notice
+    """Decision or fault of the stream, touch, place, or notice of the listener."""
     available: float | None = None
     """Time at which what the frame of a decision shows last was there, s on the clock of ``time.perf_counter``: its
     last sample, less the delay of the stream's high-pass."""
 
     def json_line(self, latency: float | None) -> str:
-        """Event as one line of JSON, of a decision with ``latency`` in s, which adds to that of a touch."""
-        if isinstance(self.event, TouchEvent):
+        """Event as one line of JSON, of a decision with ``latency`` in s, which adds to that of a touch or a place."""
+        if isinstance(self.event, (TouchEvent, TrackedPlace)):
             return replace(self.event, latency=self.event.latency + (latency or 0.0)).json_line()
         line = self.event.json_line()
         return line if latency is None else f'{line[:-1]}, "latency": {latency:.5f}}}'
+
+
+class Tracker(Protocol):
+    """What tells more than each frame alone does."""
+
+    def take(self, event: object) -> Sequence[TouchEvent | TrackedPlace]:
+        """Take the next event of a stream and say what it means."""
+
+    def finish(self) -> Sequence[TouchEvent | TrackedPlace]:
+        """Say what is left to say when the stream ends."""
 
 
 class LiveListener:
@@ -76,7 +85,7 @@ class LiveListener:
         stream: listens to them; new.
         recorder: writes them as they come in.
         wait: called with the time to wait, s, before a lost source is opened again.
-        tracker: tells touches while they happen; by default nobody does.
+        trackers: tell touches and places while they happen; by default nobody does.
     """
 
     def __init__(
@@ -85,10 +94,10 @@ class LiveListener:
         stream: TouchStream,
         recorder: LiveRecorder | None = None,
         wait: Callable[[float], None] = sleep,
-        tracker: TouchTracker | None = None,
+        trackers: Sequence[Tracker] = (),
     ) -> None:
         self.source, self.stream, self.recorder = source, stream, recorder
-        self._tracker = tracker
+        self._trackers = tuple(trackers)
         self.stopped = ""
         """Why the recording was stopped while the listening went on, in one line with its file; empty if it was not."""
         self._wait = wait
@@ -183,8 +192,8 @@ class LiveListener:
         if self._offset is None:
             return
         yield from self._push(self._resampler.finish(), None)
-        if self._tracker is not None:
-            for told in self._tracker.finish():
+        for tracker in self._trackers:
+            for told in tracker.finish():
                 yield Heard(told)
         if queue.end > self._input:
             end = -(-queue.end * self._resampler.up // self._resampler.down) + self._offset
@@ -200,8 +209,8 @@ class LiveListener:
         for event in events:
             available = self._available(event, block)
             yield Heard(event, available)
-            if self._tracker is not None:
-                for told in self._tracker.take(event):
+            for tracker in self._trackers:
+                for told in tracker.take(event):
                     yield Heard(told, available)
 
     def _available(self, event: Decision | Fault, block: Block | None) -> float | None:

@@ -13,7 +13,7 @@ import numpy as np
 import scipy.ndimage
 from numpy.typing import NDArray
 
-from localize.live.events import Decision
+from localize.live.events import Decision, TrackedPlace
 from localize.live.front_end import HIGH_PASS
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.noise import NoiseChoice
@@ -64,28 +64,6 @@ class Track:
     """Whether the contact is heard there; between, the path goes on from one membrane to the next; (n,) bool."""
     pitch: float
     """Distance of the points of the array, mm."""
-
-
-@dataclass(frozen=True)
-class TrackedPlace:
-    """Place of a contact while it moves, told as soon as it is known."""
-
-    time: float
-    """Time at which the contact was there, s."""
-    place: tuple[float, float]
-    """Middle of the contact, mm."""
-    deviation: float
-    """Standard deviation in each direction, mm."""
-    latency: float
-    """Time from then to the end of the frame that told it, s."""
-
-    def json_line(self) -> str:
-        """Place as one line of JSON."""
-        import json
-
-        x, y = (round(value, 3) for value in self.place)
-        line = {"time": round(self.time, 6), "x": x, "y": y, "deviation": round(self.deviation, 3)}
-        return json.dumps(line | {"latency": round(self.latency, 5)})
 
 
 class PathTracker:
@@ -164,9 +142,10 @@ class PathTracker:
         deviation = float(np.sqrt(self._belief @ away))
         return [TrackedPlace(time, (float(middle[0]), float(middle[1])), deviation, LATENCY)]
 
-    def finish(self) -> None:
-        """End the path that the stream ends in, if there is one."""
+    def finish(self) -> list[TrackedPlace]:
+        """End the path that the stream ends in, if there is one; there is no place to tell then."""
         self._end()
+        return []
 
     def _end(self) -> None:
         if self._times:
@@ -189,7 +168,8 @@ class PathTracker:
         # A membrane is pressed less the farther its middle is.
         off = 2 * (belief @ self._cells.extent) * (1 - amplitude / np.maximum(near, 1e-300))
         sure = np.minimum(SURE * self.pitch, belief @ self._cells.extent)
-        deviation = np.sqrt((sure + off) ** 2 + (belief * apart).sum(1))
+        # Frames of neighbouring hops share what they hear.
+        deviation = np.sqrt(AHEAD / STEP * ((sure + off) ** 2 + (belief * apart).sum(1)))
         ends = slice(int(heard.argmax()), len(heard) - int(heard[::-1].argmax()))
         place, deviation, speed = smoothed(place[ends], np.where(heard, deviation, np.inf)[ends])
         force = np.where(heard, (belief * source * self._newtons).sum(1), np.nan)

@@ -89,6 +89,14 @@ def live(
     ambient: DecoderAmbient = None,
     refuse: RefusedShare = None,
     follow_drift: FollowDrift = False,
+    radius: Annotated[
+        float | None,
+        typer.Option(
+            metavar="MM",
+            help="Tell also where on the surface a contact of this radius is, for a library.",
+            show_default="points alone",
+        ),
+    ] = None,
     pressure: Pressure = None,
     altitude: Altitude = None,
     temperature: Temperature = None,
@@ -104,7 +112,7 @@ def live(
         raise typer.BadParameter("--device must not be given beside --replay")
     wanted = int(device) if device is not None and device.isdecimal() else device
     source = LiveInput(wanted, replay, None if channels is None else _channel_map(channels), full_scale)
-    words = {name: f"--{name}" for name in ("channels", "device", "refused")}
+    words = {name: f"--{name}" for name in ("channels", "device", "radius", "refused")}
     from acoustic_fem.quantities.local_air import LocalAir
 
     with (
@@ -113,7 +121,7 @@ def live(
     ):
         air = LocalAir(pressure, altitude, temperature)
         decoding = Decoding(noise, library, waveform, ambient, refuse, air, follow_drift)
-        summary = listen(model, source, out, record=record, decoding=decoding, hear=output.hear)
+        summary = listen(model, source, out, record=record, decoding=decoding, radius=radius, hear=output.hear)
     _print_summary(summary)
     if summary.unrecorded:
         raise Refusal(f"{summary.unrecorded}; what came in until then is in the file")

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from rich.live import Live
     from rich.text import Text
 
+    from localize.live.events import TrackedPlace
     from localize.live.listener import Heard, Latencies
     from localize.live.touches import Array
 
@@ -71,13 +72,14 @@ class LivePicture:
             for own in (np.flatnonzero(array.line == line) for line in np.unique(array.line))
         ]
         self._last: Heard | None = None
+        self._place: TrackedPlace | None = None
         self._wrong: deque[str] = deque(maxlen=LINES)
         self._faults: Counter[str] = Counter()
         self._waveform: deque[float] | None = deque(maxlen=500) if waveform else None
 
     def hear(self, heard: Heard) -> None:
         """Take an event."""
-        from localize.live.events import Fault, TouchEvent
+        from localize.live.events import Fault, TouchEvent, TrackedPlace
         from localize.live.listener import Notice
 
         event = heard.event
@@ -88,6 +90,8 @@ class LivePicture:
             self._wrong.append(f"{event.time:9.2f} s  {event.kind}{samples}{channel}")
         elif isinstance(event, Notice):
             self._wrong.append(f"{event.time:9.2f} s  {event.kind}: {event.text}")
+        elif isinstance(event, TrackedPlace):
+            self._place = event
         elif not isinstance(event, TouchEvent):
             self._last = heard
             if self._waveform is not None:
@@ -154,4 +158,9 @@ class LivePicture:
             return Text("nothing heard yet")
         named = "" if event.point is None else f"  point {event.point}"
         sure = "" if event.probability is None else f", {100 * event.probability:.0f} %"
-        return Text(f"{event.time:9.2f} s  {event.state}{named}{sure}   level {number(event.level)} Pa", no_wrap=True)
+        place = ""
+        if self._place is not None and event.state == "touch":
+            x, y = self._place.place
+            place = f"   at {x:.0f}, {y:.0f} ± {self._place.deviation:.0f} mm"
+        level = f"   level {number(event.level)} Pa"
+        return Text(f"{event.time:9.2f} s  {event.state}{named}{sure}{level}{place}", no_wrap=True)

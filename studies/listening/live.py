@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 from geometry.files.writing import whole_lines
 from geometry.refusal import Refusal
-from studies.listening.opening import Decoding, open_localizer, open_stream
+from studies.listening.opening import Decoding, open_localizer, open_stream, open_tracker
 from studies.output.folders import check_new_file
 
 if TYPE_CHECKING:
@@ -124,6 +124,7 @@ def listen(
     *,
     record: str | os.PathLike[str] | None = None,
     decoding: Decoding | None = None,
+    radius: float | None = None,
     hear: Hear | None = None,
 ) -> LiveSummary:
     """Summary of touches that are named while they happen, until the source ends, ``hear`` says so, or Ctrl-C.
@@ -137,6 +138,8 @@ def listen(
         out: a file for a line of JSON for every frame, 16 ms apart, written as it comes; an earlier one is replaced.
         record: a new WAV file for what comes in, at the rate at which it does; readable even if the program is killed.
         decoding: how signals are read, and what is told beside the point.
+        radius: of a contact whose place on the surface is told beside its point, for a library as model, mm; by
+            default none is.
         hear: called with every event.
 
     Raises:
@@ -150,7 +153,7 @@ def listen(
     check_new_file(None if record is None else Path(record), ".wav", kept="a recording", option="record")
     if lines is not None and record is not None and lines.resolve() == Path(record).resolve():
         raise Refusal(f"{lines}: out and record must be two files")
-    listener, session = _opened(Path(model), heard_from, record, given)
+    listener, session = _opened(Path(model), heard_from, record, given, radius)
     counts = _Counts()
     with ExitStack() as stack:
         stack.enter_context(_nothing_freed())
@@ -174,7 +177,7 @@ def listen(
 
 
 def _opened(
-    model: Path, source: LiveInput, record: str | os.PathLike[str] | None, decoding: Decoding
+    model: Path, source: LiveInput, record: str | os.PathLike[str] | None, decoding: Decoding, radius: float | None
 ) -> tuple[LiveListener, LiveSession]:
     """What listens, and what is told of it; nothing is heard or written yet."""
     from localize.live.listener import LiveListener
@@ -185,11 +188,12 @@ def _opened(
     check_full_scale(source.full_scale)
     locator = open_localizer(model, decoding)
     samples = source.open(locator)
-    stream = open_stream(model, locator, decoding, samples.limit)
+    stream = open_stream(model, locator, decoding, samples.limit, frames=radius is not None)
     recorder = None
     if record is not None:
         recorder = LiveRecorder(Path(record), samples.rate, len(locator.microphones), source.full_scale)
-    listener = LiveListener(samples, stream, recorder, tracker=TouchTracker(locator))
+    places = () if radius is None else (open_tracker(model, decoding, radius)[1],)
+    listener = LiveListener(samples, stream, recorder, trackers=(TouchTracker(locator), *places))
     return listener, LiveSession(listener, locator, recorder)
 
 

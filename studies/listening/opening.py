@@ -17,6 +17,8 @@ if TYPE_CHECKING:
     from localize.signals.array_response import ArrayResponse
     from localize.signals.noise import NoiseChoice
 
+#: Radii of contacts, mm.
+RADII = (0.1, 50.0)
 #: White noise that waveforms are reconstructed with where a localizer knows none, Pa rms.
 LEAST_NOISE = 1e-6
 #: White noise that sound is told from at least where nobody asked for it, Pa rms: below, rounding is all there is.
@@ -92,6 +94,8 @@ def open_tracker(library: Path, decoding: Decoding, radius: float) -> tuple[Baye
     from localize import BayesDecoder, PathTracker
     from localize.decoders.bayes import sound_levels
 
+    if not RADII[0] <= radius <= RADII[1]:
+        raise Refusal(f"radius = {radius:g} mm must be between {RADII[0]:g} and {RADII[1]:g} mm")
     if library.suffix == ".onnx" or _is_trained(library):
         raise Refusal(f"{library}: is no library; paths need one, which tells what is heard of a contact at any place")
     found = _library_there(library, decoding.air)

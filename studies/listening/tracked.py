@@ -10,7 +10,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from geometry.files.writing import write_text
-from geometry.refusal import Refusal
 from studies.listening.opening import Decoding, open_stream, open_tracker
 from studies.output.folders import check_new_file
 
@@ -22,8 +21,6 @@ if TYPE_CHECKING:
 COLUMNS = ("path", "time_s", "x_mm", "y_mm", "deviation_mm", "speed_mm_s", "force_N", "heard")
 #: Radius of the contact where none is given, mm: that of a finger that moves.
 RADIUS = 5.0
-#: Radii of contacts, mm.
-RADII = (0.1, 50.0)
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,8 +68,6 @@ def track_recording(
     table, drawn = (None if each is None else Path(each) for each in (out, picture))
     check_new_file(table, ".csv", reads=(library, recording))
     check_new_file(drawn, ".png", reads=(library, recording), option="picture")
-    if not RADII[0] <= radius <= RADII[1]:
-        raise Refusal(f"radius = {radius:g} mm must be between {RADII[0]:g} and {RADII[1]:g} mm")
     from localize import gesture_of, read_recording
     from localize.tracking import tracks_of
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import json
 from pathlib import Path
 
 import numpy as np
@@ -56,6 +57,17 @@ def test_track_writes_a_table_and_a_picture_and_names_the_gesture(command: Comma
     assert called.force_is_known
     place = np.array([[float(row["x_mm"]), float(row["y_mm"])] for row in rows])
     assert np.abs(place - called.tracks[0].place).max() < 1e-3
+
+
+@pytest.mark.slow
+def test_live_tells_places_beside_points(command: Command, folder: Path) -> None:
+    words = ("--full-scale", 100, "--noise", 1e-3, "--radius", 5)
+    told = command("live", folder / "library.nc", "--replay", folder / "slide.wav", *words)
+    assert told.code == 0, told.err
+    places = [each for each in map(json.loads, told.out.splitlines()) if "x" in each]
+    assert len(places) > 10
+    assert all(each["latency"] > 0.1 and each["deviation"] > 0 for each in places)
+    assert command("live", folder, "--replay", folder / "slide.wav", "--radius", 5).code == 1
 
 
 @pytest.mark.parametrize(

@@ -1,0 +1,169 @@
+"""How far paths of a writing finger are off: large-area-64, by speed, on the nominal sensor and on mis-made ones.
+
+``python benchmarks/tracks.py`` writes the tables of docs/tracks.md and its picture, in about a quarter of an hour. No
+constant was chosen on these seeds: those that served to choose were 100 to 104.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+from made_sensors import made_sensors
+from numpy.typing import NDArray
+
+import acoustic_fem
+import geometry
+import localize
+from geometry.files.writing import replace_section
+from localize.contacts import Contact, ContactRecorder, Tool, covered_force, stroke, tap
+from localize.signals import response_of
+from localize.signals.array_response import ArrayResponse
+from studies.listening.tracked import draw_paths
+
+Array = NDArray[np.float64]
+
+DOCS = Path(__file__).parents[1] / "docs"
+BEGIN, END = "<!-- tracks: made by benchmarks/tracks.py -->", "<!-- end tracks -->"
+PLACES_BEGIN, PLACES_END = "<!-- places: made by benchmarks/tracks.py -->", "<!-- end places -->"
+DESIGN = "large-area-64"
+SEED, STROKES, SECONDS, SENSORS = 7100, 4, 5.0, range(7200, 7203)
+NOISE, ROOM = 1e-3, 70.0
+SPEEDS = ((25.0, 60.0), (60.0, 120.0), (150.0, 200.0))
+#: mm; a finger that writes presses with more of its pad than one that taps.
+FINGER = Tool("finger", (5.0, 8.0), (2e-3, 2e-2), (0.05, 0.3), 0.15)
+#: Root mean square of the curvature of a path, 1/mm, and the time over which it changes, s.
+CURVATURE, BEND_TIME = 0.025, 0.3
+TAPS = 40
+
+
+def written(random: np.random.Generator, speed: tuple[float, float], box: tuple[Array, Array], number: int) -> Contact:
+    """A finger that writes within a box: its curvature and its speed wander."""
+    low, high = box
+    place, heading, bend = random.uniform(low, high), random.uniform(0, 2 * np.pi), 0.0
+    wanted = now = random.uniform(*speed)
+    places, speeds = [place], []
+    for k in range(round(SECONDS / 0.02)):
+        if k % 10 == 0:
+            wanted = random.uniform(*speed)
+        now += (wanted - now) * 0.2
+        bend += -bend * 0.02 / BEND_TIME + CURVATURE * np.sqrt(2 * 0.02 / BEND_TIME) * random.standard_normal()
+        heading += bend * now * 0.02
+        place = place + now * 0.02 * np.array([np.cos(heading), np.sin(heading)])
+        for axis in (0, 1):
+            if not low[axis] <= place[axis] <= high[axis]:
+                place[axis] = np.clip(place[axis], low[axis], high[axis])
+                heading = np.pi - heading if axis == 0 else -heading
+        places.append(place)
+        speeds.append(max(float(np.linalg.norm(places[-1] - places[-2])) / 0.02, 1.0))
+    return stroke(np.array(places), np.array(speeds), FINGER, seed=SEED, sample=number)
+
+
+def errors(
+    library: ArrayResponse, sensor: ArrayResponse, contact: Contact, number: int, ambient: float | None
+) -> tuple[Array, NDArray[np.bool_], Array]:
+    """Errors of the frames of a stroke in pitches, whether a membrane is touched, and errors over what is said."""
+    take = ContactRecorder(sensor, microphone_noise=NOISE, ambient=ambient, seed=SEED).take(contact, number)
+    off, touched, said = [], [], []
+    for path in localize.track(library, take.signals, microphone_noise=NOISE, ambient=ambient):
+        true = np.column_stack([np.interp(path.time, take.time, along) for along in take.path.T])
+        error = np.linalg.norm(path.place - true, axis=1)
+        off.append(error / path.pitch)
+        touched.append(covered_force(contact.at(path.time + contact.time[0]), sensor).sum(1) > 0)
+        said.append(error / path.deviation)
+    if not off:
+        return np.full(1, np.inf), np.ones(1, bool), np.full(1, np.inf)
+    return np.concatenate(off), np.concatenate(touched), np.concatenate(said)
+
+
+def cell(strokes: Sequence[tuple[Array, NDArray[np.bool_], Array]]) -> str:
+    """Frames within a pitch: of all and of those that touch a membrane, with intervals over strokes; median error."""
+    parts = []
+    for touching in (False, True):
+        each = np.array([100 * (off[touched | (not touching)] < 1).mean() for off, touched, _ in strokes])
+        parts.append(f"{each.mean():.1f} ± {1.96 * each.std(ddof=1) / np.sqrt(len(each)):.1f}")
+    off = np.concatenate([each for each, _, _ in strokes])
+    said = np.concatenate([each for _, _, each in strokes])
+    return f"{' / '.join(parts)} / {np.median(off):.2f} / {100 * (said < 2.45).mean():.0f}"
+
+
+def paths() -> list[str]:
+    """Rows of the table of paths."""
+    library = response_of(acoustic_fem.solve(geometry.prototype(DESIGN), np.arange(0.5, 250.1, 0.5), "lumped"))
+    assert library.position is not None
+    box = (library.position.min(0), library.position.max(0))
+    made = made_sensors(library, DESIGN, SENSORS)
+    conditions = {
+        "nominal": (None, lambda sensor: library, (library,)),
+        "nominal, sound of 70 dB SPL, told": (ROOM, lambda sensor: library, (library,)),
+        "mis-made, nominal library": (None, lambda sensor: library, made),
+        "mis-made, their own transfer functions": (None, lambda sensor: sensor, made),
+    }
+    lines = [
+        "| sensor | " + " | ".join(f"{low:.0f} to {high:.0f} mm/s" for low, high in SPEEDS) + " |",
+        "|---|" + "---|" * len(SPEEDS),
+    ]
+    for name, (ambient, decoded, sensors) in conditions.items():
+        cells = []
+        for fast, speed in enumerate(SPEEDS):
+            found = []
+            for number in range(STROKES):
+                contact = written(np.random.default_rng(SEED + 100 * fast + number), speed, box, 10 * fast + number)
+                sensor = sensors[number % len(sensors)]
+                found.append(errors(decoded(sensor), sensor, contact, number, ambient))
+            cells.append(cell(found))
+            print(name, speed, cells[-1], flush=True)
+        lines.append(f"| {name} | {' | '.join(cells)} |")
+    contact = written(np.random.default_rng(SEED + 1), SPEEDS[1], box, 1)
+    take = ContactRecorder(library, microphone_noise=NOISE, seed=SEED).take(contact, 1)
+    draw_paths(
+        tuple(localize.track(library, take.signals, microphone_noise=NOISE)), library, DOCS / "images" / "path.png"
+    )
+    return lines
+
+
+def places() -> list[str]:
+    """Rows of the table of taps that stand still."""
+    design = geometry.prototype("fingertip-4x6")
+    library = response_of(acoustic_fem.solve(design, np.arange(0.5, 300.1, 0.5), "lumped"))
+    assert library.position is not None
+    position, pitch = library.position, localize.tracking.pitch_of(library)
+    lines = [
+        "| radius of the finger | points alone: nearest named | places: nearest named | median | rms | covered |",
+        "|---|---|---|---|---|---|",
+    ]
+    points = localize.BayesDecoder(library, microphone_noise=NOISE)
+    recorder = ContactRecorder(library, microphone_noise=NOISE, seed=SEED)
+    for radius in (2.0, 4.0):
+        decoder = localize.PositionDecoder(library, radius, NOISE)
+        tool = replace(FINGER, radius=(radius, radius))
+        random = np.random.default_rng(SEED)
+        true = random.uniform(position.min(0), position.max(0), (TAPS, 2))
+        frames = []
+        for number, place in enumerate(true):
+            take = recorder.take(tap(tuple(place), tool=tool, seed=SEED, sample=number), number)
+            first = int(np.flatnonzero(take.force)[0])
+            frames.append(np.pad(take.signals, ((0, 0), (0, 250)), "edge")[:, first : first + 250])
+        nearest = np.linalg.norm(true[:, None] - position, axis=-1).argmin(1)
+        found = decoder.position(np.stack(frames))
+        error = np.linalg.norm(found.place - true, axis=1)
+        alone = 100 * (points.locate(np.stack(frames)).argmax(1) == nearest).mean()
+        row = f"| {radius:g} mm | {alone:.0f} % | {100 * (found.point == nearest).mean():.0f} % | "
+        row += f"{np.median(error) / pitch:.2f} pitch | {np.sqrt((error**2).mean()) / pitch:.2f} pitch | "
+        lines.append(row + f"{100 * (error < 2.45 * found.deviation + 0.01).mean():.0f} % |")
+        print(lines[-1], flush=True)
+    return lines
+
+
+def main() -> None:
+    parts = {"paths": (paths, BEGIN, END), "places": (places, PLACES_BEGIN, PLACES_END)}
+    for name in sys.argv[1:] or parts:
+        make, begin, end = parts[name]
+        replace_section(DOCS / "tracks.md", begin, end, make())
+
+
+if __name__ == "__main__":
+    main()
