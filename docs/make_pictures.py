@@ -79,8 +79,29 @@ def draw_touches() -> list[Path]:
         return [save_figure(figure, IMAGES / "touches.png")]
 
 
+def draw_letters() -> list[Path]:
+    """Each letter as it is written on the large area, and where the array hears it."""
+    import acoustic_fem
+    from localize.contacts import ContactRecorder
+    from localize.recognition import LETTERS, Hand, LineReader, written
+    from localize.signals import response_of
+
+    library = acoustic_fem.solve(geometry.prototype("large-area-64"), np.arange(0.5, 501.0, 1.5), "lumped")
+    array = response_of(library)
+    reader, recorder = LineReader(array, "design"), ContactRecorder(array, microphone_noise="design")
+    with figure_in_style((WIDTH, 3.2)) as figure:
+        for number, (axes, letter) in enumerate(zip(figure.subplots(2, 13).flat, LETTERS, strict=True)):
+            contact = written(letter, array, Hand(), 3, sample=number)
+            line = reader.line(recorder.take(contact, number).signals)
+            axes.plot(*array.position.T, ".", color="0.85", markersize=2)
+            axes.plot(*contact.path[contact.force > 0].T, ".", markersize=0.8)
+            axes.scatter(line[:, 1], line[:, 2], s=8 * line[:, 3], color="C3")
+            axes.set(xticks=[], yticks=[], aspect="equal")
+        return [save_figure(figure, IMAGES / "letters-written.png")]
+
+
 #: Pictures that are of no prototype.
-OTHERS = {"kinds": draw_kinds, "touches": draw_touches}
+OTHERS = {"kinds": draw_kinds, "letters": draw_letters, "touches": draw_touches}
 
 
 def main() -> None:

@@ -76,7 +76,7 @@ NETWORKS: Mapping[str, Mapping[str, Any]] = {
     "patches": {"width": 32, "depths": (1, 2, 2), "patch": (4, 8)},
     "stride-2": {"width": 12, "depths": (1, 1, 2, 2, 2), "patch": (2, 2)},
     "paper": {"width": 12, "depths": (1, 1, 2, 2, 2), "patch": (1, 1), "merge_last": True},
-    "two-stage": {"width": 32, "depths": (1, 2), "patch": (4, 4)},
+    "two-stage": {"width": 64, "depths": (1, 2), "patch": (16, 8), "merge_last": True},
 }
 
 

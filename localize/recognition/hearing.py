@@ -12,7 +12,15 @@ from localize.decoders.reconstruct import Reconstructor
 from localize.evaluation.accuracy import Locator
 from localize.recognition.power_maps import WINDOW
 from localize.recognition.recognizer import Recognizer
-from localize.recognition.recorded_takes import Stretch, cut, heard_frames, stretched_waveform, stretches
+from localize.recognition.recorded_takes import (
+    Stretch,
+    cut,
+    heard_frames,
+    stretched_waveform,
+    stretches,
+    written_maps,
+)
+from localize.recognition.writing import WRITTEN, LineReader
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.frames import FRAME
 from localize.signals.noise import NoiseSpectrum
@@ -47,7 +55,7 @@ class Ear:
     """
 
     def __init__(self, library: Library | ArrayResponse, recognizer: Recognizer) -> None:
-        response = response_of(library)
+        self._response = response = response_of(library)
         noise = response.noise(recognizer.plan["microphone_noise"])
         self._rms = noise.rms if isinstance(noise, NoiseSpectrum) else noise
         self._recognizer = recognizer
@@ -64,6 +72,8 @@ class Ear:
             speed: of what slides, mm/s.
             locator: names points.
         """
+        if self._recognizer.subject == WRITTEN:
+            return self._letters(signals)
         found = []
         for each in stretches(heard_frames(signals, self._recognizer.microphones, self._rms)):
             touched = self._named(locator, signals, each) if point is None else point
@@ -75,6 +85,19 @@ class Ear:
             probability = self._recognizer.recognize(windows[:, -WINDOW:]).mean(0)
             found.append(ToldTouch(each.begin / SAMPLE_RATE, each.end / SAMPLE_RATE, touched, probability))
         return tuple(found)
+
+    def _letters(self, signals: Array) -> tuple[ToldTouch, ...]:
+        """Letters of a recording, each with the point at which it begins."""
+        reader = LineReader(self._response, self._recognizer.plan["microphone_noise"])
+        frames = heard_frames(signals, self._recognizer.microphones, self._rms)
+        maps, found = written_maps(reader, signals, frames)
+        if not found:
+            return ()
+        told = self._recognizer.of_maps(maps)
+        return tuple(
+            ToldTouch(each.begin / SAMPLE_RATE, each.end / SAMPLE_RATE, reader.begins(signals, each.begin), probability)
+            for each, probability in zip(found, told, strict=True)
+        )
 
     @staticmethod
     def _named(locator: Locator, signals: Array, each: Stretch) -> int:

@@ -20,11 +20,13 @@ from localize.decoders.reconstruct import Reconstructor
 from localize.learned.checkpoint import Checkpoint
 from localize.learned.classifier import NETWORKS, MapClassifier, NetworkShape
 from localize.learned.epochs import Lesson, TrainingProgress, named_classes, run_epochs
+from localize.recognition.letters import LETTERS, Hand
 from localize.recognition.plan import RecognitionPlan
 from localize.recognition.power_maps import MAPS
 from localize.recognition.recognizer import Recognizer
 from localize.recognition.recorded_takes import recorded_takes
 from localize.recognition.takes import SUBJECTS, TakeMaker
+from localize.recognition.writing import VARIANTS, WRITTEN, LetterMaker, LineReader
 from localize.signals.array_response import ArrayResponse, response_of, warn_of_uncovered
 from localize.signals.noise import NoiseSpectrum
 from localize.signals.threads import one_thread
@@ -36,6 +38,8 @@ HELD_OUT = 0.25
 """Number of simulated takes that are held out, as a share of those that are trained on: 4 to 1."""
 RECORDED = "labels"
 """Subject of a recognizer that was trained on recordings, whose labels are the user's."""
+SPEEDS = (25.0, 120.0)
+"""Slowest and fastest speed at which simulated letters are written to train on, mm/s."""
 LEAST_NOISE = 1e-5
 """Noise that waveforms are made with at least, Pa rms: a filter for no noise at all amplifies what is there."""
 
@@ -71,11 +75,12 @@ def train_recognizer(
 
     Args:
         library: transfer functions that cover 1 to 100 Hz.
-        subject: what to tell: one of :data:`localize.recognition.takes.SUBJECTS`, or "labels" for those of a manifest.
+        subject: what to tell: one of :data:`localize.recognition.takes.SUBJECTS`, "letters", or "labels" for those of a
+            manifest.
         plan: by default one that takes about a minute for twelve kinds on one core.
         progress: called after every epoch.
         checkpoint: a file that keeps the state of the training, as of :func:`localize.train`.
-        recordings: a manifest with labels (:mod:`localize.recordings.touch_manifest`), for "labels".
+        recordings: a manifest with labels (:mod:`localize.recordings.touch_manifest`), for "labels" and "letters".
         making: called with the share of the simulated takes that are made.
 
     Raises:
@@ -83,31 +88,18 @@ def train_recognizer(
         TouchManifestError, RecordingError: recordings that cannot be used.
         CheckpointError: the checkpoint is damaged, or that of another training.
     """
-    plan = plan or RecognitionPlan()
-    known = (*SUBJECTS, RECORDED)
+    plan = plan or RecognitionPlan.of(subject)
+    known = (*SUBJECTS, WRITTEN, RECORDED)
     if subject not in known:
         raise Refusal(f"subject = {subject!r} must be one of: {', '.join(known)}")
-    if (subject == RECORDED) != (recordings is not None):
-        raise Refusal(f"subject = {subject!r}: a manifest of recordings goes with {RECORDED!r} and with nothing else")
+    if subject != WRITTEN and (subject == RECORDED) != (recordings is not None):
+        raise Refusal(
+            f"subject = {subject!r}: a manifest of recordings goes with {RECORDED!r} or {WRITTEN!r}, and {RECORDED!r} "
+            "with nothing else"
+        )
     response = response_of(library)
     warn_of_uncovered(response)
-    reconstructor = reconstructor_of(response, plan)
-    slides = False
-    if recordings is not None:
-        noise = response.noise(plan.microphone_noise)
-        rms = noise.rms if isinstance(noise, NoiseSpectrum) else noise
-        found = recorded_takes(recordings, response, reconstructor, rms, plan.seed)
-        identity = {f"recording {name}": said for name, said in found.files.items()}
-        slides = found.at_usual_speed
-        takes = Takes(found.labels, found.maps, found.kind, found.held_out_maps, found.held_out_kind, identity)
-    else:
-        maker = TakeMaker(subject, reconstructor, (response,), plan.seed, plan.microphone_noise)
-        kinds = SUBJECTS[subject].labels
-        held = max(1, round(HELD_OUT * plan.takes)) * len(kinds)
-        takes = Takes(
-            kinds, *maker.maps("training", plan.takes * len(kinds), making), *maker.maps("held-out", held), {}
-        )
-        slides = SUBJECTS[subject].speeds is not None
+    takes, slides = _takes(response, subject, plan, recordings, making)
     shape = NetworkShape(maps=MAPS, points=len(takes.labels), **NETWORKS[plan.network])
     classifier, record = learn(takes, shape, plan, response, checkpoint, progress)
     return Recognizer(
@@ -125,6 +117,34 @@ def train_recognizer(
             "recognizer": versions(plan.seed, ("numpy", "safetensors", "scipy", "torch")),
         },
     )
+
+
+def _takes(
+    response: ArrayResponse,
+    subject: str,
+    plan: RecognitionPlan,
+    recordings: str | os.PathLike[str] | None,
+    making: Callable[[float], None] | None,
+) -> tuple[Takes, bool]:
+    """What is learnt from, and whether it is of sliding at a known speed."""
+    reconstructor = reconstructor_of(response, plan)
+    reader = LineReader(response, plan.microphone_noise) if subject == WRITTEN else None
+    if recordings is not None:
+        noise = response.noise(plan.microphone_noise)
+        rms = noise.rms if isinstance(noise, NoiseSpectrum) else noise
+        found = recorded_takes(recordings, response, reader or reconstructor, rms, plan.seed)
+        identity = {f"recording {name}": said for name, said in found.files.items()}
+        own = (found.maps, found.kind, found.held_out_maps, found.held_out_kind)
+        return Takes(found.labels, *own, identity), found.at_usual_speed
+    kinds = LETTERS if reader else SUBJECTS[subject].labels
+    held = max(1, round(HELD_OUT * plan.takes)) * len(kinds)
+    if reader:
+        written = LetterMaker((reader,), (response,), plan.seed, plan.microphone_noise, Hand(speed=SPEEDS))
+        seen = written.maps("training", plan.takes * len(kinds), making, VARIANTS)
+        return Takes(kinds, *seen, *written.maps("held-out", held), {}), False
+    maker = TakeMaker(subject, reconstructor, (response,), plan.seed, plan.microphone_noise)
+    seen = maker.maps("training", plan.takes * len(kinds), making)
+    return Takes(kinds, *seen, *maker.maps("held-out", held), {}), SUBJECTS[subject].speeds is not None
 
 
 def reconstructor_of(response: ArrayResponse, plan: RecognitionPlan) -> Reconstructor:

@@ -11,11 +11,13 @@ from numpy.typing import NDArray
 from torch import Tensor
 
 from localize.decoders.reconstruct import Reconstructor
+from localize.learned.features import COLUMNS, FREQUENCIES
 from localize.learned.recorded_frames import touched_frames
 from localize.live.front_end import Listening
-from localize.recognition.power_maps import WINDOW, maps_of
+from localize.recognition.power_maps import MAPS, WINDOW, maps_of
 from localize.recognition.takes import at_usual_speed, prepared
 from localize.recognition.textures import SPEED
+from localize.recognition.writing import VARIANTS, LineReader, letter_maps
 from localize.recordings.recording import read_recording
 from localize.recordings.touch_manifest import (
     TouchManifestError,
@@ -31,6 +33,9 @@ Array = NDArray[np.float64]
 
 APART = 0.4
 """Silence from which two touches are two, s: the taps of a double tap lie closer."""
+LETTERS_APART = 1.5
+"""Silence from which two letters are two, s: a pen is lifted for less between the strokes of one, and over the shells
+between the points nothing is heard."""
 BEFORE = (0.05, 0.2, 0.35, 0.5)
 """Times before a short touch at which windows begin to train on, s; one is named by the second."""
 AROUND = 150
@@ -65,16 +70,17 @@ class Stretch:
     """Sample behind the last one."""
 
 
-def stretches(frames: NDArray[np.int64]) -> list[Stretch]:
+def stretches(frames: NDArray[np.int64], apart: float = APART) -> list[Stretch]:
     """Stretches in which something is heard.
 
     Args:
         frames: (n,) int64, ascending, first samples of the frames with a touch.
+        apart: silence from which two are two, s.
     """
     found: list[Stretch] = []
     for first in frames.tolist():
         # A frame has heard a touch from the first sample that it shares with it on.
-        if found and first - found[-1].end < APART * SAMPLE_RATE - FRAME:
+        if found and first - found[-1].end < apart * SAMPLE_RATE - FRAME:
             found[-1] = Stretch(found[-1].begin, first + 1)
         else:
             found.append(Stretch(first + FRAME - 1, first + 1))
@@ -134,6 +140,31 @@ def windows_of(
     return np.concatenate([np.zeros((0, WINDOW)), *(cut(waveform, each, before) for each in found)])
 
 
+def written_maps(
+    reader: LineReader, signals: Array, frames: NDArray[np.int64], variants: int = 0
+) -> tuple[Tensor, list[Stretch]]:
+    """Maps of all letters of a recording, in the order of time.
+
+    Args:
+        reader: of the array.
+        signals: (n_microphone, n_sample) float64, Pa at 1 kHz.
+        frames: (n,) int64, first samples of the frames with a touch.
+        variants: pictures of each letter, each a little different; 0 for one as it is.
+
+    Returns:
+        (n, 2, 64, 32) float32, and where each letter lies.
+    """
+    maps, found = [], []
+    for each in stretches(frames, LETTERS_APART):
+        begin = max(0, min(each.begin, signals.shape[1] - FRAME))
+        line = reader.line(signals[:, begin : max(each.end, begin + FRAME)])
+        if len(line):
+            random = np.random.default_rng(begin)
+            maps += [letter_maps(line, random) for _ in range(variants)] if variants else [letter_maps(line)]
+            found.append(each)
+    return torch.stack(maps) if maps else torch.zeros(0, MAPS, FREQUENCIES, COLUMNS), found
+
+
 def stretched_waveform(
     reconstructor: Reconstructor, signals: Array, point: int, speed: float | None
 ) -> tuple[Array, float]:
@@ -177,14 +208,18 @@ class RecordedTakes:
 
 
 def recorded_takes(
-    path: str | os.PathLike[str], response: ArrayResponse, reconstructor: Reconstructor, noise_rms: float, seed: int
+    path: str | os.PathLike[str],
+    response: ArrayResponse,
+    through: Reconstructor | LineReader,
+    noise_rms: float,
+    seed: int,
 ) -> RecordedTakes:
     """Windows of recorded kinds of touch; a fifth of the recordings of each kind is held out.
 
     Args:
         path: a manifest with labels, see :mod:`localize.recordings.touch_manifest`.
         response: the array.
-        reconstructor: of its library.
+        through: filters of its library; or the reader, of letters.
         noise_rms: Pa rms of a microphone, by which silence is told.
         seed: of the split.
 
@@ -204,12 +239,15 @@ def recorded_takes(
         full_scale = found.full_scale if each.path.suffix.lower() == ".wav" else None
         heard = read_recording(each.path, response.microphones, full_scale).signals
         frames = heard_frames(heard, response.microphones, noise_rms)
-        own = windows_of(reconstructor, heard, frames, each.point - 1, each.speed, BEFORE)
+        if isinstance(through, LineReader):
+            own = written_maps(through, heard, frames, VARIANTS)[0]
+        else:
+            own = maps_of(windows_of(through, heard, frames, each.point - 1, each.speed, BEFORE))
         if not len(own):
             raise TouchManifestError(f"{each.path}: holds no window of {WINDOW} samples in which something is heard")
         signals.append(heard.astype(np.float32))
         touched.append(frames)
-        parts.append((maps_of(own), torch.full((len(own),), labels.index(each.label))))
+        parts.append((own, torch.full((len(own),), labels.index(each.label))))
     refuse_same_take(found, signals, touched)
     seen, judged = ([part for part, h in zip(parts, held, strict=True) if h is side] for side in (False, True))
     return RecordedTakes(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -57,8 +58,8 @@ def train(
     kind: Annotated[
         str | None,
         typer.Option(
-            help="Tell kinds of touch instead of points: events, textures, or labels, those of the recordings: "
-            "docs/kinds.md.",
+            help="Tell kinds of touch instead of points: events, textures, letters (docs/letters.md), or labels, "
+            "those of the recordings: docs/kinds.md.",
             show_default="points",
         ),
     ] = None,
@@ -124,12 +125,14 @@ def _train_kinds(
     options = {"time_limit": "--seconds", "microphone_noise": "--noise", "subject": "--kind"}
     options |= {name: f"--{name}" for name in ("epochs", "seed", "network")}
     with named(**options), display_on_stderr() as display:
-        plan = RecognitionPlan(
+        usual = RecognitionPlan.of(kind)
+        plan = replace(
+            usual,
             epochs=epochs,
             microphone_noise="design" if noise is None else noise,
             seed=seed,
             time_limit=seconds,
-            network=network,
+            network=usual.network if network == TrainingPlan.network else network,
         )
         recognizer = train_kinds(library, out, kind, plan=plan, recordings=recordings, display=display)
     record = recognizer.training

@@ -87,7 +87,10 @@ def test_a_changed_description_is_refused(trained, tmp_path: Path, change, messa
 @pytest.mark.parametrize(
     ("call", "message"),
     [
-        (lambda: localize.train_recognizer(ARRAY, "moods"), "subject = 'moods' must be one of: events, textures, lab"),
+        (
+            lambda: localize.train_recognizer(ARRAY, "moods"),
+            "subject = 'moods' must be one of: events, textures, letters, labels",
+        ),
         (lambda: localize.train_recognizer(ARRAY, "labels"), "a manifest of recordings goes with 'labels'"),
         (lambda: localize.RecognitionPlan(takes=2), "takes = 2 must be a whole number from 5"),
         (lambda: localize.RecognitionPlan(salt_and_pepper=0.9), "salt_and_pepper = 0.9 must be between 0 and 0.5"),
