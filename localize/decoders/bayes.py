@@ -119,6 +119,9 @@ class BayesDecoder:
             assumed without a design.
     """
 
+    assumes = "that the sensor is as its library has it"
+    """What is taken for granted of the sensor, in words."""
+
     @one_thread()
     def __init__(
         self,

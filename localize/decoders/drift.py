@@ -66,6 +66,8 @@ class DriftDecoder(BayesDecoder):
             range; a design that the lumped batch does not take; or as :class:`localize.BayesDecoder`.
     """
 
+    assumes = "that the sensor is as its library has it, but for a stiffness that is followed"
+
     def __init__(
         self, library: Library, microphone_noise: NoiseChoice = 1e-3, ambient: Ambient = None, new: float = 1.0
     ) -> None:

@@ -61,6 +61,8 @@ class TolerantDecoder(BayesDecoder):
             the library does not have, or as :class:`localize.BayesDecoder`.
     """
 
+    assumes = "that the sensor was made from its design within the tolerances of manufacturing, and not calibrated"
+
     def __init__(
         self,
         library: Library,

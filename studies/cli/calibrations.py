@@ -28,7 +28,7 @@ from studies.cli.tables import show, show_library, table_of, tell
 from studies.made_sensor.calibrating import MANIFEST, calibrate_sensor
 from studies.made_sensor.recalibrating import recalibrate as recalibrate_sensor
 from studies.made_sensor.rig_session import record_rig
-from studies.output.frequencies import FREQUENCIES
+from studies.output.frequencies import CALIBRATION_FREQUENCIES
 
 if TYPE_CHECKING:
     from studies.made_sensor.calibrating import SensorCalibration
@@ -82,7 +82,7 @@ def calibrate(
     fidelity: Annotated[
         Fidelity, typer.Option(help="Of the design's own transfer functions, which stand in for missing points.")
     ] = _FIDELITY,
-    frequencies: Frequencies = FREQUENCIES,
+    frequencies: Frequencies = CALIBRATION_FREQUENCIES,
     tolerances: Tolerances = None,
     pressure: Pressure = None,
     altitude: Altitude = None,

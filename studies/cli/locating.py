@@ -153,6 +153,7 @@ def locate(
     tell(
         f"points are those of the design {found.design}, as {model}{told_of} has it: of another array they say nothing"
     )
+    tell(f"assumed is {found.assumes}")
 
 
 def recognize(

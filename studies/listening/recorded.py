@@ -33,6 +33,8 @@ class LocatedTouches:
     """Length of the recording, s."""
     design: str
     """Name of the design whose points are named: that of the localizer, whatever was recorded."""
+    assumes: str
+    """What the localizer takes for granted of the sensor, in words."""
 
     @property
     def seconds_by_state(self) -> dict[State, float]:
@@ -71,7 +73,7 @@ def locate_recording(
     check_new_file(path, ".jsonl", reads=(model, recording, given.library))
     if given.waveform and path is None:
         raise Refusal("`waveform` goes into the lines of `out`; give that too")
-    from localize import TouchTracker, read_recording, touches_of
+    from localize import BayesDecoder, TouchTracker, read_recording, touches_of
 
     localizer = open_localizer(source, given)
     stream = open_stream(source, localizer, given)
@@ -82,6 +84,8 @@ def locate_recording(
     events += tracker.finish()
     if path is not None:
         write_text(path, "".join(event.json_line() + "\n" for event in events))
-    return LocatedTouches(
-        tuple(touches_of(decided, localizer)), tuple(events), localizer, heard.seconds, localizer.design
+    touches = tuple(touches_of(decided, localizer))
+    assumes = (
+        localizer.assumes if isinstance(localizer, BayesDecoder) else "that touches are like those of the training"
     )
+    return LocatedTouches(touches, tuple(events), localizer, heard.seconds, localizer.design, assumes)

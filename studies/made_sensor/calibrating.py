@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from geometry.refusal import Refusal
 from studies.output.display import Display
 from studies.output.folders import check_new_file
-from studies.output.frequencies import FREQUENCIES, stated_frequencies
+from studies.output.frequencies import CALIBRATION_FREQUENCIES, stated_frequencies
 
 if TYPE_CHECKING:
     import numpy as np
@@ -54,7 +54,7 @@ def calibrate_sensor(
     out: str | os.PathLike[str],
     *,
     fidelity: str = "lumped",
-    frequency: ArrayLike | str = FREQUENCIES,
+    frequency: ArrayLike | str = CALIBRATION_FREQUENCIES,
     tolerances: str | os.PathLike[str] | Sequence[Tolerance] | None = None,
     air: LocalAir | None = None,
     display: Display | None = None,

@@ -17,7 +17,7 @@ from localize.recordings.touch_manifest import read_touch_manifest
 from studies.made_sensor.rig_session import record_rig
 
 RECORDER = studies.Recorder(seconds=20.0)
-TOUCHES = studies.TouchSession(1, 4.0, ("random-1-100",))
+TOUCHES = studies.TouchSession(1, 4.0, ("random-1-100", "taps"))
 
 
 @pytest.fixture(name="made", scope="module")
@@ -28,19 +28,20 @@ def recorded(tmp_path_factory: pytest.TempPathFactory) -> studies.RigSession:
 
 def test_a_calibration_from_it_finds_the_made_sensor_and_its_touches(made: studies.RigSession, tmp_path: Path) -> None:
     assert made.calibration.parent.parent == made.touches.parent.parent == made.folder
-    found = studies.calibrate_sensor(made.calibration.parent, tmp_path / "made.nc", frequency="1:100:100")
-    truth = acoustic_fem.load(made.library).transfer_function.values[..., :100]
-    nominal = acoustic_fem.solve(small_design(), np.arange(1.0, 101.0), "lumped").transfer_function.values
+    found = studies.calibrate_sensor(made.calibration.parent, tmp_path / "made.nc")
+    truth = acoustic_fem.load(made.library).transfer_function.values[..., :125]
+    nominal = acoustic_fem.solve(small_design(), np.arange(1.0, 126.0), "lumped").transfer_function.values
     assert not found.calibration.missing
     error = [np.abs(h / truth - 1).mean() for h in (found.library.transfer_function.values, nominal)]
     assert error[0] < 0.03 < 0.06 < error[1]
     manifest = read_touch_manifest(made.touches, 3)
     assert manifest.full_scale == made.full_scale
     # The middle point of three is heard alike on both sides, as a sound is.
-    recording = manifest.recordings[2]
-    heard = studies.locate_recording(tmp_path / "made.nc", recording.path, full_scale=made.full_scale)
-    longest = max(heard.touches, key=lambda touch: touch.end - touch.start)
-    assert (longest.point, longest.probability > 0.8) == (recording.point, True)
+    for recording in manifest.recordings:
+        heard = studies.locate_recording(tmp_path / "made.nc", recording.path, full_scale=made.full_scale)
+        points = [touch.point for touch in heard.touches]
+        assert recording.point == 2 or (points and set(points) == {recording.point})
+        assert heard.assumes == "that the sensor is as its library has it"
 
 
 def test_what_was_hidden_stands_beside(made: studies.RigSession) -> None:
