@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import os
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -55,7 +56,7 @@ def track_recording(
     Args:
         library: of the array, with a design.
         recording: see :func:`localize.read_recording`.
-        out: a table for a row for every 16 ms of each path, ``.csv``; an earlier one is replaced.
+        out: a table for a row for every 16 ms of each path, ``.csv``; an earlier one of paths is replaced.
         picture: of the paths on the array, ``.png``; an earlier one is replaced.
         radius: of the contact, mm, 0.1 to 50.
         full_scale: as of :func:`studies.locate_recording`.
@@ -66,7 +67,9 @@ def track_recording(
     """
     source, given = Path(library), decoding or Decoding()
     table, drawn = (None if each is None else Path(each) for each in (out, picture))
-    check_new_file(table, ".csv", reads=(library, recording))
+    # Recordings may be CSV as well.
+    kept = None if table is None or _is_replaceable(table) else "a table that is none of paths"
+    check_new_file(table, ".csv", reads=(library, recording), kept=kept)
     check_new_file(drawn, ".png", reads=(library, recording), option="picture")
     from localize import gesture_of, read_recording
     from localize.tracking import tracks_of
@@ -81,6 +84,16 @@ def track_recording(
         draw_paths(tracks, tracker.response, drawn)
     measured = tracker.response.provenance.get("fidelity") == "measured"
     return TrackedRecording(tracks, tuple(map(gesture_of, tracks)), heard.seconds, decoder.design, not measured)
+
+
+def _is_replaceable(path: Path) -> bool:
+    """Whether a file is not there, or is a table that this module wrote."""
+    if not path.is_file():
+        return True
+    header = ",".join(COLUMNS).encode() + b"\n"
+    with suppress(OSError), path.open("rb") as file:
+        return file.read(len(header)) == header
+    return False
 
 
 def _rows(tracks: tuple[Track, ...]) -> str:

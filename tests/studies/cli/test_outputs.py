@@ -40,6 +40,7 @@ FILES = {
     "onnx": ("library.nc", ".onnx"),
     "locate": ("library.nc take.wav", ".jsonl"),
     "recognize": ("localizer library.nc take.wav", ".jsonl"),
+    "track": ("library.nc take.wav", ".csv"),
     "live": ("library.nc --replay take.wav", ".jsonl"),
     "report": ("results.zarr", ".html"),
     "best": ("results.zarr 0", ".toml"),
