@@ -10,7 +10,7 @@ from geometry.refusal import Refusal, counted
 
 @dataclass(frozen=True)
 class WiringCounts:
-    """Figures of how economical a wiring is (rules of the paper, section on scalability)."""
+    """Figures of how economical a wiring is (counting rules of the paper)."""
 
     microphones: int
     """Number of microphones, M."""

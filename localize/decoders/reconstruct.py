@@ -160,7 +160,7 @@ def short_window_waveform(
     window: int = PAPER_WINDOW,
     hop: int = PAPER_HOP,
 ) -> NDArray[np.float64]:
-    """Waveform in the paper's way: short-window transform, least squares over microphones per bin, and back.
+    """Waveform in the paper's way: short-window transform, least squares over microphones (ours) per bin, and back.
 
     The product with a transfer function is exact only for windows much longer than the impulse response. At the
     paper's 32 samples, 31 Hz between bins, the error is that of the window, whatever the noise.

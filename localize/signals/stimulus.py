@@ -3,8 +3,9 @@
 A stimulus is the sum of N sinusoids between 1 and 100 Hz with amplitudes U[0.02, 0.1] Pa and random phases,
 divided by its peak where that exceeds 1 Pa, plus white noise of 0.005 Pa rms (Scalable Dynamic Tactile Sensing
 Enabled by Passive and Flexible Acoustic Waveguides, section on simulated data). N is drawn from one of seven
-intervals, all equally likely. Two choices are ours: frequencies lie on the lines of a periodic grid, a quarter of
-a hertz apart, so that the response of a linear array is exact; and the sample is the first second of that period.
+intervals, all equally likely. Three choices are ours: frequencies lie on the lines of a periodic grid, a quarter of
+a hertz apart, so that the response of a linear array is exact; the sample is the first second of that period; and the
+amplitudes, to which the publication gives no unit, are in Pa.
 
 What fingers do, as opposed to this, is in :mod:`localize.signals.finger_stimuli`.
 """

@@ -1,6 +1,6 @@
 """How many points microphones serve, as a picture: lines in series against one transducer per point and rows + columns.
 
-Counting rules of the paper, section on scalability; :func:`geometry.plan.topology.wiring_counts` has them.
+Counting rules of the paper; :func:`geometry.plan.topology.wiring_counts` has them.
 """
 
 from __future__ import annotations
