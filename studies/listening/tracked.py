@@ -71,6 +71,7 @@ def track_recording(
     kept = None if table is None or _is_replaceable(table) else "a table that is none of paths"
     check_new_file(table, ".csv", reads=(library, recording), kept=kept)
     check_new_file(drawn, ".png", reads=(library, recording), option="picture")
+    from acoustic_fem.library.result import MEASURED
     from localize import gesture_of, read_recording
     from localize.tracking import tracks_of
 
@@ -82,7 +83,7 @@ def track_recording(
         write_text(table, _rows(tracks))
     if drawn is not None:
         draw_paths(tracks, tracker.response, drawn)
-    measured = tracker.response.provenance.get("fidelity") == "measured"
+    measured = tracker.response.provenance.get("fidelity") == MEASURED
     return TrackedRecording(tracks, tuple(map(gesture_of, tracks)), heard.seconds, decoder.design, not measured)
 
 
