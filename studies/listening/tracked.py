@@ -130,9 +130,12 @@ def draw_paths(tracks: tuple[Track, ...], response: ArrayResponse, path: str | o
 
     assert response.position is not None
     assert response.membrane_radius is not None
-    with figure_in_style((6.4, 6.0)) as figure:
+    size = 2 * response.membrane_radius
+    drawn = np.concatenate([response.position, *(track.place for track in tracks)])
+    low, high = drawn.min(0) - size.max(), drawn.max(0) + size.max()
+    width, depth = high - low
+    with figure_in_style((6.4, float(np.clip(5.8 * depth / width, 1.2, 8.0)) + 0.9)) as figure:
         axes = figure.add_subplot()
-        size = 2 * response.membrane_radius
         axes.add_collection(
             EllipseCollection(
                 size, size, np.zeros(len(size)), units="xy", offsets=response.position, transOffset=axes.transData,
@@ -150,10 +153,9 @@ def draw_paths(tracks: tuple[Track, ...], response: ArrayResponse, path: str | o
             )  # fmt: skip
             axes.plot(*track.place[track.heard].T, ".", color=colour, markersize=3)
             axes.plot(*track.place[0], "o", color=colour, markersize=6)
-        axes.set_aspect("equal")
-        axes.margins(0.08)
+        axes.set(aspect="equal", xlim=(low[0], high[0]), ylim=(low[1], high[1]))
         axes.set_xlabel("x  (mm)")
         axes.set_ylabel("y  (mm)")
         if 0 < len(tracks) <= 8:
-            axes.legend(loc="upper left", bbox_to_anchor=(0, -0.1), ncols=2, fontsize=8)
+            axes.legend(loc="upper left", bbox_to_anchor=(0, -0.5 / figure.get_figheight()), ncols=2, fontsize=8)
         return save_figure(figure, path)

@@ -9,7 +9,7 @@ place, and the change of fidelity.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields, replace
 from functools import cached_property
 from pathlib import Path
@@ -282,24 +282,22 @@ class Rig:
         drive = _excitation(recorder, total, random)
         drive[~inside] = 0
         drive *= recorder.level / np.sqrt(2 * (np.abs(drive[inside]) ** 2).sum()) * total
-        return self.recorded(point, drive, total, before, count, recorder, random)
+        return self.recorded({point: drive}, total, before, count, recorder, random)
 
     def recorded(
         self,
-        point: int,
-        drive: Complex,
+        drives: Mapping[int, Complex],
         total: int,
         before: int,
         count: int,
         recorder: Recorder,
         random: np.random.Generator,
     ) -> Array:
-        """Signals that are recorded of a pressure in a cavity, with all that a recorder adds.
+        """Signals that are recorded of pressures in cavities, with all that a recorder adds.
 
         Args:
-            point: number, from 1.
-            drive: (total // 2 + 1,) complex128, spectrum of the pressure as of np.fft.rfft, Pa; only :data:`BAND` is
-                heard.
+            drives: by the number of the point, from 1: (total // 2 + 1,) complex128, spectrum of the pressure in its
+                cavity as of np.fft.rfft, Pa; only :data:`BAND` is heard. The reference hears the first.
             total: number of samples of the pressure, at the rate of the recorder.
             before: number of them that come before the recording.
             count: number of samples of the recording.
@@ -312,8 +310,10 @@ class Rig:
         grid = np.fft.rfftfreq(total, 1 / recorder.rate).astype(np.float64)
         inside = (grid >= BAND[0]) & (grid <= BAND[1])
         spectra = np.zeros((1 + len(self.design.microphones), len(grid)), np.complex128)
-        spectra[0] = drive * np.exp(2j * np.pi * grid * recorder.late)
-        spectra[1:, inside] = drive[inside] * self.transfer_function(grid[inside])[point - 1]
+        spectra[0] = next(iter(drives.values())) * np.exp(2j * np.pi * grid * recorder.late)
+        heard_at = self.transfer_function(grid[inside])
+        for point, drive in drives.items():
+            spectra[1:, inside] += drive[inside] * heard_at[point - 1]
         # noise of the microphones as a pressure in their chambers, above 0.5 Hz
         heard = np.maximum(grid, 0.5)
         medium = design_air(self.design)

@@ -115,7 +115,7 @@ def _take(rig: Rig, point: int, part: Part, take: int, session: TouchSession, re
     pressure[:count] = _with_play(_pressure(part, count, session, recorder.rate, random, of_contact), session)
     # Whoever records sets the level so that nothing clips.
     pressure *= min(1.0, LOUDEST * recorder.full_scale / np.abs(pressure).max())
-    return rig.recorded(point, np.fft.rfft(pressure), total, 0, count, recorder, random)[1:]
+    return rig.recorded({point: np.fft.rfft(pressure)}, total, 0, count, recorder, random)[1:]
 
 
 def _with_play(movement: Array, session: TouchSession) -> Array:

@@ -26,7 +26,10 @@ LINK = re.compile(r"\]\(([^)#\s]+)(?:#[^)]*)?\)")
 #: Pages whose blocks take 4 s and more.
 LONG = {
     "CONTRIBUTING.md",
-    *(f"docs/{name}.md" for name in ("bending", "calibration", "decoder", "localizer", "parts", "python")),
+    *(
+        f"docs/{name}.md"
+        for name in ("bending", "calibration", "decoder", "first-minutes", "localizer", "parts", "python")
+    ),
 }
 
 
