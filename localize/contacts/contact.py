@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from acoustic_fem.quantities.checks import in_range, numbers
 from geometry.refusal import Refusal
+from localize.contacts.radii import RADII
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.random_streams import Purpose, random_words, uniform
 
@@ -25,8 +26,6 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-RADII = (0.05, 100.0)
-"""Smallest and largest radius of a contact, mm."""
 GRAIN = (0.25, 4.0)
 """Shortest and longest wave of a rough contact along its path, mm: about half and eight times the ridges of a finger,
 which lie 0.4 to 0.5 mm apart; ours."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from geometry.refusal import Refusal
 
@@ -12,6 +12,44 @@ if TYPE_CHECKING:
     from localize.signals.disturbances import MicrophoneMismatch
     from localize.signals.noise import NoiseChoice
     from localize.signals.stimulus import StimulusSource
+
+#: Fields that every plan of a training has, and their ranges.
+WHOLE = {"epochs": (1, 10_000), "batch": (2, 65_536), "seed": (0, 2**63 - 1)}
+REAL = {
+    "learning_rate": (1e-8, 1.0),
+    "weight_decay": (0.0, 1.0),
+    "microphone_noise": (0.0, 100.0),
+    "time_limit": (1e-3, 1e9),
+}
+
+
+def check_ranges(
+    field: dict[str, Any], whole: dict[str, tuple[int, int]], real: dict[str, tuple[float, float]]
+) -> None:
+    """Refuse a plan with a field out of range, or a network that nobody knows.
+
+    Args:
+        field: the fields of the plan by name.
+        whole: lowest and highest value of the whole numbers that it alone has, by name.
+        real: of its other numbers.
+
+    Raises:
+        Refusal: field, value and range.
+    """
+    from localize.learned.classifier import NETWORKS
+
+    for name, (least, most) in (whole | WHOLE).items():
+        value = field[name]
+        if isinstance(value, bool) or not isinstance(value, int) or not least <= value <= most:
+            raise Refusal(f"{name} = {value!r} must be a whole number from {least} to {most}")
+    for name, (low, high) in (real | REAL).items():
+        value = field[name]
+        if (name, value) in (("time_limit", None), ("microphone_noise", "design")):
+            continue
+        if isinstance(value, str) or not low <= value <= high:
+            raise Refusal(f"{name} = {value!r} must be between {low:g} and {high:g}")
+    if field["network"] not in NETWORKS:
+        raise Refusal(f"network = {field['network']!r} must be one of: {', '.join(NETWORKS)}")
 
 
 @dataclass(frozen=True)
@@ -66,42 +104,25 @@ class TrainingPlan:
     processor has instructions for it, and slower elsewhere. Weights and finished localizer are in single precision."""
 
     def __post_init__(self) -> None:
-        from localize.learned.classifier import NETWORKS
         from localize.learned.features import map_count
         from localize.signals.disturbances import check_ambient
         from localize.signals.finger_stimuli import STIMULI
 
-        for name, least, most in (
-            ("seconds_per_point", 1, 1_000_000),
-            ("epochs", 1, 10_000),
-            ("batch", 2, 65_536),
-            ("seed", 0, 2**63 - 1),
-        ):
-            value = getattr(self, name)
-            if isinstance(value, bool) or not isinstance(value, int) or not least <= value <= most:
-                raise Refusal(f"{name} = {value!r} must be a whole number from {least} to {most}")
-        for name, low, high in (
-            ("held_out_fraction", 1e-6, 10.0),
-            ("learning_rate", 1e-8, 1.0),
-            ("weight_decay", 0.0, 1.0),
-            ("label_sigma", 0.0, 100.0),
-            ("microphone_noise", 0.0, 100.0),
-            ("microphone_gain", 0.0, 20.0),
-            ("recorded", 0.0, 1.0),
-            ("time_limit", 1e-3, 1e9),
-        ):
-            value = getattr(self, name)
-            if (name, value) in (("time_limit", None), ("microphone_noise", "design")):
-                continue
-            if isinstance(value, str) or not low <= value <= high:
-                raise Refusal(f"{name} = {value!r} must be between {low:g} and {high:g}")
+        check_ranges(
+            vars(self),
+            whole={"seconds_per_point": (1, 1_000_000)},
+            real={
+                "held_out_fraction": (1e-6, 10.0),
+                "label_sigma": (0.0, 100.0),
+                "microphone_gain": (0.0, 20.0),
+                "recorded": (0.0, 1.0),
+            },
+        )
         if self.ambient is not None:
             check_ambient(self.ambient)
         for stimuli in self.stimuli or ("",):
             if stimuli not in STIMULI:
                 raise Refusal(f"stimuli = {self.stimuli!r} must name at least one of: {', '.join(STIMULI)}")
-        if self.network not in NETWORKS:
-            raise Refusal(f"network = {self.network!r} must be one of: {', '.join(NETWORKS)}")
         map_count(2, self.features)
 
     @classmethod

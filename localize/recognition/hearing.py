@@ -23,7 +23,7 @@ from localize.recognition.recorded_takes import (
 from localize.recognition.writing import WRITTEN, LineReader
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.frames import FRAME
-from localize.signals.noise import NoiseSpectrum
+from localize.signals.noise import NoiseChoice, NoiseSpectrum
 from localize.signals.stimulus import SAMPLE_RATE
 
 if TYPE_CHECKING:
@@ -52,12 +52,17 @@ class Ear:
     Args:
         library: of the array.
         recognizer: for it.
+        noise: of the microphones, above which something is heard; by default that of the training. Waveforms are made
+            by the filters of the training in any case.
     """
 
-    def __init__(self, library: Library | ArrayResponse, recognizer: Recognizer) -> None:
+    def __init__(
+        self, library: Library | ArrayResponse, recognizer: Recognizer, noise: NoiseChoice | None = None
+    ) -> None:
         self._response = response = response_of(library)
-        noise = response.noise(recognizer.plan["microphone_noise"])
-        self._rms = noise.rms if isinstance(noise, NoiseSpectrum) else noise
+        self._noise: NoiseChoice = recognizer.plan["microphone_noise"] if noise is None else noise
+        level = response.noise(self._noise)
+        self._rms = level.rms if isinstance(level, NoiseSpectrum) else level
         self._recognizer = recognizer
         self._reconstructor = Reconstructor(response, recognizer.plan["microphone_noise"] or 1e-5)
 
@@ -88,7 +93,7 @@ class Ear:
 
     def _letters(self, signals: Array) -> tuple[ToldTouch, ...]:
         """Letters of a recording, each with the point at which it begins."""
-        reader = LineReader(self._response, self._recognizer.plan["microphone_noise"])
+        reader = LineReader(self._response, self._noise)
         frames = heard_frames(signals, self._recognizer.microphones, self._rms)
         maps, found = written_maps(reader, signals, frames)
         if not found:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from geometry.refusal import Refusal
+from localize.learned.plan import check_ranges
 
 if TYPE_CHECKING:
     from localize.signals.noise import NoiseChoice
@@ -53,29 +53,6 @@ class RecognitionPlan:
         return cls()
 
     def __post_init__(self) -> None:
-        from localize.learned.classifier import NETWORKS
-
-        for name, least, most in (
-            ("takes", 5, 1_000_000),
-            ("epochs", 1, 10_000),
-            ("batch", 2, 65_536),
-            ("seed", 0, 2**63 - 1),
-        ):
-            value = getattr(self, name)
-            if isinstance(value, bool) or not isinstance(value, int) or not least <= value <= most:
-                raise Refusal(f"{name} = {value!r} must be a whole number from {least} to {most}")
-        for name, low, high in (
-            ("learning_rate", 1e-8, 1.0),
-            ("weight_decay", 0.0, 1.0),
-            ("smoothing", 0.0, 0.5),
-            ("salt_and_pepper", 0.0, 0.5),
-            ("microphone_noise", 0.0, 100.0),
-            ("time_limit", 1e-3, 1e9),
-        ):
-            value = getattr(self, name)
-            if (name, value) in (("time_limit", None), ("microphone_noise", "design")):
-                continue
-            if isinstance(value, str) or not low <= value <= high:
-                raise Refusal(f"{name} = {value!r} must be between {low:g} and {high:g}")
-        if self.network not in NETWORKS:
-            raise Refusal(f"network = {self.network!r} must be one of: {', '.join(NETWORKS)}")
+        check_ranges(
+            vars(self), whole={"takes": (5, 1_000_000)}, real={"smoothing": (0.0, 0.5), "salt_and_pepper": (0.0, 0.5)}
+        )

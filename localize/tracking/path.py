@@ -13,6 +13,7 @@ import numpy as np
 import scipy.ndimage
 from numpy.typing import NDArray
 
+from localize.contacts.radii import MOVING
 from localize.live.events import Decision, TrackedPlace
 from localize.live.front_end import HIGH_PASS
 from localize.signals.array_response import ArrayResponse, response_of
@@ -27,8 +28,6 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-RADIUS = 5.0
-"""Radius of a contact where none is given, mm: a finger that moves."""
 MOST = 100
 """Number of footprints at most, unless points are more: their number makes the time of a frame."""
 PAUSE = 1.0
@@ -84,7 +83,7 @@ class PathTracker:
     def __init__(
         self,
         library: Library | ArrayResponse,
-        radius: float = RADIUS,
+        radius: float = MOVING,
         microphone_noise: NoiseChoice = "design",
         ambient: float | None = None,
         high_pass: float | None = HIGH_PASS,

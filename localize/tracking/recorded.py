@@ -7,12 +7,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from localize.contacts.radii import MOVING
 from localize.decoders.bayes import BayesDecoder, sound_levels
 from localize.live.front_end import Listening
 from localize.live.stream import TouchStream
 from localize.signals.array_response import response_of
 from localize.signals.noise import NoiseChoice
-from localize.tracking.path import RADIUS, PathTracker, Track
+from localize.tracking.path import PathTracker, Track
 
 if TYPE_CHECKING:
     from acoustic_fem import Library
@@ -24,7 +25,7 @@ BLOCK = 1000
 def track(
     library: Library,
     signals: NDArray[np.float64],
-    radius: float = RADIUS,
+    radius: float = MOVING,
     microphone_noise: NoiseChoice = "design",
     ambient: float | None = None,
 ) -> list[Track]:

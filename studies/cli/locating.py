@@ -8,13 +8,14 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from geometry.refusal import counted
+from localize.contacts.radii import MOVING
 from studies.cli.options import AIR_OPTIONS, Altitude, LibraryFile, Pressure, Temperature, named
 from studies.cli.tables import show, table_of, tell
 from studies.listening.exporting import export_decoder
 from studies.listening.opening import Decoding
 from studies.listening.recognized import recognize_recording
 from studies.listening.recorded import locate_recording
-from studies.listening.tracked import RADIUS, track_recording
+from studies.listening.tracked import track_recording
 
 if TYPE_CHECKING:
     from localize.live.events import State
@@ -178,13 +179,24 @@ def recognize(
     full_scale: Annotated[
         float | None, typer.Option(help="Pa: of WAV files the pressure at full scale.", show_default="1 Pa")
     ] = None,
+    noise: DecoderNoise = None,
+    ambient: DecoderAmbient = None,
+    pressure: Pressure = None,
+    altitude: Altitude = None,
+    temperature: Temperature = None,
 ) -> None:
     """What kind each touch of a recording is: events, textures, or the labels that a recognizer was trained on.
 
     Example: [bold]acoustic-fem recognize events library.nc recording.wav[/bold]
     """
-    with named(full_scale="--full-scale", speed="--speed", point="--point"):
-        found = recognize_recording(model, library, recording, out, point=point, speed=speed, full_scale=full_scale)
+    from acoustic_fem.quantities.local_air import LocalAir
+
+    options = {"microphone_noise": "--noise", "loudest": "--ambient", "speed": "--speed", "point": "--point"}
+    with named(full_scale="--full-scale", **options, **AIR_OPTIONS):
+        decoding = Decoding(noise=noise, ambient=ambient, air=LocalAir(pressure, altitude, temperature))
+        found = recognize_recording(
+            model, library, recording, out, point=point, speed=speed, full_scale=full_scale, decoding=decoding
+        )
     table = table_of("from (s)", "to (s)", "point", "kind", "probability (%)", numbers=(0, 1, 2, 4))
     for each in found:
         share = f"{100 * each.probability:.1f}"
@@ -224,7 +236,7 @@ def track(
     picture: Annotated[
         Path | None, typer.Option(metavar="FILE.png", help="Draw the paths on the array.", show_default=False)
     ] = None,
-    radius: Annotated[float, typer.Option(metavar="MM", help="Radius of the contact, mm: a stylus has 0.5.")] = RADIUS,
+    radius: Annotated[float, typer.Option(metavar="MM", help="Radius of the contact, mm: a stylus has 0.5.")] = MOVING,
     full_scale: Annotated[
         float | None,
         typer.Option(

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from geometry.refusal import Refusal
+from localize.contacts.radii import RADII
 
 if TYPE_CHECKING:
     from acoustic_fem import Library
@@ -17,8 +18,6 @@ if TYPE_CHECKING:
     from localize.signals.array_response import ArrayResponse
     from localize.signals.noise import NoiseChoice
 
-#: Radii of contacts, mm.
-RADII = (0.1, 50.0)
 #: White noise that waveforms are reconstructed with where a localizer knows none, Pa rms.
 LEAST_NOISE = 1e-6
 #: White noise that sound is told from at least where nobody asked for it, Pa rms: below, rounding is all there is.
@@ -77,7 +76,7 @@ def open_trained(
             raise Refusal(f"`noise` = {noise} is for a library; {model} was trained with a noise of its own")
         _refuse_air(model, air)
         return load_localizer(model)
-    return BayesDecoder(_library_there(model, air), "design" if noise is None else noise, sound_levels(ambient))
+    return BayesDecoder(library_there(model, air), "design" if noise is None else noise, sound_levels(ambient))
 
 
 def open_tracker(library: Path, decoding: Decoding, radius: float) -> tuple[BayesDecoder, PathTracker]:
@@ -91,14 +90,14 @@ def open_tracker(library: Path, decoding: Decoding, radius: float) -> tuple[Baye
     Raises:
         Refusal: a model that is no library, or as :class:`localize.PathTracker`.
     """
+    from acoustic_fem.quantities.checks import in_range
     from localize import BayesDecoder, PathTracker
     from localize.decoders.bayes import sound_levels
 
-    if not RADII[0] <= radius <= RADII[1]:
-        raise Refusal(f"radius = {radius:g} mm must be between {RADII[0]:g} and {RADII[1]:g} mm")
+    in_range("radius", radius, *RADII, "mm")
     if library.suffix == ".onnx" or _is_trained(library):
         raise Refusal(f"{library}: is no library; paths need one, which tells what is heard of a contact at any place")
-    found = _library_there(library, decoding.air)
+    found = library_there(library, decoding.air)
     noise: NoiseChoice = "design" if decoding.noise is None else decoding.noise
     tracker = PathTracker(found, radius, noise, decoding.ambient)
     return BayesDecoder(found, noise, sound_levels(decoding.ambient)), tracker
@@ -124,7 +123,7 @@ def open_localizer(model: Path, decoding: Decoding) -> Localizer | BayesDecoder 
     if model.suffix != ".onnx" and _is_trained(model):
         return open_trained(model, noise, ambient, air)
     if model.suffix != ".onnx":
-        return _decoder(_library_there(model, air), "design" if noise is None else noise, ambient)
+        return _decoder(library_there(model, air), "design" if noise is None else noise, ambient)
     if noise is not None:
         raise Refusal(f"`noise` = {noise} is for a library; {model} was made for the noise it names itself")
     _refuse_air(model, air)
@@ -141,7 +140,7 @@ def _open_following(model: Path, decoding: Decoding) -> BayesDecoder:
 
     if _is_trained(model) or model.suffix == ".onnx":
         raise Refusal(f"`follow_drift` needs a calibrated library as model: {model} is none")
-    library = _library_there(model, decoding.air)
+    library = library_there(model, decoding.air)
     objection = objection_to_drift(library)
     if objection is not None:
         raise Refusal(f"{model}: {objection}")
@@ -182,7 +181,7 @@ def open_stream(
         return TouchStream(localizer, limit=limit, listening=listening)
     if path is None:
         raise Refusal(f"`{needy}` needs the library of the array: {model} is none; give `library`")
-    library = _library_there(path, decoding.air)
+    library = library_there(path, decoding.air)
     response = response_of(library)
     check_same_design(localizer, response, path)
     noise = localizer.microphone_noise if isinstance(localizer, BayesDecoder) else localizer.noise_rms or "design"
@@ -235,7 +234,7 @@ def _judges(locator: StreamLocator, response: ArrayResponse, noise: NoiseChoice,
     return Judges(locator, sound, residual)
 
 
-def _library_there(path: str | os.PathLike[str], air: LocalAir | None) -> Library:
+def library_there(path: str | os.PathLike[str], air: LocalAir | None) -> Library:
     """Library of a file, brought to the air of the place."""
     import acoustic_fem
 

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from geometry.files.writing import write_text
 from geometry.refusal import Refusal
-from studies.listening.opening import Decoding, open_localizer
+from studies.listening.opening import Decoding, library_there, open_localizer
 from studies.output.folders import check_new_file
 
 
@@ -38,6 +38,7 @@ def recognize_recording(
     point: int | None = None,
     speed: float | None = None,
     full_scale: float | None = None,
+    decoding: Decoding | None = None,
 ) -> tuple[RecognizedTouch, ...]:
     """Touches of a recording by their kind, in the order of time.
 
@@ -49,6 +50,8 @@ def recognize_recording(
         point: that is touched, from 1; by default that which is named.
         speed: of what slides, mm/s; a recognizer of textures needs it.
         full_scale: pressure at full scale of WAV files, Pa.
+        decoding: noise, sound and air of the place; by default noise is that of the training where something is heard,
+            and that of the design's microphone where points are named.
 
     Raises:
         Refusal: a file that cannot be read or written; a library of another array than the recognizer's; a point that
@@ -60,7 +63,8 @@ def recognize_recording(
     from localize.recognition.hearing import Ear
 
     recognizer = load_recognizer(model)
-    localizer = open_localizer(Path(library), Decoding())
+    given = decoding or Decoding()
+    localizer = open_localizer(Path(library), given)
     if localizer.microphones != recognizer.microphones or localizer.design != recognizer.design:
         raise Refusal(
             f"{model}: is of {recognizer.design} with the microphones {', '.join(recognizer.microphones)}, {library} "
@@ -72,10 +76,8 @@ def recognize_recording(
         raise Refusal(f"speed = {speed:g} is of no use: {model} was trained without speeds")
     if point is not None and not 1 <= point <= len(localizer.line):
         raise Refusal(f"point = {point} must be from 1 to {len(localizer.line)}, the points of the array")
-    import acoustic_fem
-
     heard = read_recording(Path(recording), recognizer.microphones, full_scale)
-    ear = Ear(acoustic_fem.load(library), recognizer)
+    ear = Ear(library_there(library, given.air), recognizer, given.noise)
     found = []
     for each in ear.touches(heard.signals, None if point is None else point - 1, speed, localizer):
         best = int(each.probability.argmax())

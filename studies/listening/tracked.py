@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from geometry.files.writing import write_text
+from localize.contacts.radii import MOVING
 from studies.listening.opening import Decoding, open_stream, open_tracker
 from studies.output.folders import check_new_file
 
@@ -20,8 +21,6 @@ if TYPE_CHECKING:
 
 #: Columns of the table.
 COLUMNS = ("path", "time_s", "x_mm", "y_mm", "deviation_mm", "speed_mm_s", "force_N", "heard")
-#: Radius of the contact where none is given, mm: that of a finger that moves.
-RADIUS = 5.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,7 +46,7 @@ def track_recording(
     out: str | os.PathLike[str] | None = None,
     *,
     picture: str | os.PathLike[str] | None = None,
-    radius: float = RADIUS,
+    radius: float = MOVING,
     full_scale: float | None = None,
     decoding: Decoding | None = None,
 ) -> TrackedRecording:
@@ -58,7 +57,7 @@ def track_recording(
         recording: see :func:`localize.read_recording`.
         out: a table for a row for every 16 ms of each path, ``.csv``; an earlier one of paths is replaced.
         picture: of the paths on the array, ``.png``; an earlier one is replaced.
-        radius: of the contact, mm, 0.1 to 50.
+        radius: of the contact, mm, 0.05 to 100.
         full_scale: as of :func:`studies.locate_recording`.
         decoding: how signals are read.
 

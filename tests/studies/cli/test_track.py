@@ -74,7 +74,10 @@ def test_live_tells_places_beside_points(command: Command, folder: Path) -> None
     ("words", "message"),
     [
         (("library.nc", "slide.wav", "--out", "library.nc"), "library.nc"),
-        (("library.nc", "slide.wav", "--out", "x.csv", "--radius", 99), "--radius = 99 mm must be between 0.1 and 50"),
+        (
+            ("library.nc", "slide.wav", "--out", "x.csv", "--radius", 999),
+            "--radius = 999 mm must be between 0.05 and 100",
+        ),
         (("localizer", "slide.wav", "--out", "x.csv"), "localizer: is no library"),
         (("library.nc", "short.wav", "--out", "x.csv"), "short.wav: has 100 samples"),
         (("library.nc", "slide.wav", "--out", "x.csv", "--picture", "slide.wav"), "slide.wav"),

@@ -1,0 +1,47 @@
+"""What is told of the place, noise and air, reaches whatever tells kinds."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from shared import solved
+
+import acoustic_fem
+import localize
+import studies
+from acoustic_fem.quantities.local_air import LocalAir
+from acoustic_fem.sound import write_wav
+
+
+def test_kinds_are_told_in_the_noise_and_air_of_the_place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    library = solved("array-2x6", np.arange(1.0, 101.0, 3.0))
+    acoustic_fem.save(library, tmp_path / "library.nc")
+    write_wav(tmp_path / "take.wav", 1e-3 * np.random.default_rng(0).standard_normal((2, 400)), 1000)
+    own = SimpleNamespace(
+        microphones=("A", "B"), design=library.design.name, at_usual_speed=False, labels=(), subject="events"
+    )
+    ears, opened = [], []
+
+    class Ear:
+        def __init__(self, *given: object) -> None:
+            ears.append(given)
+
+        def touches(self, *_: object) -> tuple[()]:
+            return ()
+
+    def open_localizer(_: Path, decoding: studies.Decoding) -> SimpleNamespace:
+        opened.append(decoding)
+        return SimpleNamespace(microphones=own.microphones, design=own.design, line=library.design.lines)
+
+    monkeypatch.setattr(localize, "load_recognizer", lambda _: own, raising=False)
+    monkeypatch.setattr("localize.recognition.hearing.Ear", Ear)
+    monkeypatch.setattr("studies.listening.recognized.open_localizer", open_localizer)
+    there = studies.Decoding(noise=2e-3, ambient=60.0, air=LocalAir(pressure=8e4))
+    for decoding in (there, None):
+        studies.recognize_recording("model", tmp_path / "library.nc", tmp_path / "take.wav", decoding=decoding)
+    assert opened == [there, studies.Decoding()]
+    assert [noise for _, _, noise in ears] == [2e-3, None]
+    assert [array.medium.pressure for array, _, _ in ears] == [8e4, library.medium.pressure]
