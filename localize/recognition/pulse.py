@@ -1,13 +1,15 @@
 """The pulse of an artery under a finger: where it is felt, its waveform, the three waves of each beat, the heart rate.
 
-A beat is too slow for a frame of 250 ms to name its point; over one or two seconds the frames together do. The
-waveform is the force on the membrane: the Wiener filter of :mod:`localize.decoders.reconstruct`, with the responses to
-a force in place of those to a pressure. Its waves are where it is bent most: minima of the second derivative, as in the
-acceleration plethysmogram (Takazawa et al. 1998, Hypertension 32, 365).
+A beat is too slow for a frame of 250 ms to name its point. The decoder of points therefore hears it four times as
+fast, in frames of a second, with the spectrum of a pulse for that of a touch. The waveform is the force on the
+membrane: the Wiener filter of :mod:`localize.decoders.reconstruct`, with the responses to a force in place of those to
+a pressure. Its waves are where it is bent most: minima of the second derivative, as in the acceleration
+plethysmogram (Takazawa et al. 1998, Hypertension 32, 365).
 """
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
@@ -17,12 +19,13 @@ from numpy.typing import ArrayLike, NDArray
 
 from geometry.refusal import Refusal
 from localize.decoders.bayes import BayesDecoder
+from localize.decoders.frame_covariance import INTEGRATION_STEP, SAMPLES, SOURCE_RMS, touch_covariances
 from localize.decoders.reconstruct import Reconstructor
 from localize.recognition.takes import prepared
-from localize.signals.array_response import ArrayResponse, response_of
+from localize.signals.array_response import ArrayResponse, interpolated_from_zero, response_of
 from localize.signals.frames import checked_signals
-from localize.signals.noise import NoiseChoice
-from localize.signals.stimulus import SAMPLE_RATE
+from localize.signals.noise import NoiseChoice, NoiseSpectrum
+from localize.signals.stimulus import BAND, SAMPLE_RATE
 
 if TYPE_CHECKING:
     from acoustic_fem import Library
@@ -39,6 +42,13 @@ FELT = 0.05
 """Pressure of a pulse in the cavity that the filter expects, Pa rms."""
 WINDOW, LATENCY = 250, 16
 """Window and latency of the filter, samples."""
+SLOWER = 4
+"""Times that frames of the decoder of pulses are longer than those of touches."""
+SOFT, SLOPE = 4.0, 6.0
+"""Corner of the spectrum of a pulse, Hz, and the slope of its power above: the wave is round."""
+HEARD_NOISE = 2.0
+"""Noise that the decoder is told, over that of the microphones: it assumes a quarter of it, for touches are loud, and a
+pulse is near the noise."""
 SMOOTH = 0.02
 """Standard deviation of the Gaussian in which the second derivative is taken, s."""
 AFTER = {"tidal": (0.07, 0.22), "dicrotic": (0.24, 0.44)}
@@ -67,6 +77,62 @@ class PulseReading:
     """Standard deviation of that mean, from how beats differ, beats a minute; NaN with less than three beats."""
 
 
+class PulseDecoder(BayesDecoder):
+    """Decoder of the points under which pulses are felt; time runs :data:`SLOWER` times as fast for it.
+
+    Args:
+        library: of the array, over 1 to 100 Hz.
+        microphone_noise: as of :class:`localize.BayesDecoder`.
+    """
+
+    def __init__(self, library: Library | ArrayResponse, microphone_noise: NoiseChoice = 1e-3) -> None:
+        response = response_of(library)
+        noise = response.noise(microphone_noise)
+        if isinstance(noise, NoiseSpectrum):
+            hertz = np.arange(len(noise.power))
+            # It has no noise below 1 Hz, where it would grow without limit.
+            power = np.interp(np.maximum(hertz / SLOWER, 1.0), hertz, noise.power) / SLOWER
+            own = NoiseSpectrum(power * HEARD_NOISE**2, noise.source)
+            super().__init__(_faster(response, own), "design")
+        else:
+            super().__init__(_faster(response, None), noise * HEARD_NOISE / math.sqrt(SLOWER))
+
+    def _touched(self, library: Library | ArrayResponse, response: ArrayResponse) -> Array:
+        """Covariances of pulses."""
+
+        def density(frequency: Array) -> Array:
+            shape = 1 / (1 + (frequency / SLOWER / SOFT) ** SLOPE)
+            return np.asarray(SOURCE_RMS**2 * shape / (shape.sum() * INTEGRATION_STEP))
+
+        return touch_covariances(response, np.eye(SAMPLES), density)
+
+    def named(self, signals: Array) -> Array:
+        """Probability of each point, (n_point,) float64.
+
+        Args:
+            signals: (n_microphone, n_sample) float64, Pa at 1 kHz, at least a second.
+        """
+        return np.asarray(self.locate(scipy.signal.resample_poly(signals, 1, SLOWER, axis=1, padtype="line")))
+
+
+def _faster(response: ArrayResponse, noise: NoiseSpectrum | None) -> ArrayResponse:
+    """What an array is to a clock that is slower."""
+    top = min(float(response.frequency[-1]), SAMPLE_RATE / 2 / SLOWER)
+    frequency = np.arange(BAND[0] / SLOWER, top + 1e-9, BAND[0] / SLOWER)
+    return replace(
+        response,
+        transfer_function=interpolated_from_zero(
+            response.transfer_function, response.frequency, frequency, response.sealed
+        ),
+        frequency=frequency * SLOWER,
+        own_noise=noise,
+        ambient_response=None,
+        vent_ratio=None,
+        cavity_response=None,
+        sealed=False,
+    )
+
+
 class PulseReader:
     """Reader of pulses on one array.
 
@@ -77,7 +143,7 @@ class PulseReader:
 
     def __init__(self, library: Library | ArrayResponse, microphone_noise: NoiseChoice = 1e-3) -> None:
         response = response_of(library)
-        self._decoder = BayesDecoder(response, microphone_noise)
+        self._decoder = PulseDecoder(response, microphone_noise)
         forced = response.force_response
         through = response if forced is None else replace(response, transfer_function=forced, sealed=False)
         rms = FELT if forced is None else FORCE
@@ -100,7 +166,7 @@ class PulseReader:
             raise Refusal(
                 f"signals last {given.shape[1] / SAMPLE_RATE:g} s, must last at least {LEAST:g} s for a pulse"
             )
-        probability = np.asarray(self._decoder.locate(prepared(given)))
+        probability = self._decoder.named(prepared(given))
         felt = int(probability.argmax()) if point is None else point
         waveform = self._filters.waveform(given, felt).pressure[0]
         waves = waves_of(waveform)

@@ -264,6 +264,7 @@ def track(
         )
     _show_paths(found)
     tell(f"{recording}: {counted(len(found.tracks), 'path')} in {found.seconds:.1f} s; {out}")
+    tell(f"assumed is {found.assumes}")
     if not found.force_is_known:
         tell(f"forces are by the membranes of the design {found.design}, which nobody measured on this sensor")
 

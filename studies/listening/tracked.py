@@ -38,6 +38,8 @@ class TrackedRecording:
     force_is_known: bool
     """Whether the membranes, by which forces are told, are those of the library: those of a calibrated sensor are
     not measured, and taken as designed."""
+    assumes: str
+    """What is taken for granted of the sensor, in words."""
 
 
 def track_recording(
@@ -83,7 +85,9 @@ def track_recording(
     if drawn is not None:
         draw_paths(tracks, tracker.response, drawn)
     measured = tracker.response.provenance.get("fidelity") == MEASURED
-    return TrackedRecording(tracks, tuple(map(gesture_of, tracks)), heard.seconds, decoder.design, not measured)
+    return TrackedRecording(
+        tracks, tuple(map(gesture_of, tracks)), heard.seconds, decoder.design, not measured, decoder.assumes
+    )
 
 
 def _is_replaceable(path: Path) -> bool:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from rc_line import rc_line
@@ -9,8 +11,9 @@ from rc_line import rc_line
 import localize
 from geometry.refusal import Refusal
 from localize.contacts import pulse_times, pulse_wave
-from localize.recognition.pulse import waves_of
-from localize.recognition.takes import heard
+from localize.recognition.pulse import PulseDecoder, waves_of
+from localize.recognition.takes import heard, prepared
+from localize.signals.noise import NoiseSpectrum
 
 ARRAY = rc_line(3, np.concatenate([np.arange(0.25, 10.0, 0.25), np.arange(10.0, 501.0, 2.0)]))
 
@@ -48,3 +51,20 @@ def test_a_reader_names_point_and_rate() -> None:
     assert reading.waveform.shape == (6001,)
     with pytest.raises(Refusal, match=r"signals last 2 s, must last at least 3 s"):
         localize.PulseReader(ARRAY, 1e-3).read(signals[:, :2000])
+
+
+def test_a_second_of_a_pulse_names_its_point_where_frames_of_touches_do_not() -> None:
+    contact, random = pulse_wave((0.0, 0.0), 60.0, 6.0, seed=5), np.random.default_rng(1)
+    force = contact.force / contact.force.max()
+    pulses, touches, named = PulseDecoder(ARRAY, 1e-3), localize.BayesDecoder(ARRAY, 1e-3), []
+    for point in range(3):
+        signals = prepared(heard(ARRAY, point, 0.1 * force, 1e-3, random))
+        for begin in (1000, 2000, 3000, 4000):
+            second = signals[:, begin : begin + 1000]
+            found = (pulses.named(second), touches.locate(second))
+            named.append([each.argmax() == point for each in found])
+    right = np.mean(named, axis=0)
+    assert right[0] > 0.6 > 0.4 > right[1]
+    # White noise is one by its number and by its spectrum.
+    told = replace(ARRAY, own_noise=NoiseSpectrum(np.full(500, 1e-6 / 500), "white"))
+    np.testing.assert_allclose(PulseDecoder(told, "design").named(signals), pulses.named(signals), atol=0.01)
