@@ -22,7 +22,8 @@ from geometry.design.changes import as_lists, keys_of
 from geometry.files.reading import parse_toml, read_text
 from geometry.files.replacing import check_own_kind
 from geometry.files.writing import write_text
-from geometry.stated.fields import DesignError, UnknownField, fields_of, nearest
+from geometry.stated.declared import fields_of
+from geometry.stated.fields import DesignError, UnknownField, nearest
 from geometry.stated.materials import MATERIALS
 
 

@@ -7,14 +7,13 @@ from .cavity_shapes import (
     separation as separation,
     wall_distance as wall_distance,
 )
+from .declared import DesignField as DesignField, field_named as field_named, fields_of as fields_of
 from .fields import (
     DERIVED_FROM as DERIVED_FROM,
     DesignError as DesignError,
     UnknownField as UnknownField,
     check_value as check_value,
     error_from_validation as error_from_validation,
-    field_named as field_named,
-    fields_of as fields_of,
     model_of as model_of,
     nearest as nearest,
 )

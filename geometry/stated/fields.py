@@ -3,18 +3,16 @@
 from __future__ import annotations
 
 import difflib
-import math
-import types
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
 from functools import lru_cache
-from typing import Annotated, Any, Literal, TypeVar, Union, get_args, get_origin
+from typing import Annotated, Any, TypeVar
 
 from pydantic import BaseModel, ConfigDict, Field, TypeAdapter, ValidationError
 from pydantic.fields import FieldInfo
 from pydantic_core import ErrorDetails, PydanticUndefined
 
 from geometry.refusal import Refusal, counted, in_one_line
+from geometry.stated.declared import DesignField, declared_field, section_of
 
 _Stated = TypeVar("_Stated", bound=BaseModel)
 
@@ -69,46 +67,6 @@ class Section(BaseModel):
 
     # Sections inside a file are then built by pydantic itself, which keeps the full name of a bad field.
     __init__.__pydantic_base_init__ = True  # type: ignore[attr-defined]
-
-
-@dataclass(frozen=True)
-class DesignField:
-    """One field of a design file."""
-
-    name: str
-    """Dotted name; ``*`` stands for an index or a name of the user's own."""
-    kind: str
-    """Kind of value: ``a number``, ``a whole number``, ``a text``, ``true or false``, ``a list`` or ``a table``."""
-    unit: str
-    """Unit of the value; empty where it has none."""
-    allowed: str
-    """Range or choice in words, with the unit; empty where anything of its kind goes."""
-    required: bool
-    """Whether every file must state it."""
-    default: Any
-    """Value where a file states none."""
-    description: str
-    """What the field means, in words."""
-
-
-def fields_of(model: type[BaseModel], prefix: str = "") -> Iterator[DesignField]:
-    """Every field of a model and of its sections, in the order of the file."""
-    for name, info in model.model_fields.items():
-        field = _field(prefix + name, info)
-        yield field
-        section, step = _section_of(info.annotation)
-        if section is not None:
-            yield from fields_of(section, f"{prefix}{name}.{step}")
-
-
-def field_named(model: type[BaseModel], name: str) -> DesignField | None:
-    """The field of a dotted name, which has indices and names of the user's own where fields have ``*``."""
-    steps = name.split(".")
-    for field in fields_of(model):
-        parts = field.name.split(".")
-        if len(parts) == len(steps) and all(a in ("*", b) for a, b in zip(parts, steps, strict=True)):
-            return field
-    return None
 
 
 def names_of(model: type[BaseModel]) -> list[str]:
@@ -229,7 +187,7 @@ def _sentence(detail: ErrorDetails, model: type[BaseModel], given: object, what:
         known = names_of(section) if section is not None else []
         return f"{name} = {_quote(value)} is not a field of a {what}{nearest(str(loc[-1]), known)}"
     info, section = _find(model, loc)
-    field = _field(name, info) if info is not None else None
+    field = declared_field(name, info) if info is not None else None
     must = _must(field, section, detail)
     if kind == "missing":
         if isinstance(loc[-1], int):
@@ -271,103 +229,6 @@ def _meant(value: object, allowed: str) -> str:
     return f"; did you mean {close[0]!r}?" if close else ""
 
 
-# -- reading the model ------------------------------------------------------------------------------
-def _field(name: str, info: FieldInfo) -> DesignField:
-    plain, metadata, unit = _unwrapped(info)
-    kinds = {float: "a number", int: "a whole number", str: "a text", bool: "true or false"}
-    kind = kinds.get(plain, "a table")
-    if get_origin(plain) is tuple:
-        kind = "a list"
-    if get_origin(plain) is Literal:
-        kind = "a text"
-    required = info.is_required()
-    return DesignField(
-        name=name,
-        kind=kind,
-        unit=unit,
-        allowed=_allowed(plain, metadata, unit, kind),
-        required=required,
-        default=None if required else info.get_default(call_default_factory=True, validated_data={}),
-        description=info.description or "",
-    )
-
-
-def _unwrapped(info: FieldInfo) -> tuple[Any, list[Any], str]:
-    """Plain type, limits and unit of a field, also where they stand inside ``Annotated[...] | None``."""
-    plain: Any = info.annotation
-    metadata = list(info.metadata)
-    extra = info.json_schema_extra
-    if get_origin(plain) in (Union, types.UnionType):
-        (plain,) = (part for part in get_args(plain) if part is not type(None))
-    if get_origin(plain) is Annotated:
-        plain, *inner = get_args(plain)
-        for item in inner:
-            if isinstance(item, FieldInfo):
-                metadata += item.metadata
-                extra = extra or item.json_schema_extra
-    return plain, metadata, str(extra.get("unit", "")) if isinstance(extra, Mapping) else ""
-
-
-def _allowed(plain: Any, metadata: Sequence[Any], unit: str, kind: str) -> str:
-    if get_origin(plain) is Literal:
-        return ", ".join(repr(choice) for choice in get_args(plain))
-    if get_origin(plain) is tuple and Ellipsis not in get_args(plain):
-        return f"of {len(get_args(plain))}"
-    low, low_open, high, high_open = -math.inf, False, math.inf, False
-    pattern = ""
-    for limit in metadata:
-        lower, upper = _bound(limit, "gt", "ge", "min_length"), _bound(limit, "lt", "le", "max_length")
-        if lower is not None and (lower > low or (lower == low and hasattr(limit, "gt"))):
-            low, low_open = lower, hasattr(limit, "gt")
-        if upper is not None and (upper < high or (upper == high and hasattr(limit, "lt"))):
-            high, high_open = upper, hasattr(limit, "lt")
-        if getattr(limit, "pattern", None):
-            pattern = ", starting with a letter or digit, then letters, digits and . _ - only"
-    if kind in ("a list", "a text", "a table"):
-        if not (math.isfinite(low) or math.isfinite(high)):
-            return pattern.lstrip(", ")
-        words = f"{low:g} to {high:g}" if math.isfinite(high) else f"at least {low:g}"
-        return f"of {words} {'characters' if kind == 'a text' else 'entries'}{pattern}"
-    return _range_in_words(low, low_open, high, high_open, unit)
-
-
-def _bound(limit: object, *names: str) -> float | None:
-    """The bound that one of pydantic's limits states under one of these names."""
-    for name in names:
-        if getattr(limit, name, None) is not None:
-            return float(getattr(limit, name))
-    return None
-
-
-def _range_in_words(low: float, low_open: bool, high: float, high_open: bool, unit: str) -> str:
-    unit = f" {unit}" if unit else ""
-    if math.isfinite(low) and math.isfinite(high) and not low_open and not high_open:
-        return f"between {low:.12g} and {high:.12g}{unit}"
-    parts = []
-    if math.isfinite(low):
-        parts.append(f"{'above' if low_open else 'at least'} {low:.12g}")
-    if math.isfinite(high):
-        parts.append(f"{'below' if high_open else 'at most'} {high:.12g}")
-    return " and ".join(parts) + unit if parts else ""
-
-
-def _section_of(annotation: Any) -> tuple[type[BaseModel] | None, str]:
-    """Section a field holds, itself or in a list or table, and the step of the name that leads into it."""
-    if isinstance(annotation, type) and issubclass(annotation, BaseModel):
-        return annotation, ""
-    if get_origin(annotation) is tuple or get_origin(annotation) is dict:
-        for part in get_args(annotation):
-            section, _ = _section_of(part)
-            if section is not None:
-                return section, "*."
-    elif get_args(annotation):
-        for part in get_args(annotation):
-            section, step = _section_of(part)
-            if section is not None:
-                return section, step
-    return None, ""
-
-
 def _find(model: type[BaseModel], loc: Sequence[int | str]) -> tuple[FieldInfo | None, type[BaseModel] | None]:
     """Field at a place of the file, and the section it holds."""
     section: type[BaseModel] | None = model
@@ -376,7 +237,7 @@ def _find(model: type[BaseModel], loc: Sequence[int | str]) -> tuple[FieldInfo |
     for step in loc:
         if stepped_in and section is not None and isinstance(step, str) and step in section.model_fields:
             info = section.model_fields[step]
-            section, way = _section_of(info.annotation)
+            section, way = section_of(info.annotation)
             stepped_in = way == ""
         elif not stepped_in:  # an index of a list or a name of a table
             info, stepped_in = None, True

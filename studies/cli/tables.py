@@ -124,7 +124,7 @@ def _wrapped(text: str, width: int) -> str:
 def show_fields() -> None:
     """Every field of a design file."""
     from geometry.design.array_design import ArrayDesign
-    from geometry.stated.fields import fields_of
+    from geometry.stated.declared import fields_of
 
     table = table_of("field", "range", "default")
     for field in fields_of(ArrayDesign):

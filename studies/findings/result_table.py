@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from geometry import ArrayDesign
 from geometry.refusal import Refusal, counted
-from geometry.stated.fields import field_named
+from geometry.stated.declared import field_named
 from studies.study.failure_reasons import by_kind
 from studies.study.metric_registry import METRICS
 

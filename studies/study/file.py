@@ -18,7 +18,8 @@ from geometry.design.changes import as_lists, check_name
 from geometry.design.design_file import prototype, prototype_names, value_of
 from geometry.files.reading import parse_toml, read_text
 from geometry.refusal import Refusal, in_one_line
-from geometry.stated.fields import check_value, field_named, model_of
+from geometry.stated.declared import field_named
+from geometry.stated.fields import check_value, model_of
 from studies.study.constraints import parse_constraint
 from studies.study.study import Parameter, Sampling, Study, StudyError
 

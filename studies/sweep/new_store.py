@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from acoustic_fem.library.provenance import versions
 from geometry import ArrayDesign
 from geometry.design.design_file import write_design
-from geometry.stated.fields import field_named
+from geometry.stated.declared import field_named
 from studies.output.checked_store import add_checksums, create_checked
 from studies.output.seals import SEALS, create_seals
 from studies.study.cases import Cases

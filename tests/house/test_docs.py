@@ -15,7 +15,7 @@ from imports import PACKAGES, House
 
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import read_design
-from geometry.stated.fields import fields_of
+from geometry.stated.declared import fields_of
 
 ROOT = Path(__file__).parents[2]
 PAGES = sorted([*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md")])
@@ -155,9 +155,11 @@ def house_of_the_checkout() -> House:
 
 
 def test_a_private_door_is_found() -> None:
-    code = "from geometry.stated.fields import fields_of\nimport acoustic_fem\nacoustic_fem.library.netcdf_file.load\n"
+    code = (
+        "from geometry.stated.declared import fields_of\nimport acoustic_fem\nacoustic_fem.library.netcdf_file.load\n"
+    )
     page = f"```python\n{code}```\n"
-    assert private_doors(page) == ["geometry.stated.fields.fields_of", "acoustic_fem.library.netcdf_file"]
+    assert private_doors(page) == ["geometry.stated.declared.fields_of", "acoustic_fem.library.netcdf_file"]
 
 
 @pytest.mark.parametrize("page", PAGES, ids=page_name)

@@ -16,7 +16,8 @@ import geometry
 from acoustic_fem.duct.coil_bore import CoilBore
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import prototype_text, read_design, read_stored_design, write_design
-from geometry.stated.fields import DesignError, fields_of
+from geometry.stated.declared import fields_of
+from geometry.stated.fields import DesignError
 from geometry.stated.materials import MATERIALS, Material, blend_modulus, youngs_modulus_from_shore_a
 from geometry.stated.parts import Tube
 
