@@ -1,7 +1,8 @@
 """Look for the system libraries that the CAD kernel, the mesher and the renderer load; install what is missing.
 
 Needs only Python's own library, as it runs before anything is installed. Installs with apt-get where it may
-(Debian or Ubuntu, as root); otherwise prints the one line to type and ends with exit code 1.
+(Debian or Ubuntu, as root); otherwise prints the one line to type and ends with exit code 1. With --tests it also
+installs the browser that drives the studio's page, where it may; without one those tests are skipped.
 """
 
 from __future__ import annotations
@@ -30,6 +31,8 @@ def main() -> int:
         print(f"acoustic-fem needs Python {needed} or later; {sys.executable} is {found}.", file=sys.stderr)
         print("Name another one: make PYTHON=python3.12 demo", file=sys.stderr)
         return 1
+    if "--tests" in sys.argv[1:] and not shutil.which("chromium") and shutil.which("apt-get") and os.geteuid() == 0:
+        install(["chromium"])  # what cannot be had is no obstacle
     packages = missing_packages()
     if not packages:
         return 0

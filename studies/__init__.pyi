@@ -8,8 +8,10 @@ from . import (
     metrics as metrics,
     optimization as optimization,
     output as output,
+    panels as panels,
     run as run,
     scatter as scatter,
+    studio as studio,
     study as study,
     sweep as sweep,
 )
@@ -52,6 +54,7 @@ from .run.prototypes import copy_prototype as copy_prototype
 from .run.result import RunResult as RunResult
 from .run.wiring import wiring_table as wiring_table
 from .scatter.studying import ToleranceStudy as ToleranceStudy, tolerance_study as tolerance_study
+from .studio.serving import serve_studio as serve_studio
 from .study.file import load_study as load_study
 from .study.study import Study as Study
 from .sweep.plan import Plan as Plan, plan_sweep as plan_sweep

@@ -27,6 +27,7 @@ from studies.cli import (
     localizers,
     locating,
     searches,
+    studio,
     sweeps,
 )
 from studies.cli.options import Verb, in_options
@@ -58,6 +59,7 @@ app = typer.Typer(
 #: In the order of work, which is that of ``--help``.
 VERBS = (
     designs.prototypes,
+    studio.studio,
     designs.check,
     designs.wiring,
     designs.solve,

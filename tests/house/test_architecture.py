@@ -216,6 +216,7 @@ USED_THROUGH_OTHERS = {
     "lxml",  # trimesh reads 3MF with it
     "meshio",  # skfem.io and pyvista read and write meshes with it
     "onnxscript",  # torch writes ONNX files with it
+    "websockets",  # uvicorn speaks with the studio's page by it
 }
 #: Modules that come with a requirement under another name.
 COMES_WITH = {
@@ -227,12 +228,26 @@ COMES_WITH = {
 }
 
 
+def names_of(requirements: list[str]) -> set[str]:
+    return {re.split(r"[<>=; \[]", line)[0] for line in requirements}
+
+
+def imported_by(modules: list[Path]) -> set[str]:
+    """Requirements that modules import."""
+    names = set().union(*(imported_names(path) for path in modules)) - set(sys.stdlib_module_names) - {*PACKAGES}
+    return {COMES_WITH.get(name, name) for name in names}
+
+
 def test_what_is_required_is_imported_and_what_is_imported_is_required() -> None:
     """A missing requirement breaks a fresh installation, an unused one makes it slower."""
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
-    required = {re.split(r"[<>=; \[]", line)[0] for line in project["dependencies"]}
-    imported = set().union(*(imported_names(path) for path in MODULES)) - set(sys.stdlib_module_names) - {*PACKAGES}
-    assert {COMES_WITH.get(name, name) for name in imported} == required - USED_THROUGH_OTHERS
+    required = names_of(project["dependencies"])
+    optional = names_of(project["optional-dependencies"]["studio"])
+    studio = ROOT / "studies" / "studio"
+    everywhere = imported_by([path for path in MODULES if not path.is_relative_to(studio)])
+    assert everywhere == required - USED_THROUGH_OTHERS
+    in_the_studio = imported_by([path for path in MODULES if path.is_relative_to(studio)])
+    assert in_the_studio - everywhere == optional - USED_THROUGH_OTHERS
 
 
 def test_errors_that_are_raised_on_purpose_are_refusals() -> None:

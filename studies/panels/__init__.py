@@ -1,0 +1,8 @@
+"""What the panels of the studio show of a design: its form, its figures and its files, by the calls of Python.
+
+Stands on: metrics, output, run, scatter, study.
+"""
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -1,0 +1,110 @@
+"""Curves of a design over frequency: level and phase at every microphone, their differences between two."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from itertools import combinations
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from geometry.design.array_design import ArrayDesign
+from geometry.refusal import Refusal
+from studies.metrics.pairs import BAND, microphone_ratios
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from acoustic_fem import Library
+
+#: Frequencies of the curves: so many, equally far apart on a logarithmic axis, over the band of the paper's sensors.
+FREQUENCY_COUNT = 56
+
+
+@dataclass(frozen=True)
+class Curves:
+    """Curves of one quantity, in the order of points and, of each point, of what it is heard by."""
+
+    quantity: str
+    """Name of the quantity, of :data:`CURVES`."""
+    unit: str
+    """Unit of the values."""
+    frequency: NDArray[np.float64]
+    """Frequencies of the values; (n_freq,) float64, Hz."""
+    points: tuple[int, ...]
+    """Numbers of the points."""
+    heard_by: tuple[str, ...]
+    """Names of the microphones, or of pairs of them."""
+    values: NDArray[np.float64]
+    """Values in the unit; (n_point, n_heard_by, n_freq) float64."""
+
+
+@dataclass(frozen=True)
+class _Quantity:
+    title: str
+    unit: str
+    compared: bool
+    compute: Callable[[NDArray[np.complex128]], NDArray[np.float64]]
+
+
+def _level(values: NDArray[np.complex128]) -> NDArray[np.float64]:
+    return np.asarray(20 * np.log10(np.abs(values)))
+
+
+def _phase(values: NDArray[np.complex128]) -> NDArray[np.float64]:
+    return np.asarray(np.degrees(np.unwrap(np.angle(values))))
+
+
+#: What can be drawn, by name: of the transfer functions, or of the ratios of two microphones.
+_QUANTITIES = {
+    "level": _Quantity("level", "dB", False, _level),
+    "phase": _Quantity("phase, unwrapped", "degrees", False, _phase),
+    "ild": _Quantity("level difference (ILD)", "dB", True, _level),
+    "ipd": _Quantity("phase difference (IPD), unwrapped", "degrees", True, _phase),
+}
+CURVES: dict[str, str] = {name: quantity.title for name, quantity in _QUANTITIES.items()}
+
+
+def curve_frequencies() -> NDArray[np.float64]:
+    """The frequencies of the curves, (n_freq,) float64, Hz."""
+    return np.geomspace(*BAND, FREQUENCY_COUNT)
+
+
+def lumped_library(design: ArrayDesign, frequency: NDArray[np.float64] | None = None) -> Library:
+    """The library of a design by closed forms, in milliseconds.
+
+    Args:
+        design: the array.
+        frequency: (n_freq,) float64, Hz, ascending; by default those of the curves.
+    """
+    import acoustic_fem
+
+    return acoustic_fem.solve(design, curve_frequencies() if frequency is None else frequency, fidelity="lumped")
+
+
+def curves_of(transfer_function: xr.DataArray, quantity: str) -> Curves:
+    """Curves of one quantity.
+
+    Args:
+        transfer_function: (n_point, n_microphone, n_freq) complex, Pa/Pa; dimensions point, microphone, frequency (Hz).
+        quantity: of :data:`CURVES`.
+
+    Raises:
+        Refusal: there is no such quantity.
+    """
+    if quantity not in _QUANTITIES:
+        raise Refusal(f"quantity = {quantity!r} must be one of: {', '.join(CURVES)}")
+    chosen = _QUANTITIES[quantity]
+    names = [str(name) for name in transfer_function["microphone"].values]
+    ordered = transfer_function.transpose("point", "microphone", "frequency")
+    heard_by = [f"{a} / {b}" for a, b in combinations(names, 2)] if chosen.compared else names
+    return Curves(
+        quantity,
+        chosen.unit,
+        np.asarray(ordered["frequency"].values, np.float64),
+        tuple(int(number) for number in ordered["point"].values),
+        tuple(heard_by),
+        chosen.compute(microphone_ratios(ordered) if chosen.compared else np.asarray(ordered.values, np.complex128)),
+    )

@@ -1,0 +1,96 @@
+"""Files of a design that are handed out: what the verbs of the command line write, each as one file."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from acoustic_fem.quantities.fidelity import FIDELITIES, Fidelity
+from geometry.design.array_design import ArrayDesign
+from geometry.design.design_file import save_design
+from geometry.refusal import Refusal
+from studies.panels.making import Told
+
+
+@dataclass(frozen=True)
+class Export:
+    """One file that can be had of a design."""
+
+    title: str
+    """Name of the file for people."""
+    takes: str
+    """How long it takes to make, in words."""
+    make: Callable[[ArrayDesign, Path, Fidelity, Told], Path]
+    """Function that writes it into a folder and hands back its path."""
+
+
+def _toml(design: ArrayDesign, folder: Path, fidelity: Fidelity, told: Told) -> Path:
+    path = folder / "design.toml"
+    save_design(design, path)
+    return path
+
+
+def _library(suffix: str) -> Callable[[ArrayDesign, Path, Fidelity, Told], Path]:
+    def make(design: ArrayDesign, folder: Path, fidelity: Fidelity, told: Told) -> Path:
+        from studies.run.libraries import convert_library, solve_library
+
+        path = folder / "library.nc"
+        solve_library(design, path, fidelity=fidelity, display=told)
+        if suffix == path.suffix:
+            return path
+        other = path.with_suffix(suffix)
+        convert_library(path, other)
+        return other
+
+    return make
+
+
+def _parts(design: ArrayDesign, folder: Path, fidelity: Fidelity, told: Told) -> Path:
+    from studies.run.part_folder import export_parts
+
+    export_parts(design, folder / "parts", display=told)
+    return Path(shutil.make_archive(str(folder / "parts"), "zip", folder / "parts"))
+
+
+def _report(design: ArrayDesign, folder: Path, fidelity: Fidelity, told: Told) -> Path:
+    from studies.run.chain import run_design
+
+    run_design(design, folder / "run", display=told)
+    return folder / "run" / "report.html"
+
+
+#: What can be had, by the name of the file.
+EXPORTS: dict[str, Export] = {
+    "design.toml": Export("the design file", "at once", _toml),
+    "library.nc": Export("transfer functions, netCDF", "seconds; with 3-D cells up to a minute", _library(".nc")),
+    "library.sofa": Export("transfer functions, SOFA", "as netCDF", _library(".sofa")),
+    "parts.zip": Export("everything to print, cast, cut, buy and assemble", "about half a minute", _parts),
+    "report.html": Export("the whole chain with a trained localizer, on one page", "minutes", _report),
+}
+
+
+def make_export(
+    design: ArrayDesign, name: str, folder: str, fidelity: Fidelity, tell: Callable[[str], None] = lambda line: None
+) -> str:
+    """Write one file of a design.
+
+    Args:
+        design: the array.
+        name: of :data:`EXPORTS`.
+        folder: exists and is empty.
+        fidelity: of libraries.
+        tell: called with what is being done.
+
+    Returns:
+        Path of the file, in the folder.
+
+    Raises:
+        Refusal: no such export or fidelity, or what the verb of the command line refuses.
+    """
+    if name not in EXPORTS:
+        raise Refusal(f"export = {name!r} must be one of: {', '.join(EXPORTS)}")
+    if fidelity not in FIDELITIES:
+        raise Refusal(f"fidelity = {fidelity!r} must be one of: {', '.join(FIDELITIES)}")
+    return str(EXPORTS[name].make(design, Path(folder), fidelity, Told(tell)))

@@ -1,0 +1,103 @@
+"""The form of a design: every field that it has, with the unit, range, choices and words that its model declares."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from functools import lru_cache
+from typing import Any
+
+from pydantic import BaseModel
+
+from geometry.design.array_design import ArrayDesign
+from geometry.design.changes import as_lists
+from geometry.stated.declared import DesignField, fields_of
+from geometry.stated.materials import MATERIALS
+
+#: Ends of the names of fields whose text is the name of a material.
+_MATERIAL = "material"
+
+
+def stated_values(design: ArrayDesign) -> dict[str, Any]:
+    """What a design states, as tables and lists that JSON can hold; a design is made from it again by ``validated``.
+
+    Tables that follow others are left out, so that they go on to follow.
+    """
+    values: dict[str, Any] = as_lists(design.model_dump(mode="json"))
+    return {name: value for name, value in values.items() if name not in design.followers}
+
+
+def form_of(design: ArrayDesign) -> list[dict[str, Any]]:
+    """The fields of a design as a form shows them, in the order of its file.
+
+    Args:
+        design: the design, whose lines, kinds and materials have fields each of their own.
+
+    Returns:
+        For every value a table: ``name`` (dotted, as :meth:`geometry.ArrayDesign.with_values` takes it), ``group``
+        (what the field belongs to), ``label``, ``kind`` ("number", "count", "text", "flag" or "list"), ``unit``,
+        ``allowed`` (in words), ``lowest`` and ``highest`` (None where there is none), ``choices``, ``suggestions``,
+        ``optional``, ``description`` and ``value``.
+    """
+    return [_entry(name, value, design) for name, value in _values(design, "")]
+
+
+def flat_values(design: ArrayDesign) -> dict[str, Any]:
+    """The values of the fields of the form by their dotted names."""
+    return {name: as_lists(value) for name, value in _values(design, "")}
+
+
+def _values(section: BaseModel, prefix: str) -> Iterator[tuple[str, Any]]:
+    """Dotted names and plain values below a section; sections that are not given are left out."""
+    for key in type(section).model_fields:
+        value, name = getattr(section, key), prefix + key
+        if isinstance(value, BaseModel):
+            yield from _values(value, f"{name}.")
+        elif isinstance(value, Mapping):
+            for own, entry in value.items():
+                yield from _values(entry, f"{name}.{own}.")
+        elif isinstance(value, tuple) and value and isinstance(value[0], BaseModel):
+            for number, entry in enumerate(value):
+                yield from _values(entry, f"{name}.{number}.")
+        elif value is not None or _declared()[_general(name)].kind != "a table":
+            yield name, value
+
+
+@lru_cache(maxsize=1)
+def _declared() -> dict[str, DesignField]:
+    return {field.name: field for field in fields_of(ArrayDesign)}
+
+
+def _general(name: str) -> str:
+    """The name under which a field is declared: ``*`` for indices and for names of the user's own."""
+    steps = name.split(".")
+    if len(steps) > 1 and (steps[1].isdecimal() or steps[0] in ("materials", "point_kinds", "tube_kinds")):
+        steps[1] = "*"
+    return ".".join(steps)
+
+
+def _entry(name: str, value: Any, design: ArrayDesign) -> dict[str, Any]:
+    field = _declared()[_general(name)]
+    group, _, last = name.rpartition(".")
+    kinds = {"a number": "number", "a whole number": "count", "true or false": "flag", "a list": "list"}
+    low, high = (bound if math.isfinite(bound) else None for bound in field.range)
+    return {
+        "name": name,
+        "group": group,
+        "label": last.replace("_", " "),
+        "kind": kinds.get(field.kind, "text"),
+        "unit": field.unit,
+        "allowed": field.allowed,
+        "lowest": low,
+        "highest": high,
+        "choices": list(field.choices),
+        "suggestions": _suggestions(last, design),
+        "optional": field.optional,
+        "description": field.description,
+        "value": as_lists(value),
+    }
+
+
+def _suggestions(last: str, design: ArrayDesign) -> list[str]:
+    """Names that a text may be, where the package knows them."""
+    return sorted({**MATERIALS, **design.materials}) if last.endswith(_MATERIAL) else []

@@ -1,0 +1,107 @@
+"""How well the points of a design can be told apart: distances, predicted confusion, smallest touches, coverage."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from geometry.design.array_design import ArrayDesign
+from geometry.layout.arrangement import lay_out
+from geometry.layout.mending import mend_of
+from geometry.layout.overlaps import overlaps
+from studies.metrics.covered_area import FINGER
+from studies.metrics.pairs import BAND
+from studies.metrics.responses import Responses
+from studies.metrics.separation import separability
+from studies.metrics.shared import SharedFigures
+from studies.output.frequencies import FREQUENCIES, stated_frequencies
+from studies.panels.curves import lumped_library
+from studies.scatter.effects import scattered_accuracy
+from studies.study.metric_registry import SENSORS, metrics_named
+
+#: Figures of merit of the whole design that the page shows, by the names that a study knows them by.
+FIGURES = (
+    "predicted_top1", "predicted_top1_loud", "confused_pair", "distance_smallest", "ild_smallest", "ipd_smallest",
+    "scatter_detection", "sensitivity_force", "noise_equivalent_force", "bandwidth", "coverage", "length", "width",
+    "height", "volume", "mass", "cost", "smallest_wall",
+)  # fmt: skip
+
+
+def point_figures(design: ArrayDesign) -> dict[str, Any]:
+    """Figures of a design and of each of its points, of the lumped library at the usual frequencies of figures.
+
+    Returns:
+        ``figures``: the value of each of :data:`FIGURES`;
+        ``points``: for each point its ``number``, ``nearest`` (the point hardest to tell from it), the ``distance``,
+        ``level`` (dB) and ``phase`` (degrees) between the two, ``named`` (share of its simulated touches that name
+        it) and ``force`` (smallest that stands out of the noise, N rms from 1 to 100 Hz); ``confusion``: touches of
+        the row's point that name the column's, counted; ``touches`` per point; ``hardest``: pairs of points, as
+        hard as the hardest; ``overlaps``: what of the layout cannot be built, and ``mend``; ``finger``: radius of the
+        contact of ``coverage``, mm.
+
+    Raises:
+        Refusal: the design has fewer than two points or microphones, or cannot be solved.
+    """
+    from acoustic_fem.library.noise import detection_limits
+
+    library = lumped_library(design, stated_frequencies(FREQUENCIES))
+    shared = SharedFigures(Responses.of_library(library))
+    apart = separability(library.transfer_function)
+    predicted = shared.confusion(None)
+    limits = detection_limits(library, BAND)["force"].values
+    named = np.diagonal(predicted.confusion[0])
+    points = []
+    for index, number in enumerate(apart.points):
+        nearest = apart.nearest(number)
+        level, phase, distance = apart.between(number, nearest)
+        points.append(
+            {
+                "number": number,
+                "nearest": nearest,
+                "distance": distance,
+                "level": level,
+                "phase": phase,
+                "named": float(named[index]),
+                "force": float(limits[index]),
+            }
+        )
+    in_the_way = overlaps(design, lay_out(design))
+    return {
+        "figures": {
+            metric.name: float(metric.of_batch(shared.responses, shared)[0]) for metric in metrics_named(FIGURES)
+        },
+        "points": points,
+        "confusion": np.rint(predicted.confusion[0] * predicted.touches).astype(int).tolist(),
+        "touches": predicted.touches,
+        "hardest": [list(pair) for pair in apart.equally_hard],
+        "overlaps": list(in_the_way),
+        "mend": mend_of(design) if in_the_way else "",
+        "finger": FINGER,
+    }
+
+
+def figure_words() -> dict[str, dict[str, str]]:
+    """Title, unit, definition and the better direction of each of :data:`FIGURES`."""
+    return {
+        metric.name: {
+            "title": metric.long_name,
+            "unit": metric.unit,
+            "definition": metric.definition,
+            "better": metric.better,
+        }
+        for metric in metrics_named(FIGURES)
+    }
+
+
+def mis_made_figures(design: ArrayDesign) -> dict[str, Any]:
+    """Predicted accuracy of sensors that are made with a workshop's scatter.
+
+    Returns:
+        ``sensors``, how many; ``mean`` and ``worst`` share of their simulated touches whose point is named.
+
+    Raises:
+        Refusal: a design that the lumped batch does not take.
+    """
+    found = scattered_accuracy(design, stated_frequencies(FREQUENCIES), sensors=SENSORS)
+    return {"sensors": SENSORS, "mean": float(found.mean()), "worst": float(found.min())}

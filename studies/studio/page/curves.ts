@@ -1,0 +1,201 @@
+// The Curves panel: one plot a microphone, or a pair of them; all its curves are one path a colour on its canvas.
+import uPlot from "uplot";
+import { byId, colour, csv, hand, make, ramp, words } from "./dom";
+
+export interface Curves {
+  stage: string; revision: number; quantity: string; unit: string; points: number[]; heard_by: string[];
+  frequency: number[]; values: Float32Array;
+}
+
+export function unpack(message: ArrayBuffer): Curves {
+  const length = new DataView(message).getUint32(0, true);
+  const header = JSON.parse(new TextDecoder().decode(new Uint8Array(message, 4, length)));
+  return { ...header, values: new Float32Array(message, 4 + length) };
+}
+
+const HEIGHT = 300, NEAR = 24;
+
+export class CurvesPanel {
+  private now: Curves | null = null;
+  private pinned: Curves | null = null;
+  private plots: uPlot[] = [];
+  private lit: number | null = null;
+  private low = 0;
+  private high = 1;
+  private key = "";
+  constructor(
+    private place: HTMLElement, private titles: () => Record<string, string>, private choose: (point: number | null) => void,
+  ) {
+    new ResizeObserver(() => this.fit()).observe(place);
+  }
+
+  get revision(): number { return this.now?.revision ?? -1; }
+
+  take(curves: Curves): void {
+    if (curves.stage === "pinned") this.pinned = curves;
+    else this.now = curves;
+    if (this.now) this.draw();
+  }
+
+  unpin(): void { this.pinned = null; if (this.now) this.draw(); }
+  light(point: number | null): void { this.lit = point; this.repaint(); }
+  repaint(): void { for (const plot of this.plots) plot.redraw(false); }
+
+  restyle(): void { this.key = ""; if (this.now) this.draw(); }
+
+  private draw(): void {
+    const now = this.now!;
+    this.range();
+    const key = [now.quantity, now.unit, ...now.heard_by].join("|");
+    if (key !== this.key) this.build(key);
+    for (const plot of this.plots) plot.setData([now.frequency, now.frequency.map(() => null)], true);
+    document.documentElement.dataset.painted = String(now.revision);
+  }
+
+  private range(): void {
+    let low = Infinity, high = -Infinity;
+    for (const curves of [this.now, this.comparable()]) {
+      for (const value of curves?.values ?? []) {
+        if (value < low) low = value;
+        if (value > high) high = value;
+      }
+    }
+    const room = Math.max((high - low) * 0.05, 0.1);
+    [this.low, this.high] = [low - room, high + room];
+  }
+
+  /** The pinned curves, where they are of the same quantity. */
+  private comparable(): Curves | null {
+    return this.pinned && this.pinned.quantity === this.now?.quantity ? this.pinned : null;
+  }
+
+  private build(key: string): void {
+    this.key = key;
+    for (const plot of this.plots) plot.destroy();
+    this.place.replaceChildren();
+    const now = this.now!;
+    const title = this.titles()[now.quantity] ?? now.quantity;
+    this.plots = now.heard_by.map((name, m) => {
+      const holder = make("figure", { class: "plot" }, make("figcaption", {}, `${title} at ${name}`));
+      this.place.append(holder);
+      const axis = { stroke: colour("--ink-soft"), grid: { stroke: colour("--grid"), width: 1 }, ticks: { stroke: colour("--grid") }, font: "12px system-ui", labelFont: "12px system-ui", labelSize: 20 };
+      const plot = new uPlot({
+        width: this.width(), height: HEIGHT,
+        legend: { show: false }, cursor: { y: false, points: { show: false }, drag: { x: false, y: false } },
+        scales: { x: { time: false, distr: 3 }, y: { range: () => [this.low, this.high] } },
+        axes: [
+          { ...axis, label: "frequency (Hz)", size: 34, filter: (_, ticks) => ticks, values: (_, ticks) => ticks.map((t) => (/^[125]/.test(String(t)) ? String(t) : "")) },
+          { ...axis, label: `${title.split(",")[0]} (${now.unit})`, size: 54 },
+        ],
+        series: [{}, { paths: () => null, points: { show: false } }],
+        hooks: {
+          draw: [(u: uPlot) => this.paint(u, m)],
+          setCursor: [(u: uPlot) => this.point(u, m)],
+        },
+      }, [now.frequency, now.frequency.map(() => null)], holder);
+      plot.over.addEventListener("click", () => this.choose(this.near(plot, m)?.point ?? null));
+      plot.over.addEventListener("mouseleave", () => { byId("pointed-curve").textContent = "\u00a0"; });
+      return plot;
+    });
+  }
+
+  private width(): number {
+    const inside = this.place.clientWidth, count = this.now?.heard_by.length ?? 1;
+    const across = count === 1 ? 1 : inside > 1500 && count > 2 ? 3 : inside > 640 ? 2 : 1;
+    return Math.max(Math.floor((inside - 12 * (across - 1)) / across), 220);
+  }
+
+  private fit(): void {
+    const width = this.width();
+    for (const plot of this.plots) if (plot.width !== width) plot.setSize({ width, height: HEIGHT });
+  }
+
+  private paint(u: uPlot, m: number): void {
+    const c = u.ctx;
+    c.save();
+    c.beginPath();
+    c.rect(u.bbox.left, u.bbox.top, u.bbox.width, u.bbox.height);
+    c.clip();
+    c.lineJoin = "round";
+    for (const curves of [this.comparable(), this.now]) {
+      if (!curves || m >= curves.heard_by.length) continue;
+      c.setLineDash(curves === this.now ? [] : [5 * devicePixelRatio, 4 * devicePixelRatio]);
+      const x = curves.frequency.map((f) => u.valToPos(f, "x", true));
+      const zero = u.valToPos(0, "y", true), one = u.valToPos(1, "y", true) - zero;
+      const stroke = (p: number) => {
+        const start = (p * curves.heard_by.length + m) * x.length;
+        c.beginPath();
+        for (let k = 0; k < x.length; k++) c.lineTo(x[k], zero + one * curves.values[start + k]);
+        c.stroke();
+      };
+      const last = Math.max(curves.points.length - 1, 1);
+      curves.points.forEach((number, p) => {
+        if (number === this.lit) return;
+        c.globalAlpha = this.lit === null ? (curves === this.now ? 1 : 0.6) : 0.22;
+        c.lineWidth = 1.4 * devicePixelRatio;
+        c.strokeStyle = ramp(p / last);
+        stroke(p);
+      });
+      const lit = this.lit === null ? -1 : curves.points.indexOf(this.lit);
+      if (lit >= 0) {
+        c.globalAlpha = 1;
+        c.lineWidth = 3 * devicePixelRatio;
+        c.strokeStyle = colour("--accent");
+        stroke(lit);
+      }
+    }
+    c.restore();
+  }
+
+  private near(u: uPlot, m: number): { point: number; at: number; value: number } | null {
+    const now = this.now, { left, top } = u.cursor;
+    if (!now || left === undefined || top === undefined || left < 0) return null;
+    const frequency = u.posToVal(left, "x");
+    let at = 0;
+    for (let k = 0; k < now.frequency.length; k++) if (Math.abs(Math.log(now.frequency[k] / frequency)) < Math.abs(Math.log(now.frequency[at] / frequency))) at = k;
+    let best = null, least = NEAR;
+    now.points.forEach((point, p) => {
+      const value = now.values[(p * now.heard_by.length + m) * now.frequency.length + at];
+      const away = Math.abs(u.valToPos(value, "y") - top);
+      if (away < least) { least = away; best = { point, at, value }; }
+    });
+    return best;
+  }
+
+  private point(u: uPlot, m: number): void {
+    const found = this.near(u, m), now = this.now;
+    if (!found || !now) return;
+    byId("pointed-curve").textContent =
+      `point ${found.point} at ${now.heard_by[m]}: ${words(found.value)} ${now.unit} at ${words(now.frequency[found.at], 3)} Hz`;
+  }
+
+  table(name: string): void {
+    const now = this.now;
+    if (!now) return;
+    const rows: (string | number)[][] = [["frequency (Hz)", ...now.points.flatMap((p) => now.heard_by.map((h) => `point ${p} at ${h} (${now.unit})`))]];
+    now.frequency.forEach((f, k) => {
+      rows.push([f, ...Array.from({ length: now.points.length * now.heard_by.length }, (_, c) => Number(now.values[c * now.frequency.length + k].toPrecision(7)))]);
+    });
+    csv(rows, `${name}-${now.quantity}.csv`);
+  }
+
+  picture(name: string): void {
+    const now = this.now;
+    if (!now || !this.plots.length) return;
+    const title = this.titles()[now.quantity], scale = devicePixelRatio, head = 24 * scale;
+    const canvases = this.plots.map((plot) => plot.ctx.canvas);
+    const whole = make("canvas", { width: String(Math.max(...canvases.map((c) => c.width))), height: String(canvases.reduce((sum, c) => sum + c.height + head, 0)) });
+    const c = whole.getContext("2d")!;
+    c.fillStyle = colour("--card");
+    c.fillRect(0, 0, whole.width, whole.height);
+    let top = 0;
+    canvases.forEach((each, m) => {
+      c.fillStyle = colour("--ink");
+      c.font = `${14 * scale}px system-ui`;
+      c.fillText(`${name}: ${title} at ${now.heard_by[m]}`, 12 * scale, top + 17 * scale);
+      c.drawImage(each, 0, top + head);
+      top += each.height + head;
+    });
+    whole.toBlob((blob) => blob && hand(blob, `${name}-${now.quantity}.png`));
+  }
+}

@@ -1,0 +1,58 @@
+// Elements of the page. Texts are set as text, never as markup: names and descriptions come from files.
+type Child = Node | string;
+
+export function make<K extends keyof HTMLElementTagNameMap>(
+  tag: K, attributes: Record<string, string> = {}, ...children: Child[]
+): HTMLElementTagNameMap[K] {
+  const element = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+  element.append(...children);
+  return element;
+}
+
+export function byId<T extends HTMLElement = HTMLElement>(id: string): T {
+  const found = document.getElementById(id);
+  if (!found) throw new Error(`no element ${id}`);
+  return found as T;
+}
+
+export function button(text: string, act: () => void, attributes: Record<string, string> = {}): HTMLButtonElement {
+  const found = make("button", { type: "button", ...attributes }, text);
+  found.addEventListener("click", act);
+  return found;
+}
+
+/** A number as people read it: four significant digits, no exponent where it can be avoided. */
+export function words(value: number, digits = 4): string {
+  if (!Number.isFinite(value)) return "–";
+  const size = Math.abs(value);
+  if (size !== 0 && (size < 1e-3 || size >= 1e6)) return value.toExponential(digits - 2).replace("-", "−");
+  return String(Number(value.toPrecision(digits))).replace("-", "−");
+}
+
+export function hand(content: Blob, name: string): void {
+  const place = make("a", { href: URL.createObjectURL(content), download: name });
+  place.click();
+  setTimeout(() => URL.revokeObjectURL(place.href), 10000);
+}
+
+export function csv(rows: (string | number)[][], name: string): void {
+  const quoted = (cell: string | number) =>
+    typeof cell === "string" && /[",\n]/.test(cell) ? `"${cell.replaceAll('"', '""')}"` : String(cell);
+  hand(new Blob([rows.map((row) => row.map(quoted).join(",")).join("\n") + "\n"], { type: "text/csv" }), name);
+}
+
+export function colour(name: string): string {
+  return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+}
+
+const RAMP = [[68, 1, 84], [65, 68, 135], [42, 120, 142], [34, 168, 132], [122, 209, 81], [253, 231, 37]];
+
+/** Colour of a point: viridis, without the ends that vanish on the background. */
+export function ramp(share: number): string {
+  const dark = document.documentElement.dataset.theme === "dark";
+  const at = (dark ? 0.22 + 0.78 * share : 0.86 * share) * (RAMP.length - 1);
+  const low = Math.min(Math.floor(at), RAMP.length - 2);
+  const mixed = RAMP[low].map((value, k) => Math.round(value + (at - low) * (RAMP[low + 1][k] - value)));
+  return `rgb(${mixed.join(",")})`;
+}

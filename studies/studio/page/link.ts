@@ -1,0 +1,70 @@
+// The websocket to the server: opened again when it is lost, and half-open links are found by pings.
+export type State = "open" | "lost" | "gone" | "locked";
+const PING_EVERY = 3000, PONG_WITHIN = 6000;
+
+export class Link {
+  private socket: WebSocket | null = null;
+  private heard = 0;
+  private tries = 0;
+  constructor(
+    private hello: () => object,
+    private text: (message: any) => void,
+    private binary: (message: ArrayBuffer) => void,
+    private state: (state: State) => void,
+  ) {
+    setInterval(() => this.watch(), PING_EVERY);
+    this.open();
+  }
+
+  send(message: object): boolean {
+    if (this.socket?.readyState !== WebSocket.OPEN) return false;
+    this.socket.send(JSON.stringify(message));
+    return true;
+  }
+
+  private open(): void {
+    const socket = new WebSocket(`ws://${location.host}/session`);
+    socket.binaryType = "arraybuffer";
+    this.socket = socket;
+    this.heard = performance.now();
+    socket.onopen = () => {
+      this.tries = 0;
+      socket.send(JSON.stringify(this.hello()));
+      this.state("open");
+    };
+    socket.onmessage = (event) => {
+      this.heard = performance.now();
+      if (typeof event.data === "string") this.text(JSON.parse(event.data));
+      else this.binary(event.data);
+    };
+    socket.onclose = () => this.lost(socket);
+  }
+
+  private watch(): void {
+    if (this.socket?.readyState !== WebSocket.OPEN) return;
+    if (performance.now() - this.heard > PONG_WITHIN) this.lost(this.socket);
+    else this.send({ do: "ping" });
+  }
+
+  private lost(socket: WebSocket): void {
+    if (socket !== this.socket) return;
+    this.socket = null;
+    socket.onclose = null;
+    socket.close();
+    this.state("lost");
+    this.tries += 1;
+    setTimeout(() => this.again(), Math.min(250 * 2 ** this.tries, 4000));
+  }
+
+  private async again(): Promise<void> {
+    try {
+      const answer = await fetch("/studio.css", { method: "HEAD", cache: "no-store" });
+      if (answer.ok) return this.open();
+      this.state("locked");
+    } catch {
+      this.state("gone");
+    }
+    this.tries += 1;
+    setTimeout(() => this.again(), 2000);
+  }
+}

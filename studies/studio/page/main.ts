@@ -1,0 +1,256 @@
+// The page of the studio: panels, and what they and the server tell each other.
+import "uplot/dist/uPlot.min.css";
+import "./studio.css";
+import { CurvesPanel, unpack } from "./curves";
+import { button, byId, make } from "./dom";
+import { Form } from "./form";
+import { addressOf, designInAddress, forget, keep, keptInTab, keptUnsaved } from "./kept";
+import { Link, type State } from "./link";
+
+const STATES: Record<State, string> = {
+  open: "",
+  lost: "The link to the studio was lost; it is being made again. The design is kept.",
+  gone: "The studio does not answer: it has ended, or was stopped. Start it again with “acoustic-fem studio”; the design is kept on this page and goes on from here.",
+  locked: "The studio was started anew, with a new key: open the address that it printed, in this browser. This page then goes on with its design.",
+};
+let session: string | null = null;
+let stated: any = null;
+let name = "design";
+let unsaved = false;
+let revision = -1;
+let curveTitles: Record<string, string> = {};
+let quantity = "level";
+let pending: object | null = null;
+let waiting = false;
+let selected: number | null = null;
+let fromAddress: any = null;
+
+const form = new Form(byId("fields"), (field, value, gesture) => change({ do: "set", name: field, value, gesture }));
+const curves = new CurvesPanel(byId("plots"), () => curveTitles, select);
+
+/** Changes go one at a time: while one is under way, of the next ones the last is kept. */
+function change(message: object): void {
+  if (waiting) { pending = message; return; }
+  waiting = link?.send(message) ?? false;
+}
+
+function answered(): void {
+  waiting = false;
+  if (pending) { const next = pending; pending = null; change(next); }
+}
+
+function select(point: number | null): void {
+  selected = point;
+  byId<HTMLSelectElement>("point").value = point === null ? "" : String(point);
+  curves.light(point);
+}
+
+function take(message: any): void {
+  switch (message.type) {
+    case "words": return learn(message);
+    case "design": return design(message);
+    case "refused":
+      form.refuse(message.name, message.message, message.allowed, message.mend);
+      return answered();
+    case "refused-design":
+      notice(message.message);
+      return answered();
+    case "error":
+      notice(message.message);
+      return answered();
+    case "progress": case "figures": case "failed": case "comparison": case "file": case "toml": case "refused-export":
+      if (message.type === "failed" && message.stage === "curves") {
+        byId("curves-note").textContent = message.message;
+        byId("plots").classList.add("stale");
+      }
+      if (message.type === "comparison") byId("pin").setAttribute("aria-pressed", String(message.pinned !== null));
+      if (message.type === "comparison" && message.pinned === null) curves.unpin();
+      if (message.type === "file") {
+        make("a", { href: message.file, download: "" }).click();
+      }
+  }
+}
+
+function learn(message: any): void {
+  curveTitles = message.curves;
+  const choice = byId<HTMLSelectElement>("quantity");
+  choice.replaceChildren(...Object.entries(curveTitles).map(([value, title]) => make("option", { value }, title)));
+  choice.value = quantity;
+  byId<HTMLSelectElement>("prototypes").replaceChildren(
+    make("option", { value: "" }, "prototypes…"), ...message.prototypes.map((each: string) => make("option", {}, each)),
+  );
+  const before = message.new && !keptInTab() ? keptUnsaved() : null;
+  if (before && !fromAddress) offer(before);
+  fromAddress = null;
+  want();
+}
+
+function design(message: any): void {
+  session = message.session;
+  revision = message.revision;
+  unsaved = message.unsaved;
+  if (message.form) {
+    stated = message.stated;
+    name = message.design_name;
+    form.build(message.form);
+    points(message.form);
+  } else {
+    form.settle();
+    form.update(message.values);
+    for (const [field, value] of Object.entries(message.values)) put(stated, field, value);
+    if ("name" in message.values) name = message.values.name;
+    if (Object.keys(message.values).some((each) => each.endsWith(".points"))) points(null);
+  }
+  byId("name").textContent = name;
+  byId("unsaved").hidden = !unsaved;
+  document.title = `${unsaved ? "● " : ""}${name} – acoustic-fem studio`;
+  byId<HTMLButtonElement>("undo").disabled = !message.undo;
+  byId<HTMLButtonElement>("redo").disabled = !message.redo;
+  document.documentElement.dataset.revision = String(revision);
+  keepSoon();
+  stale();
+  answered();
+}
+
+let keeping = 0;
+function keepSoon(): void {
+  clearTimeout(keeping);
+  keeping = window.setTimeout(() => keep({ session, stated, unsaved }), 150);
+}
+
+function put(place: any, field: string, value: any): void {
+  const steps = field.split(".");
+  const last = steps.pop()!;
+  for (const step of steps) {
+    place = place?.[step];
+    if (place === undefined || place === null) return; // of a table that follows another one
+  }
+  place[last] = value;
+}
+
+function points(fields: any[] | null): void {
+  const count = (stated?.lines ?? []).reduce((sum: number, line: any) => sum + line.points, 0);
+  const choice = byId<HTMLSelectElement>("point");
+  if (choice.options.length !== count + 1 || fields) {
+    choice.replaceChildren(
+      make("option", { value: "" }, "all points"),
+      ...Array.from({ length: count }, (_, k) => make("option", { value: String(k + 1) }, `point ${k + 1}`)),
+    );
+    select(selected !== null && selected <= count ? selected : null);
+  }
+}
+
+/** What is shown of an earlier design is grey. */
+function stale(): void {
+  byId("plots").classList.toggle("stale", curves.revision !== revision);
+}
+
+function want(): void { link?.send({ do: "want", stages: [], quantity }); }
+
+function notice(text: string, ...more: HTMLElement[]): void {
+  byId("notice").replaceChildren(make("span", {}, text), ...more, button("×", () => { byId("notice").hidden = true; }, { "aria-label": "close" }));
+  byId("notice").hidden = false;
+}
+
+function offer(before: any): void {
+  notice(
+    `“${before.stated?.name}” was not saved when its page was closed.`,
+    button("Go on with it", () => { change({ do: "restore", values: before.stated, source: "the design that was kept" }); byId("notice").hidden = true; }),
+    button("Forget it", () => { forget(); byId("notice").hidden = true; }),
+  );
+}
+
+function theme(choice: string): void {
+  document.documentElement.dataset.theme = choice;
+  byId("theme").setAttribute("aria-pressed", String(choice === "dark"));
+  curves.restyle();
+}
+
+async function upload(file: File): Promise<void> {
+  const answer = await fetch(`/designs?name=${encodeURIComponent(file.name)}`, { method: "POST", body: file });
+  const found = await answer.json();
+  if (answer.ok) change({ do: "restore", values: found, source: file.name.slice(0, 100), saved: true });
+  else notice(found.message);
+}
+
+function save(): void { link?.send({ do: "export", name: "design.toml" }); }
+
+let link: Link | null = null;
+const open = () => new Link(
+  () => {
+    const kept = fromAddress ? { session: null, stated: fromAddress, unsaved: true } : stated ? { session, stated, unsaved } : keptInTab();
+    waiting = false;
+    return { do: "hello", session: kept?.session ?? null, values: kept?.stated ?? null, saved: kept ? !kept.unsaved : false };
+  },
+  take,
+  (message) => {
+    const found = unpack(message);
+    if (found.quantity !== quantity) return;
+    curves.take(found);
+    byId("curves-note").textContent = "";
+    stale();
+  },
+  (state) => {
+    byId("lost").hidden = state === "open";
+    byId("lost").textContent = STATES[state];
+    document.body.classList.toggle("away", state !== "open");
+  },
+);
+
+byId("undo").addEventListener("click", () => change({ do: "undo" }));
+byId("redo").addEventListener("click", () => change({ do: "redo" }));
+byId("save").addEventListener("click", save);
+byId("pin").addEventListener("click", () => link?.send({ do: "pin", on: byId("pin").getAttribute("aria-pressed") !== "true" }));
+byId("address").addEventListener("click", async () => {
+  const address = await addressOf(stated);
+  try {
+    await navigator.clipboard.writeText(address);
+    notice("The address of this design was copied. It opens in a browser that has opened this studio before.");
+  } catch {
+    notice(address);
+  }
+});
+byId("theme").addEventListener("click", () => {
+  const next = document.documentElement.dataset.theme === "dark" ? "light" : "dark";
+  localStorage.setItem("acoustic-fem-theme", next);
+  theme(next);
+});
+byId<HTMLSelectElement>("quantity").addEventListener("change", (event) => { quantity = (event.target as HTMLSelectElement).value; want(); });
+byId<HTMLSelectElement>("point").addEventListener("change", (event) => {
+  const value = (event.target as HTMLSelectElement).value;
+  select(value ? Number(value) : null);
+});
+byId<HTMLSelectElement>("prototypes").addEventListener("change", (event) => {
+  const choice = event.target as HTMLSelectElement;
+  if (choice.value) change({ do: "prototype", name: choice.value });
+  choice.value = "";
+});
+byId<HTMLInputElement>("open").addEventListener("change", (event) => {
+  const file = (event.target as HTMLInputElement).files?.[0];
+  if (file) upload(file);
+  (event.target as HTMLInputElement).value = "";
+});
+byId("curves-csv").addEventListener("click", () => curves.table(name));
+byId("curves-png").addEventListener("click", () => curves.picture(name));
+document.addEventListener("keydown", (event) => {
+  if (!(event.ctrlKey || event.metaKey) || event.altKey) return;
+  const key = event.key.toLowerCase();
+  const inText = event.target instanceof HTMLInputElement && event.target.type === "text";
+  if (key === "s") { event.preventDefault(); save(); }
+  else if (inText) return;
+  else if (key === "z" && !event.shiftKey) { event.preventDefault(); change({ do: "undo" }); }
+  else if (key === "y" || (key === "z" && event.shiftKey)) { event.preventDefault(); change({ do: "redo" }); }
+});
+window.addEventListener("hashchange", async () => {
+  const found = await designInAddress();
+  if (found) change({ do: "restore", values: found, source: "the address" });
+});
+const dark = matchMedia("(prefers-color-scheme: dark)");
+theme(localStorage.getItem("acoustic-fem-theme") ?? (dark.matches ? "dark" : "light"));
+dark.addEventListener("change", () => { if (!localStorage.getItem("acoustic-fem-theme")) theme(dark.matches ? "dark" : "light"); });
+if (location.search) history.replaceState(null, "", `/${location.hash}`);
+
+(async () => {
+  fromAddress = await designInAddress();
+  link = open();
+})();

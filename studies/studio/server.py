@@ -1,0 +1,163 @@
+"""The studio over HTTP and a websocket: the page, models, files that are handed out, designs that are handed in."""
+
+from __future__ import annotations
+
+import json
+from importlib import resources
+from pathlib import Path
+from typing import Any
+
+from starlette.applications import Starlette
+from starlette.requests import Request
+from starlette.responses import FileResponse, JSONResponse, PlainTextResponse, Response
+from starlette.routing import Route, WebSocketRoute
+from starlette.types import ASGIApp
+from starlette.websockets import WebSocket, WebSocketDisconnect
+
+import studies.studio as here
+from geometry.design.array_design import ArrayDesign
+from geometry.design.design_file import prototype_names
+from geometry.refusal import Refusal
+from studies.panels.curves import CURVES
+from studies.panels.export_files import EXPORTS
+from studies.panels.points import figure_words
+from studies.studio.guard import Guard, Guarded
+from studies.studio.session import MessageError
+from studies.studio.sessions import Sessions
+from studies.studio.workplace import Workplace
+
+#: Largest design file that is taken, and largest message of a page, bytes.
+MOST_UPLOAD, MOST_MESSAGE = 256 * 1024, 1024 * 1024
+#: Files of the page by their addresses, with what they are.
+_PAGE = {
+    "/": ("index.html", "text/html; charset=utf-8"),
+    "/studio.js": ("studio.js", "text/javascript; charset=utf-8"),
+    "/studio.css": ("studio.css", "text/css; charset=utf-8"),
+}
+
+
+def studio_app(design: ArrayDesign, guard: Guard, workplace: Workplace) -> ASGIApp:
+    """The application of a studio, behind its guard.
+
+    Args:
+        design: that a new page begins with.
+        guard: who may speak with it.
+        workplace: where jobs are done; whoever made it closes it.
+    """
+    sessions = Sessions(design, workplace)
+
+    async def model(request: Request) -> Response:
+        content = workplace.model_file(request.path_params["key"])
+        if content is None:
+            return PlainTextResponse("no such model\n", 404)
+        return Response(content, media_type="model/gltf-binary")
+
+    async def file(request: Request) -> Response:
+        session = sessions.find(request.path_params["session"])
+        path, name = session.files.get(request.path_params["key"], (None, "")) if session is not None else (None, "")
+        if path is None or not Path(path).is_file():
+            return PlainTextResponse("no such file\n", 404)
+        return FileResponse(path, filename=name)
+
+    async def upload(request: Request) -> Response:
+        content = bytearray()
+        async for chunk in request.stream():
+            content += chunk
+            if len(content) > MOST_UPLOAD:
+                return _refused(f"the file must be at most {MOST_UPLOAD // 1024} kB", 413)
+        name = request.query_params.get("name", "design.toml")[:100]
+        try:
+            text = content.decode("utf-8")
+        except UnicodeDecodeError:
+            return _refused(f"{name}: is no text in UTF-8", 400)
+        try:
+            return JSONResponse(await workplace.upload(text, name))
+        except Refusal as error:
+            return _refused(str(error), 400)
+
+    async def session(socket: WebSocket) -> None:
+        await _hold(socket, sessions)
+
+    pages = [Route(address, _page(*what), methods=["GET"]) for address, what in _PAGE.items()]
+    app = Starlette(
+        routes=[
+            *pages,
+            Route("/models/{key}.glb", model, methods=["GET"]),
+            Route("/files/{session}/{key}", file, methods=["GET"]),
+            Route("/designs", upload, methods=["POST"]),
+            WebSocketRoute("/session", session),
+        ]
+    )
+    return Guarded(app, guard)
+
+
+def _refused(message: str, status: int) -> Response:
+    return JSONResponse({"message": message}, status)
+
+
+def _page(name: str, kind: str) -> Any:
+    content = (resources.files(here) / "static" / name).read_bytes()
+
+    async def answer(request: Request) -> Response:
+        return Response(content, headers={"content-type": kind})
+
+    return answer
+
+
+async def _hold(socket: WebSocket, sessions: Sessions) -> None:
+    """One page from its first message to its last."""
+    await socket.accept()
+
+    async def send(message: str | bytes) -> None:
+        try:
+            if isinstance(message, bytes):
+                await socket.send_bytes(message)
+            else:
+                await socket.send_text(message)
+        except (WebSocketDisconnect, RuntimeError):  # gone; its session finds out when it reads next
+            pass
+
+    session = None
+    try:
+        while True:
+            try:
+                message = _read(await socket.receive_text())
+                if message.get("do") == "ping":
+                    await send('{"type":"pong"}')
+                elif session is None:
+                    session, new = sessions.enter(message.get("session"))
+                    await send(json.dumps({"type": "words", **_words(), "new": new}))
+                    values = message.get("values")
+                    if new and isinstance(values, dict):
+                        await session.restore_quietly(values, message.get("saved") is True, send)
+                    await session.join(send)
+                else:
+                    await session.take(message)
+            except MessageError as error:
+                await send(json.dumps({"type": "error", "message": str(error)}))
+    except (WebSocketDisconnect, KeyError):  # KeyError: bytes where a text was due
+        pass
+    finally:
+        if session is not None:
+            session.leave(send)
+
+
+def _read(text: str) -> dict[str, Any]:
+    try:
+        message = json.loads(text)
+    except (ValueError, RecursionError):
+        raise MessageError("a message must be JSON") from None
+    if not isinstance(message, dict):
+        raise MessageError("a message must be a table")
+    return message
+
+
+def _words() -> dict[str, Any]:
+    """What the page names and explains, and no design changes."""
+    return {
+        "prototypes": prototype_names(),
+        "curves": CURVES,
+        "figures": figure_words(),
+        "exports": {name: {"title": each.title, "takes": each.takes} for name, each in EXPORTS.items()},
+        "most_upload": MOST_UPLOAD,
+    }

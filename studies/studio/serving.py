@@ -1,0 +1,122 @@
+"""The studio from the command line: a socket on this machine, the address with the token, the browser."""
+
+from __future__ import annotations
+
+import os
+import socket
+import webbrowser
+from collections.abc import Callable
+from importlib.util import find_spec
+from ipaddress import ip_address
+
+from geometry.design.array_design import ArrayDesign
+from geometry.refusal import Refusal
+
+#: Port that is taken where it is free, and how many after it are tried.
+USUAL_PORT, _PORTS = 8765, 20
+#: Least length of a token that a user chooses, characters.
+LEAST_TOKEN = 16
+_THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
+
+
+def serve_studio(
+    design: ArrayDesign,
+    *,
+    port: int | None = None,
+    host: str = "127.0.0.1",
+    token: str | None = None,
+    browser: bool = True,
+    tell: Callable[[str], None] = print,
+) -> None:
+    """Serve the studio until it is interrupted.
+
+    Args:
+        design: that a page begins with.
+        port: to listen at, 0 to 65535, 0 for any; by default 8765, or the next one that is free.
+        host: address to listen at; any but that of this machine's loopback needs a ``token``.
+        token: that the address of the page holds, at least 16 characters; by default one that nobody can guess.
+        browser: open the page in the browser of the user.
+        tell: called with the lines for the user.
+
+    Raises:
+        Refusal: what it takes is not installed, no port is free, or an address for others without a token.
+    """
+    for name in ("starlette", "uvicorn", "websockets"):
+        if find_spec(name) is None:
+            raise Refusal(f"{name} is not installed: pip install 'acoustic-fem[studio]'")
+    _check(host, token)
+    for variable in _THREADS:  # of the processes that follow; this one has its limits below
+        os.environ.setdefault(variable, "1")
+    import scipy.linalg  # loads BLAS, which is to have one thread
+    import uvicorn
+    from threadpoolctl import threadpool_limits
+
+    from studies.studio.guard import Guard
+    from studies.studio.server import MOST_MESSAGE, studio_app
+    from studies.studio.workplace import Workplace
+
+    del scipy
+    listening = _bound(host, port)
+    number = listening.getsockname()[1]
+    guard = Guard(host, number, token)
+    workplace = Workplace()
+    name = f"[{host}]" if ":" in host else host
+    address = f"http://{name}:{number}/?token={guard.token}"
+    config = uvicorn.Config(
+        studio_app(design, guard, workplace),
+        log_level="warning",
+        server_header=False,
+        lifespan="off",
+        ws_max_size=MOST_MESSAGE,
+        ws_ping_interval=10,
+        ws_ping_timeout=20,
+        timeout_graceful_shutdown=2,
+    )
+    try:
+        with threadpool_limits(1):
+            workplace.warm_up(design)
+            tell(f"The studio of {design.name}: {address}")
+            tell("The address holds the key: give it to nobody. Ctrl-C ends.")
+            if browser:
+                webbrowser.open(address)
+            uvicorn.Server(config).run(sockets=[listening])
+    except KeyboardInterrupt:
+        tell("The studio has ended; pages keep their designs until it is there again.")
+    finally:
+        workplace.close()
+        listening.close()
+
+
+def _check(host: str, token: str | None) -> None:
+    try:
+        address = ip_address("127.0.0.1" if host == "localhost" else host)
+    except ValueError:
+        raise Refusal(f"host = {host!r} must be an IP address of this machine") from None
+    if address.is_unspecified:
+        raise Refusal(f"host = {host!r} must be one address: the studio answers to one name only")
+    if token is not None and len(token) < LEAST_TOKEN:
+        raise Refusal(f"token has {len(token)} characters; it must have at least {LEAST_TOKEN}")
+    if token is not None and not token.isalnum():
+        raise Refusal("token must be letters and digits only: it stands in an address")
+    if not address.is_loopback and token is None:
+        raise Refusal(f"host = {host!r} is seen by other machines: give `token` too, at least {LEAST_TOKEN} characters")
+
+
+def _bound(host: str, port: int | None) -> socket.socket:
+    """A socket that is bound to the port, or to the usual one or one of the next."""
+    if port is not None and not 0 <= port <= 65535:
+        raise Refusal(f"port = {port} must be between 0 and 65535")
+    family = socket.AF_INET6 if ":" in host else socket.AF_INET
+    tried = [port] if port is not None else range(USUAL_PORT, USUAL_PORT + _PORTS)
+    for number in tried:
+        found = socket.socket(family)
+        found.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        try:
+            found.bind((host, number))
+            found.listen()  # whoever has read the address may come before the server does
+        except OSError as error:
+            found.close()
+            reason = error.strerror
+            continue
+        return found
+    raise Refusal(f"port = {tried[0]} of {host} cannot be had: {reason}; give another `port`, 0 for any")

@@ -1,0 +1,352 @@
+"""One page and its design: what it asks for, and what it is told."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+import secrets
+from collections.abc import Awaitable, Callable, Mapping
+from typing import Any
+
+from geometry.design.array_design import ArrayDesign
+from geometry.design.design_file import prototype, write_design
+from geometry.refusal import Refusal
+from studies.panels.comparing import comparison
+from studies.panels.curves import CURVES, Curves
+from studies.panels.designing import DesignState, design_key, refusal_of
+from studies.panels.export_files import EXPORTS
+from studies.panels.form import flat_values, form_of, stated_values
+from studies.studio.stage import Job, Stage
+from studies.studio.workplace import Workplace
+from studies.studio.workshop import Stopped
+
+#: Sends a message to the page: text, or bytes.
+Send = Callable[[str | bytes], Awaitable[None]]
+#: Stages beside the curves, each shown by a panel.
+STAGES = ("points", "mis_made", "model", "check")
+
+
+#: What a page is told where nothing was foreseen.
+_MISTAKE = "this is a mistake of the program; the studio's terminal says where"
+
+
+class MessageError(Refusal):
+    """A message that no page of ours sends."""
+
+
+class Session:
+    """Session of one page: its design, with undo and redo, and one job queue a stage.
+
+    Args:
+        design: to begin with.
+        workplace: where jobs are done.
+    """
+
+    def __init__(self, design: ArrayDesign, workplace: Workplace) -> None:
+        self.id = secrets.token_urlsafe(24)
+        self.state = DesignState(design)
+        self.pinned: ArrayDesign | None = None
+        self.files: dict[str, Any] = {}
+        self._workplace = workplace
+        self._quantity = "level"
+        self._wanted: set[str] = set()
+        self._send: Send | None = None
+        self._exporting: asyncio.Task[None] | None = None
+        self._export_job: Job | None = None
+        self._told: tuple[dict[str, Any], frozenset[str]] = ({}, frozenset())
+        self._stages = {"curves": Stage(self._curves), "pinned": Stage(self._curves)} | {
+            name: Stage(self._figures, workplace.stop) for name in (*STAGES, "pinned_points")
+        }
+
+    # -- the page -----------------------------------------------------------------------------------
+    @property
+    def is_open(self) -> bool:
+        """Whether a page listens."""
+        return self._send is not None
+
+    async def join(self, send: Send) -> None:
+        """A page listens from now on; it is told everything."""
+        self._send = send
+        await self._tell_design(whole=True)
+        self._ask_all()
+
+    async def restore_quietly(self, values: dict[str, Any], saved: bool, send: Send) -> None:
+        """Take up the design that a page kept while there was no studio, or say why not."""
+        try:
+            self.state.restore(values, "the design that the page kept")
+        except Refusal as error:
+            await send(json.dumps({"type": "refused-design", "message": str(error)}))
+            return
+        if saved:
+            self.state.mark_saved()
+
+    def leave(self, send: Send) -> None:
+        """The page is gone; its design stays."""
+        if self._send == send:
+            self._send = None
+            for stage in self._stages.values():
+                stage.cancel()
+
+    async def take(self, message: Mapping[str, Any]) -> None:
+        """Do what the page asks for.
+
+        Raises:
+            MessageError: it is no message of a page of ours.
+        """
+        kind = message.get("do")
+        action = _ACTIONS.get(kind) if isinstance(kind, str) else None
+        if action is None:
+            raise MessageError(f"do = {str(kind)[:40]!r} must be one of: {', '.join(_ACTIONS)}")
+        await action(self, message)
+
+    # -- the design ---------------------------------------------------------------------------------
+    async def _set(self, message: Mapping[str, Any]) -> None:
+        name, value = _text(message, "name"), message.get("value")
+        before = self.state.design
+        try:
+            self.state.set_values({name: value}, message.get("gesture"))
+        except Refusal as error:
+            refused = refusal_of(before, name, value, error)
+            await self._say({"type": "refused", **refused.__dict__, "value": value})
+            return
+        await self._changed()
+
+    async def _undo(self, message: Mapping[str, Any]) -> None:
+        self.state.undo()
+        await self._changed()
+
+    async def _redo(self, message: Mapping[str, Any]) -> None:
+        self.state.redo()
+        await self._changed()
+
+    async def _prototype(self, message: Mapping[str, Any]) -> None:
+        try:
+            self.state.open(prototype(_text(message, "name")))
+        except Refusal as error:
+            await self._say({"type": "refused-design", "message": str(error)})
+            return
+        await self._changed(whole=True)
+
+    async def _restore(self, message: Mapping[str, Any]) -> None:
+        values = message.get("values")
+        if not isinstance(values, dict):
+            raise MessageError("values must be a table")
+        try:
+            self.state.restore(values, _text(message, "source"))
+        except Refusal as error:
+            await self._say({"type": "refused-design", "message": str(error)})
+            return
+        if message.get("saved") is True:
+            self.state.mark_saved()
+        await self._changed(whole=True)
+
+    async def _toml(self, message: Mapping[str, Any]) -> None:
+        await self._say({"type": "toml", "text": write_design(self.state.design)})
+
+    async def _changed(self, whole: bool = False) -> None:
+        await self._tell_design(whole)
+        self._ask_all()
+
+    async def _tell_design(self, whole: bool) -> None:
+        design, state = self.state.design, self.state
+        values = flat_values(design)
+        told: dict[str, Any] = {
+            "type": "design",
+            "session": self.id,
+            "revision": state.revision,
+            "undo": state.can_undo,
+            "redo": state.can_redo,
+            "unsaved": state.unsaved,
+        }
+        before, followers = self._told
+        # Without the names of all fields a page cannot tell which tables follow others, nor which lines there are.
+        if whole or values.keys() != before.keys() or design.followers != followers:
+            told |= {"form": form_of(design), "design_name": design.name, "stated": stated_values(design)}
+        else:
+            told["values"] = {name: value for name, value in values.items() if before[name] != value}
+        self._told = values, design.followers
+        await self._say(told)
+        if self.pinned is not None:
+            await self._tell_comparison()
+
+    # -- figures ------------------------------------------------------------------------------------
+    async def _want(self, message: Mapping[str, Any]) -> None:
+        wanted, quantity = message.get("stages"), message.get("quantity")
+        if quantity not in CURVES or not isinstance(wanted, list) or not {*wanted} <= {*STAGES}:
+            raise MessageError(f"stages must be of {', '.join(STAGES)}, quantity one of {', '.join(CURVES)}")
+        fresh = {*wanted} - self._wanted
+        for gone in self._wanted - {*wanted}:
+            self._stages[gone].cancel()
+        self._wanted = {*wanted}
+        if quantity != self._quantity:
+            self._quantity = quantity
+            self._ask("curves")
+            self._ask_pinned()
+        for name in fresh:
+            self._ask(name)
+
+    def _ask_all(self) -> None:
+        self._ask("curves")
+        for name in self._wanted:
+            self._ask(name)
+
+    def _ask(self, name: str) -> None:
+        options = (self._quantity,) if name == "curves" else ()
+        self._stages[name].ask(Job(name, self.state.revision, self.state.design, options))
+
+    def _ask_pinned(self) -> None:
+        if self.pinned is not None:
+            self._stages["pinned"].ask(Job("pinned", self.state.revision, self.pinned, (self._quantity,)))
+
+    async def _curves(self, job: Job) -> None:
+        try:
+            curves = await self._workplace.curves(job.design, job.options[0])
+        except Refusal as error:
+            await self._failed(job, str(error))
+            return
+        except Exception:
+            await self._failed(job, _MISTAKE)
+            raise  # its traceback is for the terminal
+        await self._say(packed(job, curves))
+
+    async def _figures(self, job: Job) -> None:
+        loop = asyncio.get_running_loop()
+
+        def tell(line: str) -> None:
+            asyncio.run_coroutine_threadsafe(self._progress(job, line), loop)
+
+        await self._progress(job, "")
+        try:
+            found = await self._workplace.result(job, tell)
+        except Stopped:
+            return
+        except Refusal as error:
+            await self._failed(job, str(error))
+            return
+        except Exception:
+            await self._failed(job, _MISTAKE)
+            raise  # its traceback is for the terminal
+        shown = {name: value for name, value in found.items() if name != "glb"}
+        if job.stage == "model":
+            shown["file"] = f"/models/{design_key(job.design)}.glb"
+        await self._say({"type": "figures", "stage": job.stage, "revision": job.revision, "found": shown})
+
+    async def _progress(self, job: Job, line: str) -> None:
+        await self._say({"type": "progress", "stage": job.stage, "revision": job.revision, "line": line})
+
+    async def _failed(self, job: Job, message: str) -> None:
+        await self._say({"type": "failed", "stage": job.stage, "revision": job.revision, "message": message})
+
+    async def _stop(self, message: Mapping[str, Any]) -> None:
+        name = _text(message, "stage")
+        if name == "export" and self._export_job is not None:
+            self._workplace.stop_export(self._export_job)
+        elif name in STAGES:
+            self._stages[name].cancel()
+
+    # -- two designs --------------------------------------------------------------------------------
+    async def _pin(self, message: Mapping[str, Any]) -> None:
+        self.pinned = self.state.design if message.get("on") is True else None
+        await self._tell_comparison()
+        self._ask_pinned()
+        if self.pinned is not None:
+            self._stages["pinned_points"].ask(Job("pinned_points", self.state.revision, self.pinned))
+
+    async def _tell_comparison(self) -> None:
+        if self.pinned is None:
+            await self._say({"type": "comparison", "revision": self.state.revision, "pinned": None})
+            return
+        await self._say(
+            {
+                "type": "comparison",
+                "revision": self.state.revision,
+                "pinned": self.pinned.name,
+                "differences": comparison(self.state.design, self.pinned),
+            }
+        )
+
+    # -- files --------------------------------------------------------------------------------------
+    async def _export(self, message: Mapping[str, Any]) -> None:
+        name, fidelity = _text(message, "name"), message.get("fidelity", "lumped")
+        if name not in EXPORTS:
+            raise MessageError(f"export = {name[:40]!r} must be one of: {', '.join(EXPORTS)}")
+        if self._exporting is not None and not self._exporting.done():
+            await self._say(
+                {"type": "refused-export", "message": "one file at a time: stop the one that is made first"}
+            )
+            return
+        job = Job("export", self.state.revision, self.state.design, (name, fidelity))
+        self._export_job = job
+        self._exporting = asyncio.create_task(self._make(job))
+
+    async def _make(self, job: Job) -> None:
+        loop = asyncio.get_running_loop()
+        name, fidelity = job.options
+
+        def tell(line: str) -> None:
+            asyncio.run_coroutine_threadsafe(self._progress(job, line), loop)
+
+        await self._progress(job, "begins")
+        try:
+            path = await self._workplace.export(job.design, name, fidelity, tell, job)
+        except Stopped:
+            await self._failed(job, "stopped")
+            return
+        except Refusal as error:
+            await self._failed(job, str(error))
+            return
+        except Exception:
+            await self._failed(job, _MISTAKE)
+            raise  # its traceback is for the terminal
+        key = secrets.token_urlsafe(16)
+        self.files = {key: (path, _download_name(job.design, name))}
+        if name == "design.toml" and self.state.design is job.design:
+            self.state.mark_saved()
+            await self._tell_design(whole=False)
+        await self._say({"type": "file", "name": name, "file": f"/files/{self.id}/{key}"})
+
+    async def _say(self, message: dict[str, Any] | bytes) -> None:
+        if self._send is not None:
+            await self._send(message if isinstance(message, bytes) else json.dumps(message, separators=(",", ":")))
+
+
+def packed(job: Job, curves: Curves) -> bytes:
+    """Curves as one message: the length of a header in four bytes, the header as JSON, the values as float32."""
+    header = {
+        "stage": job.stage,
+        "revision": job.revision,
+        "quantity": curves.quantity,
+        "unit": curves.unit,
+        "points": list(curves.points),
+        "heard_by": list(curves.heard_by),
+        "frequency": [float(f"{value:.7g}") for value in curves.frequency],
+    }
+    text = json.dumps(header, separators=(",", ":")).encode()
+    text += b" " * (-len(text) % 4)
+    return len(text).to_bytes(4, "little") + text + curves.values.astype("<f4").tobytes()
+
+
+def _download_name(design: ArrayDesign, name: str) -> str:
+    """Name of a file for whoever keeps several designs; names of designs are safe in file names."""
+    return f"{design.name}.toml" if name == "design.toml" else f"{design.name}-{name}"
+
+
+def _text(message: Mapping[str, Any], key: str) -> str:
+    value = message.get(key)
+    if not isinstance(value, str) or len(value) > 300:
+        raise MessageError(f"{key} must be a text of at most 300 characters")
+    return value
+
+
+_ACTIONS: dict[str, Callable[[Session, Mapping[str, Any]], Awaitable[None]]] = {
+    "set": Session._set,
+    "undo": Session._undo,
+    "redo": Session._redo,
+    "prototype": Session._prototype,
+    "restore": Session._restore,
+    "toml": Session._toml,
+    "want": Session._want,
+    "stop": Session._stop,
+    "pin": Session._pin,
+    "export": Session._export,
+}

@@ -1,0 +1,51 @@
+"""The sessions of a studio: each page has its own, and finds it again after its link was cut."""
+
+from __future__ import annotations
+
+from collections import OrderedDict
+from typing import Any
+
+from geometry.design.array_design import ArrayDesign
+from studies.studio.session import Session
+from studies.studio.workplace import Workplace
+
+#: Sessions that are kept; beyond, the one left longest ago goes first.
+MOST_SESSIONS = 32
+
+
+class Sessions:
+    """All sessions by their secret names.
+
+    Args:
+        design: that a new session begins with.
+        workplace: where they have their jobs done.
+    """
+
+    def __init__(self, design: ArrayDesign, workplace: Workplace) -> None:
+        self._design, self._workplace = design, workplace
+        self._known: OrderedDict[str, Session] = OrderedDict()
+
+    def __len__(self) -> int:
+        return len(self._known)
+
+    def find(self, name: Any) -> Session | None:
+        """The session of a name; None where there is none."""
+        return self._known.get(name) if isinstance(name, str) else None
+
+    def enter(self, name: Any) -> tuple[Session, bool]:
+        """The session of a page, and whether it is a new one.
+
+        Args:
+            name: that the page knows from before. A page that was doubled gets a session of its own, as the name is
+                in use.
+        """
+        found = self.find(name)
+        if found is not None and not found.is_open:
+            self._known.move_to_end(found.id)
+            return found, False
+        session = Session(self._design if found is None else found.state.design, self._workplace)
+        self._known[session.id] = session
+        for old in [each for each in self._known.values() if not each.is_open and each is not session]:
+            if len(self._known) > MOST_SESSIONS:
+                del self._known[old.id]
+        return session, True

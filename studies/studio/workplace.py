@@ -1,0 +1,162 @@
+"""What all sessions share: threads, the process for CAD, and what was computed already."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from tempfile import TemporaryDirectory, mkdtemp
+from typing import TYPE_CHECKING, Any
+
+from studies.panels.curves import Curves, curves_of, lumped_library
+from studies.panels.designing import design_key
+from studies.panels.export_files import make_export
+from studies.panels.making import check_figures, model_of_array, read_upload
+from studies.panels.points import mis_made_figures, point_figures
+from studies.studio.kept import Kept
+from studies.studio.workshop import Workshop
+
+if TYPE_CHECKING:
+    from acoustic_fem import Library
+    from acoustic_fem.quantities.fidelity import Fidelity
+    from geometry.design.array_design import ArrayDesign
+    from studies.studio.stage import Job
+
+#: Libraries and results of each stage that are kept, and models in three dimensions, which are larger.
+MOST_KEPT, MOST_MODELS = 64, 12
+
+
+class Workplace:
+    """Threads, processes and results of a studio.
+
+    Closed with :meth:`close`; what it writes for export goes into a temporary folder that goes with it.
+    """
+
+    def __init__(self) -> None:
+        # One thread a stage: a slow one delays no other, and none works on two designs at once.
+        self._threads = {
+            name: ThreadPoolExecutor(1, f"studio-{name}") for name in ("curves", "points", "mis_made", "cad", "export")
+        }
+        self.workshop = Workshop(_warm_up)
+        self._libraries: Kept[Library] = Kept(MOST_KEPT)
+        self._results: Kept[dict[str, Any]] = Kept(MOST_KEPT)
+        self._models: Kept[dict[str, Any]] = Kept(MOST_MODELS)
+        self._folder = TemporaryDirectory(prefix="acoustic-fem-studio-")
+        self._exporting: Workshop | None = None
+
+    def warm_up(self, design: ArrayDesign) -> None:
+        """Import and solve once what the first change would otherwise wait for; returns at once."""
+        self._threads["curves"].submit(self._warm_up_threads, design)
+        self._threads["cad"].submit(self.workshop.start)
+
+    def _warm_up_threads(self, design: ArrayDesign) -> None:
+        self.library(design)
+        # The decoder's imports take seconds: after the first curves, not in their way.
+        self._threads["points"].submit(_import_decoder)
+
+    def library(self, design: ArrayDesign) -> Library:
+        """The lumped library of a design at the frequencies of the curves."""
+        key = design_key(design)
+        found = self._libraries.get(key)
+        if found is None:
+            found = lumped_library(design)
+            self._libraries.put(key, found)
+        return found
+
+    async def curves(self, design: ArrayDesign, quantity: str) -> Curves:
+        """Curves of one quantity of a design."""
+
+        def work() -> Curves:
+            return curves_of(self.library(design).transfer_function, quantity)
+
+        return await self._in_thread("curves", work)
+
+    async def result(self, job: Job, tell: Callable[[str], None]) -> dict[str, Any]:
+        """Result of a job of any stage but that of the curves.
+
+        Args:
+            job: of the stage "points", "pinned_points", "mis_made", "model" or "check".
+            tell: called from another thread with each line on what is being done.
+        """
+        stage = "points" if job.stage == "pinned_points" else job.stage
+        key = (stage, design_key(job.design))
+        kept = self._models if stage == "model" else self._results
+        found = kept.get(key)
+        if found is None:
+            if stage == "points":
+                found = await self._in_thread("points", lambda: point_figures(job.design))
+            elif stage == "mis_made":
+                found = await self._in_thread("mis_made", lambda: mis_made_figures(job.design))
+            elif stage == "model":
+                found = await self._in_thread("cad", lambda: self.workshop.run(model_of_array, (job.design,), task=job))
+            else:
+                found = await self._in_thread(
+                    "cad", lambda: self.workshop.run(check_figures, (job.design,), tell, task=job)
+                )
+            kept.put(key, found)
+        return found
+
+    def model_file(self, key: str) -> bytes | None:
+        """The glTF of a design by its key; None where it is not kept."""
+        found = self._models.get(("model", key))
+        return None if found is None else found["glb"]
+
+    async def upload(self, text: str, name: str) -> dict[str, Any]:
+        """What a design file states that somebody handed in."""
+        return await self._in_thread("cad", lambda: self.workshop.run(read_upload, (text, name)))
+
+    async def export(
+        self, design: ArrayDesign, name: str, fidelity: Fidelity, tell: Callable[[str], None], task: object
+    ) -> Path:
+        """One file of a design, made in a process of its own, one after the other."""
+
+        def work() -> Path:
+            place = mkdtemp(dir=self._folder.name)
+            if name == "design.toml":  # at once, and not worth a process
+                return Path(make_export(design, name, place, fidelity))
+            self._exporting = Workshop(name="the process that makes files")
+            try:
+                return Path(self._exporting.run(make_export, (design, name, place, fidelity), tell, task))
+            finally:
+                self._exporting.close()
+                self._exporting = None
+
+        return await self._in_thread("export", work)
+
+    def stop(self, task: object) -> None:
+        """Say that nobody waits for a task any more."""
+        self.workshop.stop(task)
+
+    def stop_export(self, task: object) -> None:
+        """Say that a file is not wanted any more."""
+        if self._exporting is not None:
+            self._exporting.stop(task, at_once=True)
+
+    def close(self) -> None:
+        """End threads and processes, and remove what was written."""
+        self.workshop.close()
+        if self._exporting is not None:
+            self._exporting.close()
+        for threads in self._threads.values():
+            threads.shutdown(wait=False, cancel_futures=True)
+        self._folder.cleanup()
+
+    async def _in_thread(self, name: str, work: Callable[[], Any]) -> Any:
+        return await asyncio.get_running_loop().run_in_executor(self._threads[name], work)
+
+
+def _import_decoder() -> None:
+    """What the first prediction of confusion needs."""
+    import localize.learned.features
+    import localize.signals.stimulus
+
+    del localize
+
+
+def _warm_up() -> None:
+    """In the process for CAD: what the first array in three dimensions needs."""
+    import cadquery
+    import trimesh
+
+    del cadquery, trimesh

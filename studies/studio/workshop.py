@@ -1,0 +1,167 @@
+"""Work in one process beside the server: a CAD kernel is no thread, and what crashes there takes no design with it."""
+
+from __future__ import annotations
+
+import contextlib
+import multiprocessing
+import signal
+import threading
+from collections.abc import Callable, Sequence
+from multiprocessing.connection import Connection
+from typing import Any
+
+from geometry.refusal import Refusal
+
+#: Seconds that a process gets to end when it is told to.
+_PATIENCE = 2.0
+
+
+class Stopped(Refusal):
+    """Work that nobody waits for any more."""
+
+
+class _Stop(BaseException):
+    """In the process: whoever asked has said that the work is not wanted any more."""
+
+
+class Workshop:
+    """A process that works off one task after the other, and is started again when it ends.
+
+    Args:
+        warm_up: called in the process when it is started, such as for imports.
+        name: of it, for messages.
+    """
+
+    def __init__(self, warm_up: Callable[[], None] | None = None, name: str = "the CAD process") -> None:
+        self._warm_up, self._name = warm_up, name
+        self._turn = threading.Lock()  # one task at a time
+        self._change = threading.Lock()  # of what follows
+        self._process: multiprocessing.process.BaseProcess | None = None
+        self._connection: Connection | None = None
+        self._busy: object = None
+        self._stopped: object = None
+
+    def start(self) -> None:
+        """Start the process, where it does not run."""
+        with self._change:
+            if self._process is not None and self._process.is_alive():
+                return
+            context = multiprocessing.get_context("spawn")
+            self._connection, theirs = context.Pipe()
+            self._process = context.Process(target=_work, args=(theirs, self._warm_up), name=self._name)
+            self._process.start()
+            theirs.close()
+
+    def run(
+        self,
+        work: Callable[..., Any],
+        arguments: Sequence[Any],
+        tell: Callable[[str], None] | None = None,
+        task: object = None,
+    ) -> Any:
+        """What a function returns, called in the process; waits for its turn.
+
+        Args:
+            work: a function of a module, by name; with ``tell`` it takes a further argument ``tell``.
+            arguments: of it.
+            tell: called with each line that the function tells.
+            task: by which :meth:`stop` knows it.
+
+        Raises:
+            Refusal: that of the function, or the process ended without an answer.
+            Stopped: it was stopped.
+        """
+        with self._turn:
+            if task is not None and task is self._stopped:
+                raise Stopped("stopped")
+            self._busy = task
+            try:
+                self.start()
+                return self._answer(work, arguments, tell)
+            except (EOFError, OSError):
+                if task is not None and task is self._stopped:
+                    raise Stopped("stopped") from None
+                raise Refusal(
+                    f"{self._name} ended without an answer; it is started again, the design is kept"
+                ) from None
+            finally:
+                self._busy = None
+
+    def _answer(self, work: Callable[..., Any], arguments: Sequence[Any], tell: Callable[[str], None] | None) -> Any:
+        connection = self._connection
+        assert connection is not None
+        connection.send((work, tuple(arguments), tell is not None))
+        while True:
+            kind, value = connection.recv()
+            if kind == "told" and tell is not None:
+                tell(value)
+            elif kind == "done":
+                return value
+            elif kind == "refused":
+                raise Refusal(value)
+            elif kind == "stopped":
+                raise Stopped("stopped")
+            elif kind == "failed":
+                raise RuntimeError(value)  # a mistake of ours, with its traceback
+
+    def stop(self, task: object, at_once: bool = False) -> None:
+        """Say that a task is not wanted any more: it ends when it next tells something, or at once with its process."""
+        self._stopped = task
+        with self._change:
+            if self._busy is task and self._connection is not None:
+                with contextlib.suppress(OSError):
+                    self._connection.send("stop")
+                if at_once and self._process is not None:
+                    self._process.terminate()
+
+    def close(self) -> None:
+        """End the process."""
+        with self._change:
+            if self._process is None:
+                return
+            self._process.terminate()
+            self._process.join(_PATIENCE)
+            if self._process.is_alive():
+                self._process.kill()
+                self._process.join()
+            if self._connection is not None:
+                self._connection.close()
+            self._process = self._connection = None
+
+
+def _work(connection: Connection, warm_up: Callable[[], None] | None) -> None:
+    """Work off tasks until whoever gives them is gone."""
+    import traceback
+
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the server decides
+    if warm_up is not None:
+        warm_up()
+
+    def tell(line: str) -> None:
+        if connection.poll():
+            connection.recv()
+            raise _Stop
+        connection.send(("told", line))
+
+    while True:
+        try:
+            task = connection.recv()
+        except (EOFError, OSError):
+            return
+        if task == "stop":  # came when all was done
+            continue
+        work, arguments, tells = task
+        try:
+            answer = ("done", work(*arguments, tell) if tells else work(*arguments))
+        except Refusal as error:
+            answer = ("refused", str(error))
+        except _Stop:
+            answer = ("stopped", None)
+        except OSError as error:
+            answer = ("refused", f"{error.filename or 'a file'}: {error.strerror or error}")
+        except Exception:
+            answer = ("failed", traceback.format_exc())
+        try:
+            connection.send(answer)
+        except OSError:
+            return

@@ -1,0 +1,44 @@
+"""The curves of the page are the transfer functions that Python computes of the same design."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import acoustic_fem
+from geometry import Refusal, prototype
+from studies.metrics.pairs import attenuation, microphone_ratios
+from studies.panels.curves import CURVES, curve_frequencies, curves_of, lumped_library
+
+GLOVE = prototype("glove")
+
+
+@pytest.fixture(scope="module")
+def library() -> acoustic_fem.Library:
+    return acoustic_fem.solve(GLOVE, curve_frequencies(), fidelity="lumped")
+
+
+def test_the_library_is_the_lumped_one(library: acoustic_fem.Library) -> None:
+    np.testing.assert_array_equal(lumped_library(GLOVE).transfer_function, library.transfer_function)
+
+
+@pytest.mark.parametrize("quantity", CURVES)
+def test_curves_are_those_of_the_transfer_functions(library: acoustic_fem.Library, quantity: str) -> None:
+    found = curves_of(library.transfer_function, quantity)
+    ratios, h = microphone_ratios(library.transfer_function), library.transfer_function.values
+    of = ratios if quantity in ("ild", "ipd") else h
+    assert found.heard_by == (("A / B", "A / C", "B / C") if of is ratios else ("A", "B", "C"))
+    if found.unit == "dB":
+        np.testing.assert_allclose(found.values, 20 * np.log10(np.abs(of)), rtol=1e-12)
+    else:
+        np.testing.assert_allclose(np.exp(1j * np.radians(found.values)), of / np.abs(of), rtol=1e-9)
+        assert np.abs(np.diff(found.values)).max() < 180
+    if quantity == "level":
+        np.testing.assert_allclose(
+            found.values[:, :, 0], attenuation(library.transfer_function, float(found.frequency[0])), rtol=1e-12
+        )
+
+
+def test_another_quantity_is_refused(library: acoustic_fem.Library) -> None:
+    with pytest.raises(Refusal, match=r"quantity = 'loudness' must be one of: level, phase, ild, ipd"):
+        curves_of(library.transfer_function, "loudness")

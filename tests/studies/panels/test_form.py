@@ -1,0 +1,78 @@
+"""The form of a design has every field that it has, with the words, units and ranges of its model."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+
+from geometry import DesignError, prototype
+from geometry.design.array_design import validated
+from geometry.stated.declared import field_named
+from studies.panels.comparing import comparison
+from studies.panels.form import flat_values, form_of, stated_values
+
+ARRAY = prototype("array-2x6")
+
+
+@pytest.mark.parametrize("name", ["array-2x6", "glove", "line-2"])
+def test_every_field_can_be_set_to_what_it_is(name: str) -> None:
+    design = prototype(name)
+    form = form_of(design)
+    assert json.loads(json.dumps(form)) == form
+    assert len({entry["name"] for entry in form}) == len(form)
+    assert {entry["name"]: entry["value"] for entry in form} == flat_values(design)
+    assert design.with_values({entry["name"]: entry["value"] for entry in form}) == design
+
+
+def test_words_units_and_ranges_are_those_of_the_model() -> None:
+    form = {entry["name"]: entry for entry in form_of(ARRAY)}
+    length = form["tube.length"]
+    field = field_named(type(ARRAY), "tube.length")
+    assert field is not None
+    assert (length["unit"], length["allowed"], length["description"]) == ("mm", field.allowed, field.description)
+    assert (length["lowest"], length["highest"], length["kind"], length["group"]) == (0.5, 1000.0, "number", "tube")
+    assert form["lines.0.points"]["kind"] == "count"
+    assert form["membrane.shape"]["choices"] == ["flat", "rim", "boss"]
+    assert "silicone-shore-a-30" in form["membrane.material"]["suggestions"]
+    assert form["resonator.port_height"]["optional"]
+    assert not form["tube.length"]["optional"]
+
+
+@pytest.mark.parametrize(("name", "beyond"), [("tube.length", 1000.5), ("lines.0.points", 0), ("air.humidity", 1.01)])
+def test_the_range_of_a_field_is_the_one_that_refuses(name: str, beyond: float) -> None:
+    entry = next(each for each in form_of(ARRAY) if each["name"] == name)
+    assert not (entry["lowest"] <= beyond <= entry["highest"])
+    with pytest.raises(DesignError):
+        ARRAY.with_values({name: beyond})
+
+
+def test_kinds_patterns_and_materials_of_a_design_have_fields() -> None:
+    graded = ARRAY.with_values(
+        {
+            "point_kinds": {"high": {"cavity_height": 3.0}},
+            "lines": [{"between": ["A", "B"], "points": 2, "pattern": {"points": ["high", "high"]}}],
+            "layout.columns": 2,
+        }
+    )
+    form = {entry["name"]: entry for entry in form_of(graded)}
+    assert form["point_kinds.high.cavity_height"]["value"] == 3.0
+    assert form["lines.0.pattern.points"]["value"] == ["high", "high"]
+    assert form["lines.0.pattern.points"]["kind"] == "list"
+
+
+def test_a_design_is_made_again_of_what_it_states_and_what_follows_goes_on_to_follow() -> None:
+    following = validated({k: v for k, v in stated_values(ARRAY).items() if k != "microphone_tube"}, "test")
+    assert validated(json.loads(json.dumps(stated_values(ARRAY))), "test") == ARRAY
+    assert "microphone_tube" not in stated_values(following)
+    again = validated(stated_values(following), "test").with_values({"tube.length": 20.0})
+    assert again.microphone_tube.length == 20.0
+
+
+def test_fields_that_differ_stand_side_by_side() -> None:
+    other = ARRAY.with_values({"tube.length": 14.0, "name": "other"})
+    assert comparison(ARRAY, ARRAY) == []
+    assert comparison(other, ARRAY) == [
+        {"name": "name", "unit": "", "here": "other", "there": "array-2x6"},
+        {"name": "tube.length", "unit": "mm", "here": 14.0, "there": 12.5},
+    ]

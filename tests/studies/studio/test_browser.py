@@ -1,0 +1,175 @@
+"""The studio's page in a real browser: what a designer does, and what is then painted."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from browser import Studio, chromium, studio, until
+
+import acoustic_fem
+from geometry import load_design, prototype
+from studies.panels.curves import curve_frequencies
+
+pytestmark = pytest.mark.slow
+PAINTED = "document.documentElement.dataset.painted === document.documentElement.dataset.revision"
+SCRIPT = "<img src=x onerror=\"document.title='broken'\"><script>document.title='broken'</script>"
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Any]:
+    with chromium() as found:
+        yield found
+
+
+@pytest.fixture(scope="module")
+def running(browser: Any) -> Iterator[Studio]:
+    with studio() as found:
+        yield found
+
+
+@pytest.fixture
+def page(browser: Any, running: Studio) -> Iterator[Any]:
+    context = browser.new_context(viewport={"width": 1440, "height": 900})
+    found = opened(context, running)
+    yield found
+    assert found.problems == []
+    context.close()
+
+
+def opened(context: Any, running: Studio) -> Any:
+    """A page of the studio that has painted its first curves; ``problems``: errors and requests to elsewhere."""
+    found = context.new_page()
+    found.problems = []
+    found.on("pageerror", lambda error: found.problems.append(str(error)))
+    found.on("console", lambda told: found.problems.append(told.text) if "Content Security" in told.text else None)
+    here = (f"http://127.0.0.1:{running.port}/", "data:", "blob:")
+    found.on("request", lambda asked: None if asked.url.startswith(here) else found.problems.append(asked.url))
+    found.goto(running.address)
+    until(found, f"document.documentElement.dataset.painted !== undefined && {PAINTED}")
+    return found
+
+
+def field(page: Any, name: str) -> Any:
+    page.evaluate(f"document.querySelector(`[data-name='{name}']`).closest('details').open = true")
+    return page.locator(f"[data-name='{name}'] .value")
+
+
+def give(page: Any, name: str, value: str) -> None:
+    field(page, name).fill(value)
+    field(page, name).press("Enter")
+
+
+def length(page: Any) -> str:
+    return str(field(page, "tube.length").input_value())
+
+
+def csv_of(page: Any, tmp_path: Path) -> np.ndarray:
+    with page.expect_download() as download:
+        page.click("#curves-csv")
+    path = tmp_path / "curves.csv"
+    download.value.save_as(path)
+    return np.loadtxt(path, delimiter=",", skiprows=1)
+
+
+def test_a_changed_field_is_painted_and_every_curve_is_that_of_python(page: Any, tmp_path: Path) -> None:
+    before = page.locator("#plots canvas").first.screenshot()
+    give(page, "tube.length", "18")
+    until(page, f"document.documentElement.dataset.revision === '1' && {PAINTED}")
+    assert page.locator("#plots canvas").first.screenshot() != before
+    design = prototype("array-2x6").with_values({"tube.length": 18.0})
+    library = acoustic_fem.solve(design, curve_frequencies(), fidelity="lumped")
+    level = 20 * np.log10(np.abs(library.transfer_function.values))
+    found = csv_of(page, tmp_path)
+    np.testing.assert_allclose(found[:, 0], curve_frequencies(), rtol=1e-6)
+    np.testing.assert_allclose(found[:, 1:].T.reshape(level.shape), level, rtol=2e-6, atol=1e-6)
+
+
+def test_what_is_refused_stands_at_its_field_and_one_click_mends_it(page: Any) -> None:
+    give(page, "tube.length", "5000")
+    refusal = page.locator("[data-name='tube.length'] .refusal")
+    until(page, "document.querySelector(`[data-name='tube.length'] .refusal`).textContent")
+    assert "tube.length = 5000 mm must be between 0.5 and 1000 mm" in refusal.inner_text()
+    assert field(page, "tube.length").get_attribute("aria-invalid") == "true"
+    refusal.locator("button").click()
+    until(page, PAINTED + " && document.documentElement.dataset.revision === '1'")
+    assert length(page) == "1000"
+    assert refusal.inner_text() == ""
+
+
+def test_undo_redo_and_the_mark_of_what_is_not_saved_by_keyboard(page: Any, tmp_path: Path) -> None:
+    give(page, "tube.length", "14")
+    until(page, "!document.getElementById('unsaved').hidden")
+    page.locator("#theme").focus()
+    page.keyboard.press("Control+z")
+    until(page, "document.getElementById('unsaved').hidden")
+    assert length(page) == "12.5"
+    page.keyboard.press("Control+y")
+    until(page, "!document.getElementById('unsaved').hidden")
+    assert length(page) == "14"
+    with page.expect_download() as download:
+        page.keyboard.press("Control+s")
+    download.value.save_as(tmp_path / "mine.toml")
+    assert load_design(tmp_path / "mine.toml") == prototype("array-2x6").with_values({"tube.length": 14.0})
+    until(page, "document.getElementById('unsaved').hidden")
+
+
+def test_script_in_a_text_of_a_design_is_shown_as_text(page: Any) -> None:
+    give(page, "description", SCRIPT)
+    give(page, "name", SCRIPT)
+    until(page, "document.querySelector(`[data-name='name'] .refusal`).textContent")
+    assert field(page, "description").input_value() == SCRIPT
+    assert "<script>" in page.locator("[data-name='name'] .refusal").inner_text()
+    assert "broken" not in page.title()
+    assert page.locator("nav img, nav script").count() == 0
+
+
+def test_two_browsers_keep_two_designs_and_a_reloaded_page_its_own(browser: Any, running: Studio) -> None:
+    contexts = [browser.new_context() for _ in range(2)]
+    pages = [opened(context, running) for context in contexts]
+    for page, value in zip(pages, ("13", "14"), strict=True):
+        give(page, "tube.length", value)
+        until(page, "document.documentElement.dataset.revision === '1'")
+    pages[0].wait_for_timeout(300)
+    pages[0].reload()
+    until(pages[0], f"document.documentElement.dataset.painted && {PAINTED}")
+    assert [length(page) for page in pages] == ["13", "14"]
+    for context in contexts:
+        context.close()
+
+
+def test_a_link_restores_the_design(browser: Any, running: Studio) -> None:
+    context = browser.new_context()
+    context.grant_permissions(["clipboard-read", "clipboard-write"])
+    page = opened(context, running)
+    give(page, "tube.length", "17")
+    until(page, "document.documentElement.dataset.revision === '1'")
+    page.click("#address")
+    until(page, "!document.getElementById('notice').hidden")
+    other = context.new_page()
+    other.goto(page.evaluate("navigator.clipboard.readText()"))
+    until(other, f"document.documentElement.dataset.painted && {PAINTED}")
+    assert length(other) == "17"
+    context.close()
+
+
+def test_a_studio_that_was_killed_loses_no_design_and_says_what_happened(browser: Any) -> None:
+    context = browser.new_context()
+    with studio() as first:
+        page = opened(context, first)
+        give(page, "tube.length", "15")
+        until(page, "document.documentElement.dataset.revision === '1'")
+        page.wait_for_timeout(300)
+        first.kill()
+        until(page, "document.getElementById('lost').textContent.includes('does not answer')")
+    with studio(port=first.port) as second:
+        until(page, "document.getElementById('lost').textContent.includes('open the address')")
+        other = context.new_page()
+        other.goto(second.address)
+        until(page, f"document.getElementById('lost').hidden && {PAINTED}")
+        assert length(page) == "15"
+        assert page.locator("#unsaved").is_visible()
+    context.close()

@@ -1,0 +1,37 @@
+"""What the browser loads is what the source of the page makes, and small."""
+
+from __future__ import annotations
+
+import gzip
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+STUDIO = Path(__file__).parents[3] / "studies" / "studio"
+MOST = 300_000
+
+
+def test_the_page_is_small() -> None:
+    page = [path.read_bytes() for path in sorted((STUDIO / "static").iterdir())]
+    assert sum(len(gzip.compress(content)) for content in page) <= MOST
+
+
+@pytest.mark.slow
+def test_the_bundle_is_made_of_the_source(tmp_path: Path) -> None:
+    """With the exact tools that package-lock.json names, in a folder of its own."""
+    npm = shutil.which("npm")
+    if npm is None:
+        pytest.skip("npm is not installed")
+    shutil.copytree(STUDIO / "page", tmp_path / "page", ignore=shutil.ignore_patterns("node_modules"))
+    (tmp_path / "static").mkdir()
+    quiet = ["--silent", "--no-audit", "--no-fund"]
+    installed = subprocess.run([npm, "ci", *quiet], cwd=tmp_path / "page", capture_output=True, text=True, check=False)
+    if installed.returncode != 0:
+        pytest.skip(f"npm ci: {installed.stderr.strip()[-200:]}")
+    for task in ("check", "build"):
+        done = subprocess.run([npm, "run", task], cwd=tmp_path / "page", capture_output=True, text=True, check=False)
+        assert done.returncode == 0, done.stdout + done.stderr
+    for made in sorted((tmp_path / "static").iterdir()):
+        assert made.read_bytes() == (STUDIO / "static" / made.name).read_bytes(), f"npm run build: {made.name}"

@@ -1,0 +1,221 @@
+"""Nobody speaks with the studio but its own page: over HTTP and over the websocket."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterator, Sequence
+from typing import Any
+
+import pytest
+from starlette.testclient import TestClient
+from starlette.websockets import WebSocketDisconnect
+
+from geometry import prototype
+from studies.studio.guard import Guard
+from studies.studio.server import MOST_UPLOAD, studio_app
+from studies.studio.workplace import Workplace
+
+ORIGIN = "http://127.0.0.1:8765"
+TEXT = '<script>alert("x")</script><img src=x onerror=alert(1)>'
+
+
+class Here:
+    """A workshop without a process of its own."""
+
+    def run(
+        self,
+        work: Callable[..., Any],
+        arguments: Sequence[Any],
+        tell: Callable[[str], None] | None = None,
+        task: object = None,
+    ) -> Any:
+        return work(*arguments, tell) if tell is not None else work(*arguments)
+
+    def stop(self, task: object) -> None: ...
+
+    def close(self) -> None: ...
+
+
+@pytest.fixture(scope="module")
+def workplace() -> Iterator[Workplace]:
+    place = Workplace()
+    setattr(place, "workshop", Here())  # noqa: B010 - its face is that of a workshop
+    yield place
+    place.close()
+
+
+@pytest.fixture(scope="module")
+def guard() -> Guard:
+    return Guard("127.0.0.1", 8765)
+
+
+@pytest.fixture
+def stranger(guard: Guard, workplace: Workplace) -> TestClient:
+    """A client that knows no key."""
+    return TestClient(studio_app(prototype("array-2x6"), guard, workplace), base_url=ORIGIN)
+
+
+@pytest.fixture
+def page(stranger: TestClient, guard: Guard) -> TestClient:
+    """A client that opened the address with the token."""
+    assert stranger.get("/", params={"token": guard.token}).status_code == 200
+    return stranger
+
+
+def refused(client: TestClient, **headers: str) -> bool:
+    """Whether a websocket is refused before it is opened."""
+    try:
+        with client.websocket_connect("ws://127.0.0.1:8765/session", headers=headers):
+            return False
+    except WebSocketDisconnect as closed:
+        return closed.code == 1008
+
+
+def hello(socket: Any, **more: Any) -> dict[str, Any]:
+    """The design that a page is told when it begins."""
+    socket.send_text(json.dumps({"do": "hello", "session": None, "values": None, **more}))
+    while True:
+        told = next_text(socket)
+        if told["type"] in ("design", "refused-design"):
+            return told
+
+
+def next_text(socket: Any) -> dict[str, Any]:
+    while True:
+        message = socket.receive()
+        if message.get("text") is not None:
+            found: dict[str, Any] = json.loads(message["text"])
+            return found
+
+
+# -- keys, names and origins ---------------------------------------------------------------------------
+def test_the_token_gives_a_cookie_that_scripts_and_other_sites_do_not_get(stranger: TestClient, guard: Guard) -> None:
+    answer = stranger.get("/", params={"token": guard.token})
+    assert answer.headers["set-cookie"].startswith("acoustic-fem-studio-8765=")
+    assert answer.headers["set-cookie"].endswith("; Path=/; HttpOnly; SameSite=Strict")
+    assert guard.token not in answer.headers["set-cookie"]
+    assert stranger.get("/").status_code == 200
+    assert "set-cookie" not in stranger.get("/").headers
+
+
+@pytest.mark.parametrize("path", ["/", "/studio.js", "/studio.css", "/models/0.glb", "/files/a/b"])
+@pytest.mark.parametrize("query", ["", "?token=", "?token=wrong", "?token=%F0%9F"])
+def test_without_the_token_or_the_cookie_there_is_nothing(stranger: TestClient, path: str, query: str) -> None:
+    answer = stranger.get(path + query)
+    assert answer.status_code == 403
+    assert "set-cookie" not in answer.headers
+    assert "holds the key" in answer.text
+
+
+def test_the_token_opens_the_page_alone(stranger: TestClient, guard: Guard) -> None:
+    assert stranger.get("/studio.js", params={"token": guard.token}).status_code == 403
+    assert stranger.post("/designs", params={"token": guard.token}, headers={"origin": ORIGIN}).status_code == 403
+
+
+@pytest.mark.parametrize("host", ["evil.example", "127.0.0.1", "127.0.0.1:80", "evil.example:8765", ""])
+def test_another_host_is_refused_with_the_cookie_too(page: TestClient, host: str) -> None:
+    assert page.get("/", headers={"host": host}).status_code == 403
+    assert refused(page, host=host, origin=ORIGIN)
+
+
+@pytest.mark.parametrize("origin", ["http://evil.example", "null", "https://127.0.0.1:8765", "http://127.0.0.1:8766"])
+def test_another_origin_is_refused_with_the_cookie_too(page: TestClient, origin: str) -> None:
+    assert page.get("/", headers={"origin": origin}).status_code == 403
+    assert page.post("/designs", content=b"", headers={"origin": origin}).status_code == 403
+    assert refused(page, host="127.0.0.1:8765", origin=origin)
+
+
+def test_what_changes_something_needs_an_origin(page: TestClient) -> None:
+    assert page.post("/designs", content=b"").status_code == 403
+    assert refused(page, host="127.0.0.1:8765")
+
+
+def test_a_websocket_without_the_cookie_is_refused(stranger: TestClient, page: TestClient) -> None:
+    assert not refused(page, host="127.0.0.1:8765", origin=ORIGIN)
+    page.cookies.clear()
+    assert refused(stranger, host="127.0.0.1:8765", origin=ORIGIN)
+    assert refused(stranger, host="127.0.0.1:8765", origin=ORIGIN, cookie="acoustic-fem-studio-8765=guess")
+
+
+def test_every_answer_forbids_scripts_and_frames_of_others(page: TestClient) -> None:
+    for answer in (page.get("/"), page.get("/nowhere"), page.get("/", headers={"host": "evil.example"})):
+        policy = answer.headers["content-security-policy"]
+        assert "default-src 'none'; script-src 'self'; style-src 'self'" in policy
+        assert "unsafe" not in policy
+        assert "frame-ancestors 'none'" in policy
+        assert answer.headers["cache-control"] == "no-store"
+        assert answer.headers["referrer-policy"] == "no-referrer"
+        assert answer.headers["x-content-type-options"] == "nosniff"
+
+
+def test_the_page_has_no_script_of_its_own_and_asks_nobody_else(page: TestClient) -> None:
+    text = page.get("/").text
+    assert "<script src=" in text
+    assert "<script>" not in text
+    assert "style=" not in text
+    assert "://" not in text
+
+
+# -- what is handed in ---------------------------------------------------------------------------------
+def post(page: TestClient, content: bytes) -> Any:
+    return page.post("/designs", params={"name": "mine.toml"}, content=content, headers={"origin": ORIGIN})
+
+
+@pytest.mark.parametrize(
+    ("content", "status", "message"),
+    [
+        (b"x" * (MOST_UPLOAD + 1), 413, "the file must be at most 256 kB"),
+        (b"\xff\xfe", 400, "mine.toml: is no text in UTF-8"),
+        (b"name = [", 400, "mine.toml: "),
+        (b"name = 'a'", 400, "mine.toml: "),
+        (b"a = " + b"[" * 5000, 400, "mine.toml: "),
+        (b"", 400, "mine.toml: "),
+    ],
+)
+def test_a_file_that_is_no_design_is_refused_in_one_line(
+    page: TestClient, content: bytes, status: int, message: str
+) -> None:
+    answer = post(page, content)
+    assert answer.status_code == status
+    assert answer.json()["message"].startswith(message)
+    assert "\n" not in answer.json()["message"]
+
+
+@pytest.mark.parametrize(
+    "text", ["[]", "no json", "{}", '{"do": 1}', '{"do": "shout"}', "[" * 100_000, '{"do": "set"}', '{"do": "want"}']
+)
+def test_a_message_that_is_none_is_refused_and_the_page_goes_on(page: TestClient, text: str) -> None:
+    with page.websocket_connect("ws://127.0.0.1:8765/session", headers={"origin": ORIGIN}) as socket:
+        hello(socket)
+        socket.send_text(text)
+        while (told := next_text(socket))["type"] != "error":
+            pass
+        assert len(told["message"]) < 300
+        socket.send_text('{"do": "ping"}')
+        while next_text(socket)["type"] != "pong":
+            pass
+
+
+def test_what_a_page_kept_is_a_design_or_is_refused(page: TestClient) -> None:
+    with page.websocket_connect("ws://127.0.0.1:8765/session", headers={"origin": ORIGIN}) as socket:
+        told = hello(socket, values={"name": TEXT})
+        assert told["type"] == "refused-design"
+        assert told["message"].startswith("the design that the page kept: name = ")
+        assert next_text(socket)["design_name"] == "array-2x6"
+
+
+def test_script_in_any_text_of_a_design_is_refused_or_told_as_it_is(page: TestClient) -> None:
+    """The page sets texts as text, which a test in a browser sees; here nothing is lost or changed on the way."""
+    with page.websocket_connect("ws://127.0.0.1:8765/session", headers={"origin": ORIGIN}) as socket:
+        form = hello(socket)["form"]
+        texts = [entry["name"] for entry in form if entry["kind"] == "text"]
+        assert {"name", "description", "microphone.model", "microphone.source", "membrane.material"} <= {*texts}
+        for name in texts:
+            socket.send_text(json.dumps({"do": "set", "name": name, "value": TEXT}))
+            while (told := next_text(socket))["type"] not in ("design", "refused"):
+                pass
+            if told["type"] == "design":
+                assert told["values"] == {name: TEXT}
+            else:
+                assert told["name"] == name
+                assert told["value"] == TEXT

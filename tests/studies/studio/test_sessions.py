@@ -1,0 +1,156 @@
+"""Every page has a design of its own on the server, and finds it again."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+import struct
+from typing import Any
+
+import numpy as np
+import pytest
+
+from geometry import prototype
+from studies.panels.curves import curves_of, lumped_library
+from studies.studio.session import Session
+from studies.studio.sessions import MOST_SESSIONS, Sessions
+from studies.studio.stage import Job, Stage
+from studies.studio.workplace import Workplace
+
+ARRAY = prototype("array-2x6")
+
+
+class Page:
+    """What a page would see."""
+
+    def __init__(self) -> None:
+        self.texts: list[dict[str, Any]] = []
+        self.curves: list[bytes] = []
+
+    async def send(self, message: str | bytes) -> None:
+        if isinstance(message, bytes):
+            self.curves.append(message)
+        else:
+            self.texts.append(json.loads(message))
+
+    async def until(self, kind: str) -> dict[str, Any]:
+        for _ in range(2000):
+            found = [each for each in self.texts if each["type"] == kind]
+            if found:
+                return found[-1]
+            await asyncio.sleep(0.005)
+        pytest.fail(f"no {kind}")
+
+    async def until_curves(self, revision: int) -> dict[str, Any]:
+        for _ in range(2000):
+            for message in reversed(self.curves):
+                header, values = unpacked(message)
+                if header["revision"] == revision:
+                    return {**header, "values": values}
+            await asyncio.sleep(0.005)
+        pytest.fail(f"no curves of {revision}")
+
+
+def unpacked(message: bytes) -> tuple[dict[str, Any], Any]:
+    (length,) = struct.unpack("<I", message[:4])
+    return json.loads(message[4 : 4 + length]), np.frombuffer(message[4 + length :], "<f4")
+
+
+@pytest.fixture(scope="module")
+def workplace() -> Any:
+    place = Workplace()
+    yield place
+    place.close()
+
+
+def test_a_change_is_told_with_what_changed_alone_and_its_curves_follow(workplace: Workplace) -> None:
+    async def play() -> None:
+        page, session = Page(), Session(ARRAY, workplace)
+        await session.join(page.send)
+        first = await page.until("design")
+        assert first["stated"]["tube"]["length"] == 12.5
+        page.texts.clear()
+        await session.take({"do": "set", "name": "tube.length", "value": 14.0})
+        told = await page.until("design")
+        assert told["values"] == {"tube.length": 14.0}
+        assert (told["revision"], told["undo"], told["redo"], told["unsaved"]) == (1, True, False, True)
+        curves = await page.until_curves(1)
+        expected = curves_of(lumped_library(ARRAY.with_values({"tube.length": 14.0})).transfer_function, "level")
+        np.testing.assert_array_equal(curves["values"], expected.values.astype("<f4").ravel())
+        assert (curves["points"], curves["heard_by"], curves["unit"]) == ([*range(1, 13)], ["A", "B"], "dB")
+        assert len(page.curves[-1]) < 20_000
+
+    asyncio.run(play())
+
+
+def test_what_follows_the_tube_is_told_too_until_it_is_stated(workplace: Workplace) -> None:
+    values = {name: value for name, value in ARRAY.model_dump().items() if name != "microphone_tube"}
+
+    async def play() -> None:
+        page, session = Page(), Session(type(ARRAY)(**values), workplace)
+        await session.join(page.send)
+        page.texts.clear()
+        await session.take({"do": "set", "name": "tube.length", "value": 14.0})
+        assert (await page.until("design"))["values"] == {"tube.length": 14.0, "microphone_tube.length": 14.0}
+        page.texts.clear()
+        await session.take({"do": "set", "name": "microphone_tube.length", "value": 9.0})
+        assert (await page.until("design"))["stated"]["microphone_tube"]["length"] == 9.0
+
+    asyncio.run(play())
+
+
+def test_two_pages_have_two_designs_and_each_finds_its_own_again(workplace: Workplace) -> None:
+    async def play() -> None:
+        sessions, pages = Sessions(ARRAY, workplace), [Page(), Page()]
+        one, new = sessions.enter(None)
+        other, _ = sessions.enter("a name that nobody has")
+        assert new
+        for session, page, length in ((one, pages[0], 13.0), (other, pages[1], 14.0)):
+            await session.join(page.send)
+            await session.take({"do": "set", "name": "tube.length", "value": length})
+        assert (one.state.design.tube.length, other.state.design.tube.length) == (13.0, 14.0)
+        one.leave(pages[0].send)
+        assert sessions.enter(one.id) == (one, False)
+        doubled, new = sessions.enter(other.id)  # another tab with the same memory
+        assert new
+        assert doubled is not other
+        assert doubled.state.design == other.state.design
+
+    asyncio.run(play())
+
+
+def test_the_number_of_sessions_is_bounded_and_open_ones_stay(workplace: Workplace) -> None:
+    async def play() -> None:
+        sessions, page = Sessions(ARRAY, workplace), Page()
+        first, _ = sessions.enter(None)
+        await first.join(page.send)
+        for _ in range(MOST_SESSIONS + 5):
+            sessions.enter(None)
+        assert len(sessions) == MOST_SESSIONS
+        assert sessions.find(first.id) is first
+
+    asyncio.run(play())
+
+
+def test_while_a_job_runs_of_those_asked_for_the_last_alone_is_done() -> None:
+    done: list[int] = []
+    superseded: list[int] = []
+
+    async def play() -> None:
+        gate = asyncio.Event()
+
+        async def do(job: Job) -> None:
+            await gate.wait()
+            done.append(job.revision)
+
+        stage = Stage(do, lambda job: superseded.append(job.revision))
+        for revision in range(5):
+            stage.ask(Job("curves", revision, ARRAY))
+            await asyncio.sleep(0)
+        gate.set()
+        for _ in range(5):
+            await asyncio.sleep(0)
+
+    asyncio.run(play())
+    assert done == [0, 4]
+    assert superseded == [0, 0, 0, 0]
