@@ -31,6 +31,7 @@ from studies.output.frequencies import stated_frequencies
 ROOT = Path(__file__).parents[3]
 #: Verb -> what it calls, where it finds it.
 CALLS = {
+    "studio": "studies.studio.serving.serve_studio",
     "check": "studies.run.check.check_design",
     "wiring": "studies.run.wiring.wiring_table",
     "solve": "studies.cli.designs.solve_library",
@@ -57,6 +58,7 @@ CALLS = {
 }
 #: Verb -> the words that it needs.
 WORDS = {
+    "studio": "row.toml",
     "check": "row.toml",
     "wiring": "2 3",
     "solve": "row.toml --out x.nc",
