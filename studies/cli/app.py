@@ -27,7 +27,6 @@ from studies.cli import (
     localizers,
     locating,
     searches,
-    studio,
     sweeps,
 )
 from studies.cli.options import Verb, in_options
@@ -59,7 +58,7 @@ app = typer.Typer(
 #: In the order of work, which is that of ``--help``.
 VERBS = (
     designs.prototypes,
-    studio.studio,
+    designs.studio,
     designs.check,
     designs.wiring,
     designs.solve,

@@ -35,7 +35,8 @@ def model_of_array(design: ArrayDesign) -> dict[str, Any]:
     Returns:
         ``glb``: binary glTF of :func:`geometry.pictures.viewer.write_gltf`, bytes; ``parts``: for each placed part its
         ``label`` (that of its node, with ``_`` for blanks), ``part`` (the name under which the print report knows its
-        shape) and ``kind``; ``size``: extent along x, y and z, mm; ``notes``: on what is drawn for the eye only.
+        shape), ``kind`` and ``group`` (such as "point 3"); ``size``: extent along x, y and z, mm; ``notes``: on what is
+        drawn for the eye only.
 
     Raises:
         Refusal: a part cannot be built.
@@ -51,7 +52,8 @@ def model_of_array(design: ArrayDesign) -> dict[str, Any]:
     return {
         "glb": content,
         "parts": [
-            {"label": part.label.replace(" ", "_"), "part": part.part, "kind": part.kind} for part in model.placed
+            {"label": part.label.replace(" ", "_"), "part": part.part, "kind": part.kind, "group": part.group}
+            for part in model.placed
         ],
         "size": list(array_size(design, model.layout)),
         "notes": list(schematic_notes(design, model.layout)),

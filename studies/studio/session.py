@@ -22,8 +22,8 @@ from studies.studio.workshop import Stopped
 
 #: Sends a message to the page: text, or bytes.
 Send = Callable[[str | bytes], Awaitable[None]]
-#: Stages beside the curves, each shown by a panel.
-STAGES = ("points", "mis_made", "model", "check")
+#: Stages beside the curves, each shown by a panel, with the pause before they begin, s.
+STAGES = {"points": 0.0, "mis_made": 0.5, "model": 0.1, "check": 1.0}
 
 
 #: What a page is told where nothing was foreseen.
@@ -55,7 +55,8 @@ class Session:
         self._export_job: Job | None = None
         self._told: tuple[dict[str, Any], frozenset[str]] = ({}, frozenset())
         self._stages = {"curves": Stage(self._curves), "pinned": Stage(self._curves)} | {
-            name: Stage(self._figures, workplace.stop) for name in (*STAGES, "pinned_points")
+            name: Stage(self._figures, workplace.stop, pause)
+            for name, pause in {**STAGES, "pinned_points": 0.0}.items()
         }
 
     # -- the page -----------------------------------------------------------------------------------

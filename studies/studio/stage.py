@@ -30,12 +30,16 @@ class Stage:
     Args:
         do: does a job and hands out its result; it must not raise what was foreseen.
         superseded: called with a job that runs while another one is asked for.
+        pause: waited before a job begins, s: a slow one is not worth beginning while a slider is dragged.
     """
 
     def __init__(
-        self, do: Callable[[Job], Awaitable[None]], superseded: Callable[[Job], None] = lambda job: None
+        self,
+        do: Callable[[Job], Awaitable[None]],
+        superseded: Callable[[Job], None] = lambda job: None,
+        pause: float = 0.0,
     ) -> None:
-        self._do, self._superseded = do, superseded
+        self._do, self._superseded, self._pause = do, superseded, pause
         self._next: Job | None = None
         self._running: Job | None = None
         self._task: asyncio.Task[None] | None = None
@@ -55,9 +59,13 @@ class Stage:
             self._superseded(self._running)
 
     async def _work(self) -> None:
-        while self._next is not None:
-            self._running, self._next = self._next, None
+        while True:
+            await asyncio.sleep(self._pause)
+            job, self._next = self._next, None
+            if job is None:
+                return
+            self._running = job
             try:
-                await self._do(self._running)
+                await self._do(job)
             finally:
                 self._running = None

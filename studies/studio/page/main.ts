@@ -1,10 +1,14 @@
 // The page of the studio: panels, and what they and the server tell each other.
 import "uplot/dist/uPlot.min.css";
 import "./studio.css";
+import { ArrayPanel, type Part } from "./array";
+import { CheckPanel } from "./check";
+import { ComparePanel } from "./compare";
 import { CurvesPanel, unpack } from "./curves";
 import { button, byId, make } from "./dom";
 import { Form } from "./form";
 import { addressOf, designInAddress, forget, keep, keptInTab, keptUnsaved } from "./kept";
+import { PointsPanel, type Word } from "./points";
 import { Link, type State } from "./link";
 
 const STATES: Record<State, string> = {
@@ -28,6 +32,18 @@ let fromAddress: any = null;
 const form = new Form(byId("fields"), (field, value, gesture) => change({ do: "set", name: field, value, gesture }));
 const curves = new CurvesPanel(byId("plots"), () => curveTitles, select);
 
+const array = new ArrayPanel(byId("space"), select);
+let figureWords: Record<string, Word> = {};
+const table = new PointsPanel(() => figureWords, select);
+const check = new CheckPanel((part, place) => {
+  array.light((each: Part) => each.part === part, [{ part, place }]);
+  byId("space").scrollIntoView({ block: "center", behavior: "smooth" });
+});
+const compare = new ComparePanel(() => figureWords, () => table.figures);
+const shownRevision: Record<string, number> = {};
+/** Panels that are in sight: of the others nothing is computed. */
+const inSight = new Set<string>(), cardsInSight = new Set<HTMLElement>();
+
 /** Changes go one at a time: while one is under way, of the next ones the last is kept. */
 function change(message: object): void {
   if (waiting) { pending = message; return; }
@@ -43,6 +59,8 @@ function select(point: number | null): void {
   selected = point;
   byId<HTMLSelectElement>("point").value = point === null ? "" : String(point);
   curves.light(point);
+  table.light(point);
+  array.light((part: Part) => point !== null && part.group === `point ${point}` && part.kind !== "sheath" && part.kind !== "spring");
 }
 
 function take(message: any): void {
@@ -58,17 +76,51 @@ function take(message: any): void {
     case "error":
       notice(message.message);
       return answered();
-    case "progress": case "figures": case "failed": case "comparison": case "file": case "toml": case "refused-export":
-      if (message.type === "failed" && message.stage === "curves") {
-        byId("curves-note").textContent = message.message;
-        byId("plots").classList.add("stale");
-      }
-      if (message.type === "comparison") byId("pin").setAttribute("aria-pressed", String(message.pinned !== null));
-      if (message.type === "comparison" && message.pinned === null) curves.unpin();
-      if (message.type === "file") {
-        make("a", { href: message.file, download: "" }).click();
-      }
+    case "progress": return progress(message.stage, message.line || "computing…");
+    case "failed": return failed(message);
+    case "figures": return void figures(message);
+    case "comparison":
+      byId("pin").setAttribute("aria-pressed", String(message.pinned !== null));
+      if (message.pinned === null) curves.unpin();
+      compare.take(message);
+      return;
+    case "file":
+      exported("");
+      make("a", { href: message.file, download: "" }).click();
+      return;
+    case "refused-export": notice(message.message);
   }
+}
+
+function progress(stage: string, line: string): void {
+  const place = document.querySelector(`[data-status="${stage}"]`);
+  if (place) place.textContent = line;
+}
+
+function failed(message: any): void {
+  progress(message.stage, "");
+  const place = message.stage === "curves" ? byId("curves-note") : document.querySelector(`[data-problem="${message.stage}"]`);
+  if (place) place.textContent = message.message;
+  else notice(message.message);
+  if (message.stage === "export") exported(message.message);
+  else shownRevision[message.stage] = -1;
+  stale();
+}
+
+async function figures(message: any): Promise<void> {
+  const { stage, found } = message;
+  if (message.revision < (shownRevision[stage] ?? -1)) return;
+  if (stage === "model") await array.take(found);
+  if (stage === "points") { table.take(found); compare.figures(null); }
+  if (stage === "pinned_points") compare.figures(found.figures);
+  if (stage === "mis_made") table.misMade(found);
+  if (stage === "check") check.take(found);
+  shownRevision[stage] = message.revision;
+  progress(stage, "");
+  const problem = document.querySelector(`[data-problem="${stage}"]`);
+  if (problem) problem.textContent = "";
+  document.documentElement.dataset[`shown_${stage}`] = String(message.revision);
+  stale();
 }
 
 function learn(message: any): void {
@@ -79,6 +131,9 @@ function learn(message: any): void {
   byId<HTMLSelectElement>("prototypes").replaceChildren(
     make("option", { value: "" }, "prototypes…"), ...message.prototypes.map((each: string) => make("option", {}, each)),
   );
+  figureWords = message.figures;
+  byId("exports").replaceChildren(...Object.entries<any>(message.exports).map(([file, each]) => make("li", {},
+    button(file, () => ask(file), { "data-export": file }), make("span", {}, ` ${each.title}; ${each.takes}`))));
   const before = message.new && !keptInTab() ? keptUnsaved() : null;
   if (before && !fromAddress) offer(before);
   fromAddress = null;
@@ -143,9 +198,12 @@ function points(fields: any[] | null): void {
 /** What is shown of an earlier design is grey. */
 function stale(): void {
   byId("plots").classList.toggle("stale", curves.revision !== revision);
+  for (const [stage, place] of [["model", "space"], ["points", "points-shown"], ["mis_made", "mis-made-shown"], ["check", "print-shown"]]) {
+    byId(place).classList.toggle("stale", shownRevision[stage] !== revision);
+  }
 }
 
-function want(): void { link?.send({ do: "want", stages: [], quantity }); }
+function want(): void { link?.send({ do: "want", stages: [...inSight], quantity }); }
 
 function notice(text: string, ...more: HTMLElement[]): void {
   byId("notice").replaceChildren(make("span", {}, text), ...more, button("×", () => { byId("notice").hidden = true; }, { "aria-label": "close" }));
@@ -164,6 +222,8 @@ function theme(choice: string): void {
   document.documentElement.dataset.theme = choice;
   byId("theme").setAttribute("aria-pressed", String(choice === "dark"));
   curves.restyle();
+  array.restyle();
+  table.restyle();
 }
 
 async function upload(file: File): Promise<void> {
@@ -173,7 +233,19 @@ async function upload(file: File): Promise<void> {
   else notice(found.message);
 }
 
-function save(): void { link?.send({ do: "export", name: "design.toml" }); }
+function save(): void { ask("design.toml"); }
+
+function ask(file: string): void {
+  byId<HTMLButtonElement>("stop-export").disabled = false;
+  document.querySelector("[data-problem='export']")!.textContent = "";
+  link?.send({ do: "export", name: file, fidelity: byId<HTMLSelectElement>("fidelity").value });
+}
+
+function exported(problem: string): void {
+  byId<HTMLButtonElement>("stop-export").disabled = true;
+  progress("export", "");
+  document.querySelector("[data-problem='export']")!.textContent = problem;
+}
 
 let link: Link | null = null;
 const open = () => new Link(
@@ -250,6 +322,21 @@ theme(localStorage.getItem("acoustic-fem-theme") ?? (dark.matches ? "dark" : "li
 dark.addEventListener("change", () => { if (!localStorage.getItem("acoustic-fem-theme")) theme(dark.matches ? "dark" : "light"); });
 if (location.search) history.replaceState(null, "", `/${location.hash}`);
 
+byId("points-png").addEventListener("click", () => table.picture(name));
+byId("points-csv").addEventListener("click", () => table.table(name));
+byId("stop-check").addEventListener("click", () => { link?.send({ do: "stop", stage: "check" }); progress("check", "stopped"); });
+byId("stop-export").addEventListener("click", () => link?.send({ do: "stop", stage: "export" }));
+byId("array-png").addEventListener("click", () => array.picture(name));
+const watcher = new IntersectionObserver((entries) => {
+  for (const entry of entries) {
+    if (entry.isIntersecting) cardsInSight.add(entry.target as HTMLElement);
+    else cardsInSight.delete(entry.target as HTMLElement);
+  }
+  inSight.clear();
+  for (const card of cardsInSight) for (const stage of card.dataset.stage!.split(" ")) inSight.add(stage);
+  want();
+}, { rootMargin: "100px" });
+for (const card of document.querySelectorAll("[data-stage]")) watcher.observe(card);
 (async () => {
   fromAddress = await designInAddress();
   link = open();

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -9,10 +10,12 @@ from typing import Any
 import numpy as np
 import pytest
 from browser import Studio, chromium, studio, until
+from PIL import Image
 
 import acoustic_fem
 from geometry import load_design, prototype
 from studies.panels.curves import curve_frequencies
+from studies.panels.points import point_figures
 
 pytestmark = pytest.mark.slow
 PAINTED = "document.documentElement.dataset.painted === document.documentElement.dataset.revision"
@@ -86,6 +89,34 @@ def test_a_changed_field_is_painted_and_every_curve_is_that_of_python(page: Any,
     found = csv_of(page, tmp_path)
     np.testing.assert_allclose(found[:, 0], curve_frequencies(), rtol=1e-6)
     np.testing.assert_allclose(found[:, 1:].T.reshape(level.shape), level, rtol=2e-6, atol=1e-6)
+
+
+@pytest.mark.parametrize("name", ["glove", "line-2"])
+def test_every_panel_shows_a_design_and_a_click_lights_its_point(browser: Any, running: Studio, name: str) -> None:
+    context = browser.new_context(viewport={"width": 1440, "height": 2600})
+    page = opened(context, running)
+    page.select_option("#prototypes", name)
+    for stage in ("points", "model"):
+        until(page, f"document.documentElement.dataset.shown_{stage} === document.documentElement.dataset.revision", 90)
+    design = prototype(name)
+    figures = point_figures(design)
+    assert page.locator("#points-table tbody tr").count() == design.point_count
+    for figure, value in figures["figures"].items():
+        shown = page.locator(f"#figures [data-figure='{figure}'] dd").inner_text().split()[0]
+        assert float(shown.replace("\N{MINUS SIGN}", "-")) == pytest.approx(value, rel=1e-2 if "e" in shown else 1e-3)
+    before = page.locator("#space canvas").screenshot()
+    page.locator("tr[data-point='3']").click()
+    assert page.locator("#point").input_value() == "3"
+    page.wait_for_timeout(500)
+    assert pixels_of_light(page.locator("#space canvas").screenshot()) > pixels_of_light(before) + 100
+    assert page.problems == []
+    context.close()
+
+
+def pixels_of_light(picture: bytes) -> int:
+    """Pixels of a picture in the colour that lights a part: strongly red, little blue."""
+    pixels = np.asarray(Image.open(io.BytesIO(picture)).convert("RGB"), int)
+    return int(((pixels[..., 0] > 200) & (pixels[..., 2] < 90)).sum())
 
 
 def test_what_is_refused_stands_at_its_field_and_one_click_mends_it(page: Any) -> None:

@@ -1,0 +1,132 @@
+"""The studio in a real Chromium: how long a change takes to be painted, how much is sent, what the server keeps.
+
+    python benchmarks/studio.py [DESIGN ...] [--changes N]
+
+For each design (by default array-2x6 and line-2) a studio is started in a process of its own. ``first curves`` and
+``first 3-D`` run from when the page is asked for; ``slider`` from an input event of the slider of ``tube.length`` to
+the frame in which the curves of that change are painted. ``bytes`` is what the server sends for one change of the
+slider with the curves alone in sight. Memory is that of the server's process, after a tenth of the changes and after
+all. Needs the extras ``studio`` and ``dev`` and the system's Chromium. Figures are of the machine at hand: close other
+programs.
+"""
+
+from __future__ import annotations
+
+import argparse
+import asyncio
+import gzip
+import json
+import os
+import shutil
+import subprocess
+import sys
+import time
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+TOKEN = "theBenchmarksOwnToken"
+ARGUMENTS = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"]
+DRAG = """async (count) => {
+  const root = document.documentElement, slider = document.querySelector("[data-name='tube.length'] .slider");
+  const times = [];
+  for (let k = 0; k < count; k++) {
+    const before = Number(root.dataset.painted), begin = performance.now();
+    slider.value = String(300 + (k * 37) % 400);
+    slider.dispatchEvent(new Event("input", { bubbles: true }));
+    while (Number(root.dataset.painted) <= before && performance.now() - begin < 5000)
+      await new Promise((next) => requestAnimationFrame(next));
+    times.push(performance.now() - begin);
+    await new Promise((next) => setTimeout(next, 30));
+  }
+  return times;
+}"""
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("designs", nargs="*", default=["array-2x6", "line-2"])
+    parser.add_argument("--changes", type=int, default=200, help="of the slider; memory over ten times as many")
+    options = parser.parse_args()
+    static = Path(__file__).parents[1] / "studies" / "studio" / "static"
+    size = sum(len(gzip.compress(path.read_bytes())) for path in static.iterdir())
+    print(f"page: {size / 1000:.0f} kB gzip (at most 300)")
+    for design in options.designs:
+        measure(design, options.changes)
+
+
+def measure(design: str, changes: int) -> None:
+    from playwright.sync_api import sync_playwright
+
+    line = [sys.executable, "-c", "from studies.cli.app import main; main()", "studio", design]
+    with (
+        subprocess.Popen(
+            [*line, "--port", "0", "--no-browser", "--token", TOKEN], stdout=subprocess.PIPE, text=True
+        ) as server,
+        sync_playwright() as playwright,
+    ):
+        assert server.stdout is not None
+        port = int(server.stdout.readline().split(":")[-1].split("/")[0])
+        time.sleep(10)  # the processes have started
+        browser = playwright.chromium.launch(executable_path=shutil.which("chromium"), args=ARGUMENTS)
+        page = browser.new_page(viewport={"width": 1440, "height": 900})
+        received: list[int] = []
+        page.on("websocket", lambda socket: socket.on("framereceived", lambda frame: received.append(len(frame))))
+        begin = time.perf_counter()
+        page.goto(f"http://127.0.0.1:{port}/?token={TOKEN}")
+        print(f"\n{design}")
+        print(f"  first curves {wait(page, 'painted') - begin:.2f} s (at most 3)")
+        print(f"  first 3-D {wait(page, 'shown_model') - begin:.2f} s (at most 15)")
+        page.set_viewport_size({"width": 1440, "height": 420})  # the curves alone are in sight
+        page.wait_for_timeout(1500)
+        page.evaluate(DRAG, 20)
+        received.clear()
+        times = np.array(page.evaluate(DRAG, changes))
+        bound = 200 if design == "line-2" else 100
+        p50, p95 = np.percentile(times, [50, 95])
+        print(f"  slider to painted curves, ms: p50 {p50:.0f}, p95 {p95:.0f} (at most {bound}), most {times.max():.0f}")
+        print(f"  bytes a change: {sum(received) / changes / 1000:.1f} kB (at most 20)")
+        browser.close()
+        early, late = asyncio.run(memory(port, server.pid, 10 * changes))
+        print(f"  memory of the server: {early:.0f} MB after {changes} changes, {late:.0f} MB after {10 * changes}")
+        server.terminate()
+
+
+def wait(page: Any, name: str) -> float:
+    while page.evaluate(f"document.documentElement.dataset.{name} === undefined"):
+        time.sleep(0.01)
+    return time.perf_counter()
+
+
+async def memory(port: int, process: int, changes: int) -> tuple[float, float]:
+    """Resident memory of the server in MB after a tenth of the changes and after all, each awaited until its curves."""
+    import urllib.request
+
+    from websockets.asyncio.client import connect
+
+    here = f"http://127.0.0.1:{port}"
+    with urllib.request.urlopen(f"{here}/?token={TOKEN}") as answer:
+        cookie = answer.headers["set-cookie"].split(";")[0]
+    early = 0.0
+    async with connect(
+        f"ws://127.0.0.1:{port}/session", origin=here, additional_headers={"Cookie": cookie}, max_size=None
+    ) as socket:
+        await socket.send(json.dumps({"do": "hello", "session": None, "values": None}))
+        for change in range(changes):
+            value = 10 + (change % 997) * 0.01
+            await socket.send(json.dumps({"do": "set", "name": "tube.length", "value": value, "gesture": "drag"}))
+            while not isinstance(await socket.recv(), bytes):
+                pass
+            if change == changes // 10:
+                early = resident(process)
+    return early, resident(process)
+
+
+def resident(process: int) -> float:
+    pages = int(Path(f"/proc/{process}/statm").read_text().split()[1])
+    return pages * os.sysconf("SC_PAGE_SIZE") / 1e6
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,237 @@
+// The Array panel: the project's own glTF, drawn when something changes and at no other time.
+import {
+  AmbientLight, Box3, Box3Helper, Color, DirectionalLight, Group, HemisphereLight, Material, Mesh, MeshBasicMaterial,
+  MeshStandardMaterial, Object3D, PerspectiveCamera, Plane, Raycaster, Scene, SphereGeometry, Vector2, Vector3, WebGLRenderer,
+} from "three";
+import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import { GLTFLoader } from "three/examples/jsm/loaders/GLTFLoader.js";
+import { byId, colour, hand, make, words } from "./dom";
+
+export interface Part { label: string; part: string; kind: string; group: string; }
+export interface Model { file: string; parts: Part[]; size: number[]; notes: string[]; }
+const KINDS: Record<string, string> = {
+  shell: "shells", membrane: "membranes", sheath: "tube sheaths", spring: "tube springs", housing: "microphone housings",
+  board: "boards", package: "microphones",
+};
+/** How far kinds are lifted in an exploded view, per height of the array. */
+const LIFT: Record<string, number> = { membrane: 2.2, shell: 0, sheath: -1.2, spring: 1.1, housing: 0, board: 1.6, package: 3 };
+
+export class ArrayPanel {
+  private renderer: WebGLRenderer | null = null;
+  private scene = new Scene();
+  private camera = new PerspectiveCamera(35, 1, 0.0005, 20);
+  private controls: OrbitControls | null = null;
+  private model = new Group();
+  private parts = new Map<string, Part>();
+  private home = new Map<Object3D, number>();
+  private hidden = new Set<string>();
+  private marks: Mesh[] = [];
+  private box: Box3Helper | null = null;
+  private fittedTo = 0;
+  private cut = new Plane(new Vector3(0, 0, -1), 0);
+  private lit: (part: Part) => boolean = () => false;
+  private asked = false;
+  private size: number[] = [0, 0, 0];
+
+  constructor(private place: HTMLElement, private choose: (point: number | null) => void) {
+    try {
+      this.renderer = new WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
+    } catch {
+      place.append(make("p", { class: "problem" }, "This browser draws nothing in three dimensions (WebGL is off)."));
+      return;
+    }
+    const canvas = this.renderer.domElement;
+    canvas.tabIndex = 0;
+    canvas.setAttribute("role", "img");
+    canvas.setAttribute("aria-label", "the array in three dimensions; arrow keys turn it, plus and minus zoom");
+    place.append(canvas);
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    this.renderer.localClippingEnabled = true;
+    this.controls = new OrbitControls(this.camera, canvas);
+    this.controls.addEventListener("change", () => this.ask());
+    const sun = new DirectionalLight(0xffffff, 1.6);
+    sun.position.set(0.4, 1, 0.7);
+    this.scene.add(new HemisphereLight(0xffffff, 0x8a929c, 1.6), new AmbientLight(0xffffff, 0.35), sun, this.model);
+    new ResizeObserver(() => this.fit()).observe(place);
+    let down = [0, 0];
+    canvas.addEventListener("pointerdown", (event) => { down = [event.clientX, event.clientY]; });
+    canvas.addEventListener("pointermove", (event) => { if (!event.buttons) this.name(event); });
+    canvas.addEventListener("click", (event) => {
+      if (Math.hypot(event.clientX - down[0], event.clientY - down[1]) < 5) this.choose(this.pointOf(this.under(event)));
+    });
+    canvas.addEventListener("keydown", (event) => this.key(event));
+    for (const id of ["exploded", "section"]) byId(id).addEventListener("input", () => this.arrange());
+    byId("dimensions").addEventListener("change", () => this.arrange());
+    byId("refit").addEventListener("click", () => this.see());
+  }
+
+  async take(model: Model): Promise<void> {
+    byId("array-note").textContent = model.notes.join(" ");
+    if (!this.renderer) return;
+    const answer = await fetch(model.file);
+    if (!answer.ok) throw new Error(`${model.file}: ${answer.status}`);
+    const found = await new GLTFLoader().parseAsync(await answer.arrayBuffer(), "");
+    this.clear();
+    this.parts = new Map(model.parts.map((part) => [part.label, part]));
+    this.size = model.size;
+    this.model.add(found.scene);
+    this.home.clear();
+    found.scene.traverse((each) => {
+      if (this.parts.has(each.name)) this.home.set(each, each.position.y);
+      if (each instanceof Mesh) each.material = (each.material as Material).clone();
+    });
+    this.switches(model.parts);
+    // The camera stays where the designer put it, unless the array has grown or shrunk.
+    const extent = Math.hypot(...model.size);
+    if (Math.abs(Math.log(extent / (this.fittedTo || 1))) > 0.08) this.see();
+    this.arrange();
+  }
+
+  light(test: (part: Part) => boolean, places: { part: string; place: number[] | null }[] = []): void {
+    this.lit = test;
+    for (const mark of this.marks) { mark.removeFromParent(); mark.geometry.dispose(); }
+    this.marks = [];
+    for (const [node] of this.home) {
+      for (const { part, place } of places) {
+        if (!place || this.parts.get(node.name)?.part !== part) continue;
+        const mark = new Mesh(new SphereGeometry(0.35, 12, 8), new MeshBasicMaterial({ color: colour("--bad"), depthTest: false, transparent: true }));
+        mark.position.set(place[0], place[1], place[2]);
+        mark.renderOrder = 5;
+        node.add(mark);
+        this.marks.push(mark);
+      }
+    }
+    this.arrange();
+  }
+
+  picture(name: string): void {
+    this.draw();
+    this.renderer?.domElement.toBlob((blob) => blob && hand(blob, `${name}-array.png`));
+  }
+
+  restyle(): void { this.ask(); }
+
+  private switches(parts: Part[]): void {
+    const place = byId("kinds");
+    const kinds = Object.keys(KINDS).filter((kind) => parts.some((part) => part.kind === kind));
+    place.replaceChildren(...kinds.map((kind) => {
+      const box = make("input", { type: "checkbox" });
+      box.checked = !this.hidden.has(kind);
+      box.addEventListener("change", () => { if (box.checked) this.hidden.delete(kind); else this.hidden.add(kind); this.arrange(); });
+      return make("label", {}, box, ` ${KINDS[kind]} (${parts.filter((part) => part.kind === kind).length})`);
+    }));
+  }
+
+  private arrange(): void {
+    const away = Number(byId<HTMLInputElement>("exploded").value) / 100, height = Math.max(this.size[2], 1) / 1000;
+    const share = Number(byId<HTMLInputElement>("section").value) / 100;
+    const bounds = new Box3().setFromObject(this.model);
+    this.cut.constant = bounds.isEmpty() ? 1e3 : bounds.max.z - share * (bounds.max.z - bounds.min.z) + (share === 0 ? 1 : 0);
+    const accent = new Color(colour("--accent"));
+    for (const [node, y] of this.home) {
+      const part = this.parts.get(node.name)!;
+      node.visible = !this.hidden.has(part.kind);
+      node.position.y = y + away * (LIFT[part.kind] ?? 0) * height;
+      const lit = this.lit(part);
+      node.traverse((each) => {
+        if (!(each instanceof Mesh) || this.marks.includes(each)) return;
+        const material = each.material as MeshStandardMaterial;
+        material.clippingPlanes = share === 0 ? [] : [this.cut];
+        material.emissive?.copy(lit ? accent : new Color(0));
+        material.emissiveIntensity = lit ? 0.75 : 0;
+      });
+    }
+    const shown = byId<HTMLInputElement>("dimensions").checked;
+    this.box?.removeFromParent();
+    this.box = null;
+    if (shown && !bounds.isEmpty()) {
+      this.box = new Box3Helper(new Box3().setFromObject(this.model), new Color(colour("--ink-soft")));
+      this.scene.add(this.box);
+    }
+    const [x, y, z] = this.size;
+    byId("size").textContent = `${words(Math.max(x, y))} × ${words(Math.min(x, y))} × ${words(z)} mm`;
+    this.ask();
+  }
+
+  private see(): void {
+    const bounds = new Box3().setFromObject(this.model);
+    if (bounds.isEmpty() || !this.controls) return;
+    const middle = bounds.getCenter(new Vector3()), size = bounds.getSize(new Vector3());
+    const tangent = Math.tan((this.camera.fov * Math.PI) / 360);
+    const away = Math.max(size.x / (2 * tangent * this.camera.aspect), (size.z * 0.75 + size.y) / (2 * tangent)) * 1.12 + size.z / 3;
+    this.camera.position.copy(middle).add(new Vector3(0, 0.78, 0.62).normalize().multiplyScalar(away));
+    this.controls.target.copy(middle);
+    this.controls.update();
+    this.fittedTo = Math.hypot(...this.size);
+    this.ask();
+  }
+
+  private fit(): void {
+    const width = this.place.clientWidth, height = Math.max(Math.min(Math.round(width * 0.5), 460), 240);
+    if (!this.renderer || width === 0) return;
+    this.renderer.setSize(width, height);
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+    this.see();
+  }
+
+  private ask(): void {
+    if (this.asked) return;
+    this.asked = true;
+    requestAnimationFrame(() => { this.asked = false; this.draw(); });
+  }
+
+  private draw(): void {
+    if (!this.renderer) return;
+    this.renderer.setClearColor(new Color(colour("--card")));
+    this.renderer.render(this.scene, this.camera);
+    document.documentElement.dataset.drawn = String(Number(document.documentElement.dataset.drawn ?? 0) + 1);
+  }
+
+  private under(event: MouseEvent): Part | null {
+    const frame = this.renderer!.domElement.getBoundingClientRect();
+    const at = new Vector2((2 * (event.clientX - frame.left)) / frame.width - 1, 1 - (2 * (event.clientY - frame.top)) / frame.height);
+    const ray = new Raycaster();
+    ray.setFromCamera(at, this.camera);
+    for (const hit of ray.intersectObject(this.model, true)) {
+      let node: Object3D | null = hit.object;
+      while (node && !this.parts.has(node.name)) node = node.parent;
+      if (node?.visible) return this.parts.get(node.name)!;
+    }
+    return null;
+  }
+
+  private pointOf(part: Part | null): number | null {
+    const found = part?.group.match(/^point (\d+)$/);
+    return found ? Number(found[1]) : null;
+  }
+
+  private name(event: MouseEvent): void {
+    const part = this.under(event);
+    byId("pointed-part").textContent = part ? part.label.replaceAll("_", " ") : "\u00a0";
+  }
+
+  private key(event: KeyboardEvent): void {
+    const turn: Record<string, [number, number]> = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, -0.1], ArrowDown: [0, 0.1] };
+    const zoom = event.key === "+" ? 0.9 : event.key === "-" ? 1.1 : 1;
+    const by = turn[event.key] ?? [0, 0];
+    if (zoom === 1 && !by[0] && !by[1]) return;
+    event.preventDefault();
+    const from = this.camera.position.clone().sub(this.controls!.target);
+    const length = from.length() * zoom, up = Math.acos(from.y / from.length()) + by[1], around = Math.atan2(from.x, from.z) + by[0];
+    const polar = Math.min(Math.max(up, 0.02), 3.1);
+    this.camera.position.copy(this.controls!.target).add(new Vector3(
+      length * Math.sin(polar) * Math.sin(around), length * Math.cos(polar), length * Math.sin(polar) * Math.cos(around),
+    ));
+    this.controls!.update();
+    this.ask();
+  }
+
+  private clear(): void {
+    this.model.traverse((each) => {
+      if (each instanceof Mesh) { each.geometry.dispose(); (each.material as Material).dispose(); }
+    });
+    this.model.clear();
+    this.marks = [];
+  }
+}

@@ -1,0 +1,120 @@
+// The Points panel: how well the points can be told apart, point by point, and as a whole.
+import { byId, colour, csv, hand, make, words } from "./dom";
+
+export interface Figures {
+  figures: Record<string, number>;
+  points: { number: number; nearest: number; distance: number; level: number; phase: number; named: number; force: number }[];
+  confusion: number[][]; touches: number; hardest: number[][]; overlaps: string[]; mend: string; finger: number;
+}
+export interface Word { title: string; unit: string; definition: string; better: string; }
+
+const COLUMNS: [string, string, (p: Figures["points"][0]) => string][] = [
+  ["point", "", (p) => String(p.number)],
+  ["named right", "%", (p) => words(100 * p.named, 3)],
+  ["hardest to tell from", "", (p) => String(p.nearest)],
+  ["distance", "", (p) => words(p.distance, 3)],
+  ["level", "dB", (p) => words(p.level, 3)],
+  ["phase", "°", (p) => words(p.phase, 3)],
+  ["least force", "µN", (p) => words(1e6 * p.force, 3)],
+];
+
+export class PointsPanel {
+  private now: Figures | null = null;
+  private lit: number | null = null;
+  constructor(private word: () => Record<string, Word>, private choose: (point: number | null) => void) {}
+
+  take(found: Figures): void { this.now = found; this.draw(); }
+  get figures(): Record<string, number> | null { return this.now?.figures ?? null; }
+
+  light(point: number | null): void {
+    this.lit = point;
+    for (const row of byId("points-table").querySelectorAll("tr[data-point]")) {
+      row.classList.toggle("lit", (row as HTMLElement).dataset.point === String(point));
+    }
+    this.matrix();
+  }
+
+  misMade(found: { sensors: number; mean: number; worst: number }): void {
+    byId("mis-made").textContent =
+      `Of ${found.sensors} sensors made with the scatter of a workshop, not calibrated: ${words(100 * found.mean, 3)} % named right, ` +
+      `${words(100 * found.worst, 3)} % on the worst of them.`;
+  }
+
+  private draw(): void {
+    const now = this.now!;
+    byId("figures").replaceChildren(...Object.entries(now.figures).map(([name, value]) => {
+      const word = this.word()[name];
+      return make("div", { title: word.definition, "data-figure": name }, make("dt", {}, word.title), make("dd", {}, show(value, word.unit)));
+    }));
+    byId("hardest").textContent = `Hardest to tell apart: ${now.hardest.map((pair) => pair.join(" and ")).join("; ")}.`;
+    const trouble = now.overlaps.length ? `Cannot be built: ${now.overlaps.join("; ")}${now.mend ? `; ${now.mend}` : ""}` : "";
+    byId("overlaps").textContent = trouble;
+    const head = make("tr", {}, ...COLUMNS.map(([title, unit]) => make("th", { scope: "col" }, unit ? `${title} (${unit})` : title)));
+    const rows = now.points.map((point) => {
+      const row = make("tr", { "data-point": String(point.number), tabindex: "0" }, ...COLUMNS.map(([, , text]) => make("td", {}, text(point))));
+      const act = () => this.choose(this.lit === point.number ? null : point.number);
+      row.addEventListener("click", act);
+      row.addEventListener("keydown", (event) => { if (event.key === "Enter" || event.key === " ") { event.preventDefault(); act(); } });
+      return row;
+    });
+    byId("points-table").replaceChildren(make("thead", {}, head), make("tbody", {}, ...rows));
+    this.light(this.lit);
+  }
+
+  private matrix(): void {
+    const now = this.now, canvas = byId<HTMLCanvasElement>("confusion");
+    if (!now) return;
+    const count = now.confusion.length, cell = Math.max(Math.floor(340 / count), 3), room = 22;
+    const scale = devicePixelRatio;
+    canvas.width = canvas.height = (count * cell + room) * scale;
+    canvas.style.width = canvas.style.height = `${count * cell + room}px`;
+    const c = canvas.getContext("2d")!;
+    c.scale(scale, scale);
+    c.font = "10px system-ui";
+    c.textAlign = "center";
+    c.textBaseline = "middle";
+    const every = Math.ceil(count / 14);
+    for (let i = 0; i < count; i++) {
+      c.fillStyle = colour("--ink-soft");
+      if (i % every === 0) {
+        c.fillText(String(now.points[i].number), room + (i + 0.5) * cell, room / 2);
+        c.fillText(String(now.points[i].number), room / 2, room + (i + 0.5) * cell);
+      }
+      for (let j = 0; j < count; j++) {
+        const share = now.confusion[i][j] / now.touches;
+        // The few percent beside the diagonal are what is looked for: the root makes them visible.
+        c.globalAlpha = share === 0 ? 0.07 : 0.25 + 0.75 * Math.sqrt(share);
+        c.fillStyle = share === 0 ? colour("--ink-soft") : i === j ? colour("--good") : colour("--bad");
+        c.fillRect(room + j * cell, room + i * cell, cell - 1, cell - 1);
+        c.globalAlpha = 1;
+        if (cell >= 24 && share > 0) {
+          c.fillStyle = colour("--ink");
+          c.fillText(words(100 * share, 2), room + (j + 0.5) * cell, room + (i + 0.5) * cell);
+        }
+      }
+    }
+    const index = now.points.findIndex((point) => point.number === this.lit);
+    if (index >= 0) {
+      c.strokeStyle = colour("--accent");
+      c.lineWidth = 2;
+      c.strokeRect(room, room + index * cell, count * cell - 1, cell - 1);
+    }
+    const wrong = now.points.filter((point) => point.named < 1).length;
+    canvas.setAttribute("aria-label", `predicted confusion of ${count} points; ${wrong} of them are not always named right; the table beside has the figures`);
+  }
+
+  restyle(): void { this.matrix(); }
+
+  table(name: string): void {
+    if (!this.now) return;
+    const keys = ["number", "named", "nearest", "distance", "level", "phase", "force"] as const;
+    csv([["point", "named right", "hardest to tell from", "distance", "level (dB)", "phase (degrees)", "least force (N)"],
+      ...this.now.points.map((point) => keys.map((key) => point[key]))], `${name}-points.csv`);
+  }
+
+  picture(name: string): void { byId<HTMLCanvasElement>("confusion").toBlob((blob) => blob && hand(blob, `${name}-confusion.png`)); }
+}
+
+export function show(value: number, unit: string): string {
+  return `${words(value)}${unit && unit !== "1" ? ` ${unit.replace("um", "µm").replace("^3", "³")}` : ""}`;
+}

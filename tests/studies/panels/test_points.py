@@ -1,0 +1,63 @@
+"""Every figure of the page's panels is that of the Python call for the same design."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+
+import acoustic_fem
+from acoustic_fem.library.noise import detection_limits
+from geometry import prototype
+from studies.metrics.confusion import predict_confusion
+from studies.metrics.covered_area import FINGER, coverage
+from studies.metrics.separation import separability
+from studies.panels.points import FIGURES, figure_words, mis_made_figures, point_figures
+from studies.scatter.effects import scattered_accuracy
+from studies.study.metric_registry import METRICS
+
+
+@pytest.mark.parametrize("name", ["array-2x6", "glove"])
+def test_the_figures_are_those_of_python(name: str) -> None:
+    design = prototype(name)
+    library = acoustic_fem.solve(design, np.linspace(1, 100, 64), fidelity="lumped")
+    found = json.loads(json.dumps(point_figures(design)))
+
+    assert tuple(found["figures"]) == FIGURES == tuple(figure_words())
+    for metric, value in found["figures"].items():
+        assert value == pytest.approx(METRICS[metric].of_library(library), rel=1e-12), metric
+        assert figure_words()[metric]["unit"] == METRICS[metric].unit
+    assert found["figures"]["coverage"] == coverage(design)
+    assert found["finger"] == FINGER
+
+    apart = separability(library.transfer_function)
+    limits = detection_limits(library, (1.0, 100.0))["force"]
+    for point in found["points"]:
+        number = point["number"]
+        assert point["nearest"] == apart.nearest(number)
+        between = apart.between(number, point["nearest"])
+        assert (point["level"], point["phase"], point["distance"]) == pytest.approx(between, rel=1e-12)
+        assert point["force"] == pytest.approx(float(limits.sel(point=number)), rel=1e-12)
+    assert found["hardest"] == [list(pair) for pair in apart.equally_hard]
+
+    from localize.signals.noise import microphone_noise
+
+    noise = microphone_noise(design.microphone, library.medium)
+    predicted = predict_confusion(library.transfer_function.values[None], library.frequency, noise)
+    np.testing.assert_allclose(np.array(found["confusion"]) / found["touches"], predicted.confusion[0], rtol=1e-12)
+    named = [point["named"] for point in found["points"]]
+    np.testing.assert_allclose(named, np.diagonal(predicted.confusion[0]), rtol=1e-12)
+    assert found["overlaps"] == []
+
+
+def test_what_cannot_be_built_is_said_with_its_mend() -> None:
+    found = point_figures(prototype("array-2x6").with_values({"layout.pitch": 10.5}))
+    assert found["overlaps"]
+    assert found["mend"].startswith("mend: ")
+
+
+def test_mis_made_sensors_are_those_of_python() -> None:
+    design = prototype("array-2x6")
+    expected = scattered_accuracy(design, np.linspace(1, 100, 64), sensors=64)
+    assert mis_made_figures(design) == {"sensors": 64, "mean": expected.mean(), "worst": expected.min()}
