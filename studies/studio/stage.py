@@ -60,7 +60,8 @@ class Stage:
 
     async def _work(self) -> None:
         while True:
-            await asyncio.sleep(self._pause)
+            if self._pause:
+                await asyncio.sleep(self._pause)
             job, self._next = self._next, None
             if job is None:
                 return

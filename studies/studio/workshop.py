@@ -79,6 +79,7 @@ class Workshop:
                 self.start()
                 return self._answer(work, arguments, tell)
             except (EOFError, OSError):
+                self.close()  # what is left of it: it may still count as alive
                 if task is not None and task is self._stopped:
                     raise Stopped("stopped") from None
                 raise Refusal(

@@ -78,7 +78,10 @@ export class ArrayPanel {
     this.home.clear();
     found.scene.traverse((each) => {
       if (this.parts.has(each.name)) this.home.set(each, each.position.y);
-      if (each instanceof Mesh) each.material = (each.material as Material).clone();
+      if (!(each instanceof Mesh)) return;
+      const material = (each.material as MeshStandardMaterial).clone();
+      material.userData = { colour: material.color.clone(), opacity: material.opacity };
+      each.material = material;
     });
     this.switches(model.parts);
     // The camera stays where the designer put it, unless the array has grown or shrunk.
@@ -137,8 +140,10 @@ export class ArrayPanel {
         if (!(each instanceof Mesh) || this.marks.includes(each)) return;
         const material = each.material as MeshStandardMaterial;
         material.clippingPlanes = share === 0 ? [] : [this.cut];
-        material.emissive?.copy(lit ? accent : new Color(0));
-        material.emissiveIntensity = lit ? 0.75 : 0;
+        material.color.copy(lit ? accent : material.userData.colour);
+        material.emissive.copy(lit ? accent : new Color(0));
+        material.emissiveIntensity = lit ? 0.5 : 0;
+        material.opacity = lit ? 1 : material.userData.opacity;
       });
     }
     const shown = byId<HTMLInputElement>("dimensions").checked;

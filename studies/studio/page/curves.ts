@@ -13,6 +13,8 @@ export function unpack(message: ArrayBuffer): Curves {
   return { ...header, values: new Float32Array(message, 4 + length) };
 }
 
+function named(title: string, heardBy: string): string { return `${title} ${heardBy.includes("/") ? "of" : "at"} ${heardBy}`; }
+
 const HEIGHT = 300, NEAR = 24;
 
 export class CurvesPanel {
@@ -76,7 +78,7 @@ export class CurvesPanel {
     const now = this.now!;
     const title = this.titles()[now.quantity] ?? now.quantity;
     this.plots = now.heard_by.map((name, m) => {
-      const holder = make("figure", { class: "plot" }, make("figcaption", {}, `${title} at ${name}`));
+      const holder = make("figure", { class: "plot" }, make("figcaption", {}, named(title, name)));
       this.place.append(holder);
       const axis = { stroke: colour("--ink-soft"), grid: { stroke: colour("--grid"), width: 1 }, ticks: { stroke: colour("--grid") }, font: "12px system-ui", labelFont: "12px system-ui", labelSize: 20 };
       const plot = new uPlot({
@@ -192,7 +194,7 @@ export class CurvesPanel {
     canvases.forEach((each, m) => {
       c.fillStyle = colour("--ink");
       c.font = `${14 * scale}px system-ui`;
-      c.fillText(`${name}: ${title} at ${now.heard_by[m]}`, 12 * scale, top + 17 * scale);
+      c.fillText(`${name}: ${named(title, now.heard_by[m])}`, 12 * scale, top + 17 * scale);
       c.drawImage(each, 0, top + head);
       top += each.height + head;
     });
