@@ -76,8 +76,10 @@ class HiddenScatter:
     """Deviation of the volume of each cavity, by its height."""
     membrane: float = 0.10
     """Deviation of the compliance of each membrane."""
+    batch: float = 0.15
+    """Deviation of the modulus of the batch of rubber, that of all membranes: what a hardness leaves open."""
     modulus: float = 1.0
-    """Modulus of all membranes against the nominal one: a factor, not a deviation."""
+    """Modulus of all membranes against that of its batch: a factor, not a deviation."""
     rubber: float = 1.0
     """Loss factor of all membranes against the nominal one, and with it the slope of their modulus: a factor."""
     gain: float = 0.05
@@ -179,10 +181,7 @@ class Rig:
             nominal,
             tube_radius=nominal.tube_radius * factor(nominal.tube_radius, scatter.bore),
             cavity_height=nominal.cavity_height * factor(nominal.cavity_height, scatter.volume),
-            membrane_compliance=nominal.membrane_compliance
-            * factor(nominal.membrane_compliance, scatter.membrane)
-            / scatter.modulus,
-            membrane_frequency=nominal.membrane_frequency * np.sqrt(scatter.modulus),
+            membrane_compliance=nominal.membrane_compliance * factor(nominal.membrane_compliance, scatter.membrane),
             tube_length=nominal.tube_length * factor(nominal.tube_length, scatter.length),
             membrane_loss=nominal.membrane_loss
             * (loss := scatter.rubber * factor(nominal.membrane_loss, scatter.loss)),
@@ -195,9 +194,15 @@ class Rig:
         air = self.design.air
         warmer = float(np.clip(random.standard_normal(), -3, 3)) * scatter.temperature
         around = np.random.default_rng(np.random.SeedSequence(self.seed, spawn_key=(_PLACE,)))
-        weather, steeper = np.clip(around.standard_normal(2), -3, 3)
+        weather, steeper, batch = np.clip(around.standard_normal(3), -3, 3)
         pressure = air.pressure * standard_pressure(scatter.altitude) / standard_pressure(0.0)
         pressure += float(weather) * scatter.pressure
+        stiffer = scatter.modulus * (1 + scatter.batch * float(batch))
+        self.hidden = replace(
+            self.hidden,
+            membrane_compliance=self.hidden.membrane_compliance / stiffer,
+            membrane_frequency=self.hidden.membrane_frequency * np.sqrt(stiffer),
+        )
         self.hidden = _relaxing(self.hidden, abs(float(steeper)) * scatter.slope)
         self.medium = Medium.at(air.temperature + warmer, air.humidity, pressure)
 

@@ -20,19 +20,14 @@ _MID_BAND, _STEP = np.array([10.0]), 1e-4
 _SOURCE = "of the virtual rig"
 
 
-def rig_tolerances(scatter: HiddenScatter, modulus: float = 0.15) -> tuple[Tolerance, ...]:
-    """Tolerances that a workshop with the rig's scatter would state.
-
-    Args:
-        scatter: of the rig.
-        modulus: deviation of that of a batch.
-    """
+def rig_tolerances(scatter: HiddenScatter) -> tuple[Tolerance, ...]:
+    """Tolerances that a workshop with the rig's scatter would state."""
     relative = {
         "bore": scatter.bore,
         "length": scatter.length,
         "cavity_height": scatter.volume,
         "modulus_of_part": scatter.membrane,
-        "modulus_of_batch": modulus,
+        "modulus_of_batch": scatter.batch,
     }
     return tuple(Tolerance(quantity, deviation, "relative", _SOURCE) for quantity, deviation in relative.items())
 
