@@ -88,7 +88,7 @@ def row(name: str, design: ArrayDesign, modulus: float, rigs: int) -> tuple[str,
     model = UpdatedModel(library, fit_priors(design, rig_tolerances(HiddenScatter())))
     accuracies, kept, refused, excluded, unwarned, seconds = [], Kept(), 0, 0, 0, 0.0
     for seed in range(rigs):
-        rig = Rig(design, seed, HiddenScatter(modulus=modulus), "navier-stokes")
+        rig = Rig(design, seed, HiddenScatter(batch=0.0, modulus=modulus), "navier-stokes")
         truth = rig.transfer_function(GRID)
         with tempfile.TemporaryDirectory() as folder:
             manifest = rig.record(Path(folder), range(1, design.point_count + 1), recorder)

@@ -66,7 +66,7 @@ class Case:
     name: str
     session: str
     library: str
-    decoding: Decoding = Decoding()
+    decoding: Decoding = field(default_factory=Decoding)
 
 
 CASES = (

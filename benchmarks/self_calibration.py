@@ -57,7 +57,7 @@ KINDS = {
 FINGERS_FIRST = 9400
 FINGERS_GRID = np.geomspace(1.0, 150.0, 48)
 FINGERS_BEGIN, FINGERS_END = "<!-- fingers: made by benchmarks/self_calibration.py -->", "<!-- end of fingers -->"
-SOFT, STEEP = HiddenScatter(modulus=0.85), HiddenScatter(slope=0.05)
+SOFT, STEEP = HiddenScatter(batch=0.0, modulus=0.85), HiddenScatter(slope=0.05)
 
 
 @dataclass(frozen=True)
@@ -92,13 +92,15 @@ def unlabelled(truth: ArrayResponse, count: int, seed: int) -> np.ndarray:
 def sensor(kind: Kind, nominal: Library, seed: int) -> tuple[Library, np.ndarray]:
     """The library before, and the true transfer functions."""
     design = DESIGNS[kind.design]
-    truth = Rig(design, seed, HiddenScatter(modulus=kind.modulus), "navier-stokes").transfer_function(GRID)
+    truth = Rig(design, seed, HiddenScatter(batch=0.0, modulus=kind.modulus), "navier-stokes").transfer_function(GRID)
     if not kind.drift:
         return nominal, truth
     known = nominal.transfer_function.copy(data=truth)
     random = np.random.default_rng(seed)
     signs = random.permutation([1.0, -1.0])
-    softer = Rig(design, seed, HiddenScatter(modulus=kind.modulus * 0.95), "navier-stokes").transfer_function(GRID)
+    softer = Rig(
+        design, seed, HiddenScatter(batch=0.0, modulus=kind.modulus * 0.95), "navier-stokes"
+    ).transfer_function(GRID)
     return replace(nominal, transfer_function=known), softer * 10 ** (0.25 * signs / 20)[:, None]
 
 

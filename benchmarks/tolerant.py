@@ -55,7 +55,9 @@ DESIGNS: Mapping[str, tuple[str, Mapping[str, Any]]] = {
     "fingertip-4x6": ("fingertip-4x6", {}),
 }
 #: 5 % of bores and volumes, 10 % of membranes, and nothing else.
-PARTS = HiddenScatter(gain=0.0, corner=0.0, chamber=0.0, length=0.0, loss=0.0, temperature=0.0, pressure=0.0, slope=0.0)
+PARTS = HiddenScatter(
+    batch=0.0, gain=0.0, corner=0.0, chamber=0.0, length=0.0, loss=0.0, temperature=0.0, pressure=0.0, slope=0.0
+)
 NONE = replace(PARTS, bore=0.0, volume=0.0, membrane=0.0)
 
 
@@ -79,7 +81,7 @@ class Truth:
 TRUTHS = (
     Truth("as designed", NONE),
     Truth("made: 5 % bores and volumes, 10 % membranes", PARTS),
-    Truth("made, with lengths, rubber, place and microphones", HiddenScatter()),
+    Truth("made, with batches of rubber, lengths, place and microphones", HiddenScatter()),
     Truth("2000 m (79.5 kPa), not told", NONE, 79500.0),
     Truth("2000 m (79.5 kPa), told", NONE, 79500.0, True),
     Truth("modulus -20 %", replace(NONE, modulus=0.8)),

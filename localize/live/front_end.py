@@ -22,6 +22,7 @@ from numpy.typing import NDArray
 
 from geometry.refusal import Refusal
 from localize.live.events import HOP
+from localize.signals.disturbances import MAINS
 from localize.signals.frames import FRAME
 from localize.signals.stimulus import SAMPLE_RATE
 
@@ -33,8 +34,6 @@ ORDER = 2
 """Order of the high-pass, a Butterworth."""
 DELAY_AT = 20.0
 """Frequency at which the group delay of the high-pass is stated, Hz: the middle of what touches hold."""
-MAINS = (50.0, 60.0)
-"""Frequencies of mains, Hz."""
 HARMONICS = 5
 """Number of multiples of either that are looked for."""
 HUM_RATE = 0.04

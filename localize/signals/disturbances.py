@@ -26,6 +26,8 @@ REFERENCE = 20e-6
 """Reference pressure of sound levels, Pa."""
 LOWEST_SOUND = 20.0
 """Lowest frequency of the sound outside, Hz."""
+MAINS = (50.0, 60.0)
+"""Frequencies of mains, Hz: their hum comes in by cables, not through the array."""
 SOUND_LINES = SAMPLE_LENGTH // 2
 """Number of lines of the sound, 1 Hz apart: it repeats after a second, the length of a sample."""
 

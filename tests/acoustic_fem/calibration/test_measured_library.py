@@ -194,7 +194,7 @@ def test_a_measured_library_is_a_library_with_its_uncertainty(model: Library, tm
 
 
 def test_a_decoder_of_the_measured_library_knows_the_made_sensor(model: Library, tmp_path: Path) -> None:
-    rig = Rig(DESIGN, 2, HiddenScatter(modulus=0.7))
+    rig = Rig(DESIGN, 2, HiddenScatter(batch=0.0, modulus=0.7))
     library = measured(rig.record(tmp_path, POINTS, SHORT), model).library(model)
     touched = replace(localize.signals.response_of(model), transfer_function=rig.transfer_function(GRID))
     found = [

@@ -71,7 +71,7 @@ def test_three_points_bring_all_points_of_a_foreign_sensor_near(model: UpdatedMo
     """The rig's sensors have lengths, cavities, losses and air that the family lacks."""
     before, after = [], []
     for seed in range(4):
-        truth = Rig(DESIGN, seed, HiddenScatter(modulus=modulus)).transfer_function(GRID)
+        truth = Rig(DESIGN, seed, HiddenScatter(batch=0.0, modulus=modulus)).transfer_function(GRID)
         found = update(model, measured(truth, (2, 6, 11), seed))
         assert found.objection is None
         before.append(decibels(model.library.transfer_function.values, truth))

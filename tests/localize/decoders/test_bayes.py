@@ -12,7 +12,7 @@ import acoustic_fem
 import geometry
 import localize
 from localize.decoders import bayes
-from localize.decoders.frame_covariance import INTEGRATION_STEP, SOURCE_RMS, frame_noise_covariance, low_pass
+from localize.decoders.frame_covariance import HUM, INTEGRATION_STEP, SOURCE_RMS, frame_noise_covariance, low_pass
 from localize.signals import stimulus, threads
 from localize.signals.array_response import response_of
 from localize.signals.finger_stimuli import taps
@@ -31,12 +31,13 @@ def decoder(array):
 
 
 def dense_covariances(array, noise):
-    """C_i and N on the decimated samples, by way of the covariance of all 250 samples of each microphone."""
+    """C_i and N with its hum on the decimated samples, by way of the covariance of all 250 samples of a microphone."""
     frequency = np.arange(1, 500.01, INTEGRATION_STEP)
     density = np.where(frequency <= 100, SOURCE_RMS**2 / 99, stimulus.NOISE**2 / 500) * INTEGRATION_STEP
     lag = (np.arange(250)[:, None] - np.arange(250)[None, :]) / 1000
     filtered = np.kron(np.eye(2), low_pass())
-    noise_part = noise**2 * filtered @ filtered.T
+    hum = sum(HUM**2 * np.cos(2 * np.pi * line * lag) for line in (50.0, 60.0, 100.0, 120.0))
+    noise_part = filtered @ (noise**2 * np.eye(500) + np.kron(np.eye(2), hum)) @ filtered.T
     touched = []
     for h in array.at(frequency):
         full = np.zeros((2, 250, 2, 250))

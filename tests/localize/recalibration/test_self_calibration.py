@@ -270,7 +270,7 @@ def test_a_third_of_a_line_is_refused() -> None:
          "microphone_tube.inner_diameter": 0.6, "microphone_tube.outer_diameter": 1.1}
     )  # fmt: skip
     library = acoustic_fem.solve(design, GRID, "lumped")
-    h = Rig(design, 11, HiddenScatter(modulus=0.85)).transfer_function(GRID)
+    h = Rig(design, 11, HiddenScatter(batch=0.0, modulus=0.85)).transfer_function(GRID)
     response = replace(response_of(library), transfer_function=h)
     frames, points = touches(response, 360)
     found = self_calibrate(library, frames[points < 12], NOISE)
