@@ -1,6 +1,6 @@
 """What a sensor does on the table: made, recorded, calibrated and aged, each step by the verbs that a designer uses.
 
-``python benchmarks/on_the_table.py --write`` writes the table of docs/calibration.md anew, in about an hour of one
+``python benchmarks/on_the_table.py --write`` writes the table of docs/calibration.md anew, in half an hour of one
 core; ``--designs array-2x6 --sensors 2`` for a look. Nothing is the library's own: sensors are virtual rigs at
 ``navier-stokes`` fidelity of seeds from ``FIRST`` on, of which no constant was chosen, each of a batch of rubber of its
 own; they record their calibration and touches of fingers whose spectrum, play and slow pressure no decoder knows, with
@@ -30,7 +30,7 @@ from studies.made_sensor.rig_touches import TouchSession, record_touches
 PAGE = Path(__file__).parents[1] / "docs" / "calibration.md"
 BEGIN, END = "<!-- on the table: made by benchmarks/on_the_table.py -->", "<!-- end of on the table -->"
 FIRST, SECONDS = 9700, 6.0
-SENSORS = {"array-2x6": 10, "line-2": 4}
+SENSORS = {"array-2x6": 6, "line-2": 2}
 AGED = 0.8
 """Modulus of a batch after its sensors were calibrated, against before."""
 KINDS: tuple[Part, ...] = ("taps", "friction")
