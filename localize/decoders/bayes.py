@@ -142,7 +142,7 @@ class BayesDecoder:
         noise = response.noise(microphone_noise)
         self.noise_rms = noise.rms if isinstance(noise, NoiseSpectrum) else noise
         touched = self._touched(library, response)
-        whitening = [joint_whitening(response, share_of(noise), level) for level in self.ambient]
+        whitening = [self._white(response, share_of(noise), level) for level in self.ambient]
         self.tables = tuple(tables_of(touched, *each) for each in zip(whitening, self.ambient, strict=True))
         self._prepare(whitening)
 
@@ -158,6 +158,10 @@ class BayesDecoder:
     def _touched(self, library: Library | ArrayResponse, response: ArrayResponse) -> NDArray[np.float64]:
         """Covariances of what may have been touched, (n_table, n, n) float64, Pa^2: of the points."""
         return touch_covariances(response, np.eye(SAMPLES))
+
+    def _white(self, response: ArrayResponse, noise: float | NoiseSpectrum, level: float | None) -> NDArray[np.float64]:
+        """Matrix that makes all that is heard beside touches white, (n, n) float64, 1/Pa."""
+        return joint_whitening(response, noise, level)
 
     def _prepare(self, whitening: Sequence[NDArray[np.float64]]) -> None:
         """What scores the tables of each level of sound, whose noise and sound the matrices make white."""

@@ -19,7 +19,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from geometry.refusal import Refusal
 from localize.decoders.bayes import BayesDecoder
-from localize.decoders.frame_covariance import INTEGRATION_STEP, SAMPLES, SOURCE_RMS, touch_covariances
+from localize.decoders.frame_covariance import INTEGRATION_STEP, SAMPLES, SOURCE_RMS, touch_covariances, whitening
 from localize.decoders.reconstruct import Reconstructor
 from localize.recognition.takes import prepared
 from localize.signals.array_response import ArrayResponse, interpolated_from_zero, response_of
@@ -105,6 +105,10 @@ class PulseDecoder(BayesDecoder):
             return np.asarray(SOURCE_RMS**2 * shape / (shape.sum() * INTEGRATION_STEP))
 
         return touch_covariances(response, np.eye(SAMPLES), density)
+
+    def _white(self, response: ArrayResponse, noise: float | NoiseSpectrum, level: float | None) -> Array:
+        """Without hum of mains, which lies above what is left of the signals."""
+        return np.asarray(np.kron(np.eye(len(response.microphones)), whitening(noise)))
 
     def named(self, signals: Array) -> Array:
         """Probability of each point, (n_point,) float64.
