@@ -1,6 +1,6 @@
 """What the panels of the studio show of a design: its form, its figures and its files, by the calls of Python.
 
-Stands on: metrics, output, run, scatter, study.
+Stands on: listening, metrics, output, run, scatter, study.
 """
 
 import lazy_loader

@@ -22,12 +22,12 @@ from studies.panels.curves import CURVES
 from studies.panels.export_files import EXPORTS
 from studies.panels.points import figure_words
 from studies.studio.guard import Guard, Guarded
-from studies.studio.session import MessageError
+from studies.studio.session import MessageError, packed_signals
 from studies.studio.sessions import Sessions
 from studies.studio.workplace import Workplace
 
-#: Largest design file that is taken, and largest message of a page, bytes.
-MOST_UPLOAD, MOST_MESSAGE = 256 * 1024, 1024 * 1024
+#: Largest design file and recording that are taken, and largest message of a page, bytes.
+MOST_UPLOAD, MOST_RECORDING, MOST_MESSAGE = 256 * 1024, 32 * 1024**2, 1024**2
 #: Files of the page by their addresses, with what they are.
 _PAGE = {
     "/": ("index.html", "text/html; charset=utf-8"),
@@ -60,11 +60,9 @@ def studio_app(design: ArrayDesign, guard: Guard, workplace: Workplace) -> ASGIA
         return FileResponse(path, filename=name)
 
     async def upload(request: Request) -> Response:
-        content = bytearray()
-        async for chunk in request.stream():
-            content += chunk
-            if len(content) > MOST_UPLOAD:
-                return _refused(f"the file must be at most {MOST_UPLOAD // 1024} kB", 413)
+        content = await _body(request, MOST_UPLOAD)
+        if content is None:
+            return _refused(f"the file must be at most {MOST_UPLOAD // 1024} kB", 413)
         name = request.query_params.get("name", "design.toml")[:100]
         try:
             text = content.decode("utf-8")
@@ -74,6 +72,28 @@ def studio_app(design: ArrayDesign, guard: Guard, workplace: Workplace) -> ASGIA
             return JSONResponse(await workplace.upload(text, name))
         except Refusal as error:
             return _refused(str(error), 400)
+
+    async def recording(request: Request) -> Response:
+        found = sessions.find(request.query_params.get("session"))
+        if found is None:
+            return _refused("there is no such session", 404)
+        content = await _body(request, MOST_RECORDING)
+        if content is None:
+            return _refused(f"the recording must be at most {MOST_RECORDING // 1024**2} MB", 413)
+        name, scale = (
+            request.query_params.get("name", "recording.wav")[:100],
+            request.query_params.get("full_scale", "1"),
+        )
+        try:
+            full_scale = float(scale)
+        except ValueError:
+            return _refused(f"full_scale = {scale[:40]!r} must be a number of pascals", 400)
+        revision = found.state.revision
+        try:
+            heard = await workplace.replay(found.state.design, content, name, full_scale)
+        except Refusal as error:
+            return _refused(str(error), 400)
+        return Response(packed_signals({"stage": "touch", "revision": revision, "touched": None, "kind": name}, heard))
 
     async def session(socket: WebSocket) -> None:
         await _hold(socket, sessions)
@@ -85,10 +105,21 @@ def studio_app(design: ArrayDesign, guard: Guard, workplace: Workplace) -> ASGIA
             Route("/models/{key}.glb", model, methods=["GET"]),
             Route("/files/{session}/{key}", file, methods=["GET"]),
             Route("/designs", upload, methods=["POST"]),
+            Route("/recordings", recording, methods=["POST"]),
             WebSocketRoute("/session", session),
         ]
     )
     return Guarded(app, guard)
+
+
+async def _body(request: Request, most: int) -> bytes | None:
+    """What is handed in; None as soon as it is more than ``most`` bytes."""
+    content = bytearray()
+    async for chunk in request.stream():
+        content += chunk
+        if len(content) > most:
+            return None
+    return bytes(content)
 
 
 def _refused(message: str, status: int) -> Response:

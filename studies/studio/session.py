@@ -23,11 +23,15 @@ from studies.studio.workshop import Stopped
 #: Sends a message to the page: text, or bytes.
 Send = Callable[[str | bytes], Awaitable[None]]
 #: Stages beside the curves, each shown by a panel, with the pause before they begin, s.
-STAGES = {"points": 0.0, "mis_made": 0.5, "model": 0.1, "check": 1.0}
+STAGES = {"points": 0.0, "surface": 0.0, "mis_made": 0.5, "model": 0.1, "check": 1.0}
 
 
 #: What a page is told where nothing was foreseen.
 _MISTAKE = "this is a mistake of the program; the studio's terminal says where"
+
+
+#: Touches that wait to be computed at once.
+_MOST_TOUCHES = 8
 
 
 class MessageError(Refusal):
@@ -53,6 +57,8 @@ class Session:
         self._send: Send | None = None
         self._exporting: asyncio.Task[None] | None = None
         self._export_job: Job | None = None
+        self._touches = 0
+        self._touching: set[asyncio.Task[None]] = set()
         self._told: tuple[dict[str, Any], frozenset[str]] = ({}, frozenset())
         self._stages = {"curves": Stage(self._curves), "pinned": Stage(self._curves)} | {
             name: Stage(self._figures, workplace.stop, pause)
@@ -266,6 +272,33 @@ class Session:
             }
         )
 
+    # -- touches ------------------------------------------------------------------------------------
+    async def _touch(self, message: Mapping[str, Any]) -> None:
+        point, kind = message.get("point"), _text(message, "kind")
+        if not isinstance(point, int) or isinstance(point, bool):
+            raise MessageError("point must be a whole number")
+        if len(self._touching) >= _MOST_TOUCHES:
+            await self._say({"type": "error", "message": f"{_MOST_TOUCHES} touches are being computed: wait for one"})
+            return
+        self._touches += 1
+        job = Job("touch", self.state.revision, self.state.design, (point, kind, self._touches))
+        task = asyncio.create_task(self._touched(job))
+        self._touching.add(task)
+        task.add_done_callback(self._touching.discard)
+
+    async def _touched(self, job: Job) -> None:
+        point, kind, sample = job.options
+        try:
+            found = await self._workplace.touch(job.design, point, kind, sample)
+        except Refusal as error:
+            await self._failed(job, str(error))
+            return
+        except Exception:
+            await self._failed(job, _MISTAKE)
+            raise
+        header = {"stage": "touch", "revision": job.revision, "touched": point, "kind": kind}
+        await self._say(packed_signals(header, found))
+
     # -- files --------------------------------------------------------------------------------------
     async def _export(self, message: Mapping[str, Any]) -> None:
         name, fidelity = _text(message, "name"), message.get("fidelity", "lumped")
@@ -311,6 +344,12 @@ class Session:
             await self._send(message if isinstance(message, bytes) else json.dumps(message, separators=(",", ":")))
 
 
+def packed_signals(header: Mapping[str, Any], found: Mapping[str, Any]) -> bytes:
+    """Signals with what was decoded of them, as :func:`packed` has curves."""
+    told = {name: value for name, value in found.items() if name != "signals"}
+    return _framed({**header, **told}, found["signals"])
+
+
 def packed(job: Job, curves: Curves) -> bytes:
     """Curves as one message: the length of a header in four bytes, the header as JSON, the values as float32."""
     header = {
@@ -322,9 +361,13 @@ def packed(job: Job, curves: Curves) -> bytes:
         "heard_by": list(curves.heard_by),
         "frequency": [float(f"{value:.7g}") for value in curves.frequency],
     }
+    return _framed(header, curves.values.astype("<f4").tobytes())
+
+
+def _framed(header: Mapping[str, Any], values: bytes) -> bytes:
     text = json.dumps(header, separators=(",", ":")).encode()
     text += b" " * (-len(text) % 4)
-    return len(text).to_bytes(4, "little") + text + curves.values.astype("<f4").tobytes()
+    return len(text).to_bytes(4, "little") + text + values
 
 
 def _download_name(design: ArrayDesign, name: str) -> str:
@@ -350,4 +393,5 @@ _ACTIONS: dict[str, Callable[[Session, Mapping[str, Any]], Awaitable[None]]] = {
     "stop": Session._stop,
     "pin": Session._pin,
     "export": Session._export,
+    "touch": Session._touch,
 }

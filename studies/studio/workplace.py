@@ -14,6 +14,7 @@ from studies.panels.designing import design_key
 from studies.panels.export_files import make_export
 from studies.panels.making import check_figures, model_of_array, read_upload
 from studies.panels.points import mis_made_figures, point_figures
+from studies.panels.touching import replayed, surface, touched
 from studies.studio.kept import Kept
 from studies.studio.workshop import Workshop
 
@@ -36,9 +37,11 @@ class Workplace:
     def __init__(self) -> None:
         # One thread a stage: a slow one delays no other, and none works on two designs at once.
         self._threads = {
-            name: ThreadPoolExecutor(1, f"studio-{name}") for name in ("curves", "points", "mis_made", "cad", "export")
+            name: ThreadPoolExecutor(1, f"studio-{name}")
+            for name in ("curves", "points", "mis_made", "cad", "export", "touch")
         }
         self.workshop = Workshop(_warm_up)
+        self._listening = Workshop(_import_decoder, "the process that listens")
         self._libraries: Kept[Library] = Kept(MOST_KEPT)
         self._results: Kept[dict[str, Any]] = Kept(MOST_KEPT)
         self._models: Kept[dict[str, Any]] = Kept(MOST_MODELS)
@@ -76,7 +79,8 @@ class Workplace:
         """Result of a job of any stage but that of the curves.
 
         Args:
-            job: of the stage "points", "pinned_points", "mis_made", "model" or "check".
+            job: of the stage "points", "pinned_points", "mis_made", "surface",
+                "model" or "check".
             tell: called from another thread with each line on what is being done.
         """
         stage = "points" if job.stage == "pinned_points" else job.stage
@@ -86,6 +90,8 @@ class Workplace:
         if found is None:
             if stage == "points":
                 found = await self._in_thread("points", lambda: point_figures(job.design))
+            elif stage == "surface":
+                found = await self._in_thread("points", lambda: surface(job.design))
             elif stage == "mis_made":
                 found = await self._in_thread("mis_made", lambda: mis_made_figures(job.design))
             elif stage == "model":
@@ -105,6 +111,16 @@ class Workplace:
     async def upload(self, text: str, name: str) -> dict[str, Any]:
         """What a design file states that somebody handed in."""
         return await self._in_thread("cad", lambda: self.workshop.run(read_upload, (text, name)))
+
+    async def touch(self, design: ArrayDesign, point: int, kind: str, sample: int) -> dict[str, Any]:
+        """A simulated touch and what the decoder makes of it."""
+        return await self._in_thread("touch", lambda: self._listening.run(touched, (design, point, kind, sample)))
+
+    async def replay(self, design: ArrayDesign, content: bytes, name: str, full_scale: float) -> dict[str, Any]:
+        """A recording that somebody handed in, and what the decoder makes of it."""
+        return await self._in_thread(
+            "touch", lambda: self._listening.run(replayed, (design, content, name, full_scale))
+        )
 
     async def export(
         self, design: ArrayDesign, name: str, fidelity: Fidelity, tell: Callable[[str], None], task: object
@@ -136,6 +152,7 @@ class Workplace:
     def close(self) -> None:
         """End threads and processes, and remove what was written."""
         self.workshop.close()
+        self._listening.close()
         if self._exporting is not None:
             self._exporting.close()
         for threads in self._threads.values():

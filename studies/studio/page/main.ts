@@ -9,6 +9,7 @@ import { button, byId, make } from "./dom";
 import { Form } from "./form";
 import { addressOf, designInAddress, forget, keep, keptInTab, keptUnsaved } from "./kept";
 import { PointsPanel, type Word } from "./points";
+import { TouchPanel } from "./touch";
 import { Link, type State } from "./link";
 
 const STATES: Record<State, string> = {
@@ -40,6 +41,10 @@ const check = new CheckPanel((part, place) => {
   byId("space").scrollIntoView({ block: "center", behavior: "smooth" });
 });
 const compare = new ComparePanel(() => figureWords, () => table.figures);
+const touch = new TouchPanel(
+  (point, kind) => { document.querySelector("[data-problem='touch']")!.textContent = ""; link?.send({ do: "touch", point, kind }); },
+  (point) => array.light((part: Part) => part.kind === "membrane" && part.group === `point ${point}`),
+);
 const shownRevision: Record<string, number> = {};
 /** Panels that are in sight: of the others nothing is computed. */
 const inSight = new Set<string>(), cardsInSight = new Set<HTMLElement>();
@@ -115,6 +120,7 @@ async function figures(message: any): Promise<void> {
   if (stage === "pinned_points") compare.figures(found.figures);
   if (stage === "mis_made") table.misMade(found);
   if (stage === "check") check.take(found);
+  if (stage === "surface") touch.take(found);
   shownRevision[stage] = message.revision;
   progress(stage, "");
   const problem = document.querySelector(`[data-problem="${stage}"]`);
@@ -198,7 +204,7 @@ function points(fields: any[] | null): void {
 /** What is shown of an earlier design is grey. */
 function stale(): void {
   byId("plots").classList.toggle("stale", curves.revision !== revision);
-  for (const [stage, place] of [["model", "space"], ["points", "points-shown"], ["mis_made", "mis-made-shown"], ["check", "print-shown"]]) {
+  for (const [stage, place] of [["model", "space"], ["points", "points-shown"], ["mis_made", "mis-made-shown"], ["check", "print-shown"], ["surface", "touch-shown"]]) {
     byId(place).classList.toggle("stale", shownRevision[stage] !== revision);
   }
 }
@@ -224,6 +230,7 @@ function theme(choice: string): void {
   curves.restyle();
   array.restyle();
   table.restyle();
+  touch.restyle();
 }
 
 async function upload(file: File): Promise<void> {
@@ -231,6 +238,15 @@ async function upload(file: File): Promise<void> {
   const found = await answer.json();
   if (answer.ok) change({ do: "restore", values: found, source: file.name.slice(0, 100), saved: true });
   else notice(found.message);
+}
+
+async function replay(file: File): Promise<void> {
+  const problem = document.querySelector("[data-problem='touch']")!;
+  problem.textContent = "";
+  const asked = new URLSearchParams({ session: session ?? "", name: file.name, full_scale: byId<HTMLInputElement>("full-scale").value });
+  const answer = await fetch(`/recordings?${asked}`, { method: "POST", body: file });
+  if (answer.ok) touch.hear(unpack(await answer.arrayBuffer()) as any);
+  else problem.textContent = (await answer.json()).message;
 }
 
 function save(): void { ask("design.toml"); }
@@ -256,7 +272,8 @@ const open = () => new Link(
   },
   take,
   (message) => {
-    const found = unpack(message);
+    const found: any = unpack(message);
+    if (found.stage === "touch") { if (found.revision === revision) touch.hear(found); return; }
     if (found.quantity !== quantity) return;
     curves.take(found);
     byId("curves-note").textContent = "";
@@ -326,6 +343,12 @@ byId("points-png").addEventListener("click", () => table.picture(name));
 byId("points-csv").addEventListener("click", () => table.table(name));
 byId("stop-check").addEventListener("click", () => { link?.send({ do: "stop", stage: "check" }); progress("check", "stopped"); });
 byId("stop-export").addEventListener("click", () => link?.send({ do: "stop", stage: "export" }));
+byId("sound").addEventListener("click", () => touch.sound());
+byId<HTMLInputElement>("replay").addEventListener("change", (event) => {
+  const file = (event.target as HTMLInputElement).files?.[0];
+  if (file) replay(file);
+  (event.target as HTMLInputElement).value = "";
+});
 byId("array-png").addEventListener("click", () => array.picture(name));
 const watcher = new IntersectionObserver((entries) => {
   for (const entry of entries) {

@@ -113,6 +113,27 @@ def test_every_panel_shows_a_design_and_a_click_lights_its_point(browser: Any, r
     context.close()
 
 
+def test_a_touch_lights_the_membrane_that_is_named_and_the_game_is_played_to_its_end(page: Any) -> None:
+    until(
+        page,
+        "document.querySelectorAll('#touch-points button').length === 12 || "
+        "void document.getElementById('touch-title').scrollIntoView()",
+    )
+    page.locator("#touch-title").scroll_into_view_if_needed()
+    before = pixels_of_light(page.locator("#plan").screenshot())
+    page.locator("#touch-points button").nth(4).click()
+    until(page, "document.getElementById('answer').dataset.named", 120)
+    assert page.locator("#answer").get_attribute("data-named") == "5"
+    assert pixels_of_light(page.locator("#plan").screenshot()) > before + 100
+    page.click("#game")
+    for left in range(10, 0, -1):
+        assert page.locator("#score").inner_text().endswith(f"still to come: {left}.")
+        mole = int(page.locator("#score").get_attribute("data-mole"))
+        page.locator("#touch-points button").nth(mole - 1).click()
+        until(page, f"!document.getElementById('score').textContent.endsWith('still to come: {left}.')")
+    assert "of 10 moles hit" in page.locator("#score").inner_text()
+
+
 def pixels_of_light(picture: bytes) -> int:
     """Pixels of a picture in the colour that lights a part: strongly red, little blue."""
     pixels = np.asarray(Image.open(io.BytesIO(picture)).convert("RGB"), int)

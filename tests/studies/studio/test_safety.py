@@ -12,7 +12,7 @@ from starlette.websockets import WebSocketDisconnect
 
 from geometry import prototype
 from studies.studio.guard import Guard
-from studies.studio.server import MOST_UPLOAD, studio_app
+from studies.studio.server import MOST_RECORDING, MOST_UPLOAD, studio_app
 from studies.studio.workplace import Workplace
 
 ORIGIN = "http://127.0.0.1:8765"
@@ -179,6 +179,24 @@ def test_a_file_that_is_no_design_is_refused_in_one_line(
     assert answer.status_code == status
     assert answer.json()["message"].startswith(message)
     assert "\n" not in answer.json()["message"]
+
+
+@pytest.mark.parametrize(
+    ("session", "full_scale", "size", "status", "message"),
+    [
+        ("nobody's", "1", 10, 404, "there is no such session"),
+        ("own", "1", MOST_RECORDING + 1, 413, "the recording must be at most 32 MB"),
+        ("own", "much", 10, 400, "full_scale = 'much' must be a number of pascals"),
+    ],
+)
+def test_a_recording_that_is_none_is_refused_in_one_line(
+    page: TestClient, session: str, full_scale: str, size: int, status: int, message: str
+) -> None:
+    with page.websocket_connect("ws://127.0.0.1:8765/session", headers={"origin": ORIGIN}) as socket:
+        own = hello(socket)["session"]
+        asked = {"session": own if session == "own" else session, "full_scale": full_scale, "name": "a.wav"}
+        answer = page.post("/recordings", params=asked, content=b"x" * size, headers={"origin": ORIGIN})
+    assert (answer.status_code, answer.json()["message"]) == (status, message)
 
 
 @pytest.mark.parametrize(

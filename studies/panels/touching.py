@@ -1,0 +1,156 @@
+"""Touches on a design: simulated ones or those of a recording, and what the model-based decoder answers."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from geometry.design.array_design import ArrayDesign
+from geometry.refusal import Refusal
+from studies.listening.opening import Decoding, open_localizer, open_stream
+from studies.run.libraries import solve_library
+
+if TYPE_CHECKING:
+    from localize import BayesDecoder, Localizer, OnnxLocalizer
+    from localize.contacts import Contact, ContactRecorder
+
+#: Kinds of simulated touches.
+TOUCHES = ("tap", "double tap", "press")
+#: Length of the longest recording that is shown, s.
+LONGEST = 120.0
+
+
+@dataclass(frozen=True, eq=False)
+class _Ears:
+    """What listens to a design, with the folder of its library."""
+
+    folder: TemporaryDirectory[str]
+    library: Path
+    localizer: Localizer | BayesDecoder | OnnxLocalizer
+    recorder: ContactRecorder
+
+
+def touched(design: ArrayDesign, point: int, kind: str, sample: int) -> dict[str, Any]:
+    """One simulated touch by a finger in the middle of a point, and what the decoder of the design makes of it.
+
+    It is heard through the lumped library that decodes it, under the noise of the design's microphones; force, length
+    and noise are drawn.
+
+    Args:
+        design: the array.
+        point: number of the point, from 1.
+        kind: of :data:`TOUCHES`.
+        sample: number of the touch: each has draws of its own, the same whenever it is made.
+
+    Returns:
+        As :func:`decoded`.
+
+    Raises:
+        Refusal: no such point or kind, or a design that cannot be decoded.
+    """
+    from localize.contacts.contact import surface_of
+    from localize.contacts.gestures import double_tap, press, tap
+
+    made: dict[str, Callable[..., Contact]] = dict(zip(TOUCHES, (tap, double_tap, press), strict=True))
+    if kind not in made:
+        raise Refusal(f"kind = {kind!r} must be one of: {', '.join(TOUCHES)}")
+    if not 1 <= point <= design.point_count:
+        raise Refusal(f"point = {point} must be between 1 and {design.point_count}")
+    ears = _ears(design.model_dump_json())
+    place, _ = surface_of(ears.recorder.response)
+    x, y = (float(each) for each in place[point - 1])
+    take = ears.recorder.take(made[kind]((x, y), sample=sample), sample)
+    return decoded(ears, take.signals)
+
+
+def replayed(design: ArrayDesign, content: bytes, name: str, full_scale: float) -> dict[str, Any]:
+    """A recording in WAV format as ``acoustic-fem locate`` decodes it with the lumped library of a design.
+
+    Args:
+        design: the array.
+        content: of the file.
+        name: of the file, for messages.
+        full_scale: pressure at full scale, Pa.
+
+    Returns:
+        As :func:`decoded`.
+
+    Raises:
+        Refusal: no WAV file, or none of the design's microphones, or one longer than :data:`LONGEST`.
+    """
+    from localize import read_recording
+
+    ears = _ears(design.model_dump_json())
+    with TemporaryDirectory() as folder:
+        path = Path(folder) / f"{re.sub(r'[^A-Za-z0-9._-]', '_', Path(name).stem)[:60] or 'recording'}.wav"
+        path.write_bytes(content)
+        try:
+            heard = read_recording(path, ears.localizer.microphones, full_scale)
+        except Refusal as error:
+            raise Refusal(str(error).replace(f"{folder}/", "")) from None
+    if heard.seconds > LONGEST:
+        raise Refusal(f"{name}: {heard.seconds:.0f} s long; it must be at most {LONGEST:g} s")
+    return decoded(ears, heard.signals)
+
+
+def decoded(ears: _Ears, signals: NDArray[np.float64]) -> dict[str, Any]:
+    """Signals with what the decoder says of them.
+
+    Args:
+        ears: what listens.
+        signals: (n_microphone, n_sample) float64, Pa, at 1 kHz.
+
+    Returns:
+        ``signals`` as float32 bytes, microphone after microphone; ``microphones``, their names; ``samples``, how many;
+        ``decisions``: end of the frame (s), state, point and its probability, 16 ms apart; ``touches``: start and end
+        (s), point, probability and level (Pa rms).
+    """
+    from localize import Decision, touches_of
+
+    stream = open_stream(ears.library, ears.localizer, Decoding())
+    events = stream.push(signals)
+    found = touches_of(events, ears.localizer)
+    return {
+        "signals": np.asarray(signals, "<f4").tobytes(),
+        "microphones": list(ears.localizer.microphones),
+        "samples": int(signals.shape[1]),
+        "decisions": [
+            [event.time, event.state, event.point, event.probability] for event in events if isinstance(event, Decision)
+        ],
+        "touches": [[each.start, each.end, each.point, each.probability, each.level] for each in found],
+    }
+
+
+def surface(design: ArrayDesign) -> dict[str, Any]:
+    """Where the membranes lie in plan.
+
+    Returns:
+        ``points``: x, y and radius of the membrane of each, mm.
+    """
+    from localize.contacts.contact import surface_of
+    from localize.signals.array_response import response_of
+    from studies.panels.curves import lumped_library
+
+    place, radius = surface_of(response_of(lumped_library(design)))
+    return {"points": np.column_stack([place, np.broadcast_to(radius, len(place))]).tolist()}
+
+
+@lru_cache(maxsize=2)
+def _ears(design_json: str) -> _Ears:
+    """What listens to a design: its decoder takes a second to be made."""
+    from localize.contacts import ContactRecorder
+
+    design = ArrayDesign.model_validate_json(design_json, strict=False)
+    folder = TemporaryDirectory(prefix="acoustic-fem-studio-")
+    path = Path(folder.name) / "library.nc"
+    library = solve_library(design, path, fidelity="lumped")
+    recorder = ContactRecorder(library, microphone_noise="design")
+    return _Ears(folder, path, open_localizer(path, Decoding()), recorder)

@@ -1,0 +1,242 @@
+// The Touch panel: a simulated touch or a recording, the microphones' signals, what the decoder answers; and a game.
+import { button, byId, colour, words } from "./dom";
+
+export interface Heard {
+  stage: "touch"; revision: number; touched: number | null; kind: string; microphones: string[]; samples: number;
+  decisions: [number, string, number | null, number | null][]; touches: [number, number, number, number, number][];
+  values: Float32Array;
+}
+/** Signals that are shown at once, ms; moles of a game. */
+const SHOWN = 1000, MOLES = 10;
+
+export class TouchPanel {
+  private points: number[][] = [];
+  private heard: Heard | null = null;
+  private begun = 0;
+  private now = -1;
+  private named: number | null = null;
+  private certain = 0;
+  private queue: Heard[] = [];
+  private mole: number | null = null;
+  private score = { hit: 0, left: 0, begun: 0 };
+  private pictures = 0;
+  private shown: Heard | null = null;
+  constructor(private touch: (point: number, kind: string) => void, private lit: (point: number | null) => void) {
+    const plan = byId<HTMLCanvasElement>("plan");
+    plan.addEventListener("click", (event) => {
+      const point = this.under(event);
+      if (point) this.press(point);
+    });
+    byId("game").addEventListener("click", () => this.play());
+    new ResizeObserver(() => this.draw()).observe(plan.parentElement!);
+  }
+
+  take(found: { points: number[][] }): void {
+    this.points = found.points;
+    byId("touch-points").replaceChildren(...found.points.map((_, k) => button(String(k + 1), () => this.press(k + 1), { "aria-label": `touch point ${k + 1}` })));
+    this.draw();
+  }
+
+  press(point: number): void {
+    byId("answer").textContent = `point ${point} is touched…`;
+    this.touch(point, byId<HTMLSelectElement>("touch-kind").value);
+  }
+
+  /** What was heard, played in real time, one after the other. */
+  hear(heard: Heard): void {
+    this.queue.push(heard);
+    if (!this.heard) this.next();
+  }
+
+  restyle(): void { this.draw(); }
+
+  private next(): void {
+    this.heard = this.queue.shift() ?? null;
+    if (!this.heard) return;
+    this.begun = performance.now();
+    this.pictures = 0;
+    requestAnimationFrame(() => this.frame());
+  }
+
+  private frame(): void {
+    const heard = this.heard;
+    if (!heard) return;
+    const end = heard.samples / 1000;
+    this.now = Math.min((performance.now() - this.begun) / 1000, end);
+    this.pictures += 1;
+    let last: Heard["decisions"][0] | null = null;
+    for (const each of heard.decisions) if (each[0] <= this.now) last = each; else break;
+    const named = last && last[1] === "touch" ? last[2] : null;
+    if (named !== this.named) {
+      this.named = named;
+      this.lit(named);
+    }
+    this.certain = last?.[3] ?? 0;
+    this.draw();
+    if (this.now < end) requestAnimationFrame(() => this.frame());
+    else this.finish(heard, (performance.now() - this.begun) / 1000);
+  }
+
+  private finish(heard: Heard, seconds: number): void {
+    const told = heard.touches.map(([start, stop, point, probability]) =>
+      `point ${point} from ${words(start, 3)} to ${words(stop, 3)} s (${words(100 * probability, 2)} %)`);
+    const begin = heard.touched === null ? `${heard.kind}: ` : `A ${heard.kind} on point ${heard.touched}; named: `;
+    byId("answer").textContent = begin + (told.length ? told.join(", ") : "no touch was heard");
+    byId("answer").dataset.pictures = String(Math.round(this.pictures / seconds));
+    byId("answer").dataset.named = heard.touches.map((each) => each[2]).join(",");
+    if (this.mole !== null && heard.touched !== null) this.whacked(heard.touches.some((each) => each[2] === this.mole));
+    // What was named last stays lit until the next touch.
+    const last = heard.touches.at(-1);
+    this.named = last ? last[2] : null;
+    this.certain = last ? last[3] : 0;
+    this.lit(this.named);
+    this.heard = null;
+    this.shown = heard;
+    this.draw();
+    this.next();
+  }
+
+  // -- whack-a-mole: a mole is hit when the decoder names its point
+  private play(): void {
+    this.score = { hit: 0, left: MOLES, begun: performance.now() };
+    this.pop();
+  }
+
+  private pop(): void {
+    let mole = this.mole;
+    while (mole === this.mole) mole = 1 + Math.floor(Math.random() * this.points.length);
+    this.mole = mole;
+    byId("score").dataset.mole = String(mole);
+    this.tell();
+    this.draw();
+  }
+
+  private whacked(hit: boolean): void {
+    if (hit) this.score.hit += 1;
+    this.score.left -= 1;
+    if (this.score.left > 0) return this.pop();
+    this.mole = null;
+    delete byId("score").dataset.mole;
+    const seconds = (performance.now() - this.score.begun) / 1000;
+    byId("score").textContent = `Over: ${this.score.hit} of ${MOLES} moles hit in ${words(seconds, 3)} s.`;
+  }
+
+  private tell(): void { byId("score").textContent = `The mole is at point ${this.mole}. Hit: ${this.score.hit}; still to come: ${this.score.left}.`; }
+
+  // -- pictures
+  private place(canvas: HTMLCanvasElement): { at: (x: number, y: number) => [number, number]; scale: number } {
+    const xs = this.points.map((p) => p[0]), ys = this.points.map((p) => p[1]), room = Math.max(...this.points.map((p) => p[2])) * 1.4;
+    const [left, right, low, high] = [Math.min(...xs) - room, Math.max(...xs) + room, Math.min(...ys) - room, Math.max(...ys) + room];
+    const scale = Math.min(canvas.width / (right - left), canvas.height / (high - low));
+    const dx = (canvas.width - scale * (right - left)) / 2, dy = (canvas.height - scale * (high - low)) / 2;
+    return { at: (x, y) => [dx + scale * (x - left), canvas.height - dy - scale * (y - low)], scale };
+  }
+
+  private draw(): void {
+    this.plan();
+    this.waves();
+  }
+
+  private plan(): void {
+    const canvas = byId<HTMLCanvasElement>("plan"), width = canvas.parentElement!.clientWidth;
+    if (!this.points.length || width === 0) return;
+    const xs = this.points.map((p) => p[0]), ys = this.points.map((p) => p[1]);
+    const shape = (Math.max(...ys) - Math.min(...ys) + 12) / (Math.max(...xs) - Math.min(...xs) + 12);
+    const tall = Math.round(Math.min(Math.max(width * shape, 110), 380));
+    sized(canvas, width, tall);
+    const c = canvas.getContext("2d")!, { at, scale } = this.place(canvas);
+    c.textAlign = "center";
+    c.textBaseline = "middle";
+    this.points.forEach(([x, y, radius], k) => {
+      const [px, py] = at(x, y), number = k + 1;
+      c.beginPath();
+      c.arc(px, py, Math.max(radius * scale, 6 * devicePixelRatio), 0, 7);
+      c.fillStyle = number === this.named ? colour("--accent") : colour("--button");
+      c.fill();
+      c.lineWidth = (number === this.mole ? 5 : 1) * devicePixelRatio;
+      c.strokeStyle = number === this.mole ? colour("--good") : colour("--ink-soft");
+      c.stroke();
+      if (this.heard && number === this.heard.touched) {
+        c.beginPath();
+        c.arc(px, py, Math.max(radius * scale, 6 * devicePixelRatio) + 5 * devicePixelRatio, 0, 7);
+        c.lineWidth = 2 * devicePixelRatio;
+        c.strokeStyle = colour("--ink");
+        c.stroke();
+      }
+      c.fillStyle = number === this.named ? colour("--card") : colour("--ink");
+      c.font = `${Math.max(Math.min(radius * scale, 14 * devicePixelRatio), 9 * devicePixelRatio)}px system-ui`;
+      c.fillText(String(number), px, py);
+    });
+  }
+
+  private waves(): void {
+    const canvas = byId<HTMLCanvasElement>("waves"), heard = this.heard ?? this.shown;
+    const width = canvas.parentElement!.clientWidth;
+    if (!heard || width === 0) return;
+    const count = heard.microphones.length, row = 64;
+    sized(canvas, width, row * count);
+    const c = canvas.getContext("2d")!, until = this.heard ? Math.floor(this.now * 1000) : heard.samples;
+    let most = 1e-9;
+    for (const value of heard.values) most = Math.max(most, Math.abs(value));
+    const from = Math.max(0, until - SHOWN), step = canvas.width / SHOWN, high = row * devicePixelRatio;
+    c.font = `${12 * devicePixelRatio}px system-ui`;
+    heard.microphones.forEach((name, m) => {
+      const middle = (m + 0.5) * high;
+      c.strokeStyle = colour("--grid");
+      c.lineWidth = 1;
+      c.beginPath();
+      c.moveTo(0, middle);
+      c.lineTo(canvas.width, middle);
+      c.stroke();
+      c.strokeStyle = colour("--accent");
+      c.lineWidth = 1.3 * devicePixelRatio;
+      c.beginPath();
+      for (let k = from; k < until; k++) c.lineTo((k - from) * step, middle - (heard.values[m * heard.samples + k] / most) * high * 0.44);
+      c.stroke();
+      c.fillStyle = colour("--ink-soft");
+      c.fillText(`${name}, ±${words(most, 2)} Pa`, 6 * devicePixelRatio, m * high + 14 * devicePixelRatio);
+    });
+  }
+
+  private under(event: MouseEvent): number | null {
+    const canvas = byId<HTMLCanvasElement>("plan"), frame = canvas.getBoundingClientRect(), { at, scale } = this.place(canvas);
+    const x = (event.clientX - frame.left) * (canvas.width / frame.width), y = (event.clientY - frame.top) * (canvas.height / frame.height);
+    let best: number | null = null, least = Infinity;
+    this.points.forEach(([px, py, radius], k) => {
+      const [cx, cy] = at(px, py), away = Math.hypot(cx - x, cy - y);
+      if (away < Math.max(radius * scale, 6 * devicePixelRatio) * 1.3 && away < least) { least = away; best = k + 1; }
+    });
+    return best;
+  }
+
+  /** The signals that are shown, as sound: at their own pitch, at the loudness that the loudspeaker can. */
+  async sound(): Promise<void> {
+    const heard = this.heard ?? this.shown;
+    if (!heard) return;
+    const finer = 8, context = new AudioContext(), buffer = context.createBuffer(Math.min(heard.microphones.length, 2), heard.samples * finer, 8000);
+    for (let m = 0; m < buffer.numberOfChannels; m++) {
+      const own = heard.values.subarray(m * heard.samples, (m + 1) * heard.samples), to = buffer.getChannelData(m);
+      let most = 1e-9;
+      for (const value of own) most = Math.max(most, Math.abs(value));
+      for (let k = 0; k < to.length; k++) {
+        const at = k / finer, low = Math.floor(at), next = Math.min(low + 1, own.length - 1);
+        to[k] = (own[low] + (at - low) * (own[next] - own[low])) / most;
+      }
+    }
+    const source = context.createBufferSource();
+    source.buffer = buffer;
+    source.connect(context.destination);
+    source.onended = () => context.close();
+    source.start();
+  }
+}
+
+function sized(canvas: HTMLCanvasElement, width: number, height: number): void {
+  const scale = devicePixelRatio;
+  canvas.width = Math.round(width * scale);
+  canvas.height = Math.round(height * scale);
+  canvas.style.width = `${width}px`;
+  canvas.style.height = `${height}px`;
+  canvas.getContext("2d")!.clearRect(0, 0, canvas.width, canvas.height);
+}
+
