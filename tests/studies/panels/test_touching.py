@@ -9,6 +9,7 @@ import pytest
 
 from acoustic_fem.sound.sound_file import write_wav
 from geometry import Refusal, prototype
+from localize import Decision
 from localize.contacts.contact import surface_of
 from studies import locate_recording, solve_library
 from studies.panels.touching import TOUCHES, replayed, surface, touched
@@ -44,7 +45,7 @@ def test_a_touch_is_decoded_as_locate_decodes_its_recording(tmp_path: Path) -> N
     assert [touch[2] for touch in found["touches"]] == [5]
 
     signals = np.frombuffer(found["signals"], "<f4").reshape(2, found["samples"])
-    write_wav(tmp_path / "take.wav", 1000, signals / FULL_SCALE)
+    write_wav(tmp_path / "take.wav", signals / FULL_SCALE, 1000, bits=32)
     content = (tmp_path / "take.wav").read_bytes()
     shown = replayed(ARRAY, content, "take.wav", FULL_SCALE)
     solve_library(ARRAY, tmp_path / "library.nc", fidelity="lumped")
@@ -52,7 +53,8 @@ def test_a_touch_is_decoded_as_locate_decodes_its_recording(tmp_path: Path) -> N
     expected = [[each.start, each.end, each.point, each.probability, each.level] for each in located.touches]
     assert shown["touches"] == expected
     assert [touch[2] for touch in expected] == [5]
-    assert shown["decisions"][-1][0] == located.events[-1].time or shown["decisions"]
+    decisions = [event for event in located.events if isinstance(event, Decision)]
+    assert shown["decisions"] == [[each.time, each.state, each.point, each.probability] for each in decisions]
 
     with pytest.raises(Refusal, match=r"^broken\.wav"):
         replayed(ARRAY, b"RIFF" + content[8:60], "../../broken.wav", FULL_SCALE)

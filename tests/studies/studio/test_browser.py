@@ -137,7 +137,7 @@ def test_a_touch_lights_the_membrane_that_is_named_and_the_game_is_played_to_its
 def pixels_of_light(picture: bytes) -> int:
     """Pixels of a picture in the colour that lights a part: strongly red, little blue."""
     pixels = np.asarray(Image.open(io.BytesIO(picture)).convert("RGB"), int)
-    return int(((pixels[..., 0] > 200) & (pixels[..., 2] < 90)).sum())
+    return int(((pixels[..., 0] > 180) & (pixels[..., 2] < 90)).sum())
 
 
 def test_what_is_refused_stands_at_its_field_and_one_click_mends_it(page: Any) -> None:
