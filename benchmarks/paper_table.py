@@ -2,7 +2,8 @@
 
 ``python benchmarks/paper_table.py --out DIR`` takes about two hours of one core; every row is stored when it is
 done, a training that is stopped goes on where it was, and running the command again takes up the rest. ``--full``
-trains as long as the paper says, 14,000 touches of every point over 30 epochs, which takes days.
+trains by :meth:`localize.TrainingPlan.paper`, 14,000 touches of every point over 30 epochs, which takes hours for 12
+points and days for all; ``--seconds`` cuts each training short.
 """
 
 from __future__ import annotations
@@ -33,6 +34,10 @@ LEAST_NOISE = 1e-6
 #: Touches judged in each cell of the table, about; at least ten of every point.
 JUDGED = 4000
 BEGIN, END = "<!-- table: made by benchmarks/paper_table.py -->", "<!-- end -->"
+FULL_BEGIN, FULL_END = (
+    "<!-- paper's plan: made by benchmarks/paper_table.py --full -->",
+    "<!-- end of the paper's plan -->",
+)
 
 
 @dataclass(frozen=True)
@@ -52,14 +57,15 @@ class Row:
         return f"{self.design}-{self.points_per_line}-noise-{self.noise:g}"
 
 
-def plan_of(full: bool, row: Row) -> TrainingPlan:
+def plan_of(full: bool, row: Row, seconds: float | None = None) -> TrainingPlan:
     """Plan by which the network of a row is trained: with the noise it is judged in."""
     from localize import TrainingPlan
 
     if full:
-        return replace(TrainingPlan.paper(), seconds_per_point=14_000, microphone_noise=row.noise)
+        return replace(TrainingPlan.paper(), microphone_noise=row.noise, bfloat16=True, time_limit=seconds)
     # Longer lines of more microphones: one network has to tell more points apart.
-    return TrainingPlan(seconds_per_point=200 if row.design == "line-2" else 330, microphone_noise=row.noise)
+    touches = 200 if row.design == "line-2" else 330
+    return TrainingPlan(seconds_per_point=touches, microphone_noise=row.noise, ambient=None, time_limit=seconds)
 
 
 def solved(row: Row) -> ArrayResponse:
@@ -76,7 +82,7 @@ def solved(row: Row) -> ArrayResponse:
         return response_of(acoustic_fem.solve(design.with_values(lines), FREQUENCY, "lumped"))
 
 
-def measure(row: Row, full: bool, folder: Path) -> dict[str, Any]:
+def measure(row: Row, full: bool, folder: Path, seconds: float | None = None) -> dict[str, Any]:
     """Figures of one row: its array trained on, evaluated and timed."""
     from frame_time import frame_time
 
@@ -86,7 +92,7 @@ def measure(row: Row, full: bool, folder: Path) -> dict[str, Any]:
 
     response = solved(row)
     touches = max(10, JUDGED // response.point_count)
-    plan = plan_of(full, row)
+    plan = plan_of(full, row, seconds)
     checkpoint = folder / f"{row.name}{'-full' * full}.safetensors"
     network = train(response, plan, checkpoint=checkpoint)
     decoder = BayesDecoder(response, max(row.noise, LEAST_NOISE))
@@ -125,22 +131,53 @@ def table(rows: list[dict[str, Any]]) -> str:
     return "\n".join(lines)
 
 
-def write_table(folder: Path, rows: list[dict[str, Any]]) -> None:
+def full_table(rows: list[dict[str, Any]]) -> str:
+    """Table of the rows that were trained by the paper's plan, as Markdown."""
+    lines = [
+        "| microphones | points | epochs of 30 | touches trained on | held-out touches of the same short windows: "
+        "top-1 (%) | exact touches: top-1 / top-2 (%) | taps (%) | model-based, exact touches: top-1 (%) |",
+        "|---|---|---|---|---|---|---|---|",
+    ]
+    for row in sorted(rows, key=lambda row: (row["microphones"], row["points"], row["noise"])):
+        network, training = row["network"], row["network"]["training"]
+        epochs = training["touches"] / (row["plan"]["seconds_per_point"] * row["points"])
+        own = with_interval(training["held_out_accuracy"][-1], training["held_out_touches"])
+        exact = with_interval(network["multi-sines"][0], row["touches"])
+        lines.append(
+            f"| {row['microphones']} | {row['points']} | {epochs:.1f} | {training['touches']:,} | {own} "
+            f"| {exact} / {100 * network['multi-sines'][1]:.1f} | {100 * network['taps'][0]:.1f} "
+            f"| {with_interval(row['model-based']['multi-sines'][0], row['touches'])} |"
+        )
+    return "\n".join(lines)
+
+
+def with_interval(share: float, touches: int) -> str:
+    """A share with its 95 % interval over so many touches, %."""
+    from localize.evaluation.accuracy import wilson_interval
+
+    low, high = wilson_interval(share, touches)
+    return f"{100 * share:.1f} ({100 * low:.1f} to {100 * high:.1f})"
+
+
+def write_table(folder: Path, rows: list[dict[str, Any]], full: bool) -> None:
     """Write the table into the folder's README.md where that has a place for it, else into table.md."""
     from geometry.files.writing import replace_section, write_text
 
     page = folder / "README.md"
-    if page.exists() and BEGIN in page.read_text(encoding="utf-8"):
-        replace_section(page, BEGIN, END, table(rows).splitlines())
+    begin, end = (FULL_BEGIN, FULL_END) if full else (BEGIN, END)
+    text = full_table(rows) if full else table(rows)
+    if page.exists() and begin in page.read_text(encoding="utf-8"):
+        replace_section(page, begin, end, text.splitlines())
     else:
-        write_text(folder / "table.md", table(rows) + "\n")
+        write_text(folder / "table.md", text + "\n")
 
 
 def main(
     out: Annotated[Path, typer.Option(help="The folder for rows and table.", show_default=False)],
-    full: Annotated[bool, typer.Option("--full", help="Train as long as the paper: days.")] = False,
+    full: Annotated[bool, typer.Option("--full", help="Train by the paper's plan: hours a row, days in all.")] = False,
     design: Annotated[list[str] | None, typer.Option(help="Only this prototype; may be repeated.")] = None,
     points: Annotated[list[int] | None, typer.Option(help="Only so many points per line; may be repeated.")] = None,
+    seconds: Annotated[float | None, typer.Option(help="Cut each training short after so many seconds.")] = None,
 ) -> None:
     """Measure the rows that the folder does not hold yet, then write the table of all that it holds."""
     for name in design or ():
@@ -153,15 +190,15 @@ def main(
     out.mkdir(parents=True, exist_ok=True)
     for name in design or DESIGNS:
         for count in points or POINTS_PER_LINE:
-            for noise in NOISES:
+            for noise in NOISES[:1] if full else NOISES:
                 row = Row(name, count, noise)
                 file = out / f"{row.name}{'-full' * full}.json"
                 if not file.exists():
-                    write_json(file, measure(row, full, out))
+                    write_json(file, measure(row, full, out, seconds))
                 print(f"{file}: done", flush=True)
     files = sorted(out.glob("line-*.json"))
     rows = [json.loads(file.read_text(encoding="utf-8")) for file in files]
-    write_table(out, [row for row in rows if row["full"] == full])
+    write_table(out, [row for row in rows if row["full"] == full], full)
 
 
 if __name__ == "__main__":

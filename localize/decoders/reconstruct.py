@@ -37,7 +37,7 @@ if TYPE_CHECKING:
     from acoustic_fem import Library
 
 PAPER_WINDOW, PAPER_HOP = 32, 16
-"""Window and hop of the paper's short-window transform, samples."""
+"""Window and hop of the paper's short-window transform for reconstruction, samples."""
 _STEP = 0.25
 """Hz: covariances repeat after 4 s."""
 LONGEST = 1000

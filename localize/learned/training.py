@@ -6,6 +6,7 @@ import math
 import os
 from collections.abc import Callable
 from dataclasses import asdict
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -36,6 +37,8 @@ __all__ = ["TrainingPlan", "soft_labels", "train"]
 
 NORMALISATION_TOUCHES = 20
 """Number of touches per point from which the normalisation of the maps is taken."""
+RUN = 16
+"""Number of consecutive touches that stay together where the touches of an epoch change their order."""
 
 
 def train(
@@ -92,11 +95,11 @@ def train(
         torch.manual_seed(plan.seed)
         held_out = _held_out(plan, _touches(response, plan, "held-out", source, unseen, device))
         classifier = TouchClassifier(microphones, shape).to(device)
-        batches = _Batches(touches, recorded, plan)
-        classifier.fit_normalisation(batches.frames(0, NORMALISATION_TOUCHES * response.point_count)[0])
+        batches = _Batches(touches, recorded, plan, _steps_per_epoch(plan, response))
+        classifier.fit_normalisation(batches.first(NORMALISATION_TOUCHES * response.point_count))
         identity = {**training_identity(asdict(plan), touches), **(recorded.identity() if recorded else {})}
         kept = None if checkpoint is None else Checkpoint(checkpoint, identity)
-        target = torch.from_numpy(soft_labels(response.line, response.place, plan.label_sigma)).float().to(device)
+        target = torch.from_numpy(labels_of(response, plan)).float().to(device)
         curve, touch_count = run_epochs(
             classifier,
             Lesson(
@@ -130,6 +133,7 @@ def train(
             "seconds": curve[-1].seconds,
             "cut_short": touch_count < plan.epochs * _steps_per_epoch(plan, response) * plan.batch,
             "microphone_noise": noise_rms,
+            "ambient": plan.sound(response),
             "sensors": 1 if seen is None else len(seen),
             "device": device,
             **of_recordings,
@@ -159,25 +163,59 @@ def soft_labels(line: NDArray[np.int64], place: NDArray[np.int64], sigma: float)
     return np.asarray(weight / weight.sum(1, keepdims=True))
 
 
+def labels_of(response: ArrayResponse, plan: TrainingPlan) -> NDArray[np.float64]:
+    """(n_point, n_point) targets of a plan, see :func:`soft_labels`."""
+    if plan.label_neighbours == "line":
+        return soft_labels(response.line, response.place, plan.label_sigma)
+    number = np.arange(response.point_count)
+    return soft_labels(np.zeros_like(number), number, plan.label_sigma)
+
+
 class _Batches:
     """Simulated touches, and recorded ones where there are recordings."""
 
-    def __init__(self, touches: TouchGenerator, recordings: RecordedFrames | None, plan: TrainingPlan) -> None:
+    def __init__(
+        self, touches: TouchGenerator, recordings: RecordedFrames | None, plan: TrainingPlan, steps_per_epoch: int
+    ) -> None:
         self.touches, self.recordings, self.plan = touches, recordings, plan
         self._share = 0.0 if recordings is None else plan.recorded
+        self._steps = steps_per_epoch
+
+    def first(self, count: int) -> Tensor:
+        """(count, n_microphone, 250): frames from which the maps are normalised."""
+        return self._frames(0, count, lambda size: [(0, size)])[0]
 
     def frames(self, step: int, size: int) -> tuple[Tensor, Tensor]:
         """(size, n_microphone, 250) and (size,) points, from 0: batch ``step`` of batches of this size."""
+        return self._frames(step, size, lambda simulated: self._runs(step, simulated))
+
+    def _runs(self, step: int, size: int) -> list[tuple[int, int]]:
+        """First touch and number of the runs of consecutive touches of a step."""
+        if self.plan.new_touches:
+            return [(step * size, size)]
+        run = math.gcd(size, RUN)
+        epoch, within = divmod(step, self._steps)
+        order = _order(self.plan.seed, epoch, self._steps * size // run)
+        each = size // run
+        return [(int(first) * run, run) for first in order[within * each : (within + 1) * each]]
+
+    def _frames(self, step: int, size: int, runs: Callable[[int], list[tuple[int, int]]]) -> tuple[Tensor, Tensor]:
         recorded = round(self._share * size)
         simulated = size - recorded
         parts = []
-        if simulated:
-            made = self.touches.samples(step * simulated, simulated)
+        for first, count in runs(simulated) if simulated else ():
+            made = self.touches.samples(first, count)
             parts.append((_frames(made), made.point))
         if recorded and self.recordings is not None:
             parts.append(self.recordings.samples(step * recorded, recorded))
         frames, point = zip(*parts, strict=True)
         return torch.cat(frames), torch.cat(point)
+
+
+@lru_cache(maxsize=1)
+def _order(seed: int, epoch: int, runs: int) -> NDArray[np.int64]:
+    """Order of the runs of touches in an epoch, (runs,) int64."""
+    return np.random.default_rng((seed, epoch)).permutation(runs)
 
 
 def _touches(
@@ -196,8 +234,9 @@ def _touches(
         source,
         sensors,
         stimuli=plan.source,
-        ambient=plan.ambient,
+        ambient=plan.sound(response),
         mismatch=plan.mismatch,
+        method=plan.method,
         device=device,
     )
 

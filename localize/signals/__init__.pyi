@@ -12,6 +12,7 @@ from .disturbances import (
 )
 from .finger_stimuli import (
     STIMULI as STIMULI,
+    Louder as Louder,
     Mixture as Mixture,
     RecordedStimulus as RecordedStimulus,
     friction as friction,

@@ -28,6 +28,9 @@ LOWEST_SOUND = 20.0
 """Lowest frequency of the sound outside, Hz."""
 MAINS = (50.0, 60.0)
 """Frequencies of mains, Hz: their hum comes in by cables, not through the array."""
+ROOM_LEVELS = (30.0, 95.0)
+"""Lowest and highest level of the sound of rooms that localizers are trained in, dB SPL: the paper's 90 dB are not the
+edge of what was heard."""
 SOUND_LINES = SAMPLE_LENGTH // 2
 """Number of lines of the sound, 1 Hz apart: it repeats after a second, the length of a sample."""
 

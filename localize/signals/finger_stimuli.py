@@ -17,13 +17,14 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import numpy as np
 import torch
 from torch import Tensor
 
+from acoustic_fem.quantities.checks import in_range
 from geometry.refusal import Refusal, counted
 from localize.signals.frames import FRAME
 from localize.signals.random_streams import Purpose, between, choice, complex_normal, log_between, random_words, uniform
@@ -188,6 +189,30 @@ class Mixture:
             begin, end = max(start, run * _RUN), min(start + count, (run + 1) * _RUN)
             parts.append(self.sources[which](seed, purpose, begin, end - begin, band, device))
         return Stimuli(*(torch.cat([getattr(part, name) for part in parts]) for name in Stimuli.__annotations__))
+
+
+@dataclass(frozen=True)
+class Louder:
+    """Source whose touches are all louder than those of another, their own noise too.
+
+    Raises:
+        Refusal: a level out of range.
+    """
+
+    source: StimulusSource
+    """Source of the touches."""
+    level: float
+    """By how much they are louder, dB, -60 to 60; the publication's own amplitudes have no unit."""
+
+    def __post_init__(self) -> None:
+        in_range("level", self.level, -60.0, 60.0, "dB")
+
+    def __call__(
+        self, seed: int, purpose: Purpose, start: int, count: int, band: tuple[float, float], device: Device
+    ) -> Stimuli:
+        """Stimuli of consecutive samples; arguments as :class:`localize.signals.stimulus.StimulusSource`."""
+        made = self.source(seed, purpose, start, count, band, device)
+        return replace(made, spectrum=10 ** (self.level / 20) * made.spectrum)
 
 
 _RUN = 64

@@ -22,7 +22,8 @@ from torch import Tensor
 from localize.signals.stimulus import PERIOD, SAMPLE_LENGTH, time_signal
 
 WINDOW, HOP = 32, 16
-"""Window and hop of the paper's short-window transform, samples."""
+"""Window and hop of the short-window transform, samples: those that the paper states for reconstruction. For its data
+it states none; that they are the same is our assumption."""
 
 
 def microphone_signals(spectrum: Tensor, transfer_function: Tensor, sample_count: int = SAMPLE_LENGTH) -> Tensor:

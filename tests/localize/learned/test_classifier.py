@@ -87,12 +87,6 @@ def test_sound_from_outside_needs_an_array_that_has_an_outside():
         localize.train(rc_line(4), localize.TrainingPlan(seconds_per_point=4, epochs=1, ambient=(30.0, 90.0)))
 
 
-def test_the_papers_plan_is_the_papers():
-    plan = localize.TrainingPlan.paper()
-    assert (plan.learning_rate, plan.epochs, plan.label_sigma) == (1e-3, 30, 1.0)
-    assert (plan.network, plan.features, plan.microphone_noise) == ("paper", "paper", 0.0)
-
-
 @pytest.mark.parametrize(
     ("change", "message"),
     [

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -121,6 +122,12 @@ def test_train_has_the_defaults_of_the_plan_and_the_noise_of_the_design(
     monkeypatch.setattr(localize, "train", seen, raising=False)
     command("train", library, "--out", tmp_path / "localizer")
     assert plans == [localize.TrainingPlan(microphone_noise="design")]
+    command("train", library, "--out", tmp_path / "localizer", "--plan", "paper", "--epochs", 2, "--noise", 0.001)
+    assert plans[1:] == [replace(localize.TrainingPlan.paper(), epochs=2, microphone_noise=1e-3)]
+    told = command("train", library, "--out", tmp_path / "localizer", "--plan", "best")
+    assert (told.code, "--plan = 'best' must be one of: usual, paper" in told.err) == (1, True)
+    told = command("train", library, "--out", tmp_path / "localizer", "--plan", "paper", "--kind", "events")
+    assert (told.code, "--plan is of localizers" in told.err) == (2, True)
 
 
 @pytest.mark.slow

@@ -1,0 +1,111 @@
+"""What a plan asks for is what the network is trained on: touches, labels, sound."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from rc_line import rc_line
+
+import localize
+from localize.learned.plan import PLANS, TrainingPlan
+from localize.learned.training import labels_of
+from localize.signals.disturbances import ROOM_LEVELS
+from localize.signals.finger_stimuli import Louder
+from localize.signals.stimulus import multi_sines
+from localize.signals.touch_generator import TouchGenerator
+
+SHORT = TrainingPlan(seconds_per_point=16, epochs=2, batch=32, microphone_noise=1e-3)
+
+
+def touches_of(plan, monkeypatch):
+    """First touches and numbers of the runs that are trained on, by epoch, behind the normalisation; the generator."""
+    runs, made = [], []
+    samples = TouchGenerator.samples
+
+    def told(self, start, count):
+        if self.purpose == "training":
+            runs.append((start, count))
+            made.append(self)
+        return samples(self, start, count)
+
+    monkeypatch.setattr(TouchGenerator, "samples", told)
+    trained = localize.train(rc_line(4), plan)
+    assert trained.training["epochs"] == plan.epochs
+    each = (len(runs) - 1) // plan.epochs
+    return [runs[1 + k * each : 1 + (k + 1) * each] for k in range(plan.epochs)], made[0]
+
+
+def test_every_epoch_draws_new_touches_unless_the_plan_says_that_they_stay(monkeypatch):
+    (first, second), touches = touches_of(SHORT, monkeypatch)
+    assert (first, second) == ([(0, 32), (32, 32)], [(64, 32), (96, 32)])
+    assert touches.method == "exact"
+
+
+def test_touches_that_stay_come_in_another_order_in_every_epoch(monkeypatch):
+    plan = replace(SHORT, new_touches=False, method="stft")
+    (first, second), touches = touches_of(plan, monkeypatch)
+    assert sorted(first) == sorted(second) == [(0, 16), (16, 16), (32, 16), (48, 16)]
+    assert first != second
+    assert touches.method == "stft"
+
+
+def test_labels_are_shared_along_a_line_or_by_number():
+    array = replace(rc_line(4), line=np.array([0, 0, 1, 1]), place=np.array([0, 1, 0, 1]))
+    by_line, by_number = (
+        labels_of(array, TrainingPlan(label_sigma=1.0, label_neighbours=name)) for name in ("line", "number")
+    )
+    assert by_line[1, 2] == 0
+    assert by_number[1, 2] / by_number[1, 1] == pytest.approx(np.exp(-0.5))
+    assert by_number[1, 2] == by_number[1, 0]
+
+
+def test_a_network_is_trained_in_the_sound_of_rooms_where_the_library_knows_it():
+    array = rc_line(4)
+    heard = replace(array, ambient_response=np.ones_like(array.transfer_function[0]))
+    assert TrainingPlan().sound(array) is None
+    assert TrainingPlan().sound(heard) == ROOM_LEVELS
+    assert TrainingPlan(ambient=None).sound(heard) is None
+    assert TrainingPlan(ambient=(40.0, 50.0)).sound(heard) == (40.0, 50.0)
+    trained = localize.train(heard, replace(SHORT, epochs=1))
+    assert trained.training["ambient"] == ROOM_LEVELS
+    assert localize.train(array, replace(SHORT, epochs=1)).training["ambient"] is None
+
+
+def test_touches_are_as_loud_as_the_plan_says():
+    plain, louder = (TrainingPlan(touch_level=level).source for level in (0.0, 20.0))
+    assert plain is multi_sines
+    spectra = [source(0, "training", 0, 4, (1.0, 500.0), "cpu").spectrum for source in (plain, louder)]
+    assert np.allclose(spectra[1], 10 * spectra[0])
+    with pytest.raises(ValueError, match="level = 61 dB must be between -60 and 60 dB"):
+        Louder(multi_sines, 61)
+
+
+def test_the_papers_plan_is_the_papers():
+    plan = TrainingPlan.of("paper")
+    assert plan == TrainingPlan.paper()
+    assert (plan.learning_rate, plan.epochs, plan.label_sigma, plan.label_neighbours) == (1e-3, 30, 1.0, "number")
+    assert (plan.network, plan.features, plan.microphone_noise, plan.ambient) == ("paper", "paper", 0.0, None)
+    held_out = round(plan.held_out_fraction * plan.seconds_per_point)
+    assert (plan.seconds_per_point + held_out, plan.seconds_per_point / held_out) == (14_000, 4)
+    assert (plan.new_touches, plan.method) == (False, "stft")
+
+
+def test_plans_have_names():
+    assert TrainingPlan.of("usual") == TrainingPlan(microphone_noise="design")
+    assert PLANS == ("usual", "paper")
+    with pytest.raises(ValueError, match="plan = 'best' must be one of: usual, paper"):
+        TrainingPlan.of("best")
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"method": "fft"}, "method = 'fft' must be one of: exact, stft"),
+        ({"label_neighbours": "all"}, "label_neighbours = 'all' must be one of: line, number"),
+        ({"ambient": "loud"}, "ambient = 'loud' must be 'rooms', or lowest and highest level"),
+        ({"touch_level": 61.0}, "touch_level = 61.0 must be between -60 and 60"),
+    ],
+)
+def test_what_a_plan_does_not_know_is_refused(change, message):
+    with pytest.raises(ValueError, match=message):
+        TrainingPlan(**change)
