@@ -20,6 +20,7 @@ from localize.recognition.events import EVENTS, event_pressure
 from localize.recognition.power_maps import WINDOW, maps_of
 from localize.recognition.textures import PROFILES, SPEED, texture_pressure
 from localize.signals.array_response import ArrayResponse
+from localize.signals.disturbances import MAINS
 from localize.signals.frames import FRAME
 from localize.signals.noise import NoiseChoice, NoiseSpectrum
 from localize.signals.random_streams import PURPOSES, Purpose
@@ -120,7 +121,7 @@ def prepared(signals: Array) -> Array:
 def _of_recorder(count: int, channels: int, random: np.random.Generator) -> Array:
     """(n_microphone, count) Pa: mains with their third harmonic, and a slow wander of each channel's zero."""
     time = np.arange(count) / SAMPLE_RATE
-    mains = (50.0, 60.0)[int(random.integers(2))] + random.uniform(-0.1, 0.1)
+    mains = MAINS[int(random.integers(2))] + random.uniform(-0.1, 0.1)
     phase = random.uniform(0, 2 * np.pi, 2)
     hum = np.sin(2 * np.pi * mains * time + phase[0]) + np.sin(6 * np.pi * mains * time + phase[1]) / 3
     wander = np.sin(2 * np.pi * random.uniform(0.05, 0.5, (channels, 1)) * time + random.uniform(0, 6.3, (channels, 1)))
@@ -136,7 +137,7 @@ def _faded_response(response: ArrayResponse, total: int) -> tuple[NDArray[np.boo
     """Which lines of a real transform of that length are heard, and the transfer functions there."""
     line = scipy.fft.rfftfreq(total, 1 / SAMPLE_RATE)
     top = min(float(response.frequency[-1]), SAMPLE_RATE / 2)
-    inside = (line > max(LOWEST[0], 0.0)) & (line < top)
+    inside = (line > LOWEST[0]) & (line < top)
     grid = line[inside]
     fade = np.clip((grid - LOWEST[0]) / (LOWEST[1] - LOWEST[0]), 0, 1) * np.clip(
         (top - grid) / (top * (1 - _TOP)), 0, 1
