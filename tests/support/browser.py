@@ -70,7 +70,7 @@ def chromium() -> Iterator[Any]:
         browser.close()
 
 
-def until(page: Any, condition: str, seconds: float = 60.0) -> Any:
+def until(page: Any, condition: str, seconds: float = 120.0) -> Any:
     """What an expression of the page's gives, once it is neither null nor false.
 
     Asked again and again: the page's policy forbids what Playwright waits with.

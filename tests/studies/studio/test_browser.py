@@ -97,7 +97,7 @@ def test_every_panel_shows_a_design_and_a_click_lights_its_point(browser: Any, r
     page = opened(context, running)
     page.select_option("#prototypes", name)
     for stage in ("points", "model"):
-        until(page, f"document.documentElement.dataset.shown_{stage} === document.documentElement.dataset.revision", 90)
+        until(page, f"document.documentElement.dataset.shown_{stage} === document.documentElement.dataset.revision", 240)
     design = prototype(name)
     figures = point_figures(design)
     assert page.locator("#points-table tbody tr").count() == design.point_count
