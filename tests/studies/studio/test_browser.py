@@ -18,7 +18,8 @@ from studies.panels.curves import curve_frequencies
 from studies.panels.points import point_figures
 
 pytestmark = pytest.mark.slow
-PAINTED = "document.documentElement.dataset.painted === document.documentElement.dataset.revision"
+ROOT = "document.documentElement.dataset"
+PAINTED = f"{ROOT}.painted === {ROOT}.revision"
 SCRIPT = "<img src=x onerror=\"document.title='broken'\"><script>document.title='broken'</script>"
 
 
@@ -97,7 +98,7 @@ def test_every_panel_shows_a_design_and_a_click_lights_its_point(browser: Any, r
     page = opened(context, running)
     page.select_option("#prototypes", name)
     for stage in ("points", "model"):
-        until(page, f"document.documentElement.dataset.shown_{stage} === document.documentElement.dataset.revision", 240)
+        until(page, f"{ROOT}.shown_{stage} === {ROOT}.revision", 240)
     design = prototype(name)
     figures = point_figures(design)
     assert page.locator("#points-table tbody tr").count() == design.point_count
