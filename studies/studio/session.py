@@ -178,8 +178,8 @@ class Session:
 
     # -- figures ------------------------------------------------------------------------------------
     async def _want(self, message: Mapping[str, Any]) -> None:
-        wanted, quantity = message.get("stages"), message.get("quantity")
-        if quantity not in CURVES or not isinstance(wanted, list) or not {*wanted} <= {*STAGES}:
+        wanted, quantity = message.get("stages"), _text(message, "quantity")
+        if quantity not in CURVES or not isinstance(wanted, list) or not all(each in [*STAGES] for each in wanted):
             raise MessageError(f"stages must be of {', '.join(STAGES)}, quantity one of {', '.join(CURVES)}")
         fresh = {*wanted} - self._wanted
         for gone in self._wanted - {*wanted}:

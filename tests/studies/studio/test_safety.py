@@ -200,7 +200,19 @@ def test_a_recording_that_is_none_is_refused_in_one_line(
 
 
 @pytest.mark.parametrize(
-    "text", ["[]", "no json", "{}", '{"do": 1}', '{"do": "shout"}', "[" * 100_000, '{"do": "set"}', '{"do": "want"}']
+    "text",
+    [
+        "[]",
+        "no json",
+        "{}",
+        '{"do": 1}',
+        '{"do": "shout"}',
+        "[" * 100_000,
+        '{"do": "set"}',
+        '{"do": "want"}',
+        '{"do": "want", "quantity": "level", "stages": [{}]}',
+        '{"do": "want", "quantity": ["level"], "stages": []}',
+    ],
 )
 def test_a_message_that_is_none_is_refused_and_the_page_goes_on(page: TestClient, text: str) -> None:
     with page.websocket_connect("ws://127.0.0.1:8765/session", headers={"origin": ORIGIN}) as socket:
