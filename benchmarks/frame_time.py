@@ -33,7 +33,8 @@ class FrameTime:
 
 
 def frame_time(locator: StreamLocator, response: ArrayResponse, frames: int = 2000) -> FrameTime:
-    """Time that each frame of touches takes that is pushed through :class:`localize.TouchStream`, 16 samples at a time.
+    """Time that each frame of touches takes that is pushed through :class:`localize.TouchStream`, 16 samples at a time,
+    and is judged as it comes.
 
     Args:
         locator: anything that can listen to a stream.
@@ -41,11 +42,12 @@ def frame_time(locator: StreamLocator, response: ArrayResponse, frames: int = 20
         frames: how many are timed.
     """
     from localize import Decision, TouchStream
+    from localize.live import AS_IT_COMES
     from localize.live.events import HOP
     from localize.signals.frames import FRAME
 
     signals = _continuous(response, FRAME + (WARM_UP + frames) * HOP)
-    stream = TouchStream(locator)
+    stream = TouchStream(locator, listening=AS_IT_COMES)
     begin = FRAME + WARM_UP * HOP
     stream.push(signals[:, :begin])
     wall, processor = [], []

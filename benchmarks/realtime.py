@@ -24,12 +24,19 @@ from rich.table import Table
 import acoustic_fem
 import geometry
 import localize
-from localize.signals.array_response import response_of
+from localize.live.spare import StreamLocator
+from localize.signals.array_response import ArrayResponse, response_of
 
 DESIGNS = ("line-2", "line-3", "line-4")
 FREQUENCY = np.arange(1.0, 201.0)
 NOISE = 1e-3
 PLAN = localize.TrainingPlan(seconds_per_point=1, epochs=1, microphone_noise=NOISE)
+
+
+def cells_of(locator: StreamLocator, response: ArrayResponse) -> tuple[str, ...]:
+    """Points, microphones and times of a row."""
+    times = (f"{value:.3f}" for value in astuple(frame_time(locator, response)))
+    return str(response.point_count), str(len(response.microphones)), *times
 
 
 def main(names: list[str]) -> None:
@@ -39,7 +46,8 @@ def main(names: list[str]) -> None:
     for column in ("points", "microphones", "p50", "p99", "processor p50", "processor p99"):
         table.add_column(column, justify="right")
     for name in names:
-        response = response_of(acoustic_fem.solve(geometry.prototype(name), FREQUENCY, fidelity="lumped"))
+        library = acoustic_fem.solve(geometry.prototype(name), FREQUENCY, fidelity="lumped")
+        response = response_of(library)
         with tempfile.TemporaryDirectory() as folder:
             for title, own, locator in (
                 ("model-based", "NumPy", localize.BayesDecoder(response, NOISE)),
@@ -48,9 +56,9 @@ def main(names: list[str]) -> None:
                 path = Path(folder) / "localizer.onnx"
                 localize.export_onnx(locator, path)
                 for runtime, each in ((own, locator), ("ONNX Runtime", localize.OnnxLocalizer(path))):
-                    times = (f"{value:.3f}" for value in astuple(frame_time(each, response)))
-                    counts = (str(response.point_count), str(len(response.microphones)))
-                    table.add_row(name, title, runtime, *counts, *times)
+                    table.add_row(name, title, runtime, *cells_of(each, response))
+        tolerant = localize.TolerantDecoder(library, microphone_noise=NOISE)
+        table.add_row(name, "not calibrated", "NumPy", *cells_of(tolerant, response))
     Console(width=120).print(table)
 
 

@@ -1,11 +1,6 @@
 from .bayes import (
-    POWERS as POWERS,
     ROOM as ROOM,
-    SCREEN_ERROR as SCREEN_ERROR,
-    SURE as SURE,
-    TEMPERATURE as TEMPERATURE,
     BayesDecoder as BayesDecoder,
-    DecoderTables as DecoderTables,
     sound_levels as sound_levels,
 )
 from .frame_covariance import (
@@ -15,6 +10,13 @@ from .frame_covariance import (
     whitening as whitening,
 )
 from .judgement import ResidualTest as ResidualTest
+from .likelihood import (
+    POWERS as POWERS,
+    SCREEN_ERROR as SCREEN_ERROR,
+    SURE as SURE,
+    TEMPERATURE as TEMPERATURE,
+    DecoderTables as DecoderTables,
+)
 from .reconstruct import Reconstructor as Reconstructor
 from .sound_test import SoundTest as SoundTest
 from .tolerant import (

@@ -16,23 +16,17 @@ told, and divides its log-likelihoods by a temperature, so that its probabilitie
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from collections.abc import Iterable, Sequence
+from functools import reduce
+from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from torch import Tensor
 
 from geometry.refusal import Refusal
-from localize.decoders.frame_covariance import (
-    SAMPLES,
-    check_level,
-    check_noise,
-    joint_whitening,
-    low_pass,
-    touch_covariances,
-)
+from localize.decoders.frame_covariance import SAMPLES, check_level, check_noise, joint_whitening, touch_covariances
+from localize.decoders.likelihood import CHUNK, FAR, SURE, TOO_MANY, Bounds, Screen, share_of, tables_of
 from localize.signals.array_response import ArrayResponse, response_of, warn_of_uncovered
 from localize.signals.frames import checked_signals, cut_frames
 from localize.signals.noise import NoiseChoice, NoiseSpectrum
@@ -41,28 +35,8 @@ from localize.signals.threads import one_thread
 if TYPE_CHECKING:
     from acoustic_fem import Library
 
-POWERS = 10 ** (np.arange(-80.0, 40.1, 4.0) / 10)
-"""Values of g that are tried; a parabola through the best one and its neighbours gives the maximum."""
-WEAKEST = 1e-2
-"""Eigenvectors that hold less than this share of the assumed noise at g = 1 are left out: 1e-4 names the same points,
-40 dB louder ones as well."""
-NOISE_SHARE = 0.25
-"""Share of the noise that is told, in amplitude, that likelihoods assume; tried on 216 points were 1, 1/2, 0.3, 1/5 and
-1/10. See docs/decoder.md."""
-TEMPERATURE = NOISE_SHARE**-2
-"""Divisor of log-likelihoods: it counts misfits by the noise that is told again, so that probabilities are calibrated,
-see docs/decoder.md."""
-QUIET_BONUS = 30.0
-"""Advantage of quiet over sound, nats, after the temperature: the likelihood assumes less noise than there is, and
-would take the rest for sound. In quiet, sound was preferred by at most 35 nats on line-2 (1 of 100 by 27 or more), at
-60 dB SPL by at least 90."""
-SURE = 20.0
-"""Lead of the best point, nats: those this far behind it, and what single precision may err, are not scored again in
-double."""
-SCREEN_ERROR = 8 * float(np.finfo(np.float32).eps) / (2 * TEMPERATURE)
-"""Error that a score in single precision may have, nats, per unit of the sum of squares of a frame's white samples."""
-CHUNK = 64
-"""Number of frames that are decoded at once."""
+LEADING = 3
+"""Number of points whose scores are found in any case, however far the others are behind the best."""
 
 
 def sound_levels(loudest: float | None) -> tuple[float | None, ...]:
@@ -80,25 +54,6 @@ ROOM = sound_levels(90.0)
 
 #: Sound around: none, a level in dB SPL, or several, of which each frame takes the likeliest.
 Ambient = float | None | Sequence[float | None]
-
-
-@dataclass(frozen=True, eq=False)
-class DecoderTables:
-    """Tables that the likelihood of a frame is computed from, for one level of the sound around."""
-
-    reduce: NDArray[np.float64]
-    """Matrix from the samples to fewer ones whose noise is white of variance 1; (n_microphone * 250, n_microphone *
-    SAMPLES) float64, 1/Pa."""
-    vectors: NDArray[np.float64]
-    """Eigenvectors of each C_i where the noise is white; (n_table, n_microphone * SAMPLES, rank) float64, a table for
-    each point, or for each hypothesis of each point."""
-    weight: NDArray[np.float64]
-    """Weight of the energy along each eigenvector, per value of g; (n_table, rank, n_power) float64."""
-    log_determinant: NDArray[np.float64]
-    """Logarithm of the covariance's determinant over that of the noise, over the temperature; (n_table, n_power)
-    float64, nats."""
-    offset: float
-    """Log-likelihood of the noise and sound alone, nats, which tells levels apart."""
 
 
 class BayesDecoder:
@@ -121,6 +76,8 @@ class BayesDecoder:
 
     assumes = "that the sensor is as its library has it"
     """What is taken for granted of the sensor, in words."""
+    bounds_scores: ClassVar[bool] = True
+    """Whether points that cannot be near the best one get a bound of their score in its place, where that is enough."""
 
     @one_thread()
     def __init__(
@@ -166,6 +123,8 @@ class BayesDecoder:
     def _prepare(self, whitening: Sequence[NDArray[np.float64]]) -> None:
         """What scores the tables of each level of sound, whose noise and sound the matrices make white."""
         self._screens = tuple(Screen(tables, len(self.tables) > 1) for tables in self.tables)
+        few = all(screen.is_exact for screen in self._screens)
+        self._bounds = () if few or not self.bounds_scores else tuple(Bounds(tables) for tables in self.tables)
 
     @one_thread()
     def locate(self, signals: ArrayLike | Tensor) -> NDArray[np.float64]:
@@ -184,7 +143,7 @@ class BayesDecoder:
             Refusal: wrong number of channels, too few samples, a value that is not finite, a silent channel.
         """
         batch, batched = checked_signals(signals, self.microphones)
-        probability = np.exp(self._log_probability(batch))
+        probability = np.exp(_normalised(self._leading(batch)))
         return probability if batched else probability[0]
 
     @one_thread()
@@ -201,12 +160,51 @@ class BayesDecoder:
             Refusal: as :meth:`locate`.
         """
         batch, _ = checked_signals(signals, self.microphones)
-        return self._log_probability(batch)
+        return _normalised(self.joint_log_likelihood(batch))
 
-    def _log_probability(self, batch: Tensor) -> NDArray[np.float64]:
-        total = self.joint_log_likelihood(batch)
-        total -= total.max(1, keepdims=True)
-        return np.asarray(total - np.log(np.exp(total).sum(1, keepdims=True)))
+    def _leading(self, batch: Tensor) -> NDArray[np.float64]:
+        """:meth:`joint_log_likelihood`, but of points that are far behind the best what it is at most."""
+        if not self._bounds:
+            return self.joint_log_likelihood(batch)
+        frames = cut_frames(batch)
+        several = max(1, CHUNK // frames.shape[1])
+        parts = [batch[k : k + several] for k in range(0, len(batch), several)]
+        return np.concatenate([self._leading_of(part) for part in parts])
+
+    def _leading_of(self, batch: Tensor) -> NDArray[np.float64]:
+        """The same of few signals."""
+        frames = cut_frames(batch).numpy()
+        count, each = frames.shape[:2]
+        white = [frames.reshape(count * each, -1) @ tables.reduce for tables in self.tables]
+        alone = [screen.alone(x)[1] for screen, x in zip(self._screens, white, strict=True)]
+
+        def joint(by_level: Iterable[NDArray[np.float64]]) -> NDArray[np.float64]:
+            best = reduce(np.maximum, (score + own for score, own in zip(by_level, alone, strict=True)))
+            return np.asarray(best.reshape(count, each, -1).sum(1))
+
+        def exact(chosen: NDArray[np.bool_]) -> NDArray[np.float64]:
+            of_frames = np.repeat(chosen, each, 0)
+            return joint(screen.exact(x, of_frames) for screen, x in zip(self._screens, white, strict=True))
+
+        score = joint(bound(x) for bound, x in zip(self._bounds, white, strict=True))
+        # Of a frame that says little all points may be near the best: then a bound each is no help.
+        many = (score > score.max(1, keepdims=True) - FAR).mean(1) > TOO_MANY
+        if many.all():
+            return joint(screen.all_exact(x) for screen, x in zip(self._screens, white, strict=True))
+        leading = min(LEADING, self.point_count)
+        known = np.zeros(score.shape, bool)
+        np.put_along_axis(known, np.argpartition(-score, leading - 1, axis=1)[:, :leading], True, axis=1)
+        score[known] = exact(known)[known]
+        found = np.sort(np.where(known, score, -np.inf), axis=1)
+        least = np.minimum(found[:, -1] - FAR, found[:, -leading])
+        wanted = ~known & (score > least[:, None])
+        many |= wanted.mean(1) > TOO_MANY
+        wanted[many] = False
+        if wanted.any():
+            score[wanted] = exact(wanted)[wanted]
+        if many.any():
+            score[many] = joint(screen.all_exact(x) for screen, x in zip(self._screens, white, strict=True))[many]
+        return score
 
     def joint_log_likelihood(self, batch: Tensor) -> NDArray[np.float64]:
         """Log-likelihood of every point, all frames of each signal together.
@@ -240,101 +238,6 @@ class BayesDecoder:
         return np.max([level.score for level in levels], axis=0) if len(levels) > 1 else levels[0].score
 
 
-@dataclass(eq=False)
-class ScreenedLevel:
-    """Frames and their scores at one level of the sound around."""
-
-    x: NDArray[np.float64]
-    """Frames where noise and sound are white of variance 1; (n, n_microphone * SAMPLES) float64."""
-    alone: NDArray[np.float64]
-    """Scores of noise and sound without a touch; (n, 1) float64, nats."""
-    score: NDArray[np.float64]
-    """Scores of the tables; (n, n_table) float64, nats."""
-    error: NDArray[np.float64]
-    """What scores may be too low by; (n,) float64, nats."""
-    best: NDArray[np.float64]
-    """What the best score is at least; (n,) float64, nats."""
-
-
-class Screen:
-    """Likelihood of all points in single precision, and of those that may be the best in double.
-
-    Reading the tables is what takes the time, and single precision halves it. Likelihoods are differences of large
-    numbers, which it cannot tell apart: every point that may come within 20 nats of the best is scored again.
-    """
-
-    def __init__(self, tables: DecoderTables, is_one_of_several: bool) -> None:
-        self.tables = tables
-        self.is_one_of_several = is_one_of_several
-        self.points, self.size, self.rank = tables.vectors.shape
-        # One matrix for all points: (n_microphone SAMPLES, n_point rank).
-        self.vectors = np.ascontiguousarray(tables.vectors.astype(np.float32).transpose(1, 0, 2).reshape(self.size, -1))
-        self.weight = tables.weight.astype(np.float32)
-        self.log_determinant = tables.log_determinant.astype(np.float32)
-
-    def __call__(self, flat: NDArray[np.float64]) -> ScreenedLevel:
-        """Scores of (n, n_microphone 250) samples."""
-        x = flat @ self.tables.reduce
-        energy = ((x.astype(np.float32) @ self.vectors) ** 2).reshape(len(x), self.points, self.rank)
-        # (point, frame, ...): one matrix product per point.
-        gain = energy.transpose(1, 0, 2) @ self.weight
-        values = -0.5 * (gain + self.log_determinant[:, None, :])
-        power, alone = self.alone(x)
-        # Of large numbers single precision knows no parabola; a true one rises by less than a nat above its samples.
-        score = np.minimum(vertex(values), values.max(-1) + 1).T + alone
-        error = SCREEN_ERROR * power
-        return ScreenedLevel(x, alone, score, error, score.max(1) - error)
-
-    def alone(self, x: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Sum of squares of white frames, (n,), and log-likelihood of noise and sound without a touch, (n, 1) nats."""
-        power = (x**2).sum(1)
-        # Large, and the same for all points: left out where there is no other level to compare with.
-        return power, np.where(self.is_one_of_several, self.tables.offset - power / (2 * TEMPERATURE), 0.0)[:, None]
-
-    def score_again(self, level: ScreenedLevel, least: NDArray[np.float64]) -> None:
-        """Put scores of double precision in the place of those that may reach ``least``, (n,) nats."""
-        again = level.score > (least - level.error)[:, None]
-        for table in np.flatnonzero(again.any(0)):
-            frames = np.flatnonzero(again[:, table])
-            level.score[frames, table] = self.exact(level.x[frames], int(table)) + level.alone[frames, 0]
-
-    def exact(self, x: NDArray[np.float64], table: int) -> NDArray[np.float64]:
-        """Scores of white frames by one table in double precision, without those of noise alone; (n,) nats."""
-        tables = self.tables
-        energy = (x @ tables.vectors[table]) ** 2 @ tables.weight[table]
-        return vertex(-0.5 * (energy + tables.log_determinant[table]))
-
-
-def vertex(values: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Maximum over the last axis of samples of a smooth curve: that of the parabola around the largest one.
-
-    Args:
-        values: (..., n) float64, n >= 3, in any unit, equally spaced.
-
-    Returns:
-        (...,) float64, in the unit of the values.
-    """
-    # A flat view and whole indices: for a single frame the calls take the time, not the numbers.
-    flat = values.reshape(-1, values.shape[-1])
-    row = np.arange(len(flat))
-    best = flat.argmax(1)
-    inner = np.minimum(np.maximum(best, 1), flat.shape[1] - 2)
-    left, middle, right = flat[row, inner - 1], flat[row, inner], flat[row, inner + 1]
-    bend = left - 2 * middle + right
-    # At an end of the range the curve may still be rising: then the sample itself is taken.
-    is_top = (best == inner) & (bend < 0)
-    rise = -((right - left) ** 2) / (8 * np.where(is_top, bend, -1.0))
-    top = np.where(is_top, middle + rise, flat[row, best])
-    return np.asarray(top.reshape(values.shape[:-1]))
-
-
-def share_of(noise: float | NoiseSpectrum) -> float | NoiseSpectrum:
-    """Noise that likelihoods are computed with, from the one that is told."""
-    if isinstance(noise, NoiseSpectrum):
-        return NoiseSpectrum(noise.power * NOISE_SHARE**2, noise.source)
-    return noise * NOISE_SHARE
-
-
 def checked_levels(response: ArrayResponse, ambient: Ambient) -> tuple[float | None, ...]:
     """Levels of an ``ambient``, from quiet to loud.
 
@@ -349,24 +252,7 @@ def checked_levels(response: ArrayResponse, ambient: Ambient) -> tuple[float | N
     return tuple(sorted(set(levels), key=lambda level: -1.0 if level is None else level))
 
 
-def tables_of(touched: NDArray[np.float64], whiten: NDArray[np.float64], level: float | None) -> DecoderTables:
-    """Tables of covariances of touches.
-
-    Args:
-        touched: (n_table, n, n) float64, Pa^2.
-        whiten: what makes noise and sound white, (n, n) float64, 1/Pa.
-        level: of the sound, dB SPL; None for quiet.
-    """
-    values, vectors = np.empty(touched.shape[:2]), np.empty_like(touched)
-    for k in range(0, len(touched), CHUNK):  # of many tables a copy of all would take memory
-        values[k : k + CHUNK], vectors[k : k + CHUNK] = np.linalg.eigh(whiten @ touched[k : k + CHUNK] @ whiten.T)
-    # The largest eigenvalues come last. The same number for every point keeps the tables rectangular.
-    rank = max(1, int((values > WEAKEST).sum(1).max()))
-    gain = np.clip(values[:, -rank:, None], 0, None) * POWERS
-    return DecoderTables(
-        reduce=(whiten @ np.kron(np.eye(len(whiten) // SAMPLES), low_pass())).T.copy(),
-        vectors=np.ascontiguousarray(vectors[:, :, -rank:]),
-        weight=-gain / (1 + gain) / TEMPERATURE,
-        log_determinant=np.log1p(gain).sum(1) / TEMPERATURE,
-        offset=float(np.log(np.diag(whiten)).sum() / TEMPERATURE) + (QUIET_BONUS if level is None else 0.0),
-    )
+def _normalised(total: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Logarithms of probabilities from log-likelihoods, both (n, n_point) nats."""
+    total = total - total.max(1, keepdims=True)
+    return np.asarray(total - np.log(np.exp(total).sum(1, keepdims=True)))

@@ -9,7 +9,9 @@ With x = B(z)^T s + noise, s the source's random amplitudes, the least sum of sq
 that the hypothesis itself finds, g B_k^T B S^-1 x (variable projection; Golub and Pereyra 1973). That source is found
 as if there were more noise, and found again, with its power g, without what the deviations explain. Over z this is a
 Gaussian integral: the log-likelihood gains b^T (1 + F)^-1 b / 2 - log det(1 + F) / 2, b = G^T S^-1 x and
-F = G^T S^-1 G. A sensor keeps its deviations: b and F of all frames of a recording are added up.
+F = G^T S^-1 G. Everything is reckoned in the basis of the hypothesis, its eigenvectors and the directions that it
+leaves empty: S^-1 is diagonal there, and sums have no terms to subtract. A sensor keeps its deviations: b and F of all
+frames of a recording are added up.
 """
 
 from __future__ import annotations
@@ -17,9 +19,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from localize.decoders.bayes import POWERS, TEMPERATURE, DecoderTables
 from localize.decoders.frame_covariance import DEVIATING, deviation_moments
 from localize.decoders.hypotheses import Hypotheses
+from localize.decoders.likelihood import POWERS, TEMPERATURE, DecoderTables
 
 STEPS = 2
 """Times that the source, and its power, are found again without what deviations explain."""
@@ -48,11 +50,15 @@ class DeviatingTables:
         each = hypotheses.deviations.shape[1]
         self.shapes = max(1, min(each, int(MOST_NUMBERS // (count * self.size * self.rank))))
         self.changes = np.empty((count, self.shapes * self.size, self.rank), np.float32)
+        self.beside = np.empty((count, self.size, self.size - self.rank))
         for number, response in enumerate(hypotheses.responses):
             for point, touched in enumerate(response.at(DEVIATING)):
                 table = point * len(hypotheses.responses) + number
                 moments = deviation_moments(touched, hypotheses.deviations[number, : self.shapes, point])
-                change = whiten @ moments @ (whiten.T @ tables.vectors[table])
+                vectors = tables.vectors[table]
+                self.beside[table] = np.linalg.qr(vectors, mode="complete")[0][:, self.rank :]
+                basis = np.concatenate([vectors, self.beside[table]], axis=1)
+                change = basis.T @ whiten @ moments @ (whiten.T @ vectors)
                 self.changes[table] = change.reshape(-1, self.rank)
 
     def scores(self, x: NDArray[np.float64], tables: NDArray[np.int64]) -> NDArray[np.float64]:
@@ -67,26 +73,47 @@ class DeviatingTables:
         """
         recordings, temperature = (len(tables), *x.shape[:2]), self.warmth * TEMPERATURE
         flat = x.reshape(-1, self.size)
-        vectors, weight = self.tables.vectors[tables], self.tables.weight[tables]
-        loss, changes = self.tables.log_determinant[tables][:, None], self.changes[tables].transpose(0, 2, 1)
-        along = cleaned = flat @ vectors
-        unexplained = 1 + UNEXPLAINED * (flat**2).mean(1, keepdims=True)
-        each = (*along.shape[:2], self.shapes)
-        for _ in range(STEPS):
-            power = (-0.5 * (cleaned**2 @ weight + loss)).argmax(-1)
-            heard = -TEMPERATURE * np.take_along_axis(weight, power[:, None], 2).transpose(0, 2, 1)
+        weight, loss = self.tables.weight[tables], self.tables.log_determinant[tables][:, None]
+        # In the basis of each hypothesis, what it leaves empty last.
+        whole = np.empty((len(tables), *flat.shape))
+        for row, table in zip(whole, tables, strict=True):
+            np.matmul(flat, self.tables.vectors[table], out=row[:, : self.rank])
+            np.matmul(flat, self.beside[table], out=row[:, self.rank :])
+        along = cleaned = whole[..., : self.rank]
+        unexplained = 1 + UNEXPLAINED * (flat * flat).mean(1, keepdims=True)
+        kept = np.ones(whole.shape)
+        which = np.arange(len(tables))[:, None]
+        for step in range(STEPS):
+            power = (cleaned * cleaned @ weight + loss).argmin(-1)
+            heard = -TEMPERATURE * weight[which, :, power]
+            kept[..., : self.rank] = 1 - heard
             source = cleaned / (unexplained + heard / (1 - heard))
-            change = (source.astype(np.float32) @ changes).reshape(*each, -1)
-            change = change * POWERS[power][..., None, None]
-            seen = (change.reshape(len(tables), -1, self.size) @ vectors).reshape(*each, -1)
-            left = flat - (along * heard) @ vectors.transpose(0, 2, 1)
-            slope = (change @ left[..., None])[..., 0]
-            bend = change @ change.swapaxes(2, 3) - (seen * heard[:, :, None]) @ seen.swapaxes(2, 3)
+            change = self._change(source * POWERS[power][..., None], tables, step == STEPS - 1)
+            missing = change * kept[:, :, None]
+            slope = (missing @ whole[..., None])[..., 0]
+            bend = missing @ change.swapaxes(2, 3)
             slope, bend = (part.reshape(*recordings, *part.shape[2:]).sum(2) / temperature for part in (slope, bend))
             information = bend + np.eye(self.shapes)
             amplitude = np.linalg.solve(information, slope[..., None])[..., 0]
-            cleaned = along - (np.repeat(amplitude, recordings[2], 1)[:, :, None] @ seen)[:, :, 0]
-        values = -0.5 * (along**2 @ weight + loss)
-        fit = np.take_along_axis(values, power[..., None], 2).reshape(recordings).sum(2) / self.warmth
+            explained = np.repeat(amplitude, recordings[2], 1)[:, :, None] @ change[..., : self.rank]
+            cleaned = along - explained[:, :, 0]
+        misfit = (along * along @ weight + loss)[which, np.arange(len(flat)), power]
+        fit = -0.5 * misfit.reshape(recordings).sum(2) / self.warmth
         determinant = np.linalg.slogdet(information)[1]
         return np.asarray(fit + 0.5 * (slope * amplitude).sum(2) - 0.5 * determinant)
+
+    def _change(self, source: NDArray[np.float64], tables: NDArray[np.int64], is_last: bool) -> NDArray[np.float64]:
+        """What the shapes do to sources (k, n, rank), in the bases of the tables; (k, n, n_shape, size).
+
+        Single precision is enough to find the source again: what counts in the end is in double.
+        """
+        change = np.empty((*source.shape[:2], self.shapes * self.size))
+        if not is_last:
+            for row, of_table, table in zip(change, source.astype(np.float32), tables, strict=True):
+                row[...] = of_table @ self.changes[table].T
+            return change.reshape(*source.shape[:2], self.shapes, self.size)
+        changes = np.empty(self.changes.shape[1:])  # one for all: memory that is new takes longer than the product
+        for row, of_table, table in zip(change, source, tables, strict=True):
+            changes[...] = self.changes[table]
+            np.matmul(of_table, changes.T, out=row)
+        return change.reshape(*source.shape[:2], self.shapes, self.size)

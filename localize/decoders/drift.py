@@ -24,8 +24,9 @@ from scipy.special import logsumexp
 from torch import Tensor
 
 from geometry.refusal import Refusal
-from localize.decoders.bayes import CHUNK, Ambient, BayesDecoder
+from localize.decoders.bayes import Ambient, BayesDecoder
 from localize.decoders.frame_covariance import SAMPLES, touch_covariances
+from localize.decoders.likelihood import CHUNK
 from localize.signals.array_response import ArrayResponse
 from localize.signals.frames import checked_signals, cut_frames
 from localize.signals.noise import NoiseChoice
@@ -67,6 +68,7 @@ class DriftDecoder(BayesDecoder):
     """
 
     assumes = "that the sensor is as its library has it, but for a stiffness that is followed"
+    bounds_scores = False
 
     def __init__(
         self, library: Library, microphone_noise: NoiseChoice = 1e-3, ambient: Ambient = None, new: float = 1.0

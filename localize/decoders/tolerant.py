@@ -20,10 +20,11 @@ from torch import Tensor
 
 from acoustic_fem.scatter.tolerances import UNCALIBRATED, UnknownScatterError
 from geometry.refusal import Refusal
-from localize.decoders.bayes import TEMPERATURE, Ambient, BayesDecoder
+from localize.decoders.bayes import Ambient, BayesDecoder
 from localize.decoders.deviations import DeviatingTables
 from localize.decoders.frame_covariance import SAMPLES, touch_covariances
 from localize.decoders.hypotheses import made_hypotheses
+from localize.decoders.likelihood import FAR, TEMPERATURE, Bounds, Screen
 from localize.signals.array_response import ArrayResponse
 from localize.signals.frames import cut_frames
 from localize.signals.noise import NoiseChoice
@@ -61,6 +62,7 @@ class TolerantDecoder(BayesDecoder):
             the library does not have, or as :class:`localize.BayesDecoder`.
     """
 
+    bounds_scores = False  # of points: hypotheses have bounds
     assumes = "that the sensor was made from its design within the tolerances of manufacturing, and not calibrated"
 
     def __init__(
@@ -93,6 +95,7 @@ class TolerantDecoder(BayesDecoder):
     def _prepare(self, whitening: Sequence[NDArray[np.float64]]) -> None:
         """Levels of sound, with the deviations of the hypotheses."""
         super()._prepare(whitening)
+        self._bounds = tuple(Bounds(tables) for tables in self.tables)
         self._deviating = tuple(
             DeviatingTables(tables, self.hypotheses, each, WARMTH)
             for tables, each in zip(self.tables, whitening, strict=True)
@@ -122,37 +125,38 @@ class TolerantDecoder(BayesDecoder):
         """
         return self._of_recordings(frames[:, None])
 
+    def _leading(self, batch: Tensor) -> NDArray[np.float64]:
+        """Log-likelihoods of points: which hypotheses are scored is decided there."""
+        return self.joint_log_likelihood(batch)
+
     def _of_recordings(self, frames: NDArray[np.float64]) -> NDArray[np.float64]:
         """(n, n_frame, n_microphone, 250) to (n, n_point), the log-likelihoods, nats."""
-        count, each = frames.shape[:2]
-        levels = [screen(frames.reshape(count * each, -1)) for screen in self._screens]
-        screened = np.concatenate([level.score for level in levels], axis=1).reshape(count, each, -1).sum(1) / WARMTH
-        alone = [level.alone.reshape(count, each).sum(1) / WARMTH for level in levels]
-        white = [level.x.reshape(count, each, -1) for level in levels]
-        score = np.full(screened.shape, np.nan)
-        likeliest = np.argpartition(-screened, min(CANDIDATES, screened.shape[1]) - 1, axis=1)[:, :CANDIDATES]
-        np.put_along_axis(score, likeliest, 0.0, axis=1)
+        heard = _Heard(self._screens, self._bounds, frames)
+        likeliest = heard.likeliest(min(CANDIDATES, heard.score.shape[1]))
+        fitted = np.zeros(heard.score.shape, bool)
+        np.put_along_axis(fitted, likeliest, True, axis=1)
+        found = np.full(heard.score.shape, -np.inf)
         for columns in self._together(likeliest):
             level, tables = int(columns[0]) // self.log_prior.size, columns % self.log_prior.size
-            chosen = ~np.isnan(score[:, columns[0]])
-            found = self._deviating[level].scores(white[level][chosen], tables) + alone[level][chosen]
-            score[np.ix_(chosen, columns)] = found.T
+            chosen = fitted[:, columns[0]]
+            score = self._deviating[level].scores(heard.white[level][chosen], tables) + heard.alone[level][chosen]
+            found[np.ix_(chosen, columns)] = score.T
+        doubt = np.maximum(1.0, self._misfit(found, heard) / MISFIT)[:, None] ** 2
         # The others can be no better than the worst of these.
-        least = np.nanmin(score, axis=1, keepdims=True)
-        score = np.where(np.isnan(score), np.minimum(screened, least), score)
-        best = score.reshape(count, len(levels), *self.log_prior.shape).max(1)
-        of_point = np.logaddexp.reduce(best + self.log_prior, axis=2)
-        return np.asarray(of_point / np.maximum(1.0, self._misfit(score, white, alone) / MISFIT)[:, None] ** 2)
+        least = np.where(fitted, found, np.inf).min(1, keepdims=True)
+        prior = np.tile(self.log_prior.ravel(), len(self.tables))
+        heard.know(np.minimum(heard.score, least) + prior > (found + prior).max(1, keepdims=True) - FAR * doubt)
+        score = np.where(fitted, found, np.minimum(heard.score, least))
+        best = score.reshape(len(score), len(self.tables), *self.log_prior.shape).max(1)
+        return np.asarray(np.logaddexp.reduce(best + self.log_prior, axis=2) / doubt)
 
-    def _misfit(
-        self, score: NDArray[np.float64], white: list[NDArray[np.float64]], alone: list[NDArray[np.float64]]
-    ) -> NDArray[np.float64]:
+    def _misfit(self, found: NDArray[np.float64], heard: _Heard) -> NDArray[np.float64]:
         """What the best hypothesis leaves of each recording, by what the noise that was told leaves; (n,)."""
-        recording, column = np.arange(len(score)), score.argmax(1)
+        recording, column = np.arange(len(found)), found.argmax(1)
         level = column // self.log_prior.size
-        fit = score[recording, column] - np.stack(alone)[level, recording]
-        power = np.stack([(each**2).sum((1, 2)) for each in white])[level, recording]
-        empty = white[0][0].size * (1 - 1 / len(self.microphones))
+        fit = found[recording, column] - np.stack(heard.alone)[level, recording]
+        power = np.stack([(each**2).sum((1, 2)) for each in heard.white])[level, recording]
+        empty = heard.white[0][0].size * (1 - 1 / len(self.microphones))
         return (power / TEMPERATURE - 2 * WARMTH * fit) / empty
 
     def _together(self, likeliest: NDArray[np.int64]) -> list[NDArray[np.int64]]:
@@ -160,12 +164,74 @@ class TolerantDecoder(BayesDecoder):
         columns = np.unique(likeliest)
         if len(likeliest) > 1:
             return np.split(columns, len(columns))
+        if len(self.tables) == 1:
+            return [columns]
         return np.split(columns, np.flatnonzero(np.diff(columns // self.log_prior.size)) + 1)
+
+    @property
+    def shapes(self) -> int:
+        """Number of shapes in which a hypothesis deviates."""
+        return self._deviating[0].shapes
 
     @property
     def log_prior(self) -> NDArray[np.float64]:
         """Logarithm of the prior of each hypothesis of a point; (n_point, n_hypothesis) float64."""
         return self.hypotheses.log_prior
+
+
+SPARE = 6
+"""Hypotheses that are scored at once beyond those that are wanted: with them the best are found in one go mostly."""
+
+
+class _Heard:
+    """Recordings with the scores of hypotheses, level by level: each what it is at most, until it is known.
+
+    Args:
+        screens: of the levels of sound.
+        bounds: of the same.
+        frames: (n, n_frame, n_microphone, 250) float64, Pa.
+    """
+
+    def __init__(self, screens: Sequence[Screen], bounds: Sequence[Bounds], frames: NDArray[np.float64]) -> None:
+        self._screens, self._shape = tuple(screens), frames.shape[:2]
+        flat = frames.reshape(len(frames) * frames.shape[1], -1)
+        white = [flat @ screen.tables.reduce for screen in screens]
+        alone = [screen.alone(x)[1] for screen, x in zip(screens, white, strict=True)]
+        self.white = [x.reshape(*self._shape, -1) for x in white]
+        """Frames where noise and sound are white, of each level (n, n_frame, size)."""
+        self.alone = [each.reshape(self._shape).sum(1) / WARMTH for each in alone]
+        """Scores of noise and sound without a touch, of each level (n,) nats."""
+        self.score = self._joint([bound(x) for bound, x in zip(bounds, white, strict=True)])
+        """Scores of the hypotheses, one level after the other, without deviations; (n, n_level n_table) nats."""
+        self._known = np.zeros(self.score.shape, bool)
+
+    def likeliest(self, count: int) -> NDArray[np.int64]:
+        """So many of the hypotheses that score highest; (n, count)."""
+        first = min(count + SPARE, self.score.shape[1])
+        self.know(self.score >= -np.partition(-self.score, first - 1, axis=1)[:, [first - 1]])
+        least = -np.partition(np.where(self._known, -self.score, np.inf), count - 1, axis=1)[:, [count - 1]]
+        self.know(self.score > least)
+        chosen = np.argpartition(-self.score, count - 1, axis=1)[:, :count]
+        lowest = np.take_along_axis(self.score, chosen, 1).min(1, keepdims=True)
+        self.score = np.where(self._known, self.score, np.minimum(self.score, lowest))
+        return chosen
+
+    def know(self, wanted: NDArray[np.bool_]) -> None:
+        """Find the scores that are wanted, (n, n_level n_table) bool, and are not known yet."""
+        wanted = wanted & ~self._known
+        if not wanted.any():
+            return
+        of_levels = np.split(np.repeat(wanted, self._shape[1], 0), len(self._screens), axis=1)
+        white = [x.reshape(-1, x.shape[2]) for x in self.white]
+        each = zip(self._screens, white, of_levels, strict=True)
+        scores = [screen.some(x, chosen) for screen, x, chosen in each]
+        self.score[wanted] = self._joint(scores)[wanted]
+        self._known |= wanted
+
+    def _joint(self, scores: list[NDArray[np.float64]]) -> NDArray[np.float64]:
+        """Of all frames of a recording together, from those of frames by levels, (n n_frame, n_table) each."""
+        together = [score.reshape(*self._shape, -1).sum(1) / WARMTH for score in scores]
+        return np.concatenate([score + own[:, None] for score, own in zip(together, self.alone, strict=True)], axis=1)
 
 
 def tolerant_decoder(

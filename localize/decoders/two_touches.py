@@ -22,9 +22,9 @@ from numpy.typing import ArrayLike, NDArray
 from torch import Tensor
 
 from geometry.refusal import Refusal
-from localize.decoders.bayes import CHUNK, POWERS, vertex
 from localize.decoders.frame_covariance import check_noise, low_pass, touch_covariances, whitening
 from localize.decoders.hypotheses import made_covariances
+from localize.decoders.likelihood import CHUNK, POWERS, vertex
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.frames import checked_signals, cut_frames
 from localize.signals.noise import NoiseChoice

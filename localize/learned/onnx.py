@@ -32,8 +32,9 @@ from geometry.files.ordinary import library_reads, read_bytes
 from geometry.files.reading import parse_json
 from geometry.files.writing import whole_file
 from geometry.refusal import Refusal
-from localize.decoders.bayes import SCREEN_ERROR, SURE, TEMPERATURE, BayesDecoder, DecoderTables
+from localize.decoders.bayes import BayesDecoder
 from localize.decoders.drift import DriftDecoder
+from localize.decoders.likelihood import SCREEN_ERROR, SURE, TEMPERATURE, DecoderTables
 from localize.decoders.tolerant import TolerantDecoder
 from localize.learned.description import (
     LARGEST_MODEL,

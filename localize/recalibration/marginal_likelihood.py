@@ -26,8 +26,8 @@ import scipy.signal
 from numpy.typing import NDArray
 from scipy.special import logsumexp
 
-from localize.decoders.bayes import POWERS, TEMPERATURE
 from localize.decoders.frame_covariance import low_pass, sampled_waves, source_density, whitening
+from localize.decoders.likelihood import POWERS, TEMPERATURE
 from localize.live.front_end import high_pass_sections
 from localize.signals.array_response import interpolation
 from localize.signals.stimulus import BAND, SAMPLE_RATE

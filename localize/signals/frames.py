@@ -61,6 +61,16 @@ def checked_signals(signals: ArrayLike | Tensor, microphones: Sequence[str]) -> 
             f"signals have {counted(batch.shape[2], 'sample')}, must have at least {FRAME} "
             f"({FRAME / SAMPLE_RATE:g} s at {SAMPLE_RATE:g} Hz)"
         )
+    # One look at all values: of a single frame checks take as long as some decoders.
+    values = batch.numpy(force=True)
+    span = values.max(-1) - values.min(-1)
+    if not ((span > 0) & (span < np.inf)).all():
+        _refuse_channels(batch, microphones, batched)
+    return batch, batched
+
+
+def _refuse_channels(batch: Tensor, microphones: Sequence[str], batched: bool) -> None:
+    """Refuse the first channel that is not finite, or else that never changes; an infinite span alone is none."""
     for broken, what in (
         (~torch.isfinite(batch).all(-1), "holds values that are not finite"),
         (batch.amax(-1) == batch.amin(-1), "is silent: its value never changes"),
@@ -69,7 +79,6 @@ def checked_signals(signals: ArrayLike | Tensor, microphones: Sequence[str]) -> 
             sample, channel = (int(k) for k in torch.nonzero(broken)[0])
             where = f" of signal {sample}" if batched else ""
             raise Refusal(f"channel {microphones[channel]}{where} {what}")
-    return batch, batched
 
 
 def combined_probability(log_probability: Tensor) -> Tensor:

@@ -13,7 +13,7 @@ from contextlib import contextmanager
 import numpy.linalg  # noqa: F401  loaded, so that the controller below finds its library
 import scipy.linalg  # noqa: F401  the same
 import torch
-from threadpoolctl import ThreadpoolController
+from threadpoolctl import LibController, ThreadpoolController
 
 
 @contextmanager
@@ -22,16 +22,19 @@ def one_thread() -> Iterator[None]:
 
     The setting holds for the process. It costs some microseconds, so that single frames bear it too.
     """
-    before = torch.get_num_threads()
+    before, libraries = torch.get_num_threads(), [(each, each.num_threads) for each in _libraries()]
     torch.set_num_threads(1)
+    for library, _ in libraries:
+        library.set_num_threads(1)
     try:
-        with _controller().limit(limits=1, user_api="blas"):
-            yield
+        yield
     finally:
+        for library, count in libraries:
+            library.set_num_threads(count)
         torch.set_num_threads(before)
 
 
 @functools.cache
-def _controller() -> ThreadpoolController:
+def _libraries() -> tuple[LibController, ...]:
     # Looking for the libraries of a process takes milliseconds: it is done once.
-    return ThreadpoolController()
+    return tuple(each for each in ThreadpoolController().lib_controllers if each.user_api == "blas")

@@ -21,7 +21,6 @@ import scipy.linalg
 import scipy.signal
 from numpy.typing import NDArray
 
-from localize.decoders.bayes import vertex
 from localize.decoders.frame_covariance import (
     DECIMATION,
     SAMPLES,
@@ -32,6 +31,7 @@ from localize.decoders.frame_covariance import (
     low_pass,
     sampled_waves,
 )
+from localize.decoders.likelihood import vertex
 from localize.live.events import HOP
 from localize.live.front_end import HIGH_PASS, high_pass_sections
 from localize.signals.array_response import ArrayResponse, interpolated

@@ -15,8 +15,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from torch import Tensor
 
-from localize.decoders.bayes import Ambient, BayesDecoder, Screen, tables_of
+from localize.decoders.bayes import Ambient, BayesDecoder
 from localize.decoders.frame_covariance import SAMPLES, touch_covariances
+from localize.decoders.likelihood import Screen, tables_of
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.frames import checked_signals, cut_frames
 from localize.signals.noise import NoiseChoice
@@ -79,6 +80,8 @@ class PositionDecoder(BayesDecoder):
     Raises:
         Refusal: bare transfer functions; a radius out of range; as :class:`localize.BayesDecoder`.
     """
+
+    bounds_scores = False
 
     def __init__(
         self,

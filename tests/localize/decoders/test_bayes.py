@@ -11,7 +11,7 @@ from threadpoolctl import threadpool_info, threadpool_limits
 import acoustic_fem
 import geometry
 import localize
-from localize.decoders import bayes
+from localize.decoders import likelihood
 from localize.decoders.frame_covariance import HUM, INTEGRATION_STEP, SOURCE_RMS, frame_noise_covariance, low_pass
 from localize.signals import stimulus, threads
 from localize.signals.array_response import response_of
@@ -51,7 +51,7 @@ def dense_covariances(array, noise):
 
 
 def test_the_log_likelihood_is_that_of_the_dense_gaussian_at_its_best_power(array):
-    decoder = localize.BayesDecoder(array, 1e-2 / bayes.NOISE_SHARE)
+    decoder = localize.BayesDecoder(array, 1e-2 / likelihood.NOISE_SHARE)
     covariances, noise, filtered = dense_covariances(array, 1e-2)
     frames = localize.TouchGenerator(array, 0, "evaluation", 1e-2).samples(0, 3).signals[..., :250].double().numpy()
     x = filtered @ frames.reshape(3, 500).T
@@ -62,7 +62,7 @@ def test_the_log_likelihood_is_that_of_the_dense_gaussian_at_its_best_power(arra
             covariance = power * covariances[point] + noise
             energy = (x * np.linalg.solve(covariance, x)).sum(0)
             dense[:, point, k] = -0.5 * (energy + np.linalg.slogdet(covariance)[1])
-    fast = bayes.TEMPERATURE * decoder.log_likelihood(frames)[:, :3]
+    fast = likelihood.TEMPERATURE * decoder.log_likelihood(frames)[:, :3]
     best = dense.argmax(-1)
     # A far point may fit best at a power beyond these: points and their neighbours are compared.
     compared = (best > 0) & (best < len(powers) - 1) & (abs(np.subtract.outer(range(3), range(3))) <= 1)
@@ -154,14 +154,14 @@ def test_coloured_noise_has_the_covariance_that_is_assumed():
 
 def test_decoding_and_evaluation_run_on_one_thread_and_leave_the_setting_alone(array, decoder, monkeypatch):
     seen = []
-    original = bayes.vertex
+    original = likelihood.vertex
 
     def spied(values):
         seen.append({torch.get_num_threads(), *(lib["num_threads"] for lib in blas_of_this_process())})
         return original(values)
 
-    monkeypatch.setattr(bayes, "vertex", spied)
-    threads._controller.cache_clear()  # other tests may have loaded more libraries since it was made
+    monkeypatch.setattr(likelihood, "vertex", spied)
+    threads._libraries.cache_clear()  # other tests may have loaded more libraries since it was made
     before = torch.get_num_threads()
     torch.set_num_threads(2)
     try:
@@ -217,7 +217,9 @@ def test_single_precision_leaves_no_trace_in_the_probabilities(in_a_room):
     frames = localize.TouchGenerator(in_a_room, 1, "evaluation", 1e-3).samples(0, 60).signals[..., -250:].double()
     for scale in (1e-3, 1.0, 1e3):
         x = scale * frames.numpy().reshape(60, -1) @ tables.reduce
-        exact = bayes.vertex(-0.5 * ((x @ tables.vectors) ** 2 @ tables.weight + tables.log_determinant[:, None, :]))
+        exact = likelihood.vertex(
+            -0.5 * ((x @ tables.vectors) ** 2 @ tables.weight + tables.log_determinant[:, None, :])
+        )
         assert np.abs(decoder.locate(scale * frames) - scipy.special.softmax(exact.T, 1)).max() < 1e-7
 
 

@@ -15,7 +15,7 @@ import geometry
 import localize
 from acoustic_fem.calibration.fitted_model import Posterior, UpdatedModel
 from acoustic_fem.library.result import Library
-from localize.decoders.bayes import NOISE_SHARE
+from localize.decoders.likelihood import NOISE_SHARE
 from localize.recalibration.marginal_likelihood import FLAT, MarginalLikelihood, passed
 from localize.recalibration.objections import gaps, likeliest_order, numbers
 from localize.recalibration.search import value_and_slope
