@@ -16,9 +16,9 @@ told, and divides its log-likelihoods by a temperature, so that its probabilitie
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import reduce
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -74,8 +74,6 @@ class BayesDecoder:
             assumed without a design.
     """
 
-    assumes = "that the sensor is as its library has it"
-    """What is taken for granted of the sensor, in words."""
     bounds_scores: ClassVar[bool] = True
     """Whether points that cannot be near the best one get a bound of their score in its place, where that is enough."""
 
@@ -107,6 +105,11 @@ class BayesDecoder:
     def point_count(self) -> int:
         """Number of sensing points."""
         return len(self.line)
+
+    @property
+    def assumes(self) -> str:
+        """What is taken for granted of the sensor, in words."""
+        return assumed_of(self.provenance)
 
     def _heard(self, library: Library | ArrayResponse) -> ArrayResponse:
         """The array that is decoded."""
@@ -236,6 +239,19 @@ class BayesDecoder:
         for screen, level in zip(self._screens, levels, strict=True):
             screen.score_again(level, least)
         return np.max([level.score for level in levels], axis=0) if len(levels) > 1 else levels[0].score
+
+
+def assumed_of(provenance: Mapping[str, Any]) -> str:
+    """What the decoder of an array takes for granted of its sensor, in words.
+
+    Args:
+        provenance: of the array, :attr:`localize.ArrayResponse.provenance`.
+    """
+    from acoustic_fem.library.result import MEASURED
+
+    if provenance.get("fidelity", MEASURED) == MEASURED:
+        return "that the sensor is as its library has it"
+    return "that the sensor is exactly as it was designed: tolerances of manufacturing are not reckoned with"
 
 
 def checked_levels(response: ArrayResponse, ambient: Ambient) -> tuple[float | None, ...]:

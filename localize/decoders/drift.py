@@ -67,7 +67,6 @@ class DriftDecoder(BayesDecoder):
             range; a design that the lumped batch does not take; or as :class:`localize.BayesDecoder`.
     """
 
-    assumes = "that the sensor is as its library has it, but for a stiffness that is followed"
     bounds_scores = False
 
     def __init__(
@@ -85,6 +84,11 @@ class DriftDecoder(BayesDecoder):
         moves = new * MOVES / 2 * (np.eye(STATES, k=1) + np.eye(STATES, k=-1))
         self._transition = moves + np.diag(1 - moves.sum(1))
         self.reset()
+
+    @property
+    def assumes(self) -> str:
+        """What is taken for granted of the sensor, in words."""
+        return "that the sensor is as its library has it, but for a stiffness that is followed"
 
     @property
     def stiffness(self) -> NDArray[np.float64]:

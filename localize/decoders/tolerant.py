@@ -63,7 +63,6 @@ class TolerantDecoder(BayesDecoder):
     """
 
     bounds_scores = False  # of points: hypotheses have bounds
-    assumes = "that the sensor was made from its design within the tolerances of manufacturing, and not calibrated"
 
     def __init__(
         self,
@@ -169,6 +168,11 @@ class TolerantDecoder(BayesDecoder):
         return np.split(columns, np.flatnonzero(np.diff(columns // self.log_prior.size)) + 1)
 
     @property
+    def assumes(self) -> str:
+        """What is taken for granted of the sensor, in words."""
+        return "that the sensor was made from its design within the tolerances of manufacturing, and not calibrated"
+
+    @property
     def shapes(self) -> int:
         """Number of shapes in which a hypothesis deviates."""
         return self._deviating[0].shapes
@@ -257,6 +261,22 @@ def tolerant_decoder(
     if not _is_measured(library):
         with suppress(UnknownScatterError):
             return TolerantDecoder(library, None, microphone_noise, ambient, microphones)
+    return None
+
+
+def objection_to_tolerances(library: Library) -> str | None:
+    """Reason why tolerances of manufacturing cannot be reckoned with; None where they can, or the sensor is known.
+
+    Args:
+        library: measured or computed.
+    """
+    from acoustic_fem.scatter.tolerances import ScatteredDesign
+
+    if not _is_measured(library):
+        try:
+            ScatteredDesign(library.design, UNCALIBRATED)
+        except UnknownScatterError as error:
+            return str(error)
     return None
 
 

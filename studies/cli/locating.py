@@ -88,6 +88,7 @@ def onnx(
         f"{out}: {counted(written.points, 'point')}, {counted(len(written.microphones), 'microphone')}, "
         f"{out.stat().st_size / 1e6:.1f} MB"
     )
+    tell(f"assumed is {written.assumes}")
 
 
 def locate(

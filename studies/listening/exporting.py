@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from geometry.refusal import Refusal
-from studies.listening.opening import open_trained
+from studies.listening.opening import Decoding, assumed_by, open_trained
 from studies.output.folders import check_new_file
 
 
@@ -21,6 +21,8 @@ class ExportedDecoder:
     """Number of points that it tells apart."""
     microphones: tuple[str, ...]
     """Names of the microphones, in the order of its input."""
+    assumes: str
+    """What it takes for granted of the sensor or of touches, in words."""
 
 
 def export_decoder(
@@ -54,4 +56,5 @@ def export_decoder(
     if path.suffix.lower() != ".onnx":
         raise Refusal(f"out = {path} must end in .onnx, by which locate, live and evaluate know such a file")
     export_onnx(localizer, path)
-    return ExportedDecoder(path, len(localizer.line), tuple(localizer.microphones))
+    assumes = assumed_by(source, localizer, Decoding(noise, ambient=ambient))
+    return ExportedDecoder(path, len(localizer.line), tuple(localizer.microphones), assumes)

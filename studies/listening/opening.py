@@ -148,6 +148,28 @@ def _open_following(model: Path, decoding: Decoding) -> BayesDecoder:
     return DriftDecoder(library, level, sound_levels(decoding.ambient), new=HOP / FRAME)
 
 
+def assumed_by(model: Path, localizer: Localizer | BayesDecoder | OnnxLocalizer, decoding: Decoding) -> str:
+    """What a localizer takes for granted, in words.
+
+    Args:
+        model: where it came from.
+        localizer: of :func:`open_localizer` or :func:`open_trained`.
+        decoding: how signals are read.
+    """
+    from localize import BayesDecoder, Localizer
+    from localize.decoders.bayes import assumed_of
+    from localize.decoders.tolerant import TolerantDecoder, objection_to_tolerances
+
+    if isinstance(localizer, TolerantDecoder):
+        return localizer.assumes
+    if isinstance(localizer, BayesDecoder):
+        objection = objection_to_tolerances(library_there(model, decoding.air))
+        return localizer.assumes if objection is None else f"{localizer.assumes} ({objection})"
+    if isinstance(localizer, Localizer) or localizer.kind == "network":
+        return "that touches are like those of the training"
+    return assumed_of(localizer.provenance)
+
+
 def open_stream(
     model: Path,
     localizer: Localizer | BayesDecoder | OnnxLocalizer,

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from geometry.files.writing import write_text
 from geometry.refusal import Refusal
-from studies.listening.opening import Decoding, open_localizer, open_stream
+from studies.listening.opening import Decoding, assumed_by, open_localizer, open_stream
 from studies.output.folders import check_new_file
 
 if TYPE_CHECKING:
@@ -73,7 +73,7 @@ def locate_recording(
     check_new_file(path, ".jsonl", reads=(model, recording, given.library))
     if given.waveform and path is None:
         raise Refusal("`waveform` goes into the lines of `out`; give that too")
-    from localize import BayesDecoder, TouchTracker, read_recording, touches_of
+    from localize import TouchTracker, read_recording, touches_of
 
     localizer = open_localizer(source, given)
     stream = open_stream(source, localizer, given)
@@ -85,7 +85,5 @@ def locate_recording(
     if path is not None:
         write_text(path, "".join(event.json_line() + "\n" for event in events))
     touches = tuple(touches_of(decided, localizer))
-    assumes = (
-        localizer.assumes if isinstance(localizer, BayesDecoder) else "that touches are like those of the training"
-    )
+    assumes = assumed_by(source, localizer, given)
     return LocatedTouches(touches, tuple(events), localizer, heard.seconds, localizer.design, assumes)

@@ -13,7 +13,7 @@ import acoustic_fem
 import localize
 from acoustic_fem.library.result import MEASURED, measured_library
 from geometry.refusal import Refusal
-from studies.listening.opening import Decoding, open_localizer, open_stream
+from studies.listening.opening import Decoding, assumed_by, open_localizer, open_stream, open_trained
 
 
 @pytest.mark.parametrize(("name", "state"), [("glove", "no touch"), ("array-2x6", "unreadable")])
@@ -53,3 +53,27 @@ def test_a_library_is_decoded_with_the_tolerances_until_its_sensor_is_measured(t
     ):
         acoustic_fem.save(one, tmp_path / "library.nc")
         assert type(open_localizer(tmp_path / "library.nc", Decoding(noise=1e-3))) is kind
+
+
+def test_what_is_assumed_of_a_sensor_is_said_of_every_kind_of_model(tmp_path) -> None:
+    library = solved("array-2x6", np.arange(1.0, 101.0))
+    dome = library.design.with_values({"resonator.shape": "dome"})
+    path, given = tmp_path / "library.nc", Decoding(noise=1e-3)
+
+    def said(one: acoustic_fem.Library) -> str:
+        acoustic_fem.save(one, path)
+        found = assumed_by(path, open_localizer(path, given), given)
+        path.unlink()  # a measured one is not overwritten
+        return found
+
+    assert said(replace(library, fidelity=MEASURED)) == "that the sensor is as its library has it"
+    without = said(replace(library, design=dome))
+    assert "tolerances of manufacturing are not reckoned with (resonator.shape = 'dome' must be" in without
+    assert "within the tolerances" in said(library)
+    # A graph is of the library as it is, and says so wherever it is read.
+    acoustic_fem.save(library, path)
+    decoder, graph = open_trained(path, 1e-3, None), tmp_path / "decoder.onnx"
+    localize.export_onnx(decoder, graph)
+    exactly = assumed_by(path, decoder, given)
+    assert exactly.endswith("tolerances of manufacturing are not reckoned with")
+    assert assumed_by(graph, localize.OnnxLocalizer(graph), Decoding()) == exactly
