@@ -27,7 +27,7 @@ import localize
 from acoustic_fem.batch.network import batch_response
 from acoustic_fem.library.result import Library
 from acoustic_fem.quantities.local_air import design_air
-from acoustic_fem.scatter.tolerances import ScatteredDesign
+from acoustic_fem.scatter.tolerances import ScatteredDesign, Tolerance
 from geometry.files.writing import replace_section
 from localize.live import AS_IT_COMES
 from localize.signals.array_response import ArrayResponse, response_of
@@ -57,13 +57,16 @@ class Made:
 class Sensor:
     """A sensor as it may come out, and what may be known of it."""
 
-    def __init__(self, library: Library, number: int, seed: int = SEED) -> None:
+    def __init__(self, library: Library, number: int, seed: int = SEED, as_designed: bool = False) -> None:
         self.design, self.seed = library.design, seed + number
         self.library, self._nominal = library, response_of(library)
         nominal = self._nominal
-        self._scattered = ScatteredDesign(self.design)
+        nothing = (Tolerance("bore", 0.0, "relative", "as designed"),)
+        self._scattered = ScatteredDesign(self.design, nothing) if as_designed else ScatteredDesign(self.design)
         self._draws = self._scattered.draws(number, 1, seed)
         self.gain = 1 + GAIN * np.random.default_rng([seed, number]).standard_normal((len(nominal.microphones), 1))
+        if as_designed:
+            self.gain = np.ones_like(self.gain)
 
     def _responses(self, frequency: Array) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
         """(n_point, n_microphone, n) and, of sound, (n_microphone, n)."""

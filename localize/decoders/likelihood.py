@@ -205,7 +205,7 @@ class Screen:
         return vertex(-0.5 * (gain + self.tables.log_determinant[:, None, :])).T
 
     def some(self, x: NDArray[np.float64], chosen: NDArray[np.bool_]) -> NDArray[np.float64]:
-        """As :meth:`exact`, in single precision of quiet frames of which many scores are wanted."""
+        """Scores as of :meth:`exact`, (n, n_table) nats; of quiet frames with many in single precision."""
         many = (chosen.mean(1) > TOO_MANY) & (SCREEN_ERROR * (x**2).sum(1) < QUIET_ERROR)
         score = self.exact(x, chosen & ~many[:, None])
         if many.any():

@@ -103,7 +103,8 @@ class TouchEvent:
     def json_line(self) -> str:
         """Event as one line of JSON."""
         line = {"time": round(self.time, 6), "event": self.kind, "touch": self.touch, "point": self.point}
-        line |= {"probability": self.probability, "level": self.level, "latency": round(self.latency, 5)}
+        line |= {"probability": round(self.probability, 4), "level": float(f"{self.level:.4g}")}
+        line |= {"latency": round(self.latency, 5)}
         return json.dumps(line)
 
 

@@ -19,6 +19,7 @@ from typing import Literal, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.special import softmax
 
 from localize.live.events import HOP, Decision, Fault, TouchEvent
 from localize.live.touch_filter import TouchFilter
@@ -119,6 +120,32 @@ def touches_of(events: Iterable[Decision | Fault], array: Array) -> list[Touch]:
     return [touch for contact in contacts for touch in _touches(contact, listener)]
 
 
+class _Evidence:
+    """What the frames of a contact say together of its point.
+
+    What is new in each frame counts in proportion to its level, and what the first frame holds from before it counts as
+    the loudest one says: that holds most of the touch.
+    """
+
+    def __init__(self) -> None:
+        self._sum: NDArray[np.float64] | float = 0.0
+        self._levels = self._loudest = 0.0
+        self._of_loudest: NDArray[np.float64] = np.empty(0)
+
+    def take(self, log_probability: NDArray[np.float64], level: float) -> None:
+        """Take the next frame: (n_point,) nats, and its level."""
+        self._sum = self._sum + level * log_probability
+        self._levels += level
+        if level >= self._loudest:
+            self._loudest, self._of_loudest = level, log_probability
+
+    def probability(self, point: int) -> float:
+        """Probability that the contact was at a point, from 0."""
+        new = HOP / FRAME / self._loudest
+        total = new * self._sum + max(0.0, 1.0 - new * self._levels) * self._of_loudest
+        return float(softmax(total)[point])
+
+
 class TouchTracker:
     """Tracker that tells beginnings, moves and ends of touches while they happen.
 
@@ -133,6 +160,7 @@ class TouchTracker:
         self._touch = 0  # number of the last one that came down
         self._point: int | None = None  # that is told, from 0
         self._contact: list[Decision] = []
+        self._evidence = _Evidence()
         self._belief: NDArray[np.float64] = np.empty(0)
         self._other = 0  # frames in a row that name another point
 
@@ -153,8 +181,11 @@ class TouchTracker:
         self._contact.append(event)
         loudest = max(each.level for each in self._contact)
         count = len(self._contact)
+        log_probability = np.log(event.distribution.clip(_LEAST_PROBABILITY))
+        self._evidence.take(log_probability, event.level)
+        # Where the touch is, and when that is sure: not how sure, for of the first frames next to nothing counts.
         weight = HOP / FRAME * event.level / loudest * min(count * HOP / FRAME, 1.0) ** 2
-        self._belief = self._filter.update(weight * np.log(event.distribution.clip(_LEAST_PROBABILITY)))
+        self._belief = self._filter.update(weight * log_probability)
         best = int(self._belief.argmax())
         if self._point is None:
             # The first frames hold next to nothing of the touch.
@@ -182,6 +213,7 @@ class TouchTracker:
             if self._point is not None:
                 told.append(self._told("up", max(time, last), last))
         self._contact, self._point, self._other = [], None, 0
+        self._evidence = _Evidence()
         self._filter.reset()
         return told
 
@@ -193,7 +225,7 @@ class TouchTracker:
             kind=kind,
             touch=self._touch,
             point=self._point + 1,
-            probability=float(self._belief[self._point]),
+            probability=self._evidence.probability(self._point),
             level=self._contact[-1].level,
             latency=time - first + HOP / SAMPLE_RATE + self._delay,
         )

@@ -56,7 +56,27 @@ def test_the_latency_is_the_time_from_the_first_frame_that_showed_it() -> None:
     assert found["up"].latency == pytest.approx(found["up"].time - ended + HOP / 1000 + 0.002)
     line = json.loads(found["down"].json_line())
     assert line["event"] == "down"
+    assert line["probability"] == round(found["down"].probability, 4)
     assert set(line) == {"time", "event", "touch", "point", "probability", "level", "latency"}
+
+
+def test_what_is_stated_of_a_point_is_as_sure_as_the_frames_are() -> None:
+    # Three frames that give the point 0.8 are one frame: they share most of their samples.
+    likely = np.array([0.2, 1e-12, 1e-12, 0.8, 1e-12, 1e-12])
+    unsure = [
+        replace(event, distribution=likely, probability=0.8)
+        for event in frames(("touch", 3, 4, 1.0), ("no touch", 10, 0, 0.0))
+        if event.state == "touch"
+    ]
+    tracker = TouchTracker(ARRAY)
+    (down,) = [each for event in unsure for each in tracker.take(event)]
+    assert (down.kind, down.point) == ("down", 4)
+    assert down.probability == pytest.approx(0.8, abs=1e-6)
+    # The sound of an end says little beside the loudest frame.
+    fading = replace(unsure[-1], time=unsure[-1].time + HOP / 1000, level=0.05, distribution=np.roll(likely, 2))
+    assert tracker.take(fading) == []
+    (up,) = tracker.finish()
+    assert up.probability == pytest.approx(0.8, abs=0.02)
 
 
 def test_a_level_that_rises_again_is_a_new_touch_and_a_small_swell_is_none() -> None:

@@ -1,0 +1,87 @@
+"""Whether the probabilities of touches that are stated while they happen are right: those of ``down`` and of ``up``.
+
+``python benchmarks/event_probabilities.py --write`` writes the table of docs/realtime.md anew. Signals are those of
+``streams.py``: a sensor as designed and made ones, none of the decoder's own; taps and presses of 1 to 10 Pa. Seeds
+from ``FIRST`` on: what is stated was chosen on 9100 to 9102.
+"""
+
+from __future__ import annotations
+
+import argparse
+import warnings
+from collections import defaultdict
+from pathlib import Path
+
+import numpy as np
+from streams import FREQUENCY, PERIOD, Sensor, session
+
+import acoustic_fem
+import geometry
+import localize
+from geometry.files.writing import replace_section
+from localize.signals.array_response import response_of
+
+PAGE = Path(__file__).parents[1] / "docs" / "realtime.md"
+BEGIN = "<!-- event probabilities: made by benchmarks/event_probabilities.py -->"
+END = "<!-- end event probabilities -->"
+DESIGNS, FIRST, BINS = ("array-2x6", "line-2"), 9600, 10
+KINDS = ("tap", "press")
+
+
+def events_of(decoder: localize.BayesDecoder, sensor: Sensor, kind: str) -> list[tuple[str, float, bool]]:
+    """Kind, stated probability and whether the point was right of the events of a record of touches."""
+    random = np.random.default_rng([sensor.seed, 5, len(kind)])
+    made = session(kind, sensor.design.point_count, random)
+    signals = sensor.heard(made) + sensor.own_noise(PERIOD, random)
+    sound = localize.SoundTest(response_of(sensor.library), "design")
+    stream = localize.TouchStream(decoder, sound_test=sound)
+    tracker = localize.TouchTracker(decoder, stream.delay)
+    told = [each for event in stream.push(signals) for each in tracker.take(event)] + tracker.finish()
+    begins, points = [touch.begin for touch, _ in made], [touch.point for touch, _ in made]
+    # A touch is of what was touched when it came down: it may go up when the next one has begun.
+    came = {event.touch: event.time for event in told if event.kind == "down"}
+    of = [int(np.searchsorted(begins, 1000 * came[event.touch], side="right")) - 1 for event in told]
+    return [(each.kind, each.probability, each.point == points[k]) for each, k in zip(told, of, strict=True) if k >= 0]
+
+
+def cell_of(found: list[tuple[float, bool]]) -> str:
+    """Number of events, share that was right, mean of what was stated and expected calibration error."""
+    stated, right = (np.array(each, float) for each in zip(*found, strict=True))
+    bins = np.minimum((stated * BINS).astype(int), BINS - 1)
+    error = sum(abs((right - stated)[bins == k].sum()) for k in range(BINS)) / len(stated)
+    return f"{len(stated)} | {right.mean():.2f} | {stated.mean():.2f} | {error:.2f}"
+
+
+def rows_of(name: str, sensors: int) -> list[str]:
+    """Rows of the table of one prototype."""
+    library, rows = acoustic_fem.solve(geometry.prototype(name), FREQUENCY, "lumped"), []
+    tolerant = localize.TolerantDecoder(library, microphone_noise="design")
+    for title in ("as designed", "made, not calibrated", "made, calibrated"):
+        for kind in KINDS:
+            told = defaultdict[str, list[tuple[float, bool]]](list)
+            for number in range(sensors):
+                sensor = Sensor(library, number, FIRST, title == "as designed")
+                known = title == "made, calibrated"
+                decoder = localize.BayesDecoder(sensor.calibrated, "design") if known else tolerant
+                for what, stated, right in events_of(decoder, sensor, kind):
+                    told[what].append((stated, right))
+            rows += [f"| {name} | {title} | {kind} | {what} | {cell_of(told[what])} |" for what in ("down", "up")]
+            print("\n".join(rows[-2:]), flush=True)
+    return rows
+
+
+def main() -> None:
+    warnings.filterwarnings("ignore", "entrance loss", UserWarning)
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--sensors", type=int, default=3)
+    parser.add_argument("--write", action="store_true", help="into docs/realtime.md")
+    chosen = parser.parse_args()
+    lines = ["| design | sensor | touches | event | events | right | stated | error |", "|---" * 8 + "|"]
+    for name in DESIGNS:
+        lines += rows_of(name, chosen.sensors)
+    if chosen.write:
+        replace_section(PAGE, BEGIN, END, lines)
+
+
+if __name__ == "__main__":
+    main()
