@@ -1,7 +1,7 @@
 """Time of a frame of the decoders that need no training, and of the same by their formulas alone, in one run.
 
-``python benchmarks/decoder_time.py --write`` writes the table of docs/realtime.md anew. Frames are pushed through the
-stream engine, one core, as in ``realtime.py``; touches are loud. Some minutes.
+``python benchmarks/decoder_time.py``. Frames are pushed through the stream engine, one core, as in ``realtime.py``; touches
+are loud. Some minutes.
 """
 
 from __future__ import annotations
@@ -9,7 +9,6 @@ from __future__ import annotations
 import argparse
 import os
 import warnings
-from pathlib import Path
 
 os.environ.setdefault("OMP_NUM_THREADS", "1")
 
@@ -20,11 +19,8 @@ from plain_decoding import PlainBayes, PlainTolerant
 import acoustic_fem
 import geometry
 import localize
-from geometry.files.writing import replace_section
 from localize.signals.array_response import response_of
 
-PAGE = Path(__file__).parents[1] / "docs" / "realtime.md"
-BEGIN, END = "<!-- decoder time: made by benchmarks/decoder_time.py -->", "<!-- end decoder time -->"
 DESIGNS, NOISE = ("array-2x6", "line-2", "line-3", "line-4"), 1e-3
 
 
@@ -46,7 +42,6 @@ def rows_of(name: str, frames: int) -> list[str]:
             for k in (0, 1)
         ]
         rows.append(f"| {response.point_count} | {len(response.microphones)} | {title} | {' | '.join(cells)} |")
-        print(rows[-1], flush=True)
     return rows
 
 
@@ -55,13 +50,15 @@ def main() -> None:
     parser = argparse.ArgumentParser()
     parser.add_argument("--frames", type=int, default=1000)
     parser.add_argument("--designs", nargs="+", default=list(DESIGNS), choices=list(DESIGNS))
-    parser.add_argument("--write", action="store_true", help="into docs/realtime.md")
     chosen = parser.parse_args()
-    lines = ["| points | microphones | decoder | formulas alone (ms) | decoder (ms) |", "|---" * 5 + "|"]
+    print(
+        "| points | microphones | decoder | formulas alone, p50 / p99 (ms) | decoder, p50 / p99 (ms) |\n"
+        + "|---" * 5
+        + "|"
+    )
     for name in chosen.designs:
-        lines += rows_of(name, chosen.frames)
-    if chosen.write:
-        replace_section(PAGE, BEGIN, END, lines)
+        for row in rows_of(name, chosen.frames):
+            print(row, flush=True)
 
 
 if __name__ == "__main__":

@@ -26,7 +26,19 @@ from torch import Tensor
 
 from geometry.refusal import Refusal
 from localize.decoders.frame_covariance import SAMPLES, check_level, check_noise, joint_whitening, touch_covariances
-from localize.decoders.likelihood import CHUNK, FAR, SURE, TOO_MANY, Bounds, Screen, share_of, tables_of
+from localize.decoders.likelihood import (
+    CHUNK,
+    FAR,
+    POWERS as POWERS,  # names that were of this module and still are
+    SURE,
+    TEMPERATURE as TEMPERATURE,
+    TOO_MANY,
+    WEAKEST as WEAKEST,
+    Bounds,
+    Screen,
+    share_of as share_of,
+    tables_of,
+)
 from localize.signals.array_response import ArrayResponse, response_of, warn_of_uncovered
 from localize.signals.frames import checked_signals, cut_frames
 from localize.signals.noise import NoiseChoice, NoiseSpectrum
