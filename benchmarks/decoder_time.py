@@ -1,7 +1,7 @@
 """Time of a frame of the decoders that need no training, and of the same by their formulas alone, in one run.
 
-``python benchmarks/decoder_time.py``. Frames are pushed through the stream engine, one core, as in ``realtime.py``; touches
-are loud. Some minutes.
+``python benchmarks/decoder_time.py``. Frames are pushed through the stream engine, one core, as in ``realtime.py``;
+touches are loud. Some minutes.
 """
 
 from __future__ import annotations
