@@ -74,7 +74,9 @@ class SoundTest:
             )
         reduce = np.kron(each, whiten @ low_pass())
         self._all = np.asarray(reduce.T, np.float64, copy=True)
-        self._beside = np.asarray((vectors[:, values <= LEAK].T @ reduce).T, np.float64, copy=True)
+        self.directions = vectors[:, values <= LEAK]
+        """Directions that sound does not reach, where the noise is white, (n_microphone SAMPLES, freedom) float64."""
+        self._beside = np.asarray((self.directions.T @ reduce).T, np.float64, copy=True)
         self.freedom = self._beside.shape[1]
         """Degrees of freedom of one frame's residual."""
 
@@ -124,8 +126,13 @@ class SoundTest:
         change = gains / gains.mean(1, keepdims=True) - 1
         gains = 1 + change * np.minimum(1.0, GAIN / np.maximum(np.abs(change).max(1, keepdims=True), 1e-12))
         found = (gains * (gram @ gains)).sum((1, 2))
-        usual = float(scipy.special.chdtri(self.freedom * frames.shape[1], FALSE_ALARM))
-        return found, noise**2 * usual + MISMATCH**2 * _energy(frames, self._all)
+        return found, noise**2 * self.usual(frames.shape[1]) + MISMATCH**2 * _energy(frames, self._all)
+
+    def usual(self, frames: int = 1) -> float:
+        """Energy that noise leaves beside sound at most, but in a share :data:`FALSE_ALARM` of signals of so many
+        frames; the unit is that of the noise in one direction.
+        """
+        return float(scipy.special.chdtri(self.freedom * frames, FALSE_ALARM))
 
     def is_sound(self, signals: ArrayLike | Tensor) -> NDArray[np.bool_]:
         """Whether sound explains signals, on the library's sensor or on one that is made a little differently.

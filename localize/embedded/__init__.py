@@ -1,0 +1,8 @@
+"""The decoder as C for the microcontroller on the sensor.
+
+Stands on: decoders, live, signals.
+"""
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

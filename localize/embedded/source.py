@@ -1,0 +1,112 @@
+"""The C files of a decoder: constants as text beside the sources, which are the same for every array."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from importlib.resources import files
+
+import numpy as np
+from numpy.typing import NDArray
+
+from localize.decoders.bayes import POWERS, TEMPERATURE
+from localize.decoders.frame_covariance import DECIMATION, SAMPLES, TAPS
+from localize.embedded.tables import (
+    SOUND_GAIN,
+    SOUND_MISMATCH,
+    EmbeddedTables,
+    high_pass_coefficients,
+    low_pass_taps,
+)
+
+#: Sources that are the same for every array.
+SOURCES = ("touch_decoder.h", "touch_decoder.c", "touch_bench.c")
+#: Points that a decision names.
+TOP = 3
+_WIDTH = 8
+
+
+def source_files(tables: EmbeddedTables) -> dict[str, str]:
+    """Texts of the C files by name, the tables among them."""
+    folder = files(__package__) / "sources"
+    texts = {name: (folder / name).read_text(encoding="utf-8") for name in SOURCES}
+    return {**texts, "touch_tables.h": _header(tables), "touch_tables.c": _constants(tables)}
+
+
+def _arrays(tables: EmbeddedTables) -> Iterable[tuple[str, str, NDArray[np.float32] | NDArray[np.int16]]]:
+    """Type, name and numbers of every array."""
+    yield "float", "touch_high_pass", high_pass_coefficients().astype(np.float32)
+    yield "float", "touch_low_pass", low_pass_taps().astype(np.float32)
+    yield "float", "touch_whitening", tables.whitening
+    yield "float", "touch_powers", POWERS.astype(np.float32)
+    yield "float", "touch_eigenvalues", tables.eigenvalues
+    yield "float", "touch_half_log_determinant", tables.half_log_determinant
+    yield "touch_number", "touch_reflections", tables.reflections
+    if tables.factors is not None:
+        yield "float", "touch_factors", tables.factors
+    if tables.beside is not None:
+        yield "float", "touch_beside", tables.beside.ravel()
+
+
+def _header(tables: EmbeddedTables) -> str:
+    numbers = {
+        "MICROPHONES": len(tables.microphones),
+        "POINTS": tables.point_count,
+        "TOP": min(TOP, tables.point_count),
+        "SAMPLES": SAMPLES,
+        "NUMBERS": tables.size,
+        "RANK": tables.rank,
+        "POWERS": len(POWERS),
+        "TAPS": TAPS,
+        "DECIMATION": DECIMATION,
+        "SOUND_NUMBERS": 0 if tables.beside is None else len(tables.beside),
+        "INT16": int(tables.precision == "int16"),
+    }
+    lines = [f"/* Tables of the array {_words(tables.name)}: microphones {_words(', '.join(tables.microphones))}. */"]
+    lines += ["#ifndef TOUCH_TABLES_H", "#define TOUCH_TABLES_H", "", "#include <stdint.h>", ""]
+    lines += [f"#define TOUCH_{name} {value}" for name, value in numbers.items()]
+    lines += ["", f"typedef {'int16_t' if tables.precision == 'int16' else 'float'} touch_number;", ""]
+    lines += [*(f"extern const {_declared(*each)};" for each in _arrays(tables))]
+    lines += [f"extern const float {name};" for name in _scalars(tables)]
+    return "\n".join([*lines, "", "#endif", ""])
+
+
+def _constants(tables: EmbeddedTables) -> str:
+    lines = ['#include "touch_tables.h"', ""]
+    lines += [f"const float {name} = {_number(value)};" for name, value in _scalars(tables).items()]
+    for each in _arrays(tables):
+        lines += ["", f"const {_declared(*each)} = {{"]
+        values = each[2]
+        for row in values.reshape(-1, values.shape[-1]):
+            lines += _rows(row) if values.ndim == 1 else ["{", *_rows(row), "},"]
+        lines.append("};")
+    return "\n".join([*lines, ""])
+
+
+def _scalars(tables: EmbeddedTables) -> dict[str, float]:
+    return {
+        "touch_silence": tables.silence,
+        "touch_half": 1 / (2 * TEMPERATURE),
+        "touch_sound_usual": tables.usual,
+        "touch_sound_mismatch": SOUND_MISMATCH,
+        "touch_sound_gain": SOUND_GAIN,
+    }
+
+
+def _declared(kind: str, name: str, values: NDArray[np.float32] | NDArray[np.int16]) -> str:
+    return f"{kind} {name}{''.join(f'[{count}]' for count in values.shape)}"
+
+
+def _rows(values: NDArray[np.float32] | NDArray[np.int16]) -> list[str]:
+    texts = [_number(float(value)) if values.dtype == np.float32 else str(int(value)) for value in values]
+    return [", ".join(texts[k : k + _WIDTH]) + "," for k in range(0, len(texts), _WIDTH)]
+
+
+def _number(value: float) -> str:
+    """A float constant that reads back as the same single-precision number."""
+    text = f"{np.float32(value):.9g}"
+    return (text if any(mark in text for mark in ".en") else text + ".0") + "f"
+
+
+def _words(text: str) -> str:
+    """Words of a design in a comment of C, which they cannot end."""
+    return "".join(each if each.isalnum() or each in " ,-_.+" else "?" for each in text)

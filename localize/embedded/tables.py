@@ -1,0 +1,164 @@
+"""What a decoder on a chip knows of its array: the numbers of its tables.
+
+The likelihood is that of :mod:`localize.decoders.bayes`. With q_k the eigenvectors of the covariance of a point where
+the noise is white, l_k their eigenvalues, and x the frame, it is, up to what all points share,
+
+    -(sum_k (q_k^T x)^2 / (1 + g l_k) + sum_k log(1 + g l_k)) / 2 T,
+
+a sum of what the point misses of the frame, of which all terms have one sign: single precision suffices, and the
+directions that a point leaves empty, l_k = 0, tell most points apart before anything else is computed.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Literal
+
+import numpy as np
+import scipy.signal
+from numpy.typing import NDArray
+
+from geometry.refusal import Refusal
+from localize.decoders.bayes import NOISE_SHARE, POWERS, TEMPERATURE, WEAKEST, share_of
+from localize.decoders.frame_covariance import (
+    CUTOFF,
+    SAMPLES,
+    TAPS,
+    check_noise,
+    touch_covariances,
+    whitening,
+)
+from localize.decoders.sound_test import GAIN, MISMATCH, SoundTest
+from localize.embedded.reflections import reflections, reflections_of_16_bits
+from localize.live.front_end import HIGH_PASS
+from localize.live.stream import LEAST_SILENCE, SILENCE
+from localize.signals.array_response import ArrayResponse, response_of, warn_of_uncovered
+from localize.signals.noise import NoiseChoice, NoiseSpectrum
+from localize.signals.stimulus import SAMPLE_RATE
+
+if TYPE_CHECKING:
+    from acoustic_fem import Library
+
+Array = NDArray[np.float64]
+Single = NDArray[np.float32]
+Precision = Literal["float32", "int16"]
+
+
+@dataclass(frozen=True, eq=False)
+class EmbeddedTables:
+    """Tables of one array."""
+
+    name: str
+    """Name of the design."""
+    microphones: tuple[str, ...]
+    """Names of the microphones, in the order of the samples."""
+    precision: Precision
+    """Precision of the reflections; everything else is held in single precision."""
+    noise_rms: float
+    """Noise of a microphone that the decoder expects, Pa rms."""
+    silence: float
+    """Level up to which there is no touch, Pa rms."""
+    whitening: Single
+    """Lower triangular matrix that makes the noise of a microphone white, row by row; (SAMPLES (SAMPLES + 1) / 2,)
+    float32, 1/Pa."""
+    eigenvalues: Single
+    """Eigenvalues of each point, those that count; (n_point, rank) float32."""
+    half_log_determinant: Single
+    """Half of log det(1 + g C) over the temperature, by point and power; (n_point, n_power) float32, nats."""
+    reflections: Single | NDArray[np.int16]
+    """Reflections of each point, the directions that it leaves empty first; (n_point, n_number) float32 or int16."""
+    factors: Single | None
+    """Factor and first number of each reflection, (n_point, 2 (n - 1)) float32; None in single precision."""
+    beside: Single | None
+    """Directions that sound does not reach, (n_direction, n) float32; None where the library knows no sound."""
+    usual: float
+    """Energy beside sound that noise may leave."""
+
+    @property
+    def size(self) -> int:
+        """Number of numbers of a frame where its noise is white: decimated samples of all microphones."""
+        return len(self.microphones) * SAMPLES
+
+    @property
+    def rank(self) -> int:
+        """Number of directions of a point that touches fill."""
+        return self.eigenvalues.shape[1]
+
+    @property
+    def point_count(self) -> int:
+        """Number of points."""
+        return len(self.eigenvalues)
+
+
+def high_pass_coefficients() -> Array:
+    """Coefficients of the high-pass of the streams as a state-variable filter, (4,) float64.
+
+    Two integrators by trapezoids with g = tan(pi f / f_s) and a damping of sqrt 2: the same bilinear transform of the
+    same Butterworth as in :func:`localize.live.front_end.high_pass_sections`.
+    """
+    g, damping = np.tan(np.pi * HIGH_PASS / SAMPLE_RATE), np.sqrt(2.0)
+    first = 1 / (1 + g * (g + damping))
+    return np.array([first, g * first, g * g * first, damping])
+
+
+def low_pass_taps() -> Array:
+    """Taps of the low-pass before the decimation, (TAPS,) float64."""
+    return np.asarray(scipy.signal.firwin(TAPS, CUTOFF, fs=SAMPLE_RATE))
+
+
+def embedded_tables(
+    library: Library | ArrayResponse,
+    precision: Precision = "float32",
+    microphone_noise: NoiseChoice = "design",
+    loudest: float | None = 80.0,
+) -> EmbeddedTables:
+    """Tables of the decoder of an array that needs no training.
+
+    Args:
+        library: transfer functions of at least two points and two microphones.
+        precision: of the reflections.
+        microphone_noise: as of :class:`localize.BayesDecoder`.
+        loudest: dB SPL, up to which the sound of a room is told from touches; None where it is not.
+
+    Raises:
+        Refusal: an unknown precision, or as :class:`localize.BayesDecoder` and :class:`localize.SoundTest`.
+    """
+    if precision not in ("float32", "int16"):
+        raise Refusal(f"precision = {precision!r} must be 'float32' or 'int16'")
+    check_noise(microphone_noise)
+    response = response_of(library)
+    warn_of_uncovered(response)
+    noise = response.noise(microphone_noise)
+    rms = noise.rms if isinstance(noise, NoiseSpectrum) else noise
+    whiten = whitening(share_of(noise))
+    whole = np.kron(np.eye(len(response.microphones)), whiten)
+    values, vectors = np.linalg.eigh(whole @ touch_covariances(response, np.eye(SAMPLES)) @ whole.T)
+    rank = max(1, int((values > WEAKEST).sum(1).max()))
+    eigenvalues = np.clip(values[:, -rank:], 0, None)
+    determinant = np.log1p(eigenvalues[:, :, None] * POWERS).sum(1) / TEMPERATURE
+    factors = None
+    if precision == "int16":
+        short = [reflections_of_16_bits(each) for each in vectors]
+        held, factors = np.stack([each for each, _ in short]), np.stack([each.ravel() for _, each in short])
+    else:
+        held = np.stack([reflections(each) for each in vectors])
+    sound = None if loudest is None else SoundTest(response, microphone_noise, loudest)
+    return EmbeddedTables(
+        name=response.name,
+        microphones=response.microphones,
+        precision=precision,
+        noise_rms=rms,
+        silence=max(SILENCE * rms, LEAST_SILENCE),
+        whitening=whiten[np.tril_indices(SAMPLES)].astype(np.float32),
+        eigenvalues=eigenvalues.astype(np.float32),
+        half_log_determinant=(0.5 * determinant).astype(np.float32),
+        reflections=held,
+        factors=factors,
+        beside=None if sound is None else (NOISE_SHARE * sound.directions.T).astype(np.float32),
+        usual=0.0 if sound is None else sound.usual(),
+    )
+
+
+#: What sound may leave beside its directions of the energy of a frame that is white by a share of the noise, and the
+#: largest difference of gains.
+SOUND_MISMATCH, SOUND_GAIN = (MISMATCH * NOISE_SHARE) ** 2, GAIN
