@@ -2,60 +2,79 @@
 
 With q_1 ... q_n the orthonormal directions of a point, the reflections H_k = I - v_k v_k^T, |v_k|^2 = 2, of the QR
 decomposition of (q_1 ... q_n) turn a frame x into q_k^T x, one coordinate after the other, up to signs (Golub and Van
-Loan 2013, section 5.2). v_k has n - k + 1 numbers.
+Loan 2013, section 5.2). v_k has n - k + 1 numbers. Four at a time read the frame and write it once: with c_jk = v_j^T v_k
+their products with it are a_j = v_j^T x - sum_(k<j) c_jk a_k.
 """
 
 from __future__ import annotations
+
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 
+BLOCK = 4
+"""Number of reflections that are done at once."""
 LARGEST = 32767
 """Largest number of 16 bits."""
+_COUPLED = np.tril_indices(BLOCK, -1)
 
 
-def reflections(directions: Array) -> NDArray[np.float32]:
-    """Reflections that turn a vector into its coordinates along some directions, in single precision.
+@dataclass(frozen=True, eq=False)
+class Reflections:
+    """Reflections of one orthogonal matrix, :data:`BLOCK` by :data:`BLOCK`."""
 
-    Each is rounded before the next is sought, which then makes up for what rounding did.
-
-    Args:
-        directions: (n, n) float64, orthonormal columns.
-
-    Returns:
-        (n (n + 1) / 2 - 1,): the vectors of all n - 1 reflections, one after the other.
-    """
-    left, vectors = np.array(directions, np.float64), []
-    for stage in range(len(left) - 1):
-        vectors.append(_reflection(left[stage:, stage]).astype(np.float32))
-        _reflect(left[stage:, stage:], vectors[-1].astype(np.float64))
-    return np.concatenate(vectors)
+    numbers: NDArray[np.float32] | NDArray[np.int16]
+    """Vectors of the blocks one after the other, those of a block number by number; in 16 bits in units of their
+    steps, and without the first number of each."""
+    couplings: NDArray[np.float32]
+    """c_21, c_31, c_32, c_41, c_42 and c_43 of every block, one after the other."""
+    steps: NDArray[np.float32] | None
+    """Step and first number of each reflection, (2, n_reflection), of 16 bits; None in single precision."""
 
 
-def reflections_of_16_bits(directions: Array) -> tuple[NDArray[np.int16], NDArray[np.float32]]:
-    """Reflections of :func:`reflections` as 16-bit numbers and two factors for each.
+def reflections(directions: Array, in_16_bits: bool = False) -> Reflections:
+    """Reflections that turn a vector into its coordinates along some directions.
 
-    The first number of a vector is 1 or more and by far its largest: it is held apart, so that the others need not be
-    as coarse, and such that every reflection stays one, whatever rounding did to its direction.
+    Each is rounded before the next is sought, which then makes up for what rounding did. The first number of a vector
+    is 1 or more and by far its largest: in 16 bits it is held apart, so that the others need not be as coarse, and such
+    that every reflection stays one.
 
     Args:
-        directions: (n, n) float64, orthonormal columns.
-
-    Returns:
-        (n (n - 1) / 2,): what follows the first number of each vector; and (n - 1, 2): what these are to be multiplied
-        by, and the first number.
+        directions: (n, n) float64, orthonormal columns, n even.
+        in_16_bits: whether numbers are rounded to 16 bits instead of to single precision.
     """
-    left, held, factors = np.array(directions, np.float64), [], []
-    for stage in range(len(left) - 1):
-        rest = _reflection(left[stage:, stage])[1:]
-        step = float(np.float32(max(np.abs(rest).max(), np.finfo(np.float32).tiny) / LARGEST))
-        held.append(np.rint(rest / step).clip(-LARGEST, LARGEST))
-        first = np.sqrt(2.0 - (step**2) * (held[-1] ** 2).sum())
-        factors.append((step, first))
-        _reflect(left[stage:, stage:], np.concatenate([[first], step * held[-1]]))
-    return np.concatenate(held).astype(np.int16), np.array(factors, np.float32)
+    left = np.array(directions, np.float64)
+    size = len(left)
+    vectors, units, steps = np.zeros((size + BLOCK, size)), np.ones(size + BLOCK), np.zeros((2, size + BLOCK))
+    for stage in range(size - 1):
+        vector = _reflection(left[stage:, stage])
+        if in_16_bits:
+            units[stage] = np.float32(max(np.abs(vector[1:]).max(), np.finfo(np.float32).tiny) / LARGEST)
+            vector[1:] = units[stage] * np.rint(vector[1:] / units[stage]).clip(-LARGEST, LARGEST)
+            vector[0] = np.sqrt(2.0 - (vector[1:] ** 2).sum())
+            steps[:, stage] = units[stage], vector[0]
+        else:
+            vector = vector.astype(np.float32).astype(np.float64)
+        left[stage:, stage:] -= np.outer(vector, vector @ left[stage:, stage:])
+        vectors[stage, stage:] = vector
+    numbers, couplings = [], []
+    for stage in range(0, size, BLOCK):
+        block = vectors[stage : stage + BLOCK]
+        couplings.append((block @ block.T)[_COUPLED])
+        held = block[:, stage:] / units[stage : stage + BLOCK, None]
+        if in_16_bits:
+            np.fill_diagonal(held, 0.0)
+        numbers.append(held.T.ravel())
+    held = np.concatenate(numbers)
+    count = -(-size // BLOCK) * BLOCK
+    return Reflections(
+        np.rint(held).astype(np.int16) if in_16_bits else held.astype(np.float32),
+        np.concatenate(couplings).astype(np.float32),
+        steps[:, :count].astype(np.float32) if in_16_bits else None,
+    )
 
 
 def _reflection(column: Array) -> Array:
@@ -64,7 +83,3 @@ def _reflection(column: Array) -> Array:
     # Away from the axis, so that nothing cancels.
     vector[0] += np.linalg.norm(column)
     return np.asarray(vector * (np.sqrt(2) / np.linalg.norm(vector)))
-
-
-def _reflect(columns: Array, vector: Array) -> None:
-    columns -= np.outer(vector, vector @ columns)

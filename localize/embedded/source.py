@@ -41,8 +41,9 @@ def _arrays(tables: EmbeddedTables) -> Iterable[tuple[str, str, NDArray[np.float
     yield "float", "touch_eigenvalues", tables.eigenvalues
     yield "float", "touch_half_log_determinant", tables.half_log_determinant
     yield "touch_number", "touch_reflections", tables.reflections
-    if tables.factors is not None:
-        yield "float", "touch_factors", tables.factors
+    yield "float", "touch_couplings", tables.couplings
+    if tables.steps is not None:
+        yield "float", "touch_steps", tables.steps
     if tables.beside is not None:
         yield "float", "touch_beside", tables.beside.ravel()
 

@@ -29,7 +29,7 @@ from localize.decoders.frame_covariance import (
     whitening,
 )
 from localize.decoders.sound_test import GAIN, MISMATCH, SoundTest
-from localize.embedded.reflections import reflections, reflections_of_16_bits
+from localize.embedded.reflections import BLOCK, reflections
 from localize.live.front_end import HIGH_PASS
 from localize.live.stream import LEAST_SILENCE, SILENCE
 from localize.signals.array_response import ArrayResponse, response_of, warn_of_uncovered
@@ -66,9 +66,12 @@ class EmbeddedTables:
     half_log_determinant: Single
     """Half of log det(1 + g C) over the temperature, by point and power; (n_point, n_power) float32, nats."""
     reflections: Single | NDArray[np.int16]
-    """Reflections of each point, the directions that it leaves empty first; (n_point, n_number) float32 or int16."""
-    factors: Single | None
-    """Factor and first number of each reflection, (n_point, 2 (n - 1)) float32; None in single precision."""
+    """Reflections of each point, the directions that it leaves empty first, see
+    :class:`localize.embedded.reflections.Reflections`; (n_point, n_number) float32 or int16."""
+    couplings: Single
+    """What the reflections of each block have in common, (n_point, n_coupling) float32."""
+    steps: Single | None
+    """Step and first number of each reflection, (n_point, 2 n_reflection) float32; None in single precision."""
     beside: Single | None
     """Directions that sound does not reach, (n_direction, n) float32; None where the library knows no sound."""
     usual: float
@@ -133,15 +136,14 @@ def embedded_tables(
     whiten = whitening(share_of(noise))
     whole = np.kron(np.eye(len(response.microphones)), whiten)
     values, vectors = np.linalg.eigh(whole @ touch_covariances(response, np.eye(SAMPLES)) @ whole.T)
-    rank = max(1, int((values > WEAKEST).sum(1).max()))
+    filled = max(1, int((values > WEAKEST).sum(1).max()))
+    rank = len(whole) - (len(whole) - filled) // BLOCK * BLOCK  # blocks of reflections end where the empty ones do
     eigenvalues = np.clip(values[:, -rank:], 0, None)
+    eigenvalues[:, : rank - filled] = 0.0
     determinant = np.log1p(eigenvalues[:, :, None] * POWERS).sum(1) / TEMPERATURE
-    factors = None
-    if precision == "int16":
-        short = [reflections_of_16_bits(each) for each in vectors]
-        held, factors = np.stack([each for each, _ in short]), np.stack([each.ravel() for _, each in short])
-    else:
-        held = np.stack([reflections(each) for each in vectors])
+    vectors[:, :, :-rank] = _loudest_first(vectors[:, :, :-rank], values[:, -rank:], vectors[:, :, -rank:])
+    turned = [reflections(each, precision == "int16") for each in vectors]
+    steps = [each.steps for each in turned if each.steps is not None]
     sound = None if loudest is None else SoundTest(response, microphone_noise, loudest)
     return EmbeddedTables(
         name=response.name,
@@ -152,11 +154,29 @@ def embedded_tables(
         whitening=whiten[np.tril_indices(SAMPLES)].astype(np.float32),
         eigenvalues=eigenvalues.astype(np.float32),
         half_log_determinant=(0.5 * determinant).astype(np.float32),
-        reflections=held,
-        factors=factors,
+        reflections=np.stack([each.numbers for each in turned]),
+        couplings=np.stack([each.couplings for each in turned]),
+        steps=np.stack(steps).reshape(len(steps), -1) if steps else None,
         beside=None if sound is None else (NOISE_SHARE * sound.directions.T).astype(np.float32),
         usual=0.0 if sound is None else sound.usual(),
     )
+
+
+def _loudest_first(empty: Array, values: Array, filled: Array) -> Array:
+    """Directions that each point leaves empty, those first in which touches of the others are loudest.
+
+    Args:
+        empty: (n_point, n, n - rank), orthonormal columns.
+        values: eigenvalues of each point, (n_point, rank).
+        filled: their eigenvectors, (n_point, n, rank).
+
+    Returns:
+        As ``empty``, of the same spans.
+    """
+    share = np.clip(values, 0, None) / values.sum(1, keepdims=True)
+    mean = np.einsum("pik,pk,pjk->ij", filled, share, filled, optimize=True)
+    turned = [each @ np.linalg.eigh(each.T @ mean @ each)[1][:, ::-1] for each in empty]
+    return np.stack(turned)
 
 
 #: What sound may leave beside its directions of the energy of a frame that is white by a share of the noise, and the

@@ -4,7 +4,9 @@
 #include <math.h>
 #include <string.h>
 
-#define STAGES (TOUCH_NUMBERS - 1)
+/* Reflections that are done at once, and how many numbers these have in common. */
+#define BLOCK 4
+#define COUPLINGS 6
 
 /* Levels of touches: as in the stream of acoustic-fem. */
 #define FADED 0.3f
@@ -158,40 +160,54 @@ static int is_sound(const touch_decoder *decoder)
 }
 #endif
 
-/* One reflection I - v v', |v|^2 = 2, of count numbers. */
-static void reflect(float *numbers, const float *vector, int count)
-{
-    const float along = product(vector, numbers, count);
-    int k = 0;
-    for (; k + 4 <= count; k += 4) {
-        numbers[k] -= along * vector[k];
-        numbers[k + 1] -= along * vector[k + 1];
-        numbers[k + 2] -= along * vector[k + 2];
-        numbers[k + 3] -= along * vector[k + 3];
-    }
-    for (; k < count; k++) numbers[k] -= along * vector[k];
-}
-
-#if TOUCH_INT16
-/* A reflection whose vector is held as a first number, and 16-bit numbers with a factor. Returns where the next is. */
+/* Four reflections I - v v', |v|^2 = 2, of the numbers from the first that they change on. Returns where the next are. */
 static const touch_number *turn(float *numbers, int point, int stage, const touch_number *held)
 {
-    float vector[TOUCH_NUMBERS];
+    const float *couple = touch_couplings[point] + stage / BLOCK * COUPLINGS;
     const int count = TOUCH_NUMBERS - stage;
-    const float factor = touch_factors[point][2 * stage];
-    vector[0] = touch_factors[point][2 * stage + 1];
-    for (int k = 1; k < count; k++) vector[k] = factor * (float)*held++;
-    reflect(numbers + stage, vector, count);
-    return held;
-}
-#else
-static const touch_number *turn(float *numbers, int point, int stage, const touch_number *held)
-{
-    (void)point;
-    reflect(numbers + stage, held, TOUCH_NUMBERS - stage);
-    return held + (TOUCH_NUMBERS - stage);
-}
+    float a0 = 0.0f, a1 = 0.0f, a2 = 0.0f, a3 = 0.0f, b0 = 0.0f, b1 = 0.0f, b2 = 0.0f, b3 = 0.0f;
+    const touch_number *vector = held;
+    numbers += stage;
+    for (int k = 0; k < count; k += 2, vector += 2 * BLOCK) {
+        const float first = numbers[k], second = numbers[k + 1];
+        a0 += (float)vector[0] * first;
+        a1 += (float)vector[1] * first;
+        a2 += (float)vector[2] * first;
+        a3 += (float)vector[3] * first;
+        b0 += (float)vector[4] * second;
+        b1 += (float)vector[5] * second;
+        b2 += (float)vector[6] * second;
+        b3 += (float)vector[7] * second;
+    }
+    a0 += b0, a1 += b1, a2 += b2, a3 += b3;
+#if TOUCH_INT16
+    const float *step = touch_steps[point] + stage, *lead = step + sizeof touch_steps[point] / sizeof *step / 2;
+    const int more = count > 2;
+    a0 = step[0] * a0 + lead[0] * numbers[0];
+    a1 = step[1] * a1 + lead[1] * numbers[1];
+    a2 = more ? step[2] * a2 + lead[2] * numbers[2] : 0.0f;
+    a3 = more ? step[3] * a3 + lead[3] * numbers[3] : 0.0f;
 #endif
+    a1 -= couple[0] * a0;
+    a2 -= couple[1] * a0 + couple[2] * a1;
+    a3 -= couple[3] * a0 + couple[4] * a1 + couple[5] * a2;
+#if TOUCH_INT16
+    numbers[0] -= lead[0] * a0;
+    numbers[1] -= lead[1] * a1;
+    if (more) {
+        numbers[2] -= lead[2] * a2;
+        numbers[3] -= lead[3] * a3;
+    }
+    a0 *= step[0], a1 *= step[1], a2 *= step[2], a3 *= step[3];
+#endif
+    vector = held;
+    for (int k = 0; k < count; k += 2, vector += 2 * BLOCK) {
+        numbers[k] -= ((float)vector[0] * a0 + (float)vector[1] * a1) + ((float)vector[2] * a2 + (float)vector[3] * a3);
+        numbers[k + 1] -=
+            ((float)vector[4] * a0 + (float)vector[5] * a1) + ((float)vector[6] * a2 + (float)vector[7] * a3);
+    }
+    return vector;
+}
 
 /* A sum and what rounding took from it (Kahan 1965). */
 static void add(float *sum, float value)
@@ -228,14 +244,16 @@ static float score_of(touch_decoder *decoder, int point, float best)
     float *turned = decoder->turned, sum[2] = {0.0f, 0.0f};
     int stage = 0;
     memcpy(turned, decoder->white, sizeof decoder->white);
-    for (; stage < TOUCH_NUMBERS - TOUCH_RANK; stage++) {
+    /* The first point that is scored, whose best is -INFINITY, is never given up. */
+    const float most = best - SURE + touch_half_log_determinant[point][0];
+    for (; stage < TOUCH_NUMBERS - TOUCH_RANK; stage += BLOCK) {
         held = turn(turned, point, stage, held);
-        add(sum, turned[stage] * turned[stage]);
+        for (int k = 0; k < BLOCK; k++) add(sum, turned[stage + k] * turned[stage + k]);
+        if (-touch_half * (sum[0] - decoder->common) < most) return -INFINITY;
     }
     if (best < -LARGEST_SCORE) decoder->common = sum[0];
     const float missed = (sum[0] - decoder->common) - sum[1];
-    if (-touch_half * missed - touch_half_log_determinant[point][0] < best - SURE) return -INFINITY;
-    for (; stage < STAGES; stage++) held = turn(turned, point, stage, held);
+    for (; stage < TOUCH_NUMBERS; stage += BLOCK) held = turn(turned, point, stage, held);
     float *energy = turned + TOUCH_NUMBERS - TOUCH_RANK;
     for (int k = 0; k < TOUCH_RANK; k++) energy[k] *= energy[k];
     return best_power(energy, point, missed);
