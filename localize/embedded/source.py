@@ -23,6 +23,8 @@ SOURCES = ("touch_decoder.h", "touch_decoder.c", "touch_bench.c")
 #: Points that a decision names.
 TOP = 3
 _WIDTH = 8
+#: Powers that are tried at once.
+_AT_ONCE = 4
 
 
 def source_files(tables: EmbeddedTables) -> dict[str, str]:
@@ -37,9 +39,10 @@ def _arrays(tables: EmbeddedTables) -> Iterable[tuple[str, str, NDArray[np.float
     yield "float", "touch_high_pass", high_pass_coefficients().astype(np.float32)
     yield "float", "touch_low_pass", low_pass_taps().astype(np.float32)
     yield "float", "touch_whitening", tables.whitening
-    yield "float", "touch_powers", POWERS.astype(np.float32)
+    yield "float", "touch_powers", np.append(POWERS, [POWERS[-1]] * (-len(POWERS) % _AT_ONCE)).astype(np.float32)
     yield "float", "touch_eigenvalues", tables.eigenvalues
-    yield "float", "touch_half_log_determinant", tables.half_log_determinant
+    more = np.repeat(tables.half_log_determinant[:, -1:], -len(POWERS) % _AT_ONCE, axis=1)
+    yield "float", "touch_half_log_determinant", np.concatenate([tables.half_log_determinant, more], axis=1)
     yield "touch_number", "touch_reflections", tables.reflections
     yield "float", "touch_couplings", tables.couplings
     if tables.steps is not None:
@@ -56,7 +59,8 @@ def _header(tables: EmbeddedTables) -> str:
         "SAMPLES": SAMPLES,
         "NUMBERS": tables.size,
         "RANK": tables.rank,
-        "POWERS": len(POWERS),
+        "POWERS": len(POWERS) + -len(POWERS) % _AT_ONCE,
+        "TRIED": len(POWERS),
         "TAPS": TAPS,
         "DECIMATION": DECIMATION,
         "SOUND_NUMBERS": 0 if tables.beside is None else len(tables.beside),

@@ -7,6 +7,7 @@
 /* Reflections that are done at once, and how many numbers these have in common. */
 #define BLOCK 4
 #define COUPLINGS 6
+#define STRIDE 4
 
 /* Levels of touches: as in the stream of acoustic-fem. */
 #define FADED 0.3f
@@ -168,16 +169,12 @@ static const touch_number *turn(float *numbers, int point, int stage, const touc
     float a0 = 0.0f, a1 = 0.0f, a2 = 0.0f, a3 = 0.0f, b0 = 0.0f, b1 = 0.0f, b2 = 0.0f, b3 = 0.0f;
     const touch_number *vector = held;
     numbers += stage;
-    for (int k = 0; k < count; k += 2, vector += 2 * BLOCK) {
-        const float first = numbers[k], second = numbers[k + 1];
-        a0 += (float)vector[0] * first;
-        a1 += (float)vector[1] * first;
-        a2 += (float)vector[2] * first;
-        a3 += (float)vector[3] * first;
-        b0 += (float)vector[4] * second;
-        b1 += (float)vector[5] * second;
-        b2 += (float)vector[6] * second;
-        b3 += (float)vector[7] * second;
+    for (int k = 0; k < count; k += 4, vector += 4 * BLOCK) {
+        const float y0 = numbers[k], y1 = numbers[k + 1], y2 = numbers[k + 2], y3 = numbers[k + 3];
+        a0 += (float)vector[0] * y0, a1 += (float)vector[1] * y0, a2 += (float)vector[2] * y0, a3 += (float)vector[3] * y0;
+        b0 += (float)vector[4] * y1, b1 += (float)vector[5] * y1, b2 += (float)vector[6] * y1, b3 += (float)vector[7] * y1;
+        a0 += (float)vector[8] * y2, a1 += (float)vector[9] * y2, a2 += (float)vector[10] * y2, a3 += (float)vector[11] * y2;
+        b0 += (float)vector[12] * y3, b1 += (float)vector[13] * y3, b2 += (float)vector[14] * y3, b3 += (float)vector[15] * y3;
     }
     a0 += b0, a1 += b1, a2 += b2, a3 += b3;
 #if TOUCH_INT16
@@ -201,10 +198,13 @@ static const touch_number *turn(float *numbers, int point, int stage, const touc
     a0 *= step[0], a1 *= step[1], a2 *= step[2], a3 *= step[3];
 #endif
     vector = held;
-    for (int k = 0; k < count; k += 2, vector += 2 * BLOCK) {
-        numbers[k] -= ((float)vector[0] * a0 + (float)vector[1] * a1) + ((float)vector[2] * a2 + (float)vector[3] * a3);
-        numbers[k + 1] -=
-            ((float)vector[4] * a0 + (float)vector[5] * a1) + ((float)vector[6] * a2 + (float)vector[7] * a3);
+    for (int k = 0; k < count; k += 4, vector += 4 * BLOCK) {
+        float y0 = numbers[k], y1 = numbers[k + 1], y2 = numbers[k + 2], y3 = numbers[k + 3];
+        y0 -= (float)vector[0] * a0, y1 -= (float)vector[4] * a0, y2 -= (float)vector[8] * a0, y3 -= (float)vector[12] * a0;
+        y0 -= (float)vector[1] * a1, y1 -= (float)vector[5] * a1, y2 -= (float)vector[9] * a1, y3 -= (float)vector[13] * a1;
+        y0 -= (float)vector[2] * a2, y1 -= (float)vector[6] * a2, y2 -= (float)vector[10] * a2, y3 -= (float)vector[14] * a2;
+        y0 -= (float)vector[3] * a3, y1 -= (float)vector[7] * a3, y2 -= (float)vector[11] * a3, y3 -= (float)vector[15] * a3;
+        numbers[k] = y0, numbers[k + 1] = y1, numbers[k + 2] = y2, numbers[k + 3] = y3;
     }
     return vector;
 }
@@ -217,19 +217,53 @@ static void add(float *sum, float value)
     sum[0] = next;
 }
 
-/* The largest log-likelihood over the power of the touch: the parabola around the best of the powers that are tried. */
+/* Scores of four powers, from one on and some apart. */
+static void score_powers(float *score, const float *energy, int point, float missed, int first, int apart)
+{
+    const float *power = touch_powers + first, *value = touch_eigenvalues[point];
+    float m0 = missed, m1 = missed, m2 = missed, m3 = missed;
+    for (int k = 0; k < TOUCH_RANK; k++) {
+        m0 += energy[k] / (1.0f + power[0] * value[k]);
+        m1 += energy[k] / (1.0f + power[apart] * value[k]);
+        m2 += energy[k] / (1.0f + power[2 * apart] * value[k]);
+        m3 += energy[k] / (1.0f + power[3 * apart] * value[k]);
+    }
+    const float *loss = touch_half_log_determinant[point] + first;
+    score[first] = -touch_half * m0 - loss[0];
+    score[first + apart] = -touch_half * m1 - loss[apart];
+    score[first + 2 * apart] = -touch_half * m2 - loss[2 * apart];
+    score[first + 3 * apart] = -touch_half * m3 - loss[3 * apart];
+}
+
+/* The largest log-likelihood over the power of the touch: the parabola around the best of the powers that are tried.
+ *
+ * The more power, the less is missed and the larger the determinant is: between two powers no score is above that of
+ * what the higher one misses with the determinant of the lower one. Every fourth power is scored, and those between
+ * where they could be better, or are beside the best. */
 static float best_power(const float *energy, int point, float missed)
 {
+    const float *loss = touch_half_log_determinant[point];
     float score[TOUCH_POWERS];
-    int best = 0;
-    for (int p = 0; p < TOUCH_POWERS; p++) {
-        float missing = 0.0f;
-        for (int k = 0; k < TOUCH_RANK; k++)
-            missing += energy[k] / (1.0f + touch_powers[p] * touch_eigenvalues[point][k]);
-        score[p] = -touch_half * (missed + missing) - touch_half_log_determinant[point][p];
+    int best = 0, is_more = 1;
+    uint32_t scored = 0;
+    for (int p = 0; p < TOUCH_POWERS; p += 4 * STRIDE) score_powers(score, energy, point, missed, p, STRIDE);
+    for (int p = 0; p < TOUCH_POWERS; p += STRIDE)
         if (score[p] > score[best]) best = p;
+    while (is_more) {
+        is_more = 0;
+        for (int group = 0; group < TOUCH_POWERS / STRIDE; group++) {
+            const int p = group * STRIDE;
+            const float most = p + STRIDE < TOUCH_POWERS ? score[p + STRIDE] + loss[p + STRIDE] : -touch_half * missed;
+            const int is_beside = best >= p && best <= p + STRIDE;
+            if (scored >> group & 1u || (!is_beside && most - loss[p + 1] <= score[best])) continue;
+            score_powers(score, energy, point, missed, p, 1);
+            scored |= (uint32_t)1 << group;
+            is_more = 1;
+            for (int k = p; k < p + STRIDE; k++)
+                if (score[k] > score[best]) best = k;
+        }
     }
-    const int inner = best < 1 ? 1 : best > TOUCH_POWERS - 2 ? TOUCH_POWERS - 2 : best;
+    const int inner = best < 1 ? 1 : best > TOUCH_TRIED - 2 ? TOUCH_TRIED - 2 : best;
     const float left = score[inner - 1], middle = score[inner], right = score[inner + 1];
     const float bend = left - 2.0f * middle + right;
     if (best != inner || bend >= 0.0f) return score[best];
