@@ -79,8 +79,9 @@ class EmbeddedTables:
 
     @property
     def size(self) -> int:
-        """Number of numbers of a frame where its noise is white: decimated samples of all microphones."""
-        return len(self.microphones) * SAMPLES
+        """Number of numbers of a frame where its noise is white: decimated samples of all microphones, and zeros up
+        to a whole number of blocks of reflections."""
+        return -(-len(self.microphones) * SAMPLES // BLOCK) * BLOCK
 
     @property
     def rank(self) -> int:
@@ -137,11 +138,13 @@ def embedded_tables(
     whole = np.kron(np.eye(len(response.microphones)), whiten)
     values, vectors = np.linalg.eigh(whole @ touch_covariances(response, np.eye(SAMPLES)) @ whole.T)
     filled = max(1, int((values > WEAKEST).sum(1).max()))
-    rank = len(whole) - (len(whole) - filled) // BLOCK * BLOCK  # blocks of reflections end where the empty ones do
+    size = -(-len(whole) // BLOCK) * BLOCK
+    rank = size - (size - filled) // BLOCK * BLOCK  # blocks of reflections end where the empty directions do
     eigenvalues = np.clip(values[:, -rank:], 0, None)
     eigenvalues[:, : rank - filled] = 0.0
     determinant = np.log1p(eigenvalues[:, :, None] * POWERS).sum(1) / TEMPERATURE
-    vectors[:, :, :-rank] = _loudest_first(vectors[:, :, :-rank], values[:, -rank:], vectors[:, :, -rank:])
+    empty = _loudest_first(vectors[:, :, :-filled], values[:, -filled:], vectors[:, :, -filled:])
+    vectors = _padded(np.concatenate([empty, vectors[:, :, -filled:]], axis=2), size)
     turned = [reflections(each, precision == "int16") for each in vectors]
     steps = [each.steps for each in turned if each.steps is not None]
     sound = None if loudest is None else SoundTest(response, microphone_noise, loudest)
@@ -160,6 +163,15 @@ def embedded_tables(
         beside=None if sound is None else (NOISE_SHARE * sound.directions.T).astype(np.float32),
         usual=0.0 if sound is None else sound.usual(),
     )
+
+
+def _padded(vectors: Array, size: int) -> Array:
+    """Orthonormal columns (n_point, n, n) with further ones before them, along numbers that are always 0."""
+    count, before = vectors.shape[1], size - vectors.shape[1]
+    padded = np.zeros((len(vectors), size, size))
+    padded[:, :count, before:] = vectors
+    padded[:, count:, :before] = np.eye(before)
+    return padded
 
 
 def _loudest_first(empty: Array, values: Array, filled: Array) -> Array:

@@ -15,7 +15,9 @@
 /* A fall of 20 dB a second, for one hop. */
 #define FADES 0.963829f
 /* A point that lies as many nats behind is given up. */
+#ifndef SURE
 #define SURE 20.0f
+#endif
 #define LARGEST_PRESSURE 1e6f
 #define LARGEST_SCORE 1e30f
 
