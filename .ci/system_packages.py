@@ -2,7 +2,8 @@
 
 Needs only Python's own library, as it runs before anything is installed. Installs with apt-get where it may
 (Debian or Ubuntu, as root); otherwise prints the one line to type and ends with exit code 1. With --tests it also
-installs the browser that drives the studio's page, where it may; without one those tests are skipped.
+installs, where it may, the browser that drives the studio's page, and the compiler and the emulator of microcontrollers;
+without them those tests are skipped.
 """
 
 from __future__ import annotations
@@ -22,6 +23,12 @@ OLDEST_PYTHON = (3, 11)
 ROOT = Path(__file__).parents[1]
 #: Library as the loader knows it: Debian package.
 LIBRARIES = runpy.run_path(str(ROOT / "geometry" / "system" / "libraries.py"))["LIBRARIES"]
+#: Command that some tests run: Debian packages.
+TEST_TOOLS = {
+    "chromium": ("chromium",),
+    "arm-none-eabi-gcc": ("gcc-arm-none-eabi", "libnewlib-arm-none-eabi"),
+    "qemu-system-arm": ("qemu-system-arm",),
+}
 
 
 def main() -> int:
@@ -31,8 +38,10 @@ def main() -> int:
         print(f"acoustic-fem needs Python {needed} or later; {sys.executable} is {found}.", file=sys.stderr)
         print("Name another one: make PYTHON=python3.12 demo", file=sys.stderr)
         return 1
-    if "--tests" in sys.argv[1:] and not shutil.which("chromium") and shutil.which("apt-get") and os.geteuid() == 0:
-        install(["chromium"])  # what cannot be had is no obstacle
+    if "--tests" in sys.argv[1:] and shutil.which("apt-get") and os.geteuid() == 0:
+        for tool, names in TEST_TOOLS.items():
+            if not shutil.which(tool):
+                install([*names])  # what cannot be had is no obstacle
     packages = missing_packages()
     if not packages:
         return 0

@@ -1,6 +1,7 @@
 from . import (
     contacts as contacts,
     decoders as decoders,
+    embedded as embedded,
     evaluation as evaluation,
     learned as learned,
     live as live,

@@ -30,6 +30,7 @@ from .judging.training import (
     train_kinds as train_kinds,
     train_localizer as train_localizer,
 )
+from .listening.embedding import EmbeddedFiles as EmbeddedFiles, embed_decoder as embed_decoder
 from .listening.exporting import ExportedDecoder as ExportedDecoder, export_decoder as export_decoder
 from .listening.live import LiveInput as LiveInput, LiveSummary as LiveSummary, listen as listen
 from .listening.opening import Decoding as Decoding

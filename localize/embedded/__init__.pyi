@@ -1,3 +1,3 @@
-from .budget import Budget as Budget, Cost as Cost, cost_of as cost_of
-from .embedding import embed as embed
-from .tables import EmbeddedTables as EmbeddedTables, Precision as Precision, embedded_tables as embedded_tables
+from .budget import Budget as Budget, Cost as Cost, cost_of as cost_of, in_units as in_units
+from .embedding import EmbeddedDecoder as EmbeddedDecoder, embed as embed
+from .tables import Precision as Precision

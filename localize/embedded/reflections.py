@@ -2,8 +2,8 @@
 
 With q_1 ... q_n the orthonormal directions of a point, the reflections H_k = I - v_k v_k^T, |v_k|^2 = 2, of the QR
 decomposition of (q_1 ... q_n) turn a frame x into q_k^T x, one coordinate after the other, up to signs (Golub and Van
-Loan 2013, section 5.2). v_k has n - k + 1 numbers. Four at a time read the frame and write it once: with c_jk = v_j^T v_k
-their products with it are a_j = v_j^T x - sum_(k<j) c_jk a_k.
+Loan 2013, section 5.2). v_k has n - k + 1 numbers. Four at a time read the frame and write it once: with
+c_jk = v_j^T v_k their products with it are a_j = v_j^T x - sum_(k<j) c_jk a_k.
 """
 
 from __future__ import annotations

@@ -17,14 +17,19 @@ from localize.embedded.tables import (
     high_pass_coefficients,
     low_pass_taps,
 )
+from localize.live.stream import DEAD
 
 #: Sources that are the same for every array.
 SOURCES = ("touch_decoder.h", "touch_decoder.c", "touch_bench.c")
 #: Points that a decision names.
 TOP = 3
-_WIDTH = 8
 #: Powers that are tried at once.
-_AT_ONCE = 4
+AT_ONCE = 16
+#: Powers that are tried, and the last one again up to whole groups.
+POWER_COUNT = len(POWERS) + -len(POWERS) % AT_ONCE
+_WIDTH = 8
+#: FINER_BITS of touch_decoder.c.
+_FINER_BITS = 16
 
 
 def source_files(tables: EmbeddedTables) -> dict[str, str]:
@@ -34,19 +39,33 @@ def source_files(tables: EmbeddedTables) -> dict[str, str]:
     return {**texts, "touch_tables.h": _header(tables), "touch_tables.c": _constants(tables)}
 
 
+def table_bytes(tables: EmbeddedTables) -> int:
+    """Bytes of all constants."""
+    return sum(values.nbytes for _, _, values in _arrays(tables)) + 4 * len(_scalars(tables))
+
+
+def named_points(tables: EmbeddedTables) -> int:
+    """Number of points that a decision names."""
+    return min(TOP, tables.point_count)
+
+
 def _arrays(tables: EmbeddedTables) -> Iterable[tuple[str, str, NDArray[np.float32] | NDArray[np.int16]]]:
     """Type, name and numbers of every array."""
     yield "float", "touch_high_pass", high_pass_coefficients().astype(np.float32)
     yield "float", "touch_low_pass", low_pass_taps().astype(np.float32)
     yield "float", "touch_whitening", tables.whitening
-    yield "float", "touch_powers", np.append(POWERS, [POWERS[-1]] * (-len(POWERS) % _AT_ONCE)).astype(np.float32)
+    again = POWER_COUNT - len(POWERS)
+    weakness = 1 / np.append(POWERS, [POWERS[-1]] * again)
+    yield "float", "touch_weakness", weakness.astype(np.float32)
     yield "float", "touch_eigenvalues", tables.eigenvalues
-    more = np.repeat(tables.half_log_determinant[:, -1:], -len(POWERS) % _AT_ONCE, axis=1)
+    more = np.repeat(tables.half_log_determinant[:, -1:], again, axis=1)
     yield "float", "touch_half_log_determinant", np.concatenate([tables.half_log_determinant, more], axis=1)
     yield "touch_number", "touch_reflections", tables.reflections
     yield "float", "touch_couplings", tables.couplings
     if tables.steps is not None:
-        yield "float", "touch_steps", tables.steps
+        steps = tables.steps.copy()
+        steps[:, : tables.size] *= 2.0**_FINER_BITS
+        yield "float", "touch_steps", steps
     if tables.beside is not None:
         yield "float", "touch_beside", tables.beside.ravel()
 
@@ -55,11 +74,11 @@ def _header(tables: EmbeddedTables) -> str:
     numbers = {
         "MICROPHONES": len(tables.microphones),
         "POINTS": tables.point_count,
-        "TOP": min(TOP, tables.point_count),
+        "TOP": named_points(tables),
         "SAMPLES": SAMPLES,
         "NUMBERS": tables.size,
         "RANK": tables.rank,
-        "POWERS": len(POWERS) + -len(POWERS) % _AT_ONCE,
+        "POWERS": POWER_COUNT,
         "TRIED": len(POWERS),
         "TAPS": TAPS,
         "DECIMATION": DECIMATION,
@@ -69,7 +88,8 @@ def _header(tables: EmbeddedTables) -> str:
     lines = [f"/* Tables of the array {_words(tables.name)}: microphones {_words(', '.join(tables.microphones))}. */"]
     lines += ["#ifndef TOUCH_TABLES_H", "#define TOUCH_TABLES_H", "", "#include <stdint.h>", ""]
     lines += [f"#define TOUCH_{name} {value}" for name, value in numbers.items()]
-    lines += ["", f"typedef {'int16_t' if tables.precision == 'int16' else 'float'} touch_number;", ""]
+    number, coordinate = ("int16_t", "int32_t") if tables.precision == "int16" else ("float", "float")
+    lines += ["", f"typedef {number} touch_number;", f"typedef {coordinate} touch_coordinate;", ""]
     lines += [*(f"extern const {_declared(*each)};" for each in _arrays(tables))]
     lines += [f"extern const float {name};" for name in _scalars(tables)]
     return "\n".join([*lines, "", "#endif", ""])
@@ -90,6 +110,7 @@ def _constants(tables: EmbeddedTables) -> str:
 def _scalars(tables: EmbeddedTables) -> dict[str, float]:
     return {
         "touch_silence": tables.silence,
+        "touch_dead": DEAD * tables.noise_rms,
         "touch_half": 1 / (2 * TEMPERATURE),
         "touch_sound_usual": tables.usual,
         "touch_sound_mismatch": SOUND_MISMATCH,

@@ -42,6 +42,8 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 Single = NDArray[np.float32]
 Precision = Literal["float32", "int16"]
+PRECISIONS: tuple[Precision, ...] = ("float32", "int16")
+"""Precisions of the reflections."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,7 +82,8 @@ class EmbeddedTables:
     @property
     def size(self) -> int:
         """Number of numbers of a frame where its noise is white: decimated samples of all microphones, and zeros up
-        to a whole number of blocks of reflections."""
+        to a whole number of blocks of reflections.
+        """
         return -(-len(self.microphones) * SAMPLES // BLOCK) * BLOCK
 
     @property
@@ -114,21 +117,19 @@ def embedded_tables(
     library: Library | ArrayResponse,
     precision: Precision = "float32",
     microphone_noise: NoiseChoice = "design",
-    loudest: float | None = 80.0,
 ) -> EmbeddedTables:
-    """Tables of the decoder of an array that needs no training.
+    """Tables of the decoder of an array that needs no training; it tells sound where the library has a design.
 
     Args:
         library: transfer functions of at least two points and two microphones.
         precision: of the reflections.
         microphone_noise: as of :class:`localize.BayesDecoder`.
-        loudest: dB SPL, up to which the sound of a room is told from touches; None where it is not.
 
     Raises:
         Refusal: an unknown precision, or as :class:`localize.BayesDecoder` and :class:`localize.SoundTest`.
     """
-    if precision not in ("float32", "int16"):
-        raise Refusal(f"precision = {precision!r} must be 'float32' or 'int16'")
+    if precision not in PRECISIONS:
+        raise Refusal(f"precision = {precision!r} must be {' or '.join(map(repr, PRECISIONS))}")
     check_noise(microphone_noise)
     response = response_of(library)
     warn_of_uncovered(response)
@@ -147,7 +148,7 @@ def embedded_tables(
     vectors = _padded(np.concatenate([empty, vectors[:, :, -filled:]], axis=2), size)
     turned = [reflections(each, precision == "int16") for each in vectors]
     steps = [each.steps for each in turned if each.steps is not None]
-    sound = None if loudest is None else SoundTest(response, microphone_noise, loudest)
+    sound = None if response.ambient_response is None else SoundTest(response, microphone_noise)
     return EmbeddedTables(
         name=response.name,
         microphones=response.microphones,

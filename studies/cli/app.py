@@ -70,6 +70,7 @@ VERBS = (
     localizers.train,
     localizers.evaluate,
     locating.onnx,
+    locating.embed,
     locating.locate,
     locating.recognize,
     locating.track,

@@ -1,4 +1,4 @@
-"""Verbs that put a localizer or a recognizer to work: onnx, locate, recognize, track."""
+"""Verbs that put a localizer or a recognizer to work: onnx, embed, locate, recognize, track."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from geometry.refusal import counted
 from localize.contacts.radii import MOVING
 from studies.cli.options import AIR_OPTIONS, Altitude, LibraryFile, Pressure, Temperature, named
 from studies.cli.tables import show, table_of, tell
+from studies.listening.embedding import PRECISION, embed_decoder
 from studies.listening.exporting import export_decoder
 from studies.listening.opening import Decoding
 from studies.listening.recognized import recognize_recording
@@ -87,6 +88,46 @@ def onnx(
     tell(
         f"{out}: {counted(written.points, 'point')}, {counted(len(written.microphones), 'microphone')}, "
         f"{out.stat().st_size / 1e6:.1f} MB"
+    )
+    tell(f"assumed is {written.assumes}")
+
+
+def embed(
+    library: LibraryFile,
+    out: Annotated[Path, typer.Option(help="The folder to write the C files into.", show_default=False)],
+    precision: Annotated[
+        str, typer.Option(metavar="float32|int16", help="Of the large tables: int16 takes three fifths of the flash.")
+    ] = PRECISION,
+    budget: Annotated[
+        str | None,
+        typer.Option(
+            metavar="flash=512k,ram=16k,instructions=2.5M",
+            help="What the chip has left, one or more of flash, ram, stack (bytes; k is 1024) and instructions (a "
+            "decision's, every 16 ms); what takes more is refused, with the numbers.",
+            show_default="whatever it takes",
+        ),
+    ] = None,
+    noise: DecoderNoise = None,
+) -> None:
+    """Write the decoder of a library as C99 for the microcontroller on the sensor: samples in, the touched point out.
+
+    No training, no heap, nothing but math.h. It decodes the sensor as its library has it: calibrate first. What fits
+    on which chip: docs/embed.md.
+
+    Example: [bold]acoustic-fem embed library.nc --out firmware/touch --budget flash=512k,ram=16k[/bold]
+    """
+    with named(microphone_noise="--noise", precision="--precision", budget="--budget"):
+        written = embed_decoder(library, out, precision=precision, budget=budget, noise=noise)
+    cost, table = written.decoder.cost, table_of("", "at most", numbers=(1,))
+    for name, value in (("flash", cost.flash), ("ram", cost.ram), ("stack", cost.stack)):
+        table.add_row(name, f"{value} bytes")
+    table.add_row("instructions, a decision every 16 ms", str(cost.instructions))
+    table.add_row("the first one, more", str(cost.first))
+    show(table)
+    tables = written.decoder.tables
+    tell(
+        f"{out}: {counted(tables.point_count, 'point')}, {counted(len(tables.microphones), 'microphone')}, "
+        f"{tables.precision}; how to build, call and wire it: {out / 'README.md'}"
     )
     tell(f"assumed is {written.assumes}")
 

@@ -1,4 +1,4 @@
-/* The decoder of touch_decoder.h. Equations: docs/embedded.md of acoustic-fem. */
+/* The decoder of touch_decoder.h. Equations: docs/embed.md of acoustic-fem. */
 #include "touch_decoder.h"
 
 #include <math.h>
@@ -15,11 +15,19 @@
 /* A fall of 20 dB a second, for one hop. */
 #define FADES 0.963829f
 /* A point that lies as many nats behind is given up. */
-#ifndef SURE
 #define SURE 20.0f
+/* 1: nothing is given up or left out, to measure the longest that a decision may take. */
+#ifndef TOUCH_ALL
+#define TOUCH_ALL 0
 #endif
 #define LARGEST_PRESSURE 1e6f
 #define LARGEST_SCORE 1e30f
+/* A frame is the last TAIL samples of one hop and the whole of those after it. */
+#define TAIL (TOUCH_FRAME % TOUCH_HOP)
+/* Of 16-bit tables: bits of the longest frame, whose products with reflections then stay below 31, and those by which
+ * products are finer than it; touch_steps are steps times 2 to their power. */
+#define LARGEST_BITS 28
+#define FINER_BITS 16
 
 static void forget(touch_decoder *decoder, int is_told)
 {
@@ -27,8 +35,10 @@ static void forget(touch_decoder *decoder, int is_told)
     decoder->due = is_told ? TOUCH_FRAME % TOUCH_HOP : TOUCH_FRAME;
     decoder->loudest = 0.0f;
     decoder->least = INFINITY;
-    decoder->dead = 0;
-    memset(decoder->repeated, 0, sizeof decoder->repeated);
+    decoder->hop = 0;
+    decoder->place = TOUCH_HOP - TAIL - 1;
+    memset(decoder->whole, 0, sizeof decoder->whole);
+    memset(decoder->tail, 0, sizeof decoder->tail);
 }
 
 void touch_init(touch_decoder *decoder, float limit)
@@ -163,52 +173,105 @@ static int is_sound(const touch_decoder *decoder)
 }
 #endif
 
-/* Four reflections I - v v', |v|^2 = 2, of the numbers from the first that they change on. Returns where the next are. */
-static const touch_number *turn(float *numbers, int point, int stage, const touch_number *held)
+/* Four reflections I - v v', |v|^2 = 2, of the numbers from the first that they change on. First what the frame has of
+ * each vector, then what that takes from the frame. Returns where the next reflections are. */
+#if TOUCH_INT16
+/* Numbers of 16 bits and a frame of 32: sums are exact in 64, and the first number of each vector is held apart. */
+static float shortened(int64_t sum)
+{
+    return (float)(int32_t)(sum >> FINER_BITS);
+}
+
+static const touch_number *turn(touch_coordinate *numbers, int point, int stage, const touch_number *held)
+{
+    const float *couple = touch_couplings[point] + stage / BLOCK * COUPLINGS;
+    const float *step = touch_steps[point] + stage, *lead = step + TOUCH_NUMBERS;
+    const touch_coordinate *const end = numbers + TOUCH_NUMBERS;
+    const touch_number *v = held;
+    int64_t s0 = 0, s1 = 0, s2 = 0, s3 = 0;
+    numbers += stage;
+    for (const touch_coordinate *y = numbers; y < end; y += 2, v += 2 * BLOCK) {
+        const int64_t y0 = y[0], y1 = y[1];
+        s0 += y0 * v[0], s1 += y0 * v[1], s2 += y0 * v[2], s3 += y0 * v[3];
+        s0 += y1 * v[4], s1 += y1 * v[5], s2 += y1 * v[6], s3 += y1 * v[7];
+    }
+    const float a0 = step[0] * shortened(s0) + lead[0] * (float)numbers[0];
+    const float a1 = step[1] * shortened(s1) + lead[1] * (float)numbers[1] - couple[0] * a0;
+    const float a2 = step[2] * shortened(s2) + lead[2] * (float)numbers[2] - (couple[1] * a0 + couple[2] * a1);
+    const float a3 =
+        step[3] * shortened(s3) + lead[3] * (float)numbers[3] - (couple[3] * a0 + couple[4] * a1 + couple[5] * a2);
+    numbers[0] -= (int32_t)(lead[0] * a0);
+    numbers[1] -= (int32_t)(lead[1] * a1);
+    numbers[2] -= (int32_t)(lead[2] * a2);
+    numbers[3] -= (int32_t)(lead[3] * a3);
+    const int64_t t0 = (int32_t)(step[0] * a0), t1 = (int32_t)(step[1] * a1);
+    const int64_t t2 = (int32_t)(step[2] * a2), t3 = (int32_t)(step[3] * a3);
+    v = held;
+    for (touch_coordinate *y = numbers; y < end; y += 2, v += 2 * BLOCK) {
+        y[0] -= (int32_t)((t0 * v[0] + t1 * v[1] + t2 * v[2] + t3 * v[3]) >> FINER_BITS);
+        y[1] -= (int32_t)((t0 * v[4] + t1 * v[5] + t2 * v[6] + t3 * v[7]) >> FINER_BITS);
+    }
+    return v;
+}
+
+/* The frame as whole numbers: as large as its energy lets them be, whatever the directions that it is turned into. */
+static void begin_turn(touch_decoder *decoder)
+{
+    for (int k = 0; k < TOUCH_NUMBERS; k++) decoder->turned[k] = (int32_t)(decoder->white[k] / decoder->unit);
+}
+
+static void choose_unit(touch_decoder *decoder)
+{
+    int exponent = 0;
+    (void)frexpf(sqrtf(product(decoder->white, decoder->white, TOUCH_NUMBERS)), &exponent);
+    decoder->unit = ldexpf(1.0f, exponent - LARGEST_BITS);
+}
+#else
+static const touch_number *turn(touch_coordinate *numbers, int point, int stage, const touch_number *held)
 {
     const float *couple = touch_couplings[point] + stage / BLOCK * COUPLINGS;
     const int count = TOUCH_NUMBERS - stage;
     float a0 = 0.0f, a1 = 0.0f, a2 = 0.0f, a3 = 0.0f, b0 = 0.0f, b1 = 0.0f, b2 = 0.0f, b3 = 0.0f;
-    const touch_number *vector = held;
+    const float *v = held;
     numbers += stage;
-    for (int k = 0; k < count; k += 4, vector += 4 * BLOCK) {
+    for (int k = 0; k < count; k += 4, v += 4 * BLOCK) {
         const float y0 = numbers[k], y1 = numbers[k + 1], y2 = numbers[k + 2], y3 = numbers[k + 3];
-        a0 += (float)vector[0] * y0, a1 += (float)vector[1] * y0, a2 += (float)vector[2] * y0, a3 += (float)vector[3] * y0;
-        b0 += (float)vector[4] * y1, b1 += (float)vector[5] * y1, b2 += (float)vector[6] * y1, b3 += (float)vector[7] * y1;
-        a0 += (float)vector[8] * y2, a1 += (float)vector[9] * y2, a2 += (float)vector[10] * y2, a3 += (float)vector[11] * y2;
-        b0 += (float)vector[12] * y3, b1 += (float)vector[13] * y3, b2 += (float)vector[14] * y3, b3 += (float)vector[15] * y3;
+        a0 += v[0] * y0, a1 += v[1] * y0, a2 += v[2] * y0, a3 += v[3] * y0;
+        b0 += v[4] * y1, b1 += v[5] * y1, b2 += v[6] * y1, b3 += v[7] * y1;
+        a0 += v[8] * y2, a1 += v[9] * y2, a2 += v[10] * y2, a3 += v[11] * y2;
+        b0 += v[12] * y3, b1 += v[13] * y3, b2 += v[14] * y3, b3 += v[15] * y3;
     }
     a0 += b0, a1 += b1, a2 += b2, a3 += b3;
-#if TOUCH_INT16
-    const float *step = touch_steps[point] + stage, *lead = step + sizeof touch_steps[point] / sizeof *step / 2;
-    const int more = count > 2;
-    a0 = step[0] * a0 + lead[0] * numbers[0];
-    a1 = step[1] * a1 + lead[1] * numbers[1];
-    a2 = more ? step[2] * a2 + lead[2] * numbers[2] : 0.0f;
-    a3 = more ? step[3] * a3 + lead[3] * numbers[3] : 0.0f;
-#endif
     a1 -= couple[0] * a0;
     a2 -= couple[1] * a0 + couple[2] * a1;
     a3 -= couple[3] * a0 + couple[4] * a1 + couple[5] * a2;
-#if TOUCH_INT16
-    numbers[0] -= lead[0] * a0;
-    numbers[1] -= lead[1] * a1;
-    if (more) {
-        numbers[2] -= lead[2] * a2;
-        numbers[3] -= lead[3] * a3;
-    }
-    a0 *= step[0], a1 *= step[1], a2 *= step[2], a3 *= step[3];
-#endif
-    vector = held;
-    for (int k = 0; k < count; k += 4, vector += 4 * BLOCK) {
+    v = held;
+    for (int k = 0; k < count; k += 4, v += 4 * BLOCK) {
         float y0 = numbers[k], y1 = numbers[k + 1], y2 = numbers[k + 2], y3 = numbers[k + 3];
-        y0 -= (float)vector[0] * a0, y1 -= (float)vector[4] * a0, y2 -= (float)vector[8] * a0, y3 -= (float)vector[12] * a0;
-        y0 -= (float)vector[1] * a1, y1 -= (float)vector[5] * a1, y2 -= (float)vector[9] * a1, y3 -= (float)vector[13] * a1;
-        y0 -= (float)vector[2] * a2, y1 -= (float)vector[6] * a2, y2 -= (float)vector[10] * a2, y3 -= (float)vector[14] * a2;
-        y0 -= (float)vector[3] * a3, y1 -= (float)vector[7] * a3, y2 -= (float)vector[11] * a3, y3 -= (float)vector[15] * a3;
+        y0 -= v[0] * a0, y1 -= v[4] * a0, y2 -= v[8] * a0, y3 -= v[12] * a0;
+        y0 -= v[1] * a1, y1 -= v[5] * a1, y2 -= v[9] * a1, y3 -= v[13] * a1;
+        y0 -= v[2] * a2, y1 -= v[6] * a2, y2 -= v[10] * a2, y3 -= v[14] * a2;
+        y0 -= v[3] * a3, y1 -= v[7] * a3, y2 -= v[11] * a3, y3 -= v[15] * a3;
         numbers[k] = y0, numbers[k + 1] = y1, numbers[k + 2] = y2, numbers[k + 3] = y3;
     }
-    return vector;
+    return v;
+}
+
+static void begin_turn(touch_decoder *decoder)
+{
+    memcpy(decoder->turned, decoder->white, sizeof decoder->white);
+}
+
+static void choose_unit(touch_decoder *decoder)
+{
+    decoder->unit = 1.0f;
+}
+#endif
+
+static float squared(const touch_decoder *decoder, int k)
+{
+    const float number = decoder->unit * (float)decoder->turned[k];
+    return number * number;
 }
 
 /* A sum and what rounding took from it (Kahan 1965). */
@@ -219,22 +282,43 @@ static void add(float *sum, float value)
     sum[0] = next;
 }
 
-/* Scores of four powers, from one on and some apart. */
-static void score_powers(float *score, const float *energy, int point, float missed, int first, int apart)
+static float score_at(int point, int power, float missed)
 {
-    const float *power = touch_powers + first, *value = touch_eigenvalues[point];
-    float m0 = missed, m1 = missed, m2 = missed, m3 = missed;
-    for (int k = 0; k < TOUCH_RANK; k++) {
-        m0 += energy[k] / (1.0f + power[0] * value[k]);
-        m1 += energy[k] / (1.0f + power[apart] * value[k]);
-        m2 += energy[k] / (1.0f + power[2 * apart] * value[k]);
-        m3 += energy[k] / (1.0f + power[3 * apart] * value[k]);
-    }
-    const float *loss = touch_half_log_determinant[point] + first;
-    score[first] = -touch_half * m0 - loss[0];
-    score[first + apart] = -touch_half * m1 - loss[apart];
-    score[first + 2 * apart] = -touch_half * m2 - loss[2 * apart];
-    score[first + 3 * apart] = -touch_half * m3 - loss[3 * apart];
+    return -touch_half * missed - touch_half_log_determinant[point][power];
+}
+
+/* e / (r + l) + f / (r + w) by one division, which takes a chip as long as a dozen products. */
+static float pair(const float *energy, const float *value, float r)
+{
+    const float a = r + value[0], b = r + value[1];
+    return (energy[0] * b + energy[1] * a) / (a * b);
+}
+
+/* Scores of every fourth of sixteen powers g. With r = 1 / g, 1 / (1 + g l) is r / (r + l). */
+static void score_apart(float *score, const float *energy, int point, float missed, int first)
+{
+    const float *value = touch_eigenvalues[point], *weak = touch_weakness + first;
+    const float r0 = weak[0], r1 = weak[STRIDE], r2 = weak[2 * STRIDE], r3 = weak[3 * STRIDE];
+    float m0 = 0.0f, m1 = 0.0f, m2 = 0.0f, m3 = 0.0f;
+    for (const float *e = energy, *l = value; l < value + TOUCH_RANK; e += 2, l += 2)
+        m0 += pair(e, l, r0), m1 += pair(e, l, r1), m2 += pair(e, l, r2), m3 += pair(e, l, r3);
+    score[first] = score_at(point, first, missed + r0 * m0);
+    score[first + STRIDE] = score_at(point, first + STRIDE, missed + r1 * m1);
+    score[first + 2 * STRIDE] = score_at(point, first + 2 * STRIDE, missed + r2 * m2);
+    score[first + 3 * STRIDE] = score_at(point, first + 3 * STRIDE, missed + r3 * m3);
+}
+
+/* Scores of the three powers from one on that lie between those. */
+static void score_between(float *score, const float *energy, int point, float missed, int first)
+{
+    const float *value = touch_eigenvalues[point], *weak = touch_weakness + first;
+    const float r0 = weak[0], r1 = weak[1], r2 = weak[2];
+    float m0 = 0.0f, m1 = 0.0f, m2 = 0.0f;
+    for (const float *e = energy, *l = value; l < value + TOUCH_RANK; e += 2, l += 2)
+        m0 += pair(e, l, r0), m1 += pair(e, l, r1), m2 += pair(e, l, r2);
+    score[first] = score_at(point, first, missed + r0 * m0);
+    score[first + 1] = score_at(point, first + 1, missed + r1 * m1);
+    score[first + 2] = score_at(point, first + 2, missed + r2 * m2);
 }
 
 /* The largest log-likelihood over the power of the touch: the parabola around the best of the powers that are tried.
@@ -248,7 +332,7 @@ static float best_power(const float *energy, int point, float missed)
     float score[TOUCH_POWERS];
     int best = 0, is_more = 1;
     uint32_t scored = 0;
-    for (int p = 0; p < TOUCH_POWERS; p += 4 * STRIDE) score_powers(score, energy, point, missed, p, STRIDE);
+    for (int p = 0; p < TOUCH_POWERS; p += 4 * STRIDE) score_apart(score, energy, point, missed, p);
     for (int p = 0; p < TOUCH_POWERS; p += STRIDE)
         if (score[p] > score[best]) best = p;
     while (is_more) {
@@ -257,11 +341,12 @@ static float best_power(const float *energy, int point, float missed)
             const int p = group * STRIDE;
             const float most = p + STRIDE < TOUCH_POWERS ? score[p + STRIDE] + loss[p + STRIDE] : -touch_half * missed;
             const int is_beside = best >= p && best <= p + STRIDE;
-            if (scored >> group & 1u || (!is_beside && most - loss[p + 1] <= score[best])) continue;
-            score_powers(score, energy, point, missed, p, 1);
+            const int is_lower = !is_beside && most - loss[p + 1] <= score[best];
+            if (scored >> group & 1u || (is_lower && !TOUCH_ALL)) continue;
+            score_between(score, energy, point, missed, p + 1);
             scored |= (uint32_t)1 << group;
             is_more = 1;
-            for (int k = p; k < p + STRIDE; k++)
+            for (int k = p + 1; k < p + STRIDE; k++)
                 if (score[k] > score[best]) best = k;
         }
     }
@@ -272,26 +357,26 @@ static float best_power(const float *energy, int point, float missed)
     return middle - (right - left) * (right - left) / (8.0f * bend);
 }
 
-/* Log-likelihood of a point: minus what it misses of the frame, beside what the first point leaves empty. The frame is turned into the directions of the point,
- * those that it leaves empty first; what lies there alone may already give the point up. */
+/* Log-likelihood of a point: minus what it misses of the frame, beside what the first point leaves empty. The frame is
+ * turned into the directions of the point, those that it leaves empty first; what lies there alone may already give the
+ * point up. */
 static float score_of(touch_decoder *decoder, int point, float best)
 {
     const touch_number *held = touch_reflections[point];
-    float *turned = decoder->turned, sum[2] = {0.0f, 0.0f};
+    float sum[2] = {0.0f, 0.0f}, energy[TOUCH_RANK];
     int stage = 0;
-    memcpy(turned, decoder->white, sizeof decoder->white);
+    begin_turn(decoder);
     /* The first point that is scored, whose best is -INFINITY, is never given up. */
     const float most = best - SURE + touch_half_log_determinant[point][0];
     for (; stage < TOUCH_NUMBERS - TOUCH_RANK; stage += BLOCK) {
-        held = turn(turned, point, stage, held);
-        for (int k = 0; k < BLOCK; k++) add(sum, turned[stage + k] * turned[stage + k]);
-        if (-touch_half * (sum[0] - decoder->common) < most) return -INFINITY;
+        held = turn(decoder->turned, point, stage, held);
+        for (int k = 0; k < BLOCK; k++) add(sum, squared(decoder, stage + k));
+        if (!TOUCH_ALL && -touch_half * (sum[0] - decoder->common) < most) return -INFINITY;
     }
     if (best < -LARGEST_SCORE) decoder->common = sum[0];
     const float missed = (sum[0] - decoder->common) - sum[1];
-    for (; stage < TOUCH_NUMBERS; stage += BLOCK) held = turn(turned, point, stage, held);
-    float *energy = turned + TOUCH_NUMBERS - TOUCH_RANK;
-    for (int k = 0; k < TOUCH_RANK; k++) energy[k] *= energy[k];
+    for (; stage < TOUCH_NUMBERS; stage += BLOCK) held = turn(decoder->turned, point, stage, held);
+    for (int k = 0; k < TOUCH_RANK; k++) energy[k] = squared(decoder, TOUCH_NUMBERS - TOUCH_RANK + k);
     return best_power(energy, point, missed);
 }
 
@@ -299,6 +384,7 @@ static void locate(touch_decoder *decoder)
 {
     touch_decision *decision = &decoder->decision;
     float *posterior = decision->posterior;
+    choose_unit(decoder);
     /* A finger mostly stays: beside the best point the others are given up early. */
     float best = posterior[decoder->last] = score_of(decoder, decoder->last, -INFINITY), sum = 0.0f;
     for (int point = 0; point < TOUCH_POINTS; point++) {
@@ -326,12 +412,65 @@ static void locate(touch_decoder *decoder)
     decoder->last = decision->point - 1;
 }
 
+/* Mean and sum of squares about it, with one more value (Welford 1962). */
+static void count(touch_spread *spread, float value, int number)
+{
+    const float change = value - spread->mean;
+    spread->mean += change / (float)number;
+    spread->square += change * (value - spread->mean);
+}
+
+/* A sample of one microphone as it came: clipped, and how it varies. */
+static void watch(touch_decoder *decoder, int m, float sample)
+{
+    const int place = decoder->place, first = TOUCH_HOP - TAIL;
+    if (fabsf(sample) >= decoder->limit) decoder->clipped = decoder->number + TOUCH_FRAME;
+    count(&decoder->whole[m][decoder->hop], sample, place + 1);
+    if (place >= first) count(&decoder->tail[m][decoder->hop], sample, place - first + 1);
+}
+
+/* Where the next sample lies in its hop; a full one gives way to the oldest, which begins anew. */
+static void step_on(touch_decoder *decoder)
+{
+    if (++decoder->place < TOUCH_HOP) return;
+    const touch_spread none = {0.0f, 0.0f};
+    decoder->place = 0;
+    decoder->hop = (decoder->hop + 1) % TOUCH_HOPS;
+    for (int m = 0; m < TOUCH_MICROPHONES; m++) decoder->whole[m][decoder->hop] = decoder->tail[m][decoder->hop] = none;
+}
+
+/* What is in the frame of the hop that is so many back. */
+static const touch_spread *part_of(const touch_decoder *decoder, int m, int back)
+{
+    const int hop = (decoder->hop + TOUCH_HOPS - back) % TOUCH_HOPS;
+    return back == TOUCH_HOPS - 1 ? &decoder->tail[m][hop] : &decoder->whole[m][hop];
+}
+
+/* Whether a microphone gives one value only, or less than its noise: by the variance of the frame as it came. */
+static int is_dead(const touch_decoder *decoder, int m)
+{
+    const float newest = part_of(decoder, m, 0)->mean;
+    float mean = 0.0f, square = 0.0f;
+    for (int back = 0; back < TOUCH_HOPS; back++) {
+        const float number = back == TOUCH_HOPS - 1 ? TAIL : TOUCH_HOP;
+        mean += number / TOUCH_FRAME * (part_of(decoder, m, back)->mean - newest);
+    }
+    for (int back = 0; back < TOUCH_HOPS; back++) {
+        const float number = back == TOUCH_HOPS - 1 ? TAIL : TOUCH_HOP;
+        const float beside = part_of(decoder, m, back)->mean - newest - mean;
+        square += part_of(decoder, m, back)->square + number * beside * beside;
+    }
+    return square < TOUCH_FRAME * touch_dead * touch_dead;
+}
+
 static touch_state judge(touch_decoder *decoder)
 {
     float level = 0.0f;
     for (int m = 0; m < TOUCH_MICROPHONES; m++) level = fmaxf(level, level_of(decoder->frame[m]));
     decoder->decision.level = level;
-    if (decoder->number < decoder->clipped || decoder->dead) return TOUCH_UNREADABLE;
+    if (decoder->number < decoder->clipped) return TOUCH_UNREADABLE;
+    for (int m = 0; m < TOUCH_MICROPHONES; m++)
+        if (is_dead(decoder, m)) return TOUCH_UNREADABLE;
     decoder->loudest *= FADES;
     if (level <= touch_silence) return TOUCH_NONE;
     if (level < fminf(FADED * decoder->loudest, RISEN * decoder->least)) {
@@ -360,22 +499,11 @@ static void decide(touch_decoder *decoder)
     decoder->decision.state = decoder->held < TOUCH_FRAME ? TOUCH_UNREADABLE : judge(decoder);
 }
 
-/* A sample of one microphone as it came: clipped, or the same as 249 before it? */
-static void watch(touch_decoder *decoder, int m, float sample)
-{
-    if (fabsf(sample) >= decoder->limit) decoder->clipped = decoder->number + TOUCH_FRAME;
-    const uint32_t bit = (uint32_t)1 << m;
-    const int is_same = sample <= decoder->previous[m] && sample >= decoder->previous[m];
-    if (!is_same) decoder->repeated[m] = 0;
-    if (decoder->repeated[m] < TOUCH_FRAME) decoder->repeated[m]++;
-    decoder->dead = decoder->repeated[m] == TOUCH_FRAME ? decoder->dead | bit : decoder->dead & ~bit;
-    decoder->previous[m] = sample;
-}
-
 static int take(touch_decoder *decoder, const float *samples)
 {
     for (int m = 0; m < TOUCH_MICROPHONES; m++)
         if (!(fabsf(samples[m]) < LARGEST_PRESSURE)) return 0;
+    step_on(decoder);
     for (int m = 0; m < TOUCH_MICROPHONES; m++) {
         watch(decoder, m, samples[m]);
         if (decoder->held < TOUCH_FRAME)

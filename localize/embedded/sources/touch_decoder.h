@@ -22,6 +22,7 @@
 
 #define TOUCH_HOP 16    /* samples from one decision to the next */
 #define TOUCH_FRAME 250 /* samples that one decision is made from */
+#define TOUCH_HOPS 16   /* hops that a frame lies in */
 
 #ifdef __cplusplus
 extern "C" {
@@ -46,6 +47,10 @@ typedef struct {
 } touch_decision;
 
 typedef struct {
+    float mean, square; /* of some values: mean, and sum of squares about it */
+} touch_spread;
+
+typedef struct {
     touch_decision decision;
     int is_new;                      /* whether the last push ended with a new decision */
     float limit;                     /* Pa; a sample that reaches it is clipped */
@@ -54,16 +59,18 @@ typedef struct {
     int held;                        /* samples of the frame so far, TOUCH_FRAME once it is whole */
     int last;                        /* point that was touched last, from 0 */
     float loudest, least;            /* levels: what may be left of a touch, and the least of it so far */
-    uint32_t clipped, dead;          /* sample up to which a frame is clipped; one bit for each dead microphone */
-    float previous[TOUCH_MICROPHONES];
-    uint16_t repeated[TOUCH_MICROPHONES];
+    uint32_t clipped;                /* sample up to which a frame is clipped */
+    int hop, place;                  /* of the newest sample: its hop of those below, and where it lies in that */
+    touch_spread whole[TOUCH_MICROPHONES][TOUCH_HOPS]; /* of the samples of each hop, as they came */
+    touch_spread tail[TOUCH_MICROPHONES][TOUCH_HOPS];  /* of those that are in the frame still when it is the oldest */
     float state[TOUCH_MICROPHONES][2];                /* of the high-pass */
     float frame[TOUCH_MICROPHONES][TOUCH_FRAME];      /* behind the high-pass; as it came until it is whole */
     float coming[TOUCH_MICROPHONES][TOUCH_HOP];
     float decimated[TOUCH_MICROPHONES][TOUCH_SAMPLES];
     float common;                    /* what the point that was scored first leaves empty of the frame */
     float white[TOUCH_NUMBERS];                       /* the frame where its noise is white, of variance 1 */
-    float turned[TOUCH_NUMBERS];                      /* that frame in the directions of a point */
+    float unit;                      /* of the numbers below */
+    touch_coordinate turned[TOUCH_NUMBERS];           /* that frame in the directions of a point */
 } touch_decoder;
 
 /* Forget everything. limit: Pa, from which on a sample is clipped; 0 where none is. */

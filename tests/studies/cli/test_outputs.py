@@ -50,6 +50,7 @@ FOLDERS = {
     "run": "row.toml",
     "rig": "row.toml",
     "train": "library.nc",
+    "embed": "library.nc",
     "evaluate": "localizer library.nc",
     "bend": "",
     "sweep": "study.toml",

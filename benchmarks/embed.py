@@ -1,0 +1,102 @@
+"""What the decoder as C takes on a microcontroller. ``python benchmarks/embed.py`` writes the tables of docs/embed.md
+anew: what fits where for all prototypes in minutes, then differences from Python and counts on the emulated board.
+
+Touches are the decoding library's own, of the generator of this project, on seeds on which nothing was chosen;
+libraries are lumped, "calibrated" ones those of a made sensor drawn with the workshop's tolerances.
+"""
+
+from __future__ import annotations
+
+import tempfile
+from pathlib import Path
+
+import numpy as np
+
+import geometry
+from benchmarks.boards import run_on_board
+from benchmarks.embedded_touches import LIMIT, STATES, array_of, decided_of, in_the_wake
+from geometry.files.writing import replace_section
+from localize.embedded import Cost, cost_of, embed
+from localize.embedded.tables import PRECISIONS, embedded_tables
+
+PAGE = Path(__file__).parents[1] / "docs" / "embed.md"
+SEED, TAKES = 2031, 30
+#: Classes of chips: name, flash in KiB, clock in MHz.
+CHIPS = (
+    ("256 KiB, 80 MHz", 256, 80),
+    ("512 KiB, 64 MHz", 512, 64),
+    ("1 MiB, 64 MHz", 1024, 64),
+    ("2 MiB, 160 MHz", 2048, 160),
+    ("16 MiB outside, 150 MHz", 16384, 150),
+)
+#: Flash for everything else, KiB, and cycles for an instruction: divisions and waits for flash.
+REST, CYCLES = 32, 1.5
+
+
+def main() -> None:
+    rows = ["| array | library | tables | flash (KiB) | RAM (B) | stack (B) | instructions (k) | smallest chip |"]
+    rows += ["|---|---|---|---|---|---|---|---|"]
+    for name in geometry.prototype_names():
+        for is_calibrated in (False, True):
+            for precision in PRECISIONS:
+                tables = embedded_tables(array_of(name, is_calibrated), precision)
+                cost = cost_of(tables)
+                kind = "calibrated" if is_calibrated else "nominal"
+                rows.append(
+                    f"| {name} ({tables.point_count}, {len(tables.microphones)}) | {kind} | {precision} | "
+                    f"{cost.flash / 1024:.0f} | {cost.ram} | {cost.stack} | {cost.instructions / 1e3:.0f} | "
+                    f"{smallest(cost)} |"
+                )
+                print(rows[-1], flush=True)
+    replace_section(PAGE, "<!-- sizes: made by benchmarks/embed.py -->", "<!-- end sizes -->", rows)
+    rows = [
+        "| array | library | tables | frames | largest difference | 99 % below | same point | in the wake of clipping |"
+    ]
+    rows[0] += " instructions (k): median | 99 % below | most | told |"
+    rows += ["|" + "---|" * 12]
+    for name in ("array-2x6", "line-2"):
+        for is_calibrated in (False, True):
+            for precision in PRECISIONS:
+                rows.append(measured(name, is_calibrated, precision))
+                print(rows[-1], flush=True)
+    replace_section(PAGE, "<!-- frames: made by benchmarks/embed.py -->", "<!-- end frames -->", rows)
+
+
+def smallest(cost: Cost) -> str:
+    """The smallest class of chips that has room and time for a decoder."""
+    for name, flash, clock in CHIPS:
+        fits = cost.flash / 1024 + REST <= flash
+        if fits and cost.instructions * CYCLES <= 0.016 * clock * 1e6:
+            return name
+    return "none"
+
+
+def measured(name: str, is_calibrated: bool, precision: str) -> str:
+    """A row of the second table: on a Cortex-M4F."""
+    samples, expected = decided_of(name, is_calibrated, TAKES, seed=SEED)
+    decoder = embed(array_of(name, is_calibrated), precision)
+    with tempfile.TemporaryDirectory() as folder:
+        for file, text in decoder.files.items():
+            Path(folder, file).write_text(text, encoding="utf-8")
+        found = run_on_board(Path(folder), samples.T, limit=LIMIT)
+    state = np.array(expected.state)
+    if tuple(STATES[number] for number in found.state) != expected.state:
+        raise RuntimeError(f"{name}: states differ")
+    touched, wake = state == "touch", in_the_wake(samples, expected)
+    difference = np.abs(found.posterior - expected.posterior).max(1)
+    same = (found.point == expected.point)[touched].mean()
+    # The first decision of a take filters its whole frame, and is told apart.
+    begun = (np.diff(expected.sample, prepend=0) == 16) & touched
+    begun[1:] &= state[:-1] != "unreadable"
+    spent = found.instructions[begun] / 1e3
+    clear, after = difference[touched & ~wake], difference[touched & wake]
+    return (
+        f"| {name} | {'calibrated' if is_calibrated else 'nominal'} | {precision} | {len(clear)} | {clear.max():.1e} | "
+        f"{np.quantile(clear, 0.99):.1e} | {100 * same:.1f} % | {after.max(initial=0.0):.1e} of {len(after)} | "
+        f"{np.median(spent):.0f} | {np.quantile(spent, 0.99):.0f} | {spent.max():.0f} | "
+        f"{decoder.cost.instructions / 1e3:.0f} |"
+    )
+
+
+if __name__ == "__main__":
+    main()

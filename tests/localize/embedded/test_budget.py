@@ -1,0 +1,74 @@
+"""What a decoder costs is counted as the compiler counts it; what is over a budget is refused with the number."""
+
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+from embedded_bench import COMPILER, needs_compiler
+
+from geometry.refusal import Refusal
+from localize import ArrayResponse
+from localize.embedded import Budget, Cost, embed, in_units
+
+COST = Cost(flash=340_892, ram=4_100, stack=704, instructions=641_292, first=66_000)
+
+
+def small(microphones: int, points: int) -> ArrayResponse:
+    """An array of no design, whose points differ."""
+    frequency = np.linspace(1.0, 100.0, 12)
+    delay = np.random.default_rng(2).uniform(1e-3, 2e-2, (points, microphones, 1))
+    names = tuple("ABCD"[:microphones])
+    gain = 0.3 * np.exp(-2j * np.pi * frequency * delay)
+    return ArrayResponse(gain, frequency, np.zeros(points, int), np.arange(points), names, name="of delays */ #")
+
+
+def test_a_budget_is_read_from_words() -> None:
+    assert Budget.stated("flash=512k,ram=16k,instructions=2.5M") == Budget(512 * 1024, 16 * 1024, None, 2_500_000)
+    assert Budget.stated("stack = 800") == Budget(stack=800)
+    assert Budget.stated("flash=1M,instructions=900k") == Budget(flash=1024**2, instructions=900_000)
+
+
+@pytest.mark.parametrize(
+    "text", ["", "flash", "flash=", "flash=1g", "rom=3k", "ram=0", "ram=1k,ram=2k", "ram=-1k", "ram=1k,"]
+)
+def test_other_words_are_refused(text: str) -> None:
+    with pytest.raises(Refusal, match=r"^budget = .* must be one of flash, ram, stack and instructions, once, with"):
+        Budget.stated(text)
+
+
+def test_what_is_over_is_refused_with_all_its_numbers() -> None:
+    with pytest.raises(Refusal) as refused:
+        Budget.stated("flash=256k,ram=4k,stack=704,instructions=0.64M").check(COST, "array-2x6 in float32")
+    assert str(refused.value) == (
+        "budget is exceeded by array-2x6 in float32: flash 340892 of 262144 bytes, ram 4100 of 4096 bytes, "
+        "instructions 641292 of 640000"
+    )
+    Budget.stated("flash=333k,ram=4.1k,stack=704,instructions=0.65M").check(COST, "array-2x6 in float32")
+    with pytest.raises(Refusal, match="flash"):
+        embed(small(2, 2), microphone_noise=1e-3, budget=Budget(flash=10_000))
+
+
+def test_figures_are_told_in_units_of_data_sheets() -> None:
+    assert in_units("flash", 524_288) == "512 KiB"
+    assert in_units("instructions", 2_500_000) == "2.5 M"
+
+
+@needs_compiler
+@pytest.mark.parametrize(("microphones", "precision"), [(2, "float32"), (3, "int16"), (4, "float32")])
+def test_memory_and_tables_are_what_the_compiler_makes_of_them(
+    tmp_path: Path, microphones: int, precision: str
+) -> None:
+    decoder = embed(small(microphones, 3), precision, 1e-3)
+    for name, text in decoder.files.items():
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    names = [line.split()[3].split("[")[0].rstrip(";") for line in decoder.files["touch_tables.h"].splitlines()
+             if line.startswith("extern")]  # fmt: skip
+    program = "".join(f" + sizeof {name}" for name in names)
+    (tmp_path / "size.c").write_text(
+        f'#include "touch_decoder.h"\nint ram[sizeof(touch_decoder) == {decoder.cost.ram} ? 1 : -1];\n'
+        f"int flash[0{program} == {decoder.table_bytes} ? 1 : -1];\n"
+    )
+    command = [str(COMPILER), "-std=c99", "-c", "size.c", "-o", "size.o"]
+    made = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert made.returncode == 0, made.stderr

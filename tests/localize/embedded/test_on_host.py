@@ -1,0 +1,79 @@
+"""The exported C, built with every warning an error and all sanitizers on, decides what Python decides."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from embedded_bench import LARGEST, assert_agree, build, decided_in_c, needs_compiler
+from small_run import small_design
+
+import acoustic_fem
+from benchmarks.embedded_touches import STATES, array_of, calibrated, decided_in_python, decided_of, touches
+from geometry.refusal import Refusal
+from localize.embedded import embed
+from localize.signals.array_response import response_of
+
+
+@needs_compiler
+def test_a_small_array_is_decoded_as_in_python_whatever_the_chunks(tmp_path: Path) -> None:
+    response = calibrated(acoustic_fem.solve(small_design(), np.linspace(1.0, 500.0, 100), "lumped"))
+    samples = touches(response, 5, 2)
+    expected = decided_in_python(response, samples)
+    assert set(expected.state) >= {"no touch", "touch", "unreadable"}
+    bench = build(embed(response), tmp_path / "bench")
+    found = decided_in_c(bench, samples, response.point_count, 37)
+    assert_agree(found, expected, samples, 1e-4, 1e-3)
+    for chunk in (1, 16, 4096):
+        again = decided_in_c(bench, samples, response.point_count, chunk)
+        assert again.state == found.state
+        np.testing.assert_array_equal(again.posterior, found.posterior)
+
+
+@needs_compiler
+def test_a_library_without_a_design_has_no_test_of_sound(tmp_path: Path) -> None:
+    response = replace(
+        response_of(acoustic_fem.solve(small_design(), np.linspace(1.0, 500.0, 100), "lumped")), ambient_response=None
+    )
+    decoder = embed(response, "int16")
+    assert "#define TOUCH_SOUND_NUMBERS 0" in decoder.files["touch_tables.h"]
+    assert "sound of a room" not in decoder.files["README.md"]
+    samples = touches(response, 5, 1)
+    assert "touch" in decided_in_c(build(decoder, tmp_path / "bench"), samples, 3).state
+
+
+def test_what_cannot_be_embedded_is_refused() -> None:
+    response = array_of("array-2x6", False)
+    with pytest.raises(Refusal, match=r"^precision = 'int8' must be 'float32' or 'int16'$"):
+        embed(response, "int8")  # type: ignore[arg-type]
+    with pytest.raises(Refusal, match="microphone_noise = 'design' needs a library with a design"):
+        embed(replace(response, own_noise=None))
+
+
+@needs_compiler
+@pytest.mark.slow
+@pytest.mark.parametrize("is_calibrated", [False, True], ids=["nominal", "calibrated"])
+@pytest.mark.parametrize("name", ["array-2x6", "line-2", "glove"])
+def test_touches_are_decoded_as_in_python(tmp_path: Path, name: str, is_calibrated: bool) -> None:
+    """Taps and sums of sines, loud, quiet and clipped: 1,488 decisions of each array, samples 37 at a time."""
+    samples, expected = decided_of(name, is_calibrated, 12)
+    assert len(expected.state) > 1400
+    response = array_of(name, is_calibrated)
+    for precision, (largest, after_clipping) in LARGEST[name].items():
+        bench = build(embed(response, precision), tmp_path / precision)
+        found = decided_in_c(bench, samples, response.point_count, 37)
+        assert_agree(found, expected, samples, largest, after_clipping)
+
+
+@needs_compiler
+@pytest.mark.slow
+def test_a_minute_of_touches_is_decided_as_by_the_stream_in_python(tmp_path: Path) -> None:
+    """One after the other without a gap, samples 37 at a time: frames that hold two touches are explained by no point,
+    and differ by more than others.
+    """
+    samples, expected = decided_of("array-2x6", True, 30, apart=False)
+    assert samples.shape[1] > 60_000
+    assert set(expected.state) == set(STATES)
+    response = array_of("array-2x6", True)
+    found = decided_in_c(build(embed(response), tmp_path / "bench"), samples, response.point_count, 37)
+    assert_agree(found, expected, samples, 1e-4, 1e-3)
