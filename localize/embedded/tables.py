@@ -147,6 +147,8 @@ def embedded_tables(
     empty = _loudest_first(vectors[:, :, :-filled], values[:, -filled:], vectors[:, :, -filled:])
     vectors = _padded(np.concatenate([empty, vectors[:, :, -filled:]], axis=2), size)
     turned = [reflections(each, precision == "int16") for each in vectors]
+    kind = np.int16 if precision == "int16" else np.float32
+    numbers: Single | NDArray[np.int16] = np.stack([each.numbers.astype(kind) for each in turned])
     steps = [each.steps for each in turned if each.steps is not None]
     sound = None if response.ambient_response is None else SoundTest(response, microphone_noise)
     return EmbeddedTables(
@@ -158,7 +160,7 @@ def embedded_tables(
         whitening=whiten[np.tril_indices(SAMPLES)].astype(np.float32),
         eigenvalues=eigenvalues.astype(np.float32),
         half_log_determinant=(0.5 * determinant).astype(np.float32),
-        reflections=np.stack([each.numbers for each in turned]),
+        reflections=numbers,
         couplings=np.stack([each.couplings for each in turned]),
         steps=np.stack(steps).reshape(len(steps), -1) if steps else None,
         beside=None if sound is None else (NOISE_SHARE * sound.directions.T).astype(np.float32),

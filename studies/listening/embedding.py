@@ -13,6 +13,7 @@ from studies.output.folders import check_folder, replaced_files
 
 if TYPE_CHECKING:
     from localize.embedded import EmbeddedDecoder, Precision
+    from localize.signals.noise import NoiseChoice
 
 PRECISION = "float32"
 """Precision of the large tables where a caller names none."""
@@ -65,7 +66,7 @@ def embed_decoder(
     from localize.embedded import Budget, embed
 
     left = None if budget is None else Budget.stated(budget)
-    level = "design" if noise is None else noise
+    level: NoiseChoice = "design" if noise is None else noise
     decoder = embed(acoustic_fem.load(source), cast("Precision", precision), level, left)
     with replaced_files(folder) as fresh:
         for name, text in decoder.files.items():
