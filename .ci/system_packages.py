@@ -2,7 +2,7 @@
 
 Needs only Python's own library, as it runs before anything is installed. Installs with apt-get where it may
 (Debian or Ubuntu, as root); otherwise prints the one line to type and ends with exit code 1. With --tests it also
-installs, where it may, the browser that drives the studio's page, and the compiler and the emulator of microcontrollers;
+installs, where it may, the browser that drives the studio's page, and compiler and emulator of microcontrollers;
 without them those tests are skipped.
 """
 

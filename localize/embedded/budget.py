@@ -136,5 +136,5 @@ def _instructions(tables: EmbeddedTables) -> int:
     turns = 120 * fours + 204 * blocks if tables.precision == "int16" else 86 * fours + 70 * blocks
     scores = (2 * 35 + 8 * 28) * POWER_COUNT // 32 * tables.rank // 2
     beside = 0 if tables.beside is None else len(tables.beside)
-    frame = beside * (4.8 * microphones * SAMPLES + 8 * microphones**2) + 13_000 * microphones
+    frame = beside * (4.8 * microphones * SAMPLES + 8 * microphones**2) + 19_000 * microphones
     return int(tables.point_count * (turns + scores + 1500) + frame)

@@ -10,9 +10,8 @@ from numpy.typing import NDArray
 
 from localize.decoders.bayes import POWERS, TEMPERATURE
 from localize.decoders.frame_covariance import DECIMATION, SAMPLES, TAPS
+from localize.decoders.sound_test import GAIN, MISMATCH
 from localize.embedded.tables import (
-    SOUND_GAIN,
-    SOUND_MISMATCH,
     EmbeddedTables,
     high_pass_coefficients,
     low_pass_taps,
@@ -66,7 +65,8 @@ def _arrays(tables: EmbeddedTables) -> Iterable[tuple[str, str, NDArray[np.float
         steps = tables.steps.copy()
         steps[:, : tables.size] *= 2.0**_FINER_BITS
         yield "float", "touch_steps", steps
-    if tables.beside is not None:
+    if tables.beside is not None and tables.sound_whitening is not None:
+        yield "float", "touch_sound_whitening", tables.sound_whitening
         yield "float", "touch_beside", tables.beside.ravel()
 
 
@@ -113,8 +113,8 @@ def _scalars(tables: EmbeddedTables) -> dict[str, float]:
         "touch_dead": DEAD * tables.noise_rms,
         "touch_half": 1 / (2 * TEMPERATURE),
         "touch_sound_usual": tables.usual,
-        "touch_sound_mismatch": SOUND_MISMATCH,
-        "touch_sound_gain": SOUND_GAIN,
+        "touch_sound_mismatch": MISMATCH**2,
+        "touch_sound_gain": GAIN,
     }
 
 

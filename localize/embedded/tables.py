@@ -19,16 +19,17 @@ import scipy.signal
 from numpy.typing import NDArray
 
 from geometry.refusal import Refusal
-from localize.decoders.bayes import NOISE_SHARE, POWERS, TEMPERATURE, WEAKEST, share_of
+from localize.decoders.bayes import POWERS, TEMPERATURE, WEAKEST, share_of
 from localize.decoders.frame_covariance import (
     CUTOFF,
     SAMPLES,
     TAPS,
     check_noise,
+    joint_whitening,
     touch_covariances,
     whitening,
 )
-from localize.decoders.sound_test import GAIN, MISMATCH, SoundTest
+from localize.decoders.sound_test import SoundTest
 from localize.embedded.reflections import BLOCK, reflections
 from localize.live.front_end import HIGH_PASS
 from localize.live.stream import LEAST_SILENCE, SILENCE
@@ -61,8 +62,8 @@ class EmbeddedTables:
     silence: float
     """Level up to which there is no touch, Pa rms."""
     whitening: Single
-    """Lower triangular matrix that makes the noise of a microphone white, row by row; (SAMPLES (SAMPLES + 1) / 2,)
-    float32, 1/Pa."""
+    """Lower triangular matrix that makes the noise of a microphone white, as the decoder expects it, row by row;
+    (SAMPLES (SAMPLES + 1) / 2,) float32, 1/Pa."""
     eigenvalues: Single
     """Eigenvalues of each point, those that count; (n_point, rank) float32."""
     half_log_determinant: Single
@@ -74,6 +75,8 @@ class EmbeddedTables:
     """What the reflections of each block have in common, (n_point, n_coupling) float32."""
     steps: Single | None
     """Step and first number of each reflection, (n_point, 2 n_reflection) float32; None in single precision."""
+    sound_whitening: Single | None
+    """The same as the test of sound expects the noise; None where the library knows no sound."""
     beside: Single | None
     """Directions that sound does not reach, (n_direction, n) float32; None where the library knows no sound."""
     usual: float
@@ -135,8 +138,8 @@ def embedded_tables(
     warn_of_uncovered(response)
     noise = response.noise(microphone_noise)
     rms = noise.rms if isinstance(noise, NoiseSpectrum) else noise
-    whiten = whitening(share_of(noise))
-    whole = np.kron(np.eye(len(response.microphones)), whiten)
+    whole = joint_whitening(response, share_of(noise), None)
+    triangle = np.tril_indices(SAMPLES)
     values, vectors = np.linalg.eigh(whole @ touch_covariances(response, np.eye(SAMPLES)) @ whole.T)
     filled = max(1, int((values > WEAKEST).sum(1).max()))
     size = -(-len(whole) // BLOCK) * BLOCK
@@ -157,13 +160,14 @@ def embedded_tables(
         precision=precision,
         noise_rms=rms,
         silence=max(SILENCE * rms, LEAST_SILENCE),
-        whitening=whiten[np.tril_indices(SAMPLES)].astype(np.float32),
+        whitening=whole[triangle].astype(np.float32),  # the same for every microphone
         eigenvalues=eigenvalues.astype(np.float32),
         half_log_determinant=(0.5 * determinant).astype(np.float32),
         reflections=numbers,
         couplings=np.stack([each.couplings for each in turned]),
         steps=np.stack(steps).reshape(len(steps), -1) if steps else None,
-        beside=None if sound is None else (NOISE_SHARE * sound.directions.T).astype(np.float32),
+        sound_whitening=None if sound is None else whitening(noise)[triangle].astype(np.float32),
+        beside=None if sound is None else sound.directions.T.astype(np.float32),
         usual=0.0 if sound is None else sound.usual(),
     )
 
@@ -192,8 +196,3 @@ def _loudest_first(empty: Array, values: Array, filled: Array) -> Array:
     mean = np.einsum("pik,pk,pjk->ij", filled, share, filled, optimize=True)
     turned = [each @ np.linalg.eigh(each.T @ mean @ each)[1][:, ::-1] for each in empty]
     return np.stack(turned)
-
-
-#: What sound may leave beside its directions of the energy of a frame that is white by a share of the noise, and the
-#: largest difference of gains.
-SOUND_MISMATCH, SOUND_GAIN = (MISMATCH * NOISE_SHARE) ** 2, GAIN

@@ -102,10 +102,10 @@ static void decimate(touch_decoder *decoder, int count)
 }
 
 /* Noise made white: a lower triangular matrix, the same for every microphone. */
-static void whiten(touch_decoder *decoder)
+static void whiten(touch_decoder *decoder, const float *whitening)
 {
     for (int m = 0; m < TOUCH_MICROPHONES; m++) {
-        const float *row = touch_whitening;
+        const float *row = whitening;
         for (int k = 0; k < TOUCH_SAMPLES; row += ++k)
             decoder->white[m * TOUCH_SAMPLES + k] = product(row, decoder->decimated[m], k + 1);
     }
@@ -477,10 +477,11 @@ static touch_state judge(touch_decoder *decoder)
         decoder->least = fminf(decoder->least, level);
         return TOUCH_FADING;
     }
-    whiten(decoder);
 #if TOUCH_SOUND_NUMBERS > 0
+    whiten(decoder, touch_sound_whitening);
     if (is_sound(decoder)) return TOUCH_SOUND;
 #endif
+    whiten(decoder, touch_whitening);
     if (level < FADED * decoder->loudest) decoder->loudest = 0.0f; /* a new one */
     if (level > decoder->loudest) decoder->loudest = decoder->least = level;
     decoder->least = fminf(decoder->least, level);

@@ -60,7 +60,7 @@ def test_the_cost_that_is_told_is_that_of_the_compiled_code(tmp_path: Path, boar
     cost = exported("array-2x6", True, precision, tmp_path).cost
     # The second sum of sines that is as loud as it comes.
     begin = int(np.flatnonzero(np.isnan(samples[0]))[8]) + 1
-    found = run_on_board(tmp_path, samples.T[begin : begin + 600], board, LIMIT, everything=True)
+    found = run_on_board(tmp_path, samples.T[begin : begin + 600], board, everything=True)
     assert (found.state == STATES.index("touch")).all()
     longest = found.instructions[1:].max()
     assert 0.94 * cost.instructions <= longest <= cost.instructions
