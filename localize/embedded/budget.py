@@ -111,7 +111,7 @@ def cost_of(tables: EmbeddedTables) -> Cost:
         ram=_memory(tables),
         stack=256 + 64 * microphones + 4 * tables.rank + (64 if tables.precision == "int16" else 0),
         instructions=int(MARGIN * _instructions(tables)),
-        first=33_000 * microphones,
+        first=36_000 * microphones,
     )
 
 
