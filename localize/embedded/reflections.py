@@ -27,12 +27,12 @@ class Reflections:
     """Reflections of one orthogonal matrix, :data:`BLOCK` by :data:`BLOCK`."""
 
     numbers: NDArray[np.float32] | NDArray[np.int16]
-    """Vectors of the blocks one after the other, those of a block number by number; in 16 bits in units of their
-    steps, and without the first number of each."""
+    """Vectors of the blocks one after the other, those of a block number by number, (n_number,) float32; in 16 bits,
+    int16, in units of their steps, and without the first number of each."""
     couplings: NDArray[np.float32]
-    """c_21, c_31, c_32, c_41, c_42 and c_43 of every block, one after the other."""
+    """c_21, c_31, c_32, c_41, c_42 and c_43 of every block, one after the other; (6 n_block,) float32."""
     steps: NDArray[np.float32] | None
-    """Step and first number of each reflection, (2, n_reflection), of 16 bits; None in single precision."""
+    """Step and first number of each reflection, (2, n_reflection) float32, of 16 bits; None in single precision."""
 
 
 def reflections(directions: Array, in_16_bits: bool = False) -> Reflections:

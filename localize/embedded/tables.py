@@ -63,7 +63,7 @@ class EmbeddedTables:
     """Level up to which there is no touch, Pa rms."""
     whitening: Single
     """Lower triangular matrix that makes the noise of a microphone white, as the decoder expects it, row by row;
-    (SAMPLES (SAMPLES + 1) / 2,) float32, 1/Pa."""
+    (n_number,) float32, 1/Pa."""
     eigenvalues: Single
     """Eigenvalues of each point, those that count; (n_point, rank) float32."""
     half_log_determinant: Single
@@ -76,7 +76,8 @@ class EmbeddedTables:
     steps: Single | None
     """Step and first number of each reflection, (n_point, 2 n_reflection) float32; None in single precision."""
     sound_whitening: Single | None
-    """The same as the test of sound expects the noise; None where the library knows no sound."""
+    """The same as the test of sound expects the noise, (n_number,) float32, 1/Pa; None where the
+    library knows no sound."""
     beside: Single | None
     """Directions that sound does not reach, (n_direction, n) float32; None where the library knows no sound."""
     usual: float
