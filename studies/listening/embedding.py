@@ -62,13 +62,15 @@ def embed_decoder(
             f"{source}: is no library; a network is too large for a microcontroller, a library's decoder is not"
         )
     import acoustic_fem
-    from localize import BayesDecoder
+    from localize.decoders.bayes import assumed_of
     from localize.embedded import Budget, embed
+    from localize.signals.array_response import response_of
 
     left = None if budget is None else Budget.stated(budget)
     level: NoiseChoice = "design" if noise is None else noise
-    decoder = embed(acoustic_fem.load(source), cast("Precision", precision), level, left)
+    response = response_of(acoustic_fem.load(source))
+    decoder = embed(response, cast("Precision", precision), level, left)
     with replaced_files(folder) as fresh:
         for name, text in decoder.files.items():
             write_text(fresh / name, text)
-    return EmbeddedFiles(folder, decoder, BayesDecoder.assumes)
+    return EmbeddedFiles(folder, decoder, assumed_of(response.provenance))
