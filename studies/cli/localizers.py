@@ -20,6 +20,16 @@ if TYPE_CHECKING:
     from studies.judging.headline import Headline
 
 _EVALUATION = defaults_of(evaluate_localizer)
+#: Options of ``train`` by the names that refusals of a localizer's plan have for them.
+_FIELDS = {
+    "time_limit": "--seconds",
+    "epochs": "--epochs",
+    "microphone_noise": "--noise",
+    "seed": "--seed",
+    "network": "--network",
+    "stimuli": "--stimuli",
+    "plan": "--plan",
+}
 
 
 def train(
@@ -86,18 +96,7 @@ def train(
         of_localizers = {"--stimuli": bool(stimuli), "--plan": plan != PLANS[0]}
         _train_kinds(library, out, kind, seconds, epochs, noise, seed, network, recordings, of_localizers)
         return
-    with (
-        named(
-            time_limit="--seconds",
-            epochs="--epochs",
-            microphone_noise="--noise",
-            seed="--seed",
-            network="--network",
-            stimuli="--stimuli",
-            plan="--plan",
-        ),
-        display_on_stderr() as display,
-    ):
+    with named(**_FIELDS), display_on_stderr() as display:
         base = TrainingPlan.of(plan)
         chosen = replace(
             base,
