@@ -26,12 +26,16 @@ def test_the_bundle_is_made_of_the_source(tmp_path: Path) -> None:
         pytest.skip("npm is not installed")
     shutil.copytree(STUDIO / "page", tmp_path / "page", ignore=shutil.ignore_patterns("node_modules"))
     (tmp_path / "static").mkdir()
-    quiet = ["--silent", "--no-audit", "--no-fund"]
-    installed = subprocess.run([npm, "ci", *quiet], cwd=tmp_path / "page", capture_output=True, text=True, check=False)
+
+    def run(*words: str) -> subprocess.CompletedProcess[str]:
+        # What npm prints is UTF-8, whatever the locale.
+        return subprocess.run([npm, *words], cwd=tmp_path / "page", capture_output=True, encoding="utf-8", check=False)
+
+    installed = run("ci", "--silent", "--no-audit", "--no-fund")
     if installed.returncode != 0:
         pytest.skip(f"npm ci: {installed.stderr.strip()[-200:]}")
     for task in ("check", "build"):
-        done = subprocess.run([npm, "run", task], cwd=tmp_path / "page", capture_output=True, text=True, check=False)
+        done = run("run", task)
         assert done.returncode == 0, done.stdout + done.stderr
     for made in sorted((tmp_path / "static").iterdir()):
         assert made.read_bytes() == (STUDIO / "static" / made.name).read_bytes(), f"npm run build: {made.name}"
