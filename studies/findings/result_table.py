@@ -82,10 +82,7 @@ class ResultTable:
 
     def values(self, row: int) -> dict[str, Any]:
         """Parameters of a design by dotted name."""
-        return {
-            column.name: column.labels[int(column.values[row])] if column.labels else float(column.values[row])
-            for column in self.parameters
-        }
+        return {column.name: _value(column, row) for column in self.parameters}
 
     def metric(self, name: str) -> Column:
         """Column of a metric by name.
@@ -281,6 +278,15 @@ def table_of_search(problem: Optimization, result: OptimizationResult) -> Result
         waiting=0,
         base_metrics=result.base.metrics,
     )  # fmt: skip
+
+
+def _value(column: Column, row: int) -> float | int | str:
+    """Value of a parameter as a design states it: fields that are whole numbers take no others."""
+    value = float(column.values[row])
+    if column.labels:
+        return column.labels[int(value)]
+    field = field_named(ArrayDesign, column.name)
+    return int(value) if field is not None and field.kind == "a whole number" else value
 
 
 def unit_of(name: str) -> str:

@@ -6,6 +6,15 @@ from .curves import (
     lumped_library as lumped_library,
 )
 from .designing import DesignState as DesignState, Refused as Refused, design_key as design_key
+from .exploring import (
+    FoundDesigns as FoundDesigns,
+    metric_words as metric_words,
+    run_study as run_study,
+    study_figures as study_figures,
+    study_file as study_file,
+    study_so_far as study_so_far,
+    write_study as write_study,
+)
 from .export_files import EXPORTS as EXPORTS, make_export as make_export
 from .form import form_of as form_of, stated_values as stated_values
 from .making import check_figures as check_figures, model_of_array as model_of_array, read_upload as read_upload

@@ -19,10 +19,12 @@ from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import prototype_names
 from geometry.refusal import Refusal
 from studies.panels.curves import CURVES
+from studies.panels.exploring import MOST_DESIGNS, MOST_METRICS, metric_words
 from studies.panels.export_files import EXPORTS
 from studies.panels.points import figure_words
 from studies.studio.guard import Guard, Guarded
-from studies.studio.session import MessageError, packed_signals
+from studies.studio.packing import packed_signals
+from studies.studio.session import MessageError
 from studies.studio.sessions import Sessions
 from studies.studio.workplace import Workplace
 
@@ -189,6 +191,9 @@ def _words() -> dict[str, Any]:
         "prototypes": prototype_names(),
         "curves": CURVES,
         "figures": figure_words(),
+        "metrics": metric_words(),
+        "most_metrics": MOST_METRICS,
+        "most_designs": MOST_DESIGNS,
         "exports": {name: {"title": each.title, "takes": each.takes} for name, each in EXPORTS.items()},
         "most_upload": MOST_UPLOAD,
     }

@@ -6,16 +6,19 @@ import asyncio
 import json
 import secrets
 from collections.abc import Awaitable, Callable, Mapping
+from pathlib import Path
 from typing import Any
 
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import prototype, write_design
 from geometry.refusal import Refusal
 from studies.panels.comparing import comparison
-from studies.panels.curves import CURVES, Curves
+from studies.panels.curves import CURVES
 from studies.panels.designing import DesignState, design_key, refusal_of
 from studies.panels.export_files import EXPORTS
 from studies.panels.form import flat_values, form_of, stated_values
+from studies.studio.exploration import Exploration, file_of
+from studies.studio.packing import packed, packed_signals
 from studies.studio.stage import Job, Stage
 from studies.studio.workplace import Workplace
 from studies.studio.workshop import Stopped
@@ -51,6 +54,7 @@ class Session:
         self.state = DesignState(design)
         self.pinned: ArrayDesign | None = None
         self.files: dict[str, Any] = {}
+        self.exploration = Exploration(workplace, self._say)
         self._workplace = workplace
         self._quantity = "level"
         self._wanted: set[str] = set()
@@ -76,6 +80,7 @@ class Session:
         self._send = send
         await self._tell_design(whole=True)
         self._ask_all()
+        await self.exploration.tell_again()
 
     async def restore_quietly(self, values: dict[str, Any], saved: bool, send: Send) -> None:
         """Take up the design that a page kept while there was no studio, or say why not."""
@@ -247,7 +252,9 @@ class Session:
     async def _stop(self, message: Mapping[str, Any]) -> None:
         name = _text(message, "stage")
         if name == "export" and self._export_job is not None:
-            self._workplace.stop_export(self._export_job)
+            self._workplace.stop_apart("export", self._export_job)
+        elif name == "study":
+            self.exploration.stop()
         elif name in STAGES:
             self._stages[name].cancel()
 
@@ -299,6 +306,27 @@ class Session:
         header = {"stage": "touch", "revision": job.revision, "touched": point, "kind": kind}
         await self._say(packed_signals(header, found))
 
+    # -- studies ------------------------------------------------------------------------------------
+    async def _study(self, message: Mapping[str, Any]) -> None:
+        design, revision = self.state.design, self.state.revision
+        try:
+            if message.get("run") is True:
+                self.exploration.run(design, revision, message)
+                return
+            path = await self._workplace.study_file(design, file_of(design, message))
+        except Refusal as error:
+            await self._failed(Job("study", revision, design), str(error))
+            return
+        await self._hand_out(path, _download_name(design, path.name))
+
+    async def _load(self, message: Mapping[str, Any]) -> None:
+        try:
+            self.state.open(self.exploration.design_of(message.get("number")), saved=False)
+        except Refusal as error:
+            await self._say({"type": "refused-design", "message": str(error)})
+            return
+        await self._changed(whole=True)
+
     # -- files --------------------------------------------------------------------------------------
     async def _export(self, message: Mapping[str, Any]) -> None:
         name, fidelity = _text(message, "name"), message.get("fidelity", "lumped")
@@ -332,42 +360,19 @@ class Session:
         except Exception:
             await self._failed(job, _MISTAKE)
             raise  # its traceback is for the terminal
-        key = secrets.token_urlsafe(16)
-        self.files = {key: (path, _download_name(job.design, name))}
         if name == "design.toml" and self.state.design is job.design:
             self.state.mark_saved()
             await self._tell_design(whole=False)
+        await self._hand_out(path, _download_name(job.design, name))
+
+    async def _hand_out(self, path: Path, name: str) -> None:
+        key = secrets.token_urlsafe(16)
+        self.files = {key: (path, name)}
         await self._say({"type": "file", "name": name, "file": f"/files/{self.id}/{key}"})
 
     async def _say(self, message: dict[str, Any] | bytes) -> None:
         if self._send is not None:
             await self._send(message if isinstance(message, bytes) else json.dumps(message, separators=(",", ":")))
-
-
-def packed_signals(header: Mapping[str, Any], found: Mapping[str, Any]) -> bytes:
-    """Signals with what was decoded of them, as :func:`packed` has curves."""
-    told = {name: value for name, value in found.items() if name != "signals"}
-    return _framed({**header, **told}, found["signals"])
-
-
-def packed(job: Job, curves: Curves) -> bytes:
-    """Curves as one message: the length of a header in four bytes, the header as JSON, the values as float32."""
-    header = {
-        "stage": job.stage,
-        "revision": job.revision,
-        "quantity": curves.quantity,
-        "unit": curves.unit,
-        "points": list(curves.points),
-        "heard_by": list(curves.heard_by),
-        "frequency": [float(f"{value:.7g}") for value in curves.frequency],
-    }
-    return _framed(header, curves.values.astype("<f4").tobytes())
-
-
-def _framed(header: Mapping[str, Any], values: bytes) -> bytes:
-    text = json.dumps(header, separators=(",", ":")).encode()
-    text += b" " * (-len(text) % 4)
-    return len(text).to_bytes(4, "little") + text + values
 
 
 def _download_name(design: ArrayDesign, name: str) -> str:
@@ -394,4 +399,6 @@ _ACTIONS: dict[str, Callable[[Session, Mapping[str, Any]], Awaitable[None]]] = {
     "pin": Session._pin,
     "export": Session._export,
     "touch": Session._touch,
+    "study": Session._study,
+    "load": Session._load,
 }

@@ -3,20 +3,22 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
 from pathlib import Path
 from tempfile import TemporaryDirectory, mkdtemp
 from typing import TYPE_CHECKING, Any
 
 from studies.panels.curves import Curves, curves_of, lumped_library
 from studies.panels.designing import design_key
+from studies.panels.exploring import FoundDesigns, run_study, study_so_far, write_study
 from studies.panels.export_files import make_export
 from studies.panels.making import check_figures, model_of_array, read_upload
 from studies.panels.points import mis_made_figures, point_figures
 from studies.panels.touching import replayed, surface, touched
 from studies.studio.kept import Kept
-from studies.studio.workshop import Workshop
+from studies.studio.workshop import Stopped, Workshop
 
 if TYPE_CHECKING:
     from acoustic_fem import Library
@@ -38,7 +40,7 @@ class Workplace:
         # One thread a stage: a slow one delays no other, and none works on two designs at once.
         self._threads = {
             name: ThreadPoolExecutor(1, f"studio-{name}")
-            for name in ("curves", "points", "mis_made", "cad", "export", "touch")
+            for name in ("curves", "points", "mis_made", "cad", "export", "study", "touch")
         }
         self.workshop = Workshop(_warm_up)
         self._listening = Workshop(_import_decoder, "the process that listens")
@@ -46,7 +48,7 @@ class Workplace:
         self._results: Kept[dict[str, Any]] = Kept(MOST_KEPT)
         self._models: Kept[dict[str, Any]] = Kept(MOST_MODELS)
         self._folder = TemporaryDirectory(prefix="acoustic-fem-studio-")
-        self._exporting: Workshop | None = None
+        self._apart: dict[str, Workshop] = {}
 
     def warm_up(self, design: ArrayDesign) -> None:
         """Import and solve once what the first change would otherwise wait for; returns at once."""
@@ -73,7 +75,7 @@ class Workplace:
         def work() -> Curves:
             return curves_of(self.library(design).transfer_function, quantity)
 
-        return await self._in_thread("curves", work)
+        return await self.in_thread("curves", work)
 
     async def result(self, job: Job, tell: Callable[[str], None]) -> dict[str, Any]:
         """Result of a job of any stage but that of the curves.
@@ -89,15 +91,15 @@ class Workplace:
         found = kept.get(key)
         if found is None:
             if stage == "points":
-                found = await self._in_thread("points", lambda: point_figures(job.design))
+                found = await self.in_thread("points", lambda: point_figures(job.design))
             elif stage == "surface":
-                found = await self._in_thread("points", lambda: surface(job.design))
+                found = await self.in_thread("points", lambda: surface(job.design))
             elif stage == "mis_made":
-                found = await self._in_thread("mis_made", lambda: mis_made_figures(job.design))
+                found = await self.in_thread("mis_made", lambda: mis_made_figures(job.design))
             elif stage == "model":
-                found = await self._in_thread("cad", lambda: self.workshop.run(model_of_array, (job.design,), task=job))
+                found = await self.in_thread("cad", lambda: self.workshop.run(model_of_array, (job.design,), task=job))
             else:
-                found = await self._in_thread(
+                found = await self.in_thread(
                     "cad", lambda: self.workshop.run(check_figures, (job.design,), tell, task=job)
                 )
             kept.put(key, found)
@@ -110,17 +112,15 @@ class Workplace:
 
     async def upload(self, text: str, name: str) -> dict[str, Any]:
         """What a design file states that somebody handed in."""
-        return await self._in_thread("cad", lambda: self.workshop.run(read_upload, (text, name)))
+        return await self.in_thread("cad", lambda: self.workshop.run(read_upload, (text, name)))
 
     async def touch(self, design: ArrayDesign, point: int, kind: str, sample: int) -> dict[str, Any]:
         """A simulated touch and what the decoder makes of it."""
-        return await self._in_thread("touch", lambda: self._listening.run(touched, (design, point, kind, sample)))
+        return await self.in_thread("touch", lambda: self._listening.run(touched, (design, point, kind, sample)))
 
     async def replay(self, design: ArrayDesign, content: bytes, name: str, full_scale: float) -> dict[str, Any]:
         """A recording that somebody handed in, and what the decoder makes of it."""
-        return await self._in_thread(
-            "touch", lambda: self._listening.run(replayed, (design, content, name, full_scale))
-        )
+        return await self.in_thread("touch", lambda: self._listening.run(replayed, (design, content, name, full_scale)))
 
     async def export(
         self, design: ArrayDesign, name: str, fidelity: Fidelity, tell: Callable[[str], None], task: object
@@ -131,36 +131,66 @@ class Workplace:
             place = mkdtemp(dir=self._folder.name)
             if name == "design.toml":  # at once, and not worth a process
                 return Path(make_export(design, name, place, fidelity))
-            self._exporting = Workshop(name="the process that makes files")
-            try:
-                return Path(self._exporting.run(make_export, (design, name, place, fidelity), tell, task))
-            finally:
-                self._exporting.close()
-                self._exporting = None
+            with self._workshop("export", "the process that makes files") as workshop:
+                return Path(workshop.run(make_export, (design, name, place, fidelity), tell, task))
 
-        return await self._in_thread("export", work)
+        return await self.in_thread("export", work)
+
+    async def study(self, design: ArrayDesign, text: str, tell: Callable[[str], None], task: object) -> FoundDesigns:
+        """What a study found, run in a process of its own, one after the other; stopped, what it has found so far."""
+
+        def work() -> FoundDesigns:
+            with self._workshop("study", "the process that runs studies") as workshop:
+                try:
+                    found: FoundDesigns = workshop.run(run_study, (design, text), tell, task)
+                except Stopped:
+                    found = workshop.run(study_so_far, (design, text))
+                return found
+
+        return await self.in_thread("study", work)
+
+    async def study_file(self, design: ArrayDesign, text: str) -> Path:
+        """A study file and its base, to be handed out."""
+
+        def work() -> Path:
+            path = Path(mkdtemp(dir=self._folder.name)) / "study.zip"
+            write_study(design, text, path)
+            return path
+
+        return await self.in_thread("export", work)
 
     def stop(self, task: object) -> None:
         """Say that nobody waits for a task any more."""
         self.workshop.stop(task)
 
-    def stop_export(self, task: object) -> None:
-        """Say that a file is not wanted any more."""
-        if self._exporting is not None:
-            self._exporting.stop(task, at_once=True)
+    def stop_apart(self, name: str, task: object) -> None:
+        """Say that a file ("export") or a study ("study") is not wanted any more."""
+        workshop = self._apart.get(name)
+        if workshop is not None:
+            workshop.stop(task, at_once=True)
 
     def close(self) -> None:
         """End threads and processes, and remove what was written."""
         self.workshop.close()
         self._listening.close()
-        if self._exporting is not None:
-            self._exporting.close()
+        for workshop in list(self._apart.values()):
+            workshop.close()
         for threads in self._threads.values():
             threads.shutdown(wait=False, cancel_futures=True)
         self._folder.cleanup()
 
-    async def _in_thread(self, name: str, work: Callable[[], Any]) -> Any:
+    async def in_thread(self, name: str, work: Callable[[], Any]) -> Any:
+        """What some work returns, done in the thread of a stage."""
         return await asyncio.get_running_loop().run_in_executor(self._threads[name], work)
+
+    @contextmanager
+    def _workshop(self, name: str, title: str) -> Iterator[Workshop]:
+        """A process for one piece of work that may be stopped."""
+        self._apart[name] = Workshop(name=title)
+        try:
+            yield self._apart[name]
+        finally:
+            self._apart.pop(name).close()
 
 
 def _import_decoder() -> None:

@@ -113,7 +113,10 @@ class Workshop:
                 with contextlib.suppress(OSError):
                     self._connection.send("stop")
                 if at_once and self._process is not None:
-                    self._process.terminate()
+                    self._process.terminate()  # it may have processes and folders of its own to clear away
+                    killed = threading.Timer(_PATIENCE, self._process.kill)
+                    killed.daemon = True
+                    killed.start()
 
     def close(self) -> None:
         """End the process."""
@@ -130,11 +133,17 @@ class Workshop:
             self._process = self._connection = None
 
 
+def _end(number: int, frame: object) -> None:
+    """End as a program does that has come to its end: what it began is cleared away."""
+    raise SystemExit(0)
+
+
 def _work(connection: Connection, warm_up: Callable[[], None] | None) -> None:
     """Work off tasks until whoever gives them is gone."""
     import traceback
 
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the server decides
+    signal.signal(signal.SIGTERM, _end)
     if warm_up is not None:
         warm_up()
 

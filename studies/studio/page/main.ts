@@ -11,6 +11,7 @@ import { addressOf, designInAddress, forget, keep, keptInTab, keptUnsaved } from
 import { PointsPanel, type Word } from "./points";
 import { TouchPanel } from "./touch";
 import { Link, type State } from "./link";
+import { StudyPanel } from "./study";
 
 const STATES: Record<State, string> = {
   open: "",
@@ -44,6 +45,10 @@ const compare = new ComparePanel(() => figureWords, () => table.figures);
 const touch = new TouchPanel(
   (point, kind) => { document.querySelector("[data-problem='touch']")!.textContent = ""; link?.send({ do: "touch", point, kind }); },
   (point) => array.light((part: Part) => part.kind === "membrane" && part.group === `point ${point}`),
+);
+const study = new StudyPanel(
+  (message) => { document.querySelector("[data-problem='study']")!.textContent = ""; link?.send(message); },
+  (number) => change({ do: "load", number }),
 );
 const shownRevision: Record<string, number> = {};
 /** Panels that are in sight: of the others nothing is computed. */
@@ -100,6 +105,10 @@ function take(message: any): void {
 function progress(stage: string, line: string): void {
   const place = document.querySelector(`[data-status="${stage}"]`);
   if (place) place.textContent = line;
+  if (stage === "study") {
+    byId<HTMLButtonElement>("study-run").disabled = line !== "";
+    byId<HTMLButtonElement>("study-stop").disabled = line === "";
+  }
 }
 
 function failed(message: any): void {
@@ -121,6 +130,7 @@ async function figures(message: any): Promise<void> {
   if (stage === "mis_made") table.misMade(found);
   if (stage === "check") check.take(found);
   if (stage === "surface") touch.take(found);
+  if (stage === "study") study.found(found);
   shownRevision[stage] = message.revision;
   progress(stage, "");
   const problem = document.querySelector(`[data-problem="${stage}"]`);
@@ -138,6 +148,7 @@ function learn(message: any): void {
     make("option", { value: "" }, "prototypes…"), ...message.prototypes.map((each: string) => make("option", {}, each)),
   );
   figureWords = message.figures;
+  study.learn(message.metrics, message.most_metrics, message.most_designs);
   byId("exports").replaceChildren(...Object.entries<any>(message.exports).map(([file, each]) => make("li", {},
     button(file, () => ask(file), { "data-export": file }), make("span", {}, ` ${each.title}; ${each.takes}`))));
   const before = message.new && !keptInTab() ? keptUnsaved() : null;
@@ -155,6 +166,7 @@ function design(message: any): void {
     name = message.design_name;
     form.build(message.form);
     points(message.form);
+    study.take(message.form);
   } else {
     form.settle();
     form.update(message.values);
@@ -231,6 +243,7 @@ function theme(choice: string): void {
   array.restyle();
   table.restyle();
   touch.restyle();
+  study.restyle();
 }
 
 async function upload(file: File): Promise<void> {
@@ -343,6 +356,7 @@ byId("points-png").addEventListener("click", () => table.picture(name));
 byId("points-csv").addEventListener("click", () => table.table(name));
 byId("stop-check").addEventListener("click", () => { link?.send({ do: "stop", stage: "check" }); progress("check", "stopped"); });
 byId("stop-export").addEventListener("click", () => link?.send({ do: "stop", stage: "export" }));
+byId("study-stop").addEventListener("click", () => link?.send({ do: "stop", stage: "study" }));
 byId("sound").addEventListener("click", () => touch.sound());
 byId<HTMLInputElement>("replay").addEventListener("change", (event) => {
   const file = (event.target as HTMLInputElement).files?.[0];

@@ -1,4 +1,5 @@
 // The Touch panel: a simulated touch or a recording, the microphones' signals, what the decoder answers; and a game.
+import { sized } from "./chart";
 import { button, byId, colour, words } from "./dom";
 
 export interface Heard {
@@ -230,13 +231,3 @@ export class TouchPanel {
     source.start();
   }
 }
-
-function sized(canvas: HTMLCanvasElement, width: number, height: number): void {
-  const scale = devicePixelRatio;
-  canvas.width = Math.round(width * scale);
-  canvas.height = Math.round(height * scale);
-  canvas.style.width = `${width}px`;
-  canvas.style.height = `${height}px`;
-  canvas.getContext("2d")!.clearRect(0, 0, canvas.width, canvas.height);
-}
-

@@ -7,7 +7,9 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from studies.findings.result_table import Column, effect, fast_front, pair_map, unit_of
+from geometry import prototype
+from studies.findings.page import design_of
+from studies.findings.result_table import Column, ResultTable, effect, fast_front, pair_map, unit_of
 from studies.optimization.search import pareto_front
 
 
@@ -47,3 +49,11 @@ def test_the_fast_front_is_the_plain_one() -> None:
 def test_units_come_from_the_design() -> None:
     assert unit_of("lines.0.tube.length") == "mm"
     assert unit_of("membrane.material") == ""
+
+
+def test_whole_numbers_of_a_design_stay_whole() -> None:
+    points, length = (Column(name, "", "", np.array([4.0])) for name in ("lines.0.points", "tube.length"))
+    about = ("a", "", "sweep", "lumped", np.array([1.0]), prototype("array-2x6"), np.array([0]))
+    table = ResultTable(*about, (points, length), (), (), 0, {})
+    assert table.values(0) == {"lines.0.points": 4, "tube.length": 4.0}
+    assert design_of(table, 0).lines[0].points == 4

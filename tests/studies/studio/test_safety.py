@@ -249,3 +249,32 @@ def test_script_in_any_text_of_a_design_is_refused_or_told_as_it_is(page: TestCl
             else:
                 assert told["name"] == name
                 assert told["value"] == TEXT
+
+
+@pytest.mark.parametrize(
+    ("asked", "message"),
+    [
+        ({}, "ranges must be a table of lists of numbers or texts"),
+        ({"ranges": {"tube.length": [None]}}, "ranges must be a table"),
+        ({"ranges": {}, "metrics": "volume"}, "metrics must be a list of names"),
+        ({"ranges": {}, "metrics": ["volume"], "designs": True}, "designs must be a whole number"),
+        ({"ranges": {}, "metrics": ["volume"], "designs": 10**9}, "designs = 1000000000 must be between"),
+        ({"ranges": {TEXT: [1, 2]}, "metrics": ["volume"], "designs": 4, "fidelity": "lumped"}, "the study: "),
+        ({"ranges": {"tube.length": [9, 10]}, "metrics": ["volume"], "designs": 4, "fidelity": TEXT}, "the study: "),
+    ],
+)
+@pytest.mark.parametrize("run", [True, False])
+def test_a_study_that_is_none_is_refused_in_one_line(
+    page: TestClient, asked: dict[str, Any], message: str, run: bool
+) -> None:
+    with page.websocket_connect("ws://127.0.0.1:8765/session", headers={"origin": ORIGIN}) as socket:
+        hello(socket)
+        socket.send_text(json.dumps({"do": "study", "run": run, **asked}))
+        while (told := next_text(socket))["type"] != "failed":
+            pass
+        assert told["message"].startswith(message)
+        assert "\n" not in told["message"]
+        socket.send_text(json.dumps({"do": "load", "number": 3}))
+        while (told := next_text(socket))["type"] != "refused-design":
+            pass
+        assert told["message"] == "design = 3: there is no study yet"

@@ -1,0 +1,285 @@
+"""Studies begun from the form of a design: their file, their run, and what they found as figures."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from time import monotonic
+from typing import TYPE_CHECKING, Any
+from zipfile import ZIP_DEFLATED, ZipFile
+
+import numpy as np
+import tomlkit
+
+from acoustic_fem.numerics.disk_cache import cache_folder
+from geometry.design.array_design import ArrayDesign
+from geometry.design.design_file import write_design
+from geometry.refusal import Refusal
+from studies.findings.page import design_of
+from studies.findings.result_table import Column, ResultTable, effect, fast_front, table_of_search, table_of_sweep
+from studies.optimization.problem import read_optimization
+from studies.panels.making import Told
+from studies.study.file import read_study
+from studies.study.metric_registry import METRICS
+from studies.study.study import StudyError
+
+if TYPE_CHECKING:
+    from studies.output.display import Report
+
+#: Figures of merit of one study, as many as a search can weigh against each other.
+MOST_METRICS = 4
+#: Designs of one study that a page shows; of more the file is for the verbs ``sweep`` and ``optimize``.
+MOST_DESIGNS = 4096
+#: Seconds between two lines on how far a study is, and digits of the values that are shown.
+_PACE, _DIGITS = 0.5, 5
+
+
+def study_file(
+    design: ArrayDesign,
+    ranges: Mapping[str, Sequence[float] | Sequence[str]],
+    metrics: Sequence[str],
+    *,
+    search: bool = False,
+    designs: int = 256,
+    fidelity: str = "lumped",
+) -> str:
+    """The study file that ranges around a design amount to.
+
+    Args:
+        design: the base, which the file names as ``NAME.toml`` beside it.
+        ranges: of each field, by dotted name: where it begins and ends, or a list of texts.
+        metrics: names of figures of merit, 1 to 4; a search looks for the best of all of them.
+        search: search the best designs in place of a sweep over evenly spread ones.
+        designs: how many are computed, 1 to 4096.
+        fidelity: what the cells are computed with.
+
+    Returns:
+        Text of the file; it was read back and is a study.
+
+    Raises:
+        Refusal: not a study: the line that its reader gives.
+    """
+    if not 1 <= len(metrics) <= MOST_METRICS:
+        raise Refusal(f"metrics = {list(metrics)} must be 1 to {MOST_METRICS} figures of merit")
+    if not 1 <= designs <= MOST_DESIGNS:
+        raise Refusal(f"designs = {designs} must be between 1 and {MOST_DESIGNS}")
+    stated: dict[str, Any] = {
+        "name": f"{design.name[:70]}-{'search' if search else 'sweep'}",
+        "base": f"{design.name}.toml",
+        "fidelity": fidelity,
+    }
+    if not search:
+        stated |= {"sampling": "sobol", "cases": designs}
+    stated |= {"metrics": list(metrics), "parameters": tomlkit.table()}
+    for name, given in ranges.items():
+        stated["parameters"].add(tomlkit.key(name), _range(given))
+    if search:
+        batch = min(64, max(designs // 4, 1))
+        objectives = [{"metric": name} for name in metrics]
+        stated["optimize"] = {"trials": designs, "batch": batch, "objectives": objectives}
+    text = tomlkit.dumps(stated)
+    _read(design, text)
+    return text
+
+
+def _range(given: Sequence[float] | Sequence[str]) -> Any:
+    if not given or any(isinstance(value, str) for value in given):
+        return list(given)
+    if len(given) != 2:
+        raise Refusal(f"a range = {list(given)} must have a beginning and an end")
+    ends = tomlkit.inline_table()
+    ends.update({"from": given[0], "to": given[1]})
+    return ends
+
+
+def _read(design: ArrayDesign, text: str) -> Any:
+    """The study or the search that a file of ours states."""
+    reader = read_optimization if _is_search(text) else read_study
+    return reader(text, "the study", base=design)
+
+
+def _is_search(text: str) -> bool:
+    return "optimize" in tomlkit.parse(text)
+
+
+def write_study(design: ArrayDesign, text: str, path: Path) -> None:
+    """Write a study file and its base beside each other into one ZIP file, as ``sweep`` and ``optimize`` take them."""
+    with ZipFile(path, "w", ZIP_DEFLATED) as archive:
+        archive.writestr("study.toml", text)
+        archive.writestr(f"{design.name}.toml", write_design(design))
+
+
+def study_folder(design: ArrayDesign, text: str) -> Path:
+    """Where the results of a study are kept, so that it goes on where it was: beside the solved cells, by its hash."""
+    key = hashlib.sha256(json.dumps([text, write_design(design)]).encode()).hexdigest()
+    return cache_folder() / "studies" / key
+
+
+@dataclass(frozen=True, eq=False)
+class FoundDesigns:
+    """Designs that a study has computed."""
+
+    table: ResultTable
+    """Table of them, with their parameters and metrics."""
+
+    def design(self, number: Any) -> ArrayDesign:
+        """One of the designs, as the verb ``best`` writes it.
+
+        Args:
+            number: of it in its study.
+
+        Raises:
+            Refusal: there is none of that number.
+        """
+        numbers = self.table.number.tolist()
+        if number not in numbers:
+            raise Refusal(f"design = {str(number)[:40]} must be one of the {len(numbers)} that the study has computed")
+        return design_of(self.table, numbers.index(number))
+
+
+def run_study(design: ArrayDesign, text: str, tell: Callable[[str], None] = lambda line: None) -> FoundDesigns:
+    """Run a study, or go on with it.
+
+    Args:
+        design: the base.
+        text: as of :func:`study_file`.
+        tell: called with how far it is.
+
+    Raises:
+        Refusal: what the sweep or the search refuses.
+    """
+    place, study = study_folder(design, text), _read(design, text)
+    place.mkdir(parents=True, exist_ok=True)
+    if _is_search(text):
+        from studies.findings.searching import optimize
+
+        # Where cells are closed forms a search is over before processes beside this one have started.
+        workers = 1 if study.study.fidelity == "lumped" else None
+        optimize(study, place / "search", workers=workers, display=_Paced(tell))
+    else:
+        from studies.sweep.progress import Progress
+        from studies.sweep.run import run_sweep
+
+        report = _paced(tell)
+
+        def progress(now: Progress) -> None:
+            report(f"{now.done} of {now.total} {now.what}{f', {now.failed} failed' * bool(now.failed)}", 0.0)
+
+        objection = run_sweep(study, place / "results.zarr", progress=progress).objection
+        if objection:
+            raise Refusal(objection)
+    return study_so_far(design, text)
+
+
+def study_so_far(design: ArrayDesign, text: str) -> FoundDesigns:
+    """What a study found as far as it was run.
+
+    Raises:
+        Refusal: nothing is there yet.
+    """
+    place = study_folder(design, text)
+    if _is_search(text):
+        from studies.optimization.journal import journal_exists
+        from studies.optimization.search import found_so_far
+
+        if not journal_exists(place / "search"):
+            raise StudyError("no design was computed yet")
+        problem = read_optimization(text, "the study", base=design)
+        return FoundDesigns(table_of_search(problem, found_so_far(problem, place / "search")))
+    from studies.sweep.store import open_sweep
+
+    return FoundDesigns(table_of_sweep(open_sweep(place / "results.zarr")))
+
+
+class _Paced(Told):
+    """A display that tells at a pace at which a page can show it."""
+
+    def _shown(self, name: str) -> Any:
+        from contextlib import nullcontext
+
+        return nullcontext(_paced(lambda line: self.note(f"{name}: {line}")))
+
+
+def _paced(tell: Callable[[str], None]) -> Report:
+    last = 0.0
+
+    def report(message: str, fraction: float) -> None:
+        nonlocal last
+        if message and monotonic() - last > _PACE:
+            last = monotonic()
+            tell(message)
+
+    return report
+
+
+def study_figures(found: FoundDesigns) -> dict[str, Any]:
+    """What the page shows of a study.
+
+    Returns:
+        ``title``, ``source`` ("sweep" or "search"), ``fidelity``; ``waiting``: designs not computed yet; ``failures``:
+        kinds of reasons and how many designs failed for each; ``number`` of each design; ``parameters`` and
+        ``metrics``: for each its ``name``, ``title``, ``unit``, ``labels`` (texts that values stand for), ``better``
+        and ``values``; ``effects``: for each metric and parameter the main effect as of
+        :func:`studies.findings.result_table.effect`; ``fronts``: for each two metrics ``first``, ``second`` and the
+        ``rows`` that no other design beats in both.
+    """
+    table, metrics = found.table, found.table.metrics
+    return {
+        "title": table.title,
+        "source": table.source,
+        "fidelity": table.fidelity,
+        "waiting": table.waiting,
+        "failures": [list(each) for each in table.failures],
+        "number": table.number.tolist(),
+        "parameters": [_column(each) for each in table.parameters],
+        "metrics": [_column(each) for each in metrics],
+        "effects": [[_effect(parameter, metric) for parameter in table.parameters] for metric in metrics],
+        "fronts": [
+            {
+                "first": first,
+                "second": second,
+                "rows": np.flatnonzero(
+                    fast_front(np.column_stack([metrics[first].goodness, metrics[second].goodness]))
+                ).tolist(),
+            }
+            for first in range(len(metrics))
+            for second in range(first + 1, len(metrics))
+        ],
+    }
+
+
+def _column(column: Column) -> dict[str, Any]:
+    return {
+        "name": column.name,
+        "title": column.title,
+        "unit": column.unit,
+        "labels": list(column.labels),
+        "better": column.better,
+        "values": _numbers(column.values),
+    }
+
+
+def _effect(parameter: Column, metric: Column) -> dict[str, Any]:
+    own = effect(parameter, metric)
+    return {key: _numbers(getattr(own, key)) for key in ("centres", "mean", "low", "high")} | {"share": own.share}
+
+
+def _numbers(values: Any) -> list[float]:
+    return [float(f"{value:.{_DIGITS}g}") for value in values]
+
+
+def metric_words() -> dict[str, dict[str, str]]:
+    """Title, unit, definition, the better direction and the caution of every figure of merit that a study can have."""
+    return {
+        metric.name: {
+            "title": metric.long_name,
+            "unit": metric.unit,
+            "definition": metric.definition,
+            "better": metric.better,
+            "caution": metric.caution,
+        }
+        for metric in METRICS.values()
+    }

@@ -1,0 +1,122 @@
+"""The study of a page: its file, its run, and the designs that it found."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Awaitable, Callable, Mapping
+from typing import Any
+
+from geometry.design.array_design import ArrayDesign
+from geometry.refusal import Refusal
+from studies.panels.exploring import FoundDesigns, study_figures, study_file
+from studies.studio.stage import Job
+from studies.studio.workplace import Workplace
+from studies.studio.workshop import Stopped
+
+
+class Exploration:
+    """The study of a session, one at a time.
+
+    Args:
+        workplace: where it is run.
+        say: tells the page a message.
+    """
+
+    def __init__(self, workplace: Workplace, say: Callable[[dict[str, Any]], Awaitable[None]]) -> None:
+        self._workplace, self._say = workplace, say
+        self._task: asyncio.Task[None] | None = None
+        self._job: Job | None = None
+        self._found: FoundDesigns | None = None
+        self._told: dict[str, Any] | None = None
+
+    def run(self, design: ArrayDesign, revision: int, asked: Mapping[str, Any]) -> None:
+        """Run a study, or go on with it where it was stopped; it goes on while its page is away.
+
+        Raises:
+            Refusal: not a study, or another one is running.
+        """
+        if self._task is not None and not self._task.done():
+            raise Refusal("one study at a time: stop the one that is running first")
+        job = Job("study", revision, design, (file_of(design, asked),))
+        self._job, self._task = job, asyncio.create_task(self._work(job))
+
+    def stop(self) -> None:
+        """End the study that is running; what it has computed stays."""
+        if self._job is not None:
+            self._workplace.stop_apart("study", self._job)
+
+    async def tell_again(self) -> None:
+        """Tell a page that comes back what was found."""
+        if self._told is not None:
+            await self._say(self._told)
+
+    def design_of(self, number: Any) -> ArrayDesign:
+        """One of the designs that were found.
+
+        Args:
+            number: of it in its study.
+
+        Raises:
+            Refusal: there is none of that number.
+        """
+        if self._found is None:
+            raise Refusal(f"design = {str(number)[:40]}: there is no study yet")
+        return self._found.design(number)
+
+    async def _work(self, job: Job) -> None:
+        loop = asyncio.get_running_loop()
+
+        def tell(line: str) -> None:
+            asyncio.run_coroutine_threadsafe(self._progress(job, line), loop)
+
+        await self._progress(job, "begins")
+        try:
+            found = await self._workplace.study(job.design, job.options[0], tell, job)
+            shown = await self._workplace.in_thread("study", lambda: study_figures(found))
+        except Stopped:
+            await self._failed(job, "stopped; nothing was computed yet")
+            return
+        except Refusal as error:
+            await self._failed(job, str(error))
+            return
+        except Exception:
+            await self._failed(job, "this is a mistake of the program; the studio's terminal says where")
+            raise  # its traceback is for the terminal
+        self._found = found
+        self._told = {"type": "figures", "stage": "study", "revision": job.revision, "found": shown}
+        await self._say(self._told)
+
+    async def _progress(self, job: Job, line: str) -> None:
+        await self._say({"type": "progress", "stage": "study", "revision": job.revision, "line": line})
+
+    async def _failed(self, job: Job, message: str) -> None:
+        await self._say({"type": "failed", "stage": "study", "revision": job.revision, "message": message})
+
+
+def file_of(design: ArrayDesign, asked: Mapping[str, Any]) -> str:
+    """The study file that a page asks for.
+
+    Args:
+        design: the base.
+        asked: ``ranges``, ``metrics``, ``search``, ``designs`` and ``fidelity``, as :func:`study_file` takes them.
+
+    Raises:
+        Refusal: not a study.
+    """
+    ranges, metrics, designs = asked.get("ranges"), asked.get("metrics"), asked.get("designs")
+    if not isinstance(ranges, dict) or not all(
+        isinstance(values, list) and all(isinstance(value, str) or is_number(value) for value in values)
+        for values in ranges.values()
+    ):
+        raise Refusal("ranges must be a table of lists of numbers or texts")
+    if not isinstance(metrics, list) or not all(isinstance(name, str) for name in metrics):
+        raise Refusal("metrics must be a list of names")
+    if not isinstance(designs, int) or isinstance(designs, bool):
+        raise Refusal("designs must be a whole number")
+    search, fidelity = asked.get("search") is True, str(asked.get("fidelity"))[:40]
+    return study_file(design, ranges, metrics, search=search, designs=designs, fidelity=fidelity)
+
+
+def is_number(value: object) -> bool:
+    """Whether a value is a number of JSON."""
+    return isinstance(value, (int, float)) and not isinstance(value, bool)
