@@ -2,6 +2,7 @@
 # make test        the tests, without the slow ones
 # make unit        those of them to run while working: neither 3-D verification nor whole runs of commands
 # make slow-test   the slow ones
+# make docs        the manual as a site, in docs/build/index.html
 #
 # All create a virtual environment in .venv and install into it what is missing; the second time nothing is.
 
@@ -16,18 +17,18 @@ WORKERS ?= auto
 # The fast solver's wheels exist for x86-64 only, and not for macOS.
 ifeq ($(shell uname -sm),Linux x86_64)
 EXTRAS := fast
-TEST_EXTRAS := fast,dev
+TEST_EXTRAS := fast,dev,docs
 else
 EXTRAS :=
-TEST_EXTRAS := dev
+TEST_EXTRAS := dev,docs
 endif
 
 PIP_INSTALL = $(BIN)/python -m pip install --constraint constraints.txt
 
-.PHONY: demo test unit slow-test clean help
+.PHONY: demo test unit slow-test docs clean help
 
 help:
-	@sed -n 's/^# //p' Makefile | head -4
+	@sed -n 's/^# //p' Makefile | head -5
 
 demo: $(VENV)/.installed
 	$(BIN)/acoustic-fem run $(DESIGN) --out $(OUT)
@@ -42,6 +43,11 @@ unit: $(VENV)/.installed-dev
 slow-test: $(VENV)/.installed-dev
 	$(BIN)/python -m pytest -n $(WORKERS) --dist loadfile -m slow
 
+docs: $(VENV)/.installed-docs
+	$(BIN)/sphinx-build --quiet --fail-on-warning --keep-going -b html docs docs/build
+	$(BIN)/python docs/site/built.py docs/build
+	@echo "The manual: $(abspath docs/build/index.html)"
+
 # The package is installed in place: changed code needs no new installation, changed dependencies do.
 $(VENV)/.installed: pyproject.toml constraints.txt | $(VENV)/.created
 	$(PIP_INSTALL) --editable ".$(if $(EXTRAS),[$(EXTRAS)])"
@@ -49,7 +55,11 @@ $(VENV)/.installed: pyproject.toml constraints.txt | $(VENV)/.created
 
 $(VENV)/.installed-dev: pyproject.toml constraints.txt | $(VENV)/.created
 	$(PIP_INSTALL) --editable ".[$(TEST_EXTRAS)]"
-	touch $@ $(VENV)/.installed
+	touch $@ $(VENV)/.installed $(VENV)/.installed-docs
+
+$(VENV)/.installed-docs: pyproject.toml constraints.txt | $(VENV)/.created
+	$(PIP_INSTALL) --editable ".[docs]"
+	touch $@
 
 $(VENV)/.created:
 	$(PYTHON) .ci/system_packages.py
@@ -57,4 +67,4 @@ $(VENV)/.created:
 	touch $@
 
 clean:
-	rm -rf $(VENV) $(OUT)
+	rm -rf $(VENV) $(OUT) docs/build docs/reference/made

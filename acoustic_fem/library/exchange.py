@@ -47,6 +47,7 @@ from geometry.layout.arrangement import lay_out
 from geometry.layout.placement import point_places
 from geometry.refusal import Refusal, counted
 
+#: Formats of libraries, by the ending of their names: netCDF-4, SOFA, NPZ, CSV.
 FORMATS = (".nc", ".sofa", ".npz", ".csv")
 #: Texts that a file may hold; those without checksums are of older versions.
 _TEXTS = (*ATTRIBUTES, CHECKSUMS)

@@ -8,4 +8,5 @@ PHYSICS: tuple[Physics, ...] = get_args(Physics)
 
 #: What the cells of an array may be computed with, from the fastest to the one to trust.
 Fidelity = Literal["lumped", "helmholtz", "navier-stokes"]
+#: Names of all fidelities, from closed forms to the one to trust.
 FIDELITIES: tuple[Fidelity, ...] = get_args(Fidelity)

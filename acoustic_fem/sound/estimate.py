@@ -24,6 +24,7 @@ from geometry.refusal import Refusal
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
+#: Estimator of a transfer function: noise in the output, in the input, or in both.
 Estimator = Literal["H1", "H2", "Hv"]
 
 #: Seconds of a segment: half the main lobe of its window is 0.5 Hz, so that drift does not reach 1 Hz.

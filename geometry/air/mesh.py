@@ -22,6 +22,7 @@ from geometry.refusal import Refusal, counted, said_by
 if TYPE_CHECKING:
     import cadquery
 
+#: Place in space, mm.
 Point: TypeAlias = tuple[float, float, float]
 
 #: Most elements of a mesh, as estimated: of more gmsh makes none in minutes.

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 #: Chords per arc.
 _CHORDS = 64
 
+#: Three directions, each of unit length, as rows.
 Axes = tuple[tuple[float, float, float], tuple[float, float, float], tuple[float, float, float]]
 #: Axes of a part that lies flat: x, y and the normal, as rows.
 FLAT: Axes = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))

@@ -143,6 +143,7 @@ def _silicone(youngs_modulus: float, source: str) -> Material:
 
 _GENT = "static modulus by Gent (1958) from Shore A, +-30 %; Poisson ratio, density, loss factor assumed"
 
+#: Materials that a design may name without stating them, each value with its source.
 MATERIALS: dict[str, Material] = {
     "silicone-shore-a-0": _silicone(youngs_modulus_from_shore_a(0), _GENT),
     "silicone-shore-a-5": _silicone(youngs_modulus_from_shore_a(5), _GENT),

@@ -15,7 +15,9 @@ from geometry.refusal import Refusal
 if TYPE_CHECKING:
     from geometry.stated.making import Printing
 
+#: What a rule of a process says of a part.
 Verdict = Literal["ok", "warn", "fail"]
+#: Relation that a measure must have to its limit.
 Relation = Literal["at least", "at most"]
 
 #: Rounding of a measure that is forgiven, in its unit (mm: a micrometre).
@@ -90,6 +92,7 @@ class PrintProcess:
 
 #: Fields of a process that are rules, and those that are plain numbers.
 RULES = tuple(field.name for field in fields(PrintProcess) if field.type == "Rule")
+#: Fields of a process that are numbers and no rules.
 NUMBERS = ("overhang_angle", "pixel", "tolerance")
 
 _SLA = "print services' resin guides (addema.se/guides-sla; layerx3d.in, SLA and DLP design rules)"

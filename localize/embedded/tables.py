@@ -42,6 +42,7 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 Single = NDArray[np.float32]
+#: Precision of the tables of a decoder in C.
 Precision = Literal["float32", "int16"]
 PRECISIONS: tuple[Precision, ...] = ("float32", "int16")
 """Precisions of the reflections."""

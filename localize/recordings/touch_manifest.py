@@ -35,6 +35,7 @@ from geometry.stated.fields import model_of
 from localize.recordings.same_take import find_same_take
 from localize.signals.resampling import FULL_SCALES
 
+#: Part of the published set of touches that a recording belongs to.
 Part = Literal["random-1-100", "random-1-10", "friction", "taps"]
 PARTS: tuple[Part, ...] = ("random-1-100", "random-1-10", "friction", "taps")
 """Kinds of touches that a recording may hold; the paper records 13, 2, 2 and 2 minutes of them at every point."""

@@ -15,6 +15,7 @@ import torch
 from numpy.typing import NDArray
 from torch import Tensor
 
+#: What a stream of random numbers is for; no two share any.
 Purpose = Literal["training", "held-out", "evaluation"]
 PURPOSES: tuple[Purpose, ...] = get_args(Purpose)
 """All purposes; streams of different ones never share a number."""

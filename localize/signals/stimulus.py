@@ -44,6 +44,7 @@ PEAK = 1.0
 NOISE = 0.005
 """Level of the white noise of a stimulus, Pa rms over 0 to 500 Hz."""
 
+#: Where tensors lie: a device of torch, or its name.
 Device = torch.device | str
 _MOST_COMPONENTS = max(high for _, high in COMPONENT_INTERVALS) - 1
 _COMPONENT_WORDS = 2 + 2 * _MOST_COMPONENTS

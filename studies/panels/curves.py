@@ -64,6 +64,7 @@ _QUANTITIES = {
     "ild": _Quantity("level difference (ILD)", "dB", True, _level),
     "ipd": _Quantity("phase difference (IPD), unwrapped", "degrees", True, _phase),
 }
+#: Names of the curves -> their titles.
 CURVES: dict[str, str] = {name: quantity.title for name, quantity in _QUANTITIES.items()}
 
 
