@@ -8,6 +8,8 @@ V / (gamma p) at high. Carslaw and Jaeger, Conduction of Heat in Solids (1959), 
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.special import jn_zeros, jve, zeta
@@ -103,9 +105,15 @@ def _cylinder_mean(radius: float, height: float, rate: NDArray[np.complex128]) -
 
 def bessel_zeros(count: int) -> NDArray[np.float64]:
     """First zeros of J0, (count,) float64; beyond the 30th by McMahon's expansion, accurate to rounding there."""
-    exact = jn_zeros(0, min(count, 30))
+    exact = _first_zeros()[:count]
     beta = np.pi * (np.arange(len(exact) + 1, count + 1) - 0.25)
     return np.concatenate([exact, beta + 1 / (8 * beta) - 31 / (384 * beta**3) + 3779 / (15360 * beta**5)])
+
+
+@lru_cache(maxsize=1)
+def _first_zeros() -> NDArray[np.float64]:
+    """The first 30 zeros of J0, found once: the search takes longer than what is summed over them."""
+    return np.asarray(jn_zeros(0, 30))
 
 
 def _one_minus_tanh_over(x: NDArray[np.complex128]) -> NDArray[np.complex128]:

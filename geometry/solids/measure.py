@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from OCP.BRep import BRep_Tool
 from OCP.BRepAdaptor import BRepAdaptor_Surface
 from OCP.BRepMesh import BRepMesh_IncrementalMesh
-from OCP.GeomAbs import GeomAbs_Cone, GeomAbs_Cylinder, GeomAbs_Plane
+from OCP.GeomAbs import GeomAbs_Cone, GeomAbs_Cylinder, GeomAbs_Plane, GeomAbs_SurfaceType
 from OCP.gp import gp_Dir, gp_Pnt
 from OCP.Poly import Poly_Triangulation
 from OCP.TopAbs import TopAbs_EDGE, TopAbs_FACE, TopAbs_REVERSED
@@ -69,10 +69,12 @@ def tessellate(solid: cq.Shape, tolerance: float, facet_angle: float = FACET_ANG
         mesh = BRep_Tool.Triangulation_s(face.wrapped, location)
         if mesh is None:
             raise Refusal(f"face {index} of the solid cannot be tessellated")
-        move = location.Transformation()
-        nodes = [mesh.Node(k).Transformed(move) for k in range(1, mesh.NbNodes() + 1)]
         corners = np.array([mesh.Triangle(k).Get() for k in range(1, mesh.NbTriangles() + 1)]) - 1
-        points = np.array([(p.X(), p.Y(), p.Z()) for p in nodes])
+        points = np.array([mesh.Node(k).Coord() for k in range(1, mesh.NbNodes() + 1)])
+        if not location.IsIdentity():
+            move = location.Transformation()
+            matrix = np.array([[move.Value(row, column) for column in range(1, 5)] for row in range(1, 4)])
+            points = points @ matrix[:, :3].T + matrix[:, 3]
         deviation = max(deviation, _deviation(face, mesh, points, corners))
         if face.wrapped.Orientation() == TopAbs_REVERSED:
             corners = corners[:, ::-1]
@@ -99,7 +101,7 @@ def _deviation(
     surface = BRepAdaptor_Surface(face.wrapped)
     if surface.GetType() == GeomAbs_Plane:
         return 0.0
-    parameters = np.array([(p.X(), p.Y()) for p in (mesh.UVNode(k) for k in range(1, mesh.NbNodes() + 1))])
+    parameters = np.array([mesh.UVNode(k).Coord() for k in range(1, mesh.NbNodes() + 1)])
     edges, first = np.unique(
         np.sort(corners[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1), axis=0, return_index=True
     )
@@ -108,9 +110,39 @@ def _deviation(
     normals /= np.maximum(np.linalg.norm(normals, axis=1), 1e-300)[:, None]
     at = np.vstack([parameters[edges].mean(axis=1), parameters[corners].mean(axis=1)])
     middles = np.vstack([points[edges].mean(axis=1), points[corners].mean(axis=1)])
-    on_surface = np.array([(p.X(), p.Y(), p.Z()) for p in (surface.Value(u, v) for u, v in at.tolist())])
     across = np.vstack([normals[first // 3], normals])
-    return float(np.abs(np.einsum("ij,ij->i", middles - on_surface, across)).max())
+    return float(np.abs(np.einsum("ij,ij->i", middles - surface_points(surface, at), across)).max())
+
+
+def surface_points(surface: BRepAdaptor_Surface, at: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Points of a surface at its parameters, (n, 3) float64, mm; those of round ones all at once.
+
+    Args:
+        surface: of a face.
+        at: its parameters, (n, 2) float64.
+    """
+    along, up = at.T
+    match surface.GetType():
+        case GeomAbs_SurfaceType.GeomAbs_Cylinder:
+            body = surface.Cylinder()
+            radius, height = body.Radius(), up
+        case GeomAbs_SurfaceType.GeomAbs_Cone:
+            body = surface.Cone()
+            radius = body.RefRadius() + up * math.sin(body.SemiAngle())
+            height = up * math.cos(body.SemiAngle())
+        case GeomAbs_SurfaceType.GeomAbs_Sphere:
+            body = surface.Sphere()
+            radius, height = body.Radius() * np.cos(up), body.Radius() * np.sin(up)
+        case GeomAbs_SurfaceType.GeomAbs_Torus:
+            body = surface.Torus()
+            radius = body.MajorRadius() + body.MinorRadius() * np.cos(up)
+            height = body.MinorRadius() * np.sin(up)
+        case _:
+            return np.array([surface.Value(u, v).Coord() for u, v in at.tolist()])
+    place = body.Position()
+    x, y, z = (each.Coord() for each in (place.XDirection(), place.YDirection(), place.Direction()))
+    parts = np.stack([radius * np.cos(along), radius * np.sin(along), height], axis=1)
+    return np.asarray(parts @ np.array([x, y, z]) + place.Location().Coord())
 
 
 @dataclass(frozen=True)

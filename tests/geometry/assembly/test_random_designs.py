@@ -6,6 +6,7 @@ import cadquery as cq
 import pytest
 from hypothesis import HealthCheck, assume, given, settings
 from random_designs import designs
+from thorough import many
 
 from geometry.assembly.fit import interferences
 from geometry.assembly.model import array_model
@@ -27,25 +28,14 @@ def _no_mold():
         yield
 
 
-def check(design):
-    assume(design is not None)
-    layout = lay_out(design)
-    assume(not overlaps(design, layout))
-    assert interferences(array_model(design, layout=layout)) == ()
-
-
 HEALTH = [HealthCheck.filter_too_much, HealthCheck.too_slow]
 
 
 @pytest.mark.slow
-@settings(max_examples=4, derandomize=True, deadline=None, suppress_health_check=HEALTH)
-@given(design=designs())
-def test_some_random_designs_that_are_said_to_be_buildable_have_no_overlap(design):
-    check(design)
-
-
-@pytest.mark.slow
-@settings(max_examples=120, deadline=None, suppress_health_check=HEALTH)
+@settings(max_examples=many(40), deadline=None, suppress_health_check=HEALTH)
 @given(design=designs())
 def test_many_random_designs_that_are_said_to_be_buildable_have_no_overlap(design):
-    check(design)
+    assume(design is not None)
+    layout = lay_out(design)
+    assume(not overlaps(design, layout))
+    assert interferences(array_model(design, layout=layout)) == ()

@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 import contextlib
+import functools
 import hashlib
+import os
 import random
 import re
 import shutil
+import stat
+import time
 from collections import Counter
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
@@ -21,6 +25,8 @@ LONGEST = 30.0
 MOST_MEMORY = 2 * 10**9
 #: Characters of a refusal.
 LONGEST_LINE = 2000
+#: Age from which the time of a file tells a later change of it, ns: clocks of file systems tick every few ms.
+SETTLED = 10**9
 _CONTROL = re.compile(r"[\x00-\x08\x0b-\x1f\x7f\u202a-\u202e\u2066-\u2069]")
 
 
@@ -108,24 +114,45 @@ def _restore(folder: Path, good: Path) -> None:
 def _marks(top: Path) -> list[tuple[str, int, int, int]]:
     """Kind, size and time of whatever is at a path and below: who writes changes the time."""
     found = []
-    for path in [top, *sorted(top.rglob("*"))] if top.is_dir() and not top.is_symlink() else [top]:
-        with contextlib.suppress(FileNotFoundError):
-            status = path.lstat()
-            own = (0, 0) if path.is_dir() else (status.st_size, status.st_mtime_ns)
-            found.append((str(path.relative_to(top)), status.st_mode, *own))
-    return found
+    with contextlib.suppress(FileNotFoundError):
+        for path, status in [(str(top), top.lstat()), *_below(top)]:
+            own = (0, 0) if stat.S_ISDIR(status.st_mode) else (status.st_size, status.st_mtime_ns)
+            found.append((path.removeprefix(str(top)), status.st_mode, *own))
+    return sorted(found)
 
 
 def _state(folder: Path) -> dict[str, str]:
     """What every ordinary file holds; logs, which commands append to, left out."""
     return {
-        str(path.relative_to(folder)): hashlib.sha256(path.read_bytes()).hexdigest()
-        for path in folder.rglob("*")
-        if path.is_file()
-        and not path.is_symlink()
-        and path.suffix not in (".log", ".lock")
-        and path.stat().st_size < 2**28
+        os.path.relpath(path, folder): _digest(path, status)
+        for path, status in _below(folder)
+        if stat.S_ISREG(status.st_mode) and not path.endswith((".log", ".lock")) and status.st_size < 2**28
     }
+
+
+def _below(folder: Path | str) -> Iterator[tuple[str, os.stat_result]]:
+    """Whatever is in a folder and in those below; nothing where it is none."""
+    if os.path.islink(folder) or not os.path.isdir(folder):
+        return
+    with os.scandir(folder) as entries:
+        for entry in entries:
+            yield entry.path, entry.stat(follow_symlinks=False)
+            yield from _below(entry.path)
+
+
+def _digest(path: str, status: os.stat_result) -> str:
+    """Checksum of a file; one that nobody wrote to of late is read once for all cases."""
+    written_lately = time.time_ns() - status.st_mtime_ns < SETTLED
+    return _checksum(path) if written_lately else _known_checksum(path, status.st_size, status.st_mtime_ns)
+
+
+def _checksum(path: str) -> str:
+    return hashlib.sha256(Path(path).read_bytes()).hexdigest()
+
+
+@functools.cache
+def _known_checksum(path: str, size: int, written: int) -> str:
+    return _checksum(path)
 
 
 def _last(ended: Ended) -> str:
