@@ -1,4 +1,4 @@
-"""Of over two thousand bad inputs none of a sample ends in a traceback, a hang, much memory, a changed input, silence."""
+"""None of a sample of over two thousand bad inputs ends in a traceback, a hang, much memory, a changed input, silence."""
 
 from __future__ import annotations
 
