@@ -1,4 +1,4 @@
-"""None of a sample of over two thousand bad inputs ends in a traceback, a hang, much memory, a changed input, silence."""
+"""None of a sample of over two thousand bad inputs ends in a traceback, a hang, a changed input, or silence."""
 
 from __future__ import annotations
 
