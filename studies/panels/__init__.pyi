@@ -16,7 +16,12 @@ from .exploring import (
     write_study as write_study,
 )
 from .export_files import EXPORTS as EXPORTS, make_export as make_export
-from .form import form_of as form_of, stated_values as stated_values
+from .form import (
+    addable_tables as addable_tables,
+    form_of as form_of,
+    removable_tables as removable_tables,
+    stated_values as stated_values,
+)
 from .making import check_figures as check_figures, model_of_array as model_of_array, read_upload as read_upload
 from .points import figure_words as figure_words, mis_made_figures as mis_made_figures, point_figures as point_figures
 from .touching import TOUCHES as TOUCHES, replayed as replayed, surface as surface, touched as touched

@@ -42,6 +42,46 @@ def form_of(design: ArrayDesign) -> list[dict[str, Any]]:
     return [_entry(name, value, design) for name, value in _values(design, "")]
 
 
+def addable_tables(design: ArrayDesign) -> dict[str, dict[str, Any]]:
+    """Tables that a design does not state and may: with them it has the same parts as without.
+
+    Returns:
+        By dotted name what a table would state: a tube, or a pattern of kinds, for each line that has none of its own,
+        a further kind of points or of tubes, and a material of one's own.
+    """
+    found: dict[str, dict[str, Any]] = {}
+    for number, line in enumerate(design.lines):
+        if line.tube is None and (line.pattern is None or line.pattern.tubes is None):
+            found[f"lines.{number}.tube"] = _plain(design.tube)
+        if line.microphone_tube is None:
+            found[f"lines.{number}.microphone_tube"] = _plain(design.microphone_tube)
+        if line.pattern is None and design.point_kinds:
+            found[f"lines.{number}.pattern"] = {"points": [next(iter(design.point_kinds))] * line.points}
+    own = {
+        "cavity_height": design.resonator.cavity_height,
+        "membrane_thickness": design.membrane.thickness,
+    }
+    found[f"point_kinds.{_unused('kind', design.point_kinds)}"] = own
+    found[f"tube_kinds.{_unused('tube', design.tube_kinds)}"] = _plain(design.tube)
+    found[f"materials.{_unused('material', design.materials)}"] = _plain(design.material(design.membrane.material))
+    return found
+
+
+def removable_tables(design: ArrayDesign) -> list[str]:
+    """Dotted names of tables without which a line is as all lines are."""
+    tables = ("tube", "microphone_tube", "pattern")
+    return [f"lines.{k}.{each}" for k, line in enumerate(design.lines) for each in tables if getattr(line, each)]
+
+
+def _plain(section: BaseModel) -> dict[str, Any]:
+    values: dict[str, Any] = as_lists(section.model_dump(mode="json"))
+    return values
+
+
+def _unused(stem: str, known: Mapping[str, Any]) -> str:
+    return next(name for name in (f"{stem}_{k}" for k in range(1, len(known) + 2)) if name not in known)
+
+
 def flat_values(design: ArrayDesign) -> dict[str, Any]:
     """The values of the fields of the form by their dotted names."""
     return {name: as_lists(value) for name, value in _values(design, "")}

@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Awaitable, Callable, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 from geometry.design.array_design import ArrayDesign
 from geometry.refusal import Refusal
 from studies.panels.exploring import FoundDesigns, study_figures, study_file
-from studies.studio.stage import Job
+from studies.studio.stage import Job, Say, outcome, progress, teller
 from studies.studio.workplace import Workplace
-from studies.studio.workshop import Stopped
 
 
 class Exploration:
@@ -22,14 +21,14 @@ class Exploration:
         say: tells the page a message.
     """
 
-    def __init__(self, workplace: Workplace, say: Callable[[dict[str, Any]], Awaitable[None]]) -> None:
+    def __init__(self, workplace: Workplace, say: Say) -> None:
         self._workplace, self._say = workplace, say
         self._task: asyncio.Task[None] | None = None
         self._job: Job | None = None
         self._found: FoundDesigns | None = None
         self._told: dict[str, Any] | None = None
 
-    def run(self, design: ArrayDesign, revision: int, asked: Mapping[str, Any]) -> None:
+    async def run(self, design: ArrayDesign, revision: int, asked: Mapping[str, Any]) -> None:
         """Run a study, or go on with it where it was stopped; it goes on while its page is away.
 
         Raises:
@@ -64,33 +63,17 @@ class Exploration:
         return self._found.design(number)
 
     async def _work(self, job: Job) -> None:
-        loop = asyncio.get_running_loop()
+        await progress(job, "begins", self._say)
+        shown = await outcome(job, self._found_by(job), self._say, "stopped; nothing was computed yet")
+        if shown is not None:
+            self._told = {"type": "figures", "stage": "study", "revision": job.revision, "found": shown}
+            await self._say(self._told)
 
-        def tell(line: str) -> None:
-            asyncio.run_coroutine_threadsafe(self._progress(job, line), loop)
-
-        await self._progress(job, "begins")
-        try:
-            found = await self._workplace.study(job.design, job.options[0], tell, job)
-            shown = await self._workplace.in_thread("study", lambda: study_figures(found))
-        except Stopped:
-            await self._failed(job, "stopped; nothing was computed yet")
-            return
-        except Refusal as error:
-            await self._failed(job, str(error))
-            return
-        except Exception:
-            await self._failed(job, "this is a mistake of the program; the studio's terminal says where")
-            raise  # its traceback is for the terminal
+    async def _found_by(self, job: Job) -> dict[str, Any]:
+        found = await self._workplace.study(job.design, job.options[0], teller(job, self._say), job)
         self._found = found
-        self._told = {"type": "figures", "stage": "study", "revision": job.revision, "found": shown}
-        await self._say(self._told)
-
-    async def _progress(self, job: Job, line: str) -> None:
-        await self._say({"type": "progress", "stage": "study", "revision": job.revision, "line": line})
-
-    async def _failed(self, job: Job, message: str) -> None:
-        await self._say({"type": "failed", "stage": "study", "revision": job.revision, "message": message})
+        shown: dict[str, Any] = await self._workplace.in_thread("study", lambda: study_figures(found))
+        return shown
 
 
 def file_of(design: ArrayDesign, asked: Mapping[str, Any]) -> str:

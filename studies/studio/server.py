@@ -158,7 +158,7 @@ async def _hold(socket: WebSocket, sessions: Sessions) -> None:
                 if message.get("do") == "ping":
                     await send('{"type":"pong"}')
                 elif session is None:
-                    session, new = sessions.enter(message.get("session"))
+                    session, new = sessions.enter(message.get("session"), message.get("page"))
                     await send(json.dumps({"type": "words", **_words(), "new": new}))
                     values = message.get("values")
                     if new and isinstance(values, dict):

@@ -16,23 +16,16 @@ from studies.panels.comparing import comparison
 from studies.panels.curves import CURVES
 from studies.panels.designing import DesignState, design_key, refusal_of
 from studies.panels.export_files import EXPORTS
-from studies.panels.form import flat_values, form_of, stated_values
+from studies.panels.form import addable_tables, flat_values, form_of, removable_tables, stated_values
 from studies.studio.exploration import Exploration, file_of
 from studies.studio.packing import packed, packed_signals
-from studies.studio.stage import Job, Stage
+from studies.studio.stage import Job, Stage, outcome, progress, teller
 from studies.studio.workplace import Workplace
-from studies.studio.workshop import Stopped
 
 #: Sends a message to the page: text, or bytes.
 Send = Callable[[str | bytes], Awaitable[None]]
 #: Stages beside the curves, each shown by a panel, with the pause before they begin, s.
 STAGES = {"points": 0.0, "surface": 0.0, "mis_made": 0.5, "model": 0.1, "check": 1.0}
-
-
-#: What a page is told where nothing was foreseen.
-_MISTAKE = "this is a mistake of the program; the studio's terminal says where"
-
-
 #: Touches that wait to be computed at once.
 _MOST_TOUCHES = 8
 
@@ -51,6 +44,7 @@ class Session:
 
     def __init__(self, design: ArrayDesign, workplace: Workplace) -> None:
         self.id = secrets.token_urlsafe(24)
+        self.page: Any = None
         self.state = DesignState(design)
         self.pinned: ArrayDesign | None = None
         self.files: dict[str, Any] = {}
@@ -174,6 +168,7 @@ class Session:
         # Without the names of all fields a page cannot tell which tables follow others, nor which lines there are.
         if whole or values.keys() != before.keys() or design.followers != followers:
             told |= {"form": form_of(design), "design_name": design.name, "stated": stated_values(design)}
+            told |= {"addable": addable_tables(design), "removable": removable_tables(design)}
         else:
             told["values"] = {name: value for name, value in values.items() if before[name] != value}
         self._told = values, design.followers
@@ -211,43 +206,19 @@ class Session:
             self._stages["pinned"].ask(Job("pinned", self.state.revision, self.pinned, (self._quantity,)))
 
     async def _curves(self, job: Job) -> None:
-        try:
-            curves = await self._workplace.curves(job.design, job.options[0])
-        except Refusal as error:
-            await self._failed(job, str(error))
-            return
-        except Exception:
-            await self._failed(job, _MISTAKE)
-            raise  # its traceback is for the terminal
-        await self._say(packed(job, curves))
+        curves = await outcome(job, self._workplace.curves(job.design, job.options[0]), self._say)
+        if curves is not None:
+            await self._say(packed(job, curves))
 
     async def _figures(self, job: Job) -> None:
-        loop = asyncio.get_running_loop()
-
-        def tell(line: str) -> None:
-            asyncio.run_coroutine_threadsafe(self._progress(job, line), loop)
-
-        await self._progress(job, "")
-        try:
-            found = await self._workplace.result(job, tell)
-        except Stopped:
+        await progress(job, "", self._say)
+        found = await outcome(job, self._workplace.result(job, teller(job, self._say)), self._say)
+        if found is None:
             return
-        except Refusal as error:
-            await self._failed(job, str(error))
-            return
-        except Exception:
-            await self._failed(job, _MISTAKE)
-            raise  # its traceback is for the terminal
         shown = {name: value for name, value in found.items() if name != "glb"}
         if job.stage == "model":
             shown["file"] = f"/models/{design_key(job.design)}.glb"
         await self._say({"type": "figures", "stage": job.stage, "revision": job.revision, "found": shown})
-
-    async def _progress(self, job: Job, line: str) -> None:
-        await self._say({"type": "progress", "stage": job.stage, "revision": job.revision, "line": line})
-
-    async def _failed(self, job: Job, message: str) -> None:
-        await self._say({"type": "failed", "stage": job.stage, "revision": job.revision, "message": message})
 
     async def _stop(self, message: Mapping[str, Any]) -> None:
         name = _text(message, "stage")
@@ -294,30 +265,25 @@ class Session:
         task.add_done_callback(self._touching.discard)
 
     async def _touched(self, job: Job) -> None:
-        point, kind, sample = job.options
-        try:
-            found = await self._workplace.touch(job.design, point, kind, sample)
-        except Refusal as error:
-            await self._failed(job, str(error))
-            return
-        except Exception:
-            await self._failed(job, _MISTAKE)
-            raise
-        header = {"stage": "touch", "revision": job.revision, "touched": point, "kind": kind}
-        await self._say(packed_signals(header, found))
+        point, kind, _ = job.options
+        found = await outcome(job, self._workplace.touch(job.design, *job.options), self._say)
+        if found is not None:
+            header = {"stage": "touch", "revision": job.revision, "touched": point, "kind": kind}
+            await self._say(packed_signals(header, found))
 
     # -- studies ------------------------------------------------------------------------------------
     async def _study(self, message: Mapping[str, Any]) -> None:
-        design, revision = self.state.design, self.state.revision
-        try:
-            if message.get("run") is True:
-                self.exploration.run(design, revision, message)
-                return
-            path = await self._workplace.study_file(design, file_of(design, message))
-        except Refusal as error:
-            await self._failed(Job("study", revision, design), str(error))
+        design = self.state.design
+        job = Job("study", self.state.revision, design)
+        if message.get("run") is True:
+            await outcome(job, self.exploration.run(design, job.revision, message), self._say)
             return
-        await self._hand_out(path, _download_name(design, path.name))
+        path = await outcome(job, self._study_file(design, message), self._say)
+        if path is not None:
+            await self._hand_out(path, _download_name(design, path.name))
+
+    async def _study_file(self, design: ArrayDesign, message: Mapping[str, Any]) -> Path:
+        return await self._workplace.study_file(design, file_of(design, message))
 
     async def _load(self, message: Mapping[str, Any]) -> None:
         try:
@@ -342,24 +308,12 @@ class Session:
         self._exporting = asyncio.create_task(self._make(job))
 
     async def _make(self, job: Job) -> None:
-        loop = asyncio.get_running_loop()
         name, fidelity = job.options
-
-        def tell(line: str) -> None:
-            asyncio.run_coroutine_threadsafe(self._progress(job, line), loop)
-
-        await self._progress(job, "begins")
-        try:
-            path = await self._workplace.export(job.design, name, fidelity, tell, job)
-        except Stopped:
-            await self._failed(job, "stopped")
+        await progress(job, "begins", self._say)
+        work = self._workplace.export(job.design, name, fidelity, teller(job, self._say), job)
+        path = await outcome(job, work, self._say, "stopped")
+        if path is None:
             return
-        except Refusal as error:
-            await self._failed(job, str(error))
-            return
-        except Exception:
-            await self._failed(job, _MISTAKE)
-            raise  # its traceback is for the terminal
         if name == "design.toml" and self.state.design is job.design:
             self.state.mark_saved()
             await self._tell_design(whole=False)

@@ -32,18 +32,22 @@ class Sessions:
         """The session of a name; None where there is none."""
         return self._known.get(name) if isinstance(name, str) else None
 
-    def enter(self, name: Any) -> tuple[Session, bool]:
+    def enter(self, name: Any, page: Any = None) -> tuple[Session, bool]:
         """The session of a page, and whether it is a new one.
 
         Args:
             name: that the page knows from before. A page that was doubled gets a session of its own, as the name is
                 in use.
+            page: name that the page gave itself when it was opened: one whose link is cut takes up its session again
+                even where nobody here has noticed yet.
         """
         found = self.find(name)
-        if found is not None and not found.is_open:
+        if found is not None and (not found.is_open or (isinstance(page, str) and page == found.page)):
             self._known.move_to_end(found.id)
+            found.page = page
             return found, False
         session = Session(self._design if found is None else found.state.design, self._workplace)
+        session.page = page
         self._known[session.id] = session
         for old in [each for each in self._known.values() if not each.is_open and each is not session]:
             if len(self._known) > MOST_SESSIONS:

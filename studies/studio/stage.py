@@ -8,6 +8,13 @@ from dataclasses import dataclass
 from typing import Any
 
 from geometry.design.array_design import ArrayDesign
+from geometry.refusal import Refusal
+from studies.studio.workshop import Stopped
+
+#: Tells the page a message.
+Say = Callable[[dict[str, Any]], Awaitable[None]]
+#: What a page is told where nothing was foreseen.
+_MISTAKE = "this is a mistake of the program; the studio's terminal says where"
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,3 +77,46 @@ class Stage:
                 await self._do(job)
             finally:
                 self._running = None
+
+
+async def outcome(job: Job, work: Awaitable[Any], say: Say, stopped: str = "") -> Any:
+    """What some work for a job gives; None after the page was told why there is nothing.
+
+    Args:
+        job: that the work is for.
+        work: awaited.
+        say: tells the page.
+        stopped: what the page is told of work that was stopped; nothing where empty.
+
+    Raises:
+        Exception: nothing was foreseen; the page was told, and the traceback is for the terminal.
+    """
+    try:
+        return await work
+    except Stopped:
+        message = stopped
+    except Refusal as error:
+        message = str(error)
+    except OSError as error:  # such as a full disk
+        message = f"{error.filename or job.stage}: {error.strerror or error}; the design is kept"
+    except Exception:
+        await say({"type": "failed", "stage": job.stage, "revision": job.revision, "message": _MISTAKE})
+        raise
+    if message:
+        await say({"type": "failed", "stage": job.stage, "revision": job.revision, "message": message})
+    return None
+
+
+async def progress(job: Job, line: str, say: Say) -> None:
+    """Tell the page how far a job is."""
+    await say({"type": "progress", "stage": job.stage, "revision": job.revision, "line": line})
+
+
+def teller(job: Job, say: Say) -> Callable[[str], None]:
+    """Function that tells the page lines on a job from another thread."""
+    loop = asyncio.get_running_loop()
+
+    def tell(line: str) -> None:
+        asyncio.run_coroutine_threadsafe(progress(job, line, say), loop)
+
+    return tell

@@ -1,7 +1,8 @@
 // The Array panel: the project's own glTF, drawn when something changes and at no other time.
 import {
-  AmbientLight, Box3, Box3Helper, Color, DirectionalLight, Group, HemisphereLight, Material, Mesh, MeshBasicMaterial,
-  MeshStandardMaterial, Object3D, PerspectiveCamera, Plane, Raycaster, Scene, SphereGeometry, Vector2, Vector3, WebGLRenderer,
+  AmbientLight, Box3, BufferGeometry, CanvasTexture, Color, DirectionalLight, Group, HemisphereLight, LineBasicMaterial, LineSegments,
+  Material, Mesh, MeshBasicMaterial, MeshStandardMaterial, Object3D, PerspectiveCamera, Plane, Raycaster, Scene, SphereGeometry, Sprite,
+  SpriteMaterial, Vector2, Vector3, WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { GLTFLoader } from "three/examples/jsm/loaders/GLTFLoader.js";
@@ -26,7 +27,7 @@ export class ArrayPanel {
   private home = new Map<Object3D, number>();
   private hidden = new Set<string>();
   private marks: Mesh[] = [];
-  private box: Box3Helper | null = null;
+  private lines = new Group();
   private fittedTo = 0;
   private cut = new Plane(new Vector3(0, 0, -1), 0);
   private lit: (part: Part) => boolean = () => false;
@@ -51,7 +52,7 @@ export class ArrayPanel {
     this.controls.addEventListener("change", () => this.ask());
     const sun = new DirectionalLight(0xffffff, 1.6);
     sun.position.set(0.4, 1, 0.7);
-    this.scene.add(new HemisphereLight(0xffffff, 0x8a929c, 1.6), new AmbientLight(0xffffff, 0.35), sun, this.model);
+    this.scene.add(new HemisphereLight(0xffffff, 0x8a929c, 1.6), new AmbientLight(0xffffff, 0.35), sun, this.model, this.lines);
     new ResizeObserver(() => this.fit()).observe(place);
     let down = [0, 0];
     canvas.addEventListener("pointerdown", (event) => { down = [event.clientX, event.clientY]; });
@@ -112,7 +113,7 @@ export class ArrayPanel {
     this.renderer?.domElement.toBlob((blob) => blob && hand(blob, `${name}-array.png`));
   }
 
-  restyle(): void { this.ask(); }
+  restyle(): void { if (this.home.size) this.arrange(); else this.ask(); }
 
   private switches(parts: Part[]): void {
     const place = byId("kinds");
@@ -146,16 +147,28 @@ export class ArrayPanel {
         material.opacity = lit ? 1 : material.userData.opacity;
       });
     }
-    const shown = byId<HTMLInputElement>("dimensions").checked;
-    this.box?.removeFromParent();
-    this.box = null;
-    if (shown && !bounds.isEmpty()) {
-      this.box = new Box3Helper(new Box3().setFromObject(this.model), new Color(colour("--ink-soft")));
-      this.scene.add(this.box);
-    }
+    this.lines.clear();
+    if (byId<HTMLInputElement>("dimensions").checked && !bounds.isEmpty()) this.measure(new Box3().setFromObject(this.model));
     const [x, y, z] = this.size;
     byId("size").textContent = `${words(Math.max(x, y))} × ${words(Math.min(x, y))} × ${words(z)} mm`;
     this.ask();
+  }
+
+  /** Dimension lines along three edges of the array as it is shown, with what they measure, mm. */
+  private measure(box: Box3): void {
+    const { min, max } = box, off = 0.06 * Math.max(max.x - min.x, max.z - min.z), tick = off / 4, ink = new Color(colour("--ink-soft"));
+    const draw = (from: Vector3, to: Vector3, across: Vector3) => {
+      const side = across.clone().setLength(tick), at = [from, to];
+      for (const end of [from, to]) at.push(end.clone().sub(side), end.clone().add(side));
+      this.lines.add(new LineSegments(new BufferGeometry().setFromPoints(at), new LineBasicMaterial({ color: ink })));
+      const label = sprite(`${words(from.distanceTo(to) * 1000, 3)} mm`, colour("--ink"), 2.2 * off);
+      label.position.copy(from).add(to).multiplyScalar(0.5).add(across.clone().setLength(off));
+      this.lines.add(label);
+    };
+    const x = new Vector3(1, 0, 0), z = new Vector3(0, 0, 1);
+    draw(new Vector3(min.x, min.y, max.z + off), new Vector3(max.x, min.y, max.z + off), z);
+    draw(new Vector3(max.x + off, min.y, min.z), new Vector3(max.x + off, min.y, max.z), x);
+    draw(new Vector3(max.x + off, min.y, min.z), new Vector3(max.x + off, max.y, min.z), x);
   }
 
   private see(): void {
@@ -239,4 +252,18 @@ export class ArrayPanel {
     this.model.clear();
     this.marks = [];
   }
+}
+
+/** A text that faces the eye, so wide, m. */
+function sprite(text: string, ink: string, wide: number): Sprite {
+  const canvas = document.createElement("canvas"), c = canvas.getContext("2d")!;
+  [canvas.width, canvas.height] = [256, 64];
+  c.font = "40px system-ui";
+  c.textAlign = "center";
+  c.textBaseline = "middle";
+  c.fillStyle = ink;
+  c.fillText(text, 128, 32, 250);
+  const found = new Sprite(new SpriteMaterial({ map: new CanvasTexture(canvas), depthTest: false }));
+  found.scale.set(wide, wide / 4, 1);
+  return found;
 }

@@ -78,6 +78,27 @@ function ticks(axis: Axis, most: number): number[] {
 
 function said(axis: Axis, value: number): string { return axis.labels[value] ?? words(value, 3); }
 
+/** Rows of texts and numbers as a picture of a table, its first row as head. */
+export function tablePicture(rows: (string | number)[][], name: string): void {
+  const text = rows.map((row) => row.map((cell) => (typeof cell === "number" ? words(cell) : cell))), high = 22, room = 12;
+  const canvas = document.createElement("canvas"), first = canvas.getContext("2d")!;
+  first.font = "13px system-ui";
+  const wide = text[0].map((_, k) => Math.max(...text.map((row) => first.measureText(row[k] ?? "").width)) + 2 * room);
+  sized(canvas, wide.reduce((sum, each) => sum + each, 0), high * rows.length);
+  const c = canvas.getContext("2d")!;
+  c.scale(devicePixelRatio, devicePixelRatio);
+  c.font = "13px system-ui";
+  c.textBaseline = "middle";
+  c.strokeStyle = colour("--grid");
+  text.forEach((row, k) => {
+    c.fillStyle = colour(k ? "--ink" : "--ink-soft");
+    let x = room;
+    row.forEach((cell, n) => { c.fillText(cell, x, (k + 0.5) * high); x += wide[n]; });
+    line(c, 0, (k + 1) * high, x, (k + 1) * high);
+  });
+  sheet([canvas], name);
+}
+
 /** Canvases side by side on the colour of the card, as one PNG file. */
 export function sheet(canvases: HTMLCanvasElement[], name: string, across = 3): void {
   const shown = canvases.filter((each) => each.width > 0 && each.height > 0);

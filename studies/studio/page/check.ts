@@ -10,9 +10,11 @@ export interface Check {
 const SIGNS = { ok: "✓", warn: "!", fail: "✗" };
 
 export class CheckPanel {
+  private now: Check | null = null;
   constructor(private light: (part: string, place: number[] | null) => void) {}
 
   take(found: Check): void {
+    this.now = found;
     const findings = found.printing.findings;
     const count = (verdict: string) => findings.filter((each) => each.verdict === verdict).length;
     byId("verdict").textContent =
@@ -25,6 +27,14 @@ export class CheckPanel {
     byId("validity").replaceChildren(...found.validity.map((each) => make("li", { class: each.holds ? "ok" : "fail" },
       make("span", { class: "sign" }, each.holds ? SIGNS.ok : SIGNS.fail),
       make("span", {}, `${each.assumption}: ${words(each.value)} ${each.unit}, ${each.relation} ${words(each.limit)} ${each.unit}; ${each.meaning}`))));
+  }
+
+  /** All findings and assumptions as a table, its first row as head. */
+  rows(): (string | number)[][] {
+    const head = ["part", "rule", "value", "relation", "limit", "unit", "verdict"], now = this.now;
+    if (!now) return [head];
+    return [head, ...now.printing.findings.map((each) => [each.part, each.rule, each.value, each.relation, each.limit, each.unit, each.verdict]),
+      ...now.validity.map((each) => ["model", each.assumption, each.value, each.relation, each.limit, each.unit, each.holds ? "ok" : "fail"])];
   }
 
   private row(each: Finding): HTMLElement {

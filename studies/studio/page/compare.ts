@@ -6,6 +6,7 @@ export interface Comparison { pinned: string | null; differences?: { name: strin
 
 export class ComparePanel {
   private pinned: Record<string, number> | null = null;
+  private differences: NonNullable<Comparison["differences"]> = [];
   constructor(private word: () => Record<string, Word>, private here: () => Record<string, number> | null) {}
 
   take(found: Comparison): void {
@@ -14,9 +15,17 @@ export class ComparePanel {
     byId("compare-tables").hidden = !on;
     if (!on) { this.pinned = null; return; }
     byId("pinned-name").textContent = found.pinned!;
-    const rows = (found.differences ?? []).map((each) => make("tr", {},
+    this.differences = found.differences ?? [];
+    const rows = this.differences.map((each) => make("tr", {},
       make("th", { scope: "row" }, each.name), make("td", {}, value(each.there, each.unit)), make("td", {}, value(each.here, each.unit))));
     byId("differences").replaceChildren(...(rows.length ? rows : [make("tr", {}, make("td", { colspan: "3" }, "no field differs"))]));
+  }
+
+  /** The fields that differ and the figures of both as a table, its first row as head. */
+  rows(): (string | number)[][] {
+    const here = this.here(), there = this.pinned;
+    return [["field or figure", "unit", "pinned", "now"], ...this.differences.map((each) => [each.name, each.unit, plain(each.there), plain(each.here)]),
+      ...(here && there ? Object.entries(this.word()).map(([name, word]) => [name, word.unit, there[name], here[name]]) : [])];
   }
 
   figures(found: Record<string, number> | null): void {
@@ -30,6 +39,8 @@ export class ComparePanel {
     }));
   }
 }
+
+function plain(of: any): string | number { return typeof of === "number" ? of : value(of, ""); }
 
 function value(of: any, unit: string): string {
   if (of === null || of === undefined) return "–";

@@ -16,7 +16,7 @@ export class Form {
   private gestures = 0;
   constructor(private place: HTMLElement, private set: Setter) {}
 
-  build(fields: Field[]): void {
+  build(fields: Field[], addable: Record<string, object>, removable: string[]): void {
     const open = new Set([...this.place.querySelectorAll("details[open]")].map((each) => (each as HTMLElement).dataset.group));
     const first = this.rows.size === 0;
     this.rows.clear();
@@ -24,7 +24,9 @@ export class Form {
     const groups = new Map<string, HTMLElement>();
     for (const field of fields) {
       if (!groups.has(field.group)) {
-        const group = make("details", { "data-group": field.group }, make("summary", {}, titleOf(field.group)));
+        const title = make("summary", {}, titleOf(field.group));
+        if (removable.includes(field.group)) title.append(button("remove", () => this.set(field.group, null), { class: "remove", "aria-label": `remove ${field.group}` }));
+        const group = make("details", { "data-group": field.group }, title);
         group.open = first ? ["resonator", "membrane", "tube"].includes(field.group) : open.has(field.group);
         groups.set(field.group, group);
         this.place.append(group);
@@ -33,6 +35,10 @@ export class Form {
       this.rows.set(field.name, row);
       groups.get(field.group)!.append(row.row);
     }
+    const add = make("select", { id: "add-table", "aria-label": "add a table that the design does not state" },
+      make("option", { value: "" }, "add a table…"), ...Object.keys(addable).map((name) => make("option", { value: name }, titleOf(name))));
+    add.addEventListener("change", () => { if (add.value) this.set(add.value, addable[add.value]); add.value = ""; });
+    this.place.append(make("p", {}, add));
   }
 
   update(values: Record<string, any>): void {
@@ -53,10 +59,11 @@ export class Form {
     }
   }
 
-  refuse(name: string, message: string, allowed: string, mend: number | null): void {
+  /** Show a refusal at its field; false where there is no such field. */
+  refuse(name: string, message: string, allowed: string, mend: number | null): boolean {
     this.settle();
     const row = this.rows.get(name);
-    if (!row) return;
+    if (!row) return false;
     row.row.closest("details")!.open = true;
     row.row.classList.add("refused");
     row.row.querySelector(".value")?.setAttribute("aria-invalid", "true");
@@ -69,6 +76,7 @@ export class Form {
     }
     const named = message.match(/(?:^|: )([a-z_]+(?:\.[\w-]+)+)/);
     if (named && named[1] !== name) this.rows.get(named[1])?.row.classList.add("concerned");
+    return true;
   }
 
   focus(name: string): void {

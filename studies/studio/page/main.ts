@@ -5,7 +5,8 @@ import { ArrayPanel, type Part } from "./array";
 import { CheckPanel } from "./check";
 import { ComparePanel } from "./compare";
 import { CurvesPanel, unpack } from "./curves";
-import { button, byId, make } from "./dom";
+import { tablePicture } from "./chart";
+import { button, byId, csv, make } from "./dom";
 import { Form } from "./form";
 import { addressOf, designInAddress, forget, keep, keptInTab, keptUnsaved } from "./kept";
 import { PointsPanel, type Word } from "./points";
@@ -27,7 +28,9 @@ let revision = -1;
 let curveTitles: Record<string, string> = {};
 let quantity = "level";
 let pending: object | null = null;
-let waiting = false;
+let underWay: any = null;
+/** Tells this page from another one that was doubled from it and knows the same session. */
+const ownName = crypto.getRandomValues(new Uint32Array(4)).join("-");
 let selected: number | null = null;
 let fromAddress: any = null;
 
@@ -56,12 +59,13 @@ const inSight = new Set<string>(), cardsInSight = new Set<HTMLElement>();
 
 /** Changes go one at a time: while one is under way, of the next ones the last is kept. */
 function change(message: object): void {
-  if (waiting) { pending = message; return; }
-  waiting = link?.send(message) ?? false;
+  if (underWay) { pending = message; return; }
+  if (link?.send(message)) underWay = message;
+  else pending = message;
 }
 
 function answered(): void {
-  waiting = false;
+  underWay = null;
   if (pending) { const next = pending; pending = null; change(next); }
 }
 
@@ -78,7 +82,7 @@ function take(message: any): void {
     case "words": return learn(message);
     case "design": return design(message);
     case "refused":
-      form.refuse(message.name, message.message, message.allowed, message.mend);
+      if (!form.refuse(message.name, message.message, message.allowed, message.mend)) notice(message.message);
       return answered();
     case "refused-design":
       notice(message.message);
@@ -164,7 +168,7 @@ function design(message: any): void {
   if (message.form) {
     stated = message.stated;
     name = message.design_name;
-    form.build(message.form);
+    form.build(message.form, message.addable, message.removable);
     points(message.form);
     study.take(message.form);
   } else {
@@ -280,8 +284,10 @@ let link: Link | null = null;
 const open = () => new Link(
   () => {
     const kept = fromAddress ? { session: null, stated: fromAddress, unsaved: true } : stated ? { session, stated, unsaved } : keptInTab();
-    waiting = false;
-    return { do: "hello", session: kept?.session ?? null, values: kept?.stated ?? null, saved: kept ? !kept.unsaved : false };
+    // Nobody knows whether a change that was under way arrived: one that can be made twice is made again.
+    if (["set", "restore", "prototype", "load"].includes(underWay?.do)) pending ??= underWay;
+    underWay = null;
+    return { do: "hello", page: ownName, session: kept?.session ?? null, values: kept?.stated ?? null, saved: kept ? !kept.unsaved : false };
   },
   take,
   (message) => {
@@ -354,6 +360,10 @@ if (location.search) history.replaceState(null, "", `/${location.hash}`);
 
 byId("points-png").addEventListener("click", () => table.picture(name));
 byId("points-csv").addEventListener("click", () => table.table(name));
+byId("print-png").addEventListener("click", () => tablePicture(check.rows(), `${name}-print.png`));
+byId("print-csv").addEventListener("click", () => csv(check.rows(), `${name}-print.csv`));
+byId("compare-png").addEventListener("click", () => tablePicture(compare.rows(), `${name}-compare.png`));
+byId("compare-csv").addEventListener("click", () => csv(compare.rows(), `${name}-compare.csv`));
 byId("stop-check").addEventListener("click", () => { link?.send({ do: "stop", stage: "check" }); progress("check", "stopped"); });
 byId("stop-export").addEventListener("click", () => link?.send({ do: "stop", stage: "export" }));
 byId("study-stop").addEventListener("click", () => link?.send({ do: "stop", stage: "study" }));

@@ -108,8 +108,9 @@ export class PointsPanel {
   table(name: string): void {
     if (!this.now) return;
     const keys = ["number", "named", "nearest", "distance", "level", "phase", "force"] as const;
-    csv([["point", "named right", "hardest to tell from", "distance", "level (dB)", "phase (degrees)", "least force (N)"],
-      ...this.now.points.map((point) => keys.map((key) => point[key]))], `${name}-points.csv`);
+    csv([["point", "named right", "hardest to tell from", "distance", "level (dB)", "phase (degrees)", "least force (N)",
+      ...this.now.points.map((point) => `named as ${point.number}, of ${this.now!.touches} touches`)],
+      ...this.now.points.map((point, k) => [...keys.map((key) => point[key]), ...this.now!.confusion[k]])], `${name}-points.csv`);
   }
 
   picture(name: string): void { byId<HTMLCanvasElement>("confusion").toBlob((blob) => blob && hand(blob, `${name}-confusion.png`)); }

@@ -10,7 +10,7 @@ from geometry import DesignError, prototype
 from geometry.design.array_design import validated
 from geometry.stated.declared import field_named
 from studies.panels.comparing import comparison
-from studies.panels.form import flat_values, form_of, stated_values
+from studies.panels.form import addable_tables, flat_values, form_of, removable_tables, stated_values
 
 ARRAY = prototype("array-2x6")
 
@@ -76,3 +76,23 @@ def test_fields_that_differ_stand_side_by_side() -> None:
         {"name": "name", "unit": "", "here": "other", "there": "array-2x6"},
         {"name": "tube.length", "unit": "mm", "here": 14.0, "there": 12.5},
     ]
+
+
+@pytest.mark.parametrize("name", ["array-2x6", "glove", "line-2"])
+def test_every_table_that_can_be_added_leaves_a_valid_design_with_its_fields(name: str) -> None:
+    design = prototype(name)
+    for table, values in addable_tables(design).items():
+        more = design.with_values({table: json.loads(json.dumps(values))})
+        assert any(entry["group"] == table for entry in form_of(more)), table
+        assert table not in addable_tables(more)
+        if table in removable_tables(more):
+            assert more.with_values({table: None}) == design
+
+
+def test_a_pattern_can_be_added_when_there_is_a_kind() -> None:
+    assert "lines.0.pattern" not in addable_tables(ARRAY)
+    kinds = ARRAY.with_values({"point_kinds.kind_1": {"cavity_height": 3.0}})
+    pattern = addable_tables(kinds)["lines.0.pattern"]
+    assert pattern == {"points": ["kind_1"] * ARRAY.point_count}
+    assert removable_tables(kinds.with_values({"lines.0.pattern": pattern})) == ["lines.0.pattern"]
+    assert "point_kinds.kind_2" in addable_tables(kinds)
