@@ -93,6 +93,7 @@ class Workplace:
             if stage == "points":
                 found = await self.in_thread("points", lambda: point_figures(job.design))
             elif stage == "surface":
+                self._threads["touch"].submit(self._listening.start)  # the first touch is not far
                 found = await self.in_thread("points", lambda: surface(job.design))
             elif stage == "mis_made":
                 found = await self.in_thread("mis_made", lambda: mis_made_figures(job.design))

@@ -78,10 +78,15 @@ class Workshop:
             try:
                 self.start()
                 return self._answer(work, arguments, tell)
-            except (EOFError, OSError):
-                self.close()  # what is left of it: it may still count as alive
-                if task is not None and task is self._stopped:
+            except Stopped:
+                raise
+            except (EOFError, OSError, RuntimeError) as error:
+                if task is not None and task is self._stopped:  # whatever broke, it was told to end
+                    self.close()
                     raise Stopped("stopped") from None
+                if isinstance(error, RuntimeError):
+                    raise
+                self.close()  # what is left of it: it may still count as alive
                 raise Refusal(
                     f"{self._name} ended without an answer; it is started again, the design is kept"
                 ) from None

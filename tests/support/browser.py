@@ -2,22 +2,30 @@
 
 from __future__ import annotations
 
+import io
 import os
 import shutil
 import signal
 import subprocess
 import sys
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
+from PIL import Image
 
 TOKEN = "theStudiosOwnTestToken"
 #: A renderer in software, which a machine without a graphics card has too.
 ARGUMENTS = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"]
+
+
+ROOT = "document.documentElement.dataset"
+PAINTED = f"{ROOT}.painted === {ROOT}.revision"
 
 
 @dataclass
@@ -37,13 +45,14 @@ class Studio:
 
 
 @contextmanager
-def studio(design: str = "array-2x6", port: int = 0) -> Iterator[Studio]:
+def studio(design: str = "array-2x6", port: int = 0, **environment: str) -> Iterator[Studio]:
     """A studio of a design, ended at the end."""
     line = [
         *(sys.executable, "-c", "from studies.cli.app import main; main()", "studio", design),
         *("--port", str(port), "--no-browser", "--token", TOKEN),
     ]
-    process = subprocess.Popen(line, stdout=subprocess.PIPE, text=True, env={**os.environ, "PYTHONUNBUFFERED": "1"})
+    environment = {**os.environ, "PYTHONUNBUFFERED": "1", **environment}
+    process = subprocess.Popen(line, stdout=subprocess.PIPE, text=True, env=environment)
     try:
         assert process.stdout is not None
         first = process.stdout.readline()
@@ -83,3 +92,43 @@ def until(page: Any, condition: str, seconds: float = 120.0) -> Any:
         time.sleep(0.05)
     said = page.evaluate("document.querySelector('main').innerText")
     pytest.fail(f"{condition}: not within {seconds:g} s; the page says: {said[:500]}")
+
+
+def opened(context: Any, running: Studio) -> Any:
+    """A page of the studio that has painted its first curves; ``problems``: errors and requests to elsewhere."""
+    found = context.new_page()
+    found.problems = []
+    found.on("pageerror", lambda error: found.problems.append(str(error)))
+    found.on("console", lambda told: found.problems.append(told.text) if "Content Security" in told.text else None)
+    here = (f"http://127.0.0.1:{running.port}/", "data:", "blob:")
+    found.on("request", lambda asked: None if asked.url.startswith(here) else found.problems.append(asked.url))
+    found.goto(running.address)
+    until(found, f"document.documentElement.dataset.painted !== undefined && {PAINTED}")
+    return found
+
+
+def field(page: Any, name: str) -> Any:
+    """The control of a field of the design, in sight."""
+    page.evaluate(f"document.querySelector(`[data-name='{name}']`).closest('details').open = true")
+    return page.locator(f"[data-name='{name}'] .value")
+
+
+def give(page: Any, name: str, value: str) -> None:
+    """Type a value into the control of a field."""
+    field(page, name).fill(value)
+    field(page, name).press("Enter")
+
+
+def downloaded(page: Any, act: Callable[[], None], folder: Path) -> Path:
+    """The file that the page hands out when something is done."""
+    with page.expect_download(timeout=120_000) as download:
+        act()
+    path = folder / str(download.value.suggested_filename)
+    download.value.save_as(path)
+    return path
+
+
+def lit(picture: bytes) -> Any:
+    """Which pixels of a picture have the colour that lights a part: strongly red, little blue; (height, width) bool."""
+    pixels = np.asarray(Image.open(io.BytesIO(picture)).convert("RGB"), int)
+    return (pixels[..., 0] > 180) & (pixels[..., 2] < 90)

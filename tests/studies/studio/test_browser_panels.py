@@ -1,0 +1,214 @@
+"""Panels of the studio's page in a real browser: their figures are those of Python, and what they hand out opens."""
+
+from __future__ import annotations
+
+import csv
+from pathlib import Path
+from typing import Any
+from zipfile import ZipFile
+
+import numpy as np
+import pytest
+import sofar
+from browser import PAINTED, ROOT, Studio, downloaded, field, give, lit, opened, until
+from scipy.io import wavfile
+
+from geometry import prototype, save_design
+from geometry.layout.arrangement import lay_out
+from geometry.layout.size import array_size
+from studies.panels.comparing import comparison
+from studies.panels.curves import CURVES, curves_of, lumped_library
+from studies.panels.making import check_figures
+from studies.panels.points import mis_made_figures, point_figures
+from studies.panels.touching import touched
+from studies.study import METRICS, load_study
+
+pytestmark = pytest.mark.slow
+#: Four points: their parts are drawn and checked in a few seconds.
+ARRAY = prototype("array-2x6").with_values({"lines": [{"between": ["A", "B"], "points": 4}], "layout.columns": 2})
+LONGER = ARRAY.with_values({"tube.length": 14.0})
+
+
+def table(page: Any, button: str, folder: Path) -> list[list[str]]:
+    """The CSV file of a panel, without its first row."""
+    path = downloaded(page, lambda: page.click(button), folder)
+    with path.open(newline="", encoding="utf-8") as file:
+        return list(csv.reader(file))[1:]
+
+
+def numbers(text: str) -> list[float]:
+    """Numbers in a text of the page."""
+    plain = text.replace("\N{MINUS SIGN}", "-")
+    return [float(word) for word in plain.split() if word.replace(".", "", 1).lstrip("-").isdecimal()]
+
+
+def test_all_figures_of_the_page_are_those_of_python(browser: Any, running: Studio, tmp_path: Path) -> None:
+    context = browser.new_context(
+        viewport={"width": 1440, "height": 420}
+    )  # of what is out of sight nothing is computed
+    page = opened(context, running)
+    save_design(ARRAY, tmp_path / "small.toml")
+    page.set_input_files("#open", tmp_path / "small.toml")
+    until(page, f"{ROOT}.revision === '1'")
+    page.click("#pin")
+    give(page, "tube.length", "14")
+    until(page, f"{ROOT}.revision === '2'")
+    page.set_viewport_size({"width": 1440, "height": 5200})
+    for stage in ("points", "mis_made", "model", "check"):
+        until(page, f"{ROOT}.shown_{stage} === '2'")
+
+    transfer = lumped_library(LONGER).transfer_function
+    for quantity, title in CURVES.items():
+        page.select_option("#quantity", quantity)
+        until(page, f"document.querySelector('#plots figcaption').textContent.startsWith({title!r})")
+        found = np.array(table(page, "#curves-csv", tmp_path), float)
+        expected = curves_of(transfer, quantity)
+        np.testing.assert_allclose(found[:, 0], expected.frequency, rtol=1e-6)
+        shown = found[:, 1:].T.reshape(expected.values.shape)
+        np.testing.assert_allclose(shown, expected.values, rtol=2e-6, atol=1e-4)
+
+    here, there = point_figures(LONGER), point_figures(ARRAY)
+    keys = ("number", "named", "nearest", "distance", "level", "phase", "force")
+    rows = [
+        [*(point[key] for key in keys), *counts]
+        for point, counts in zip(here["points"], here["confusion"], strict=True)
+    ]
+    np.testing.assert_allclose(np.array(table(page, "#points-csv", tmp_path), float), rows, rtol=1e-12)
+    for name, value in here["figures"].items():
+        shown = page.locator(f"#figures [data-figure='{name}'] dd").inner_text().split()[0]
+        assert float(shown.replace("\N{MINUS SIGN}", "-")) == pytest.approx(value, rel=1e-2 if "e" in shown else 1e-3)
+    made = mis_made_figures(LONGER)
+    shares = [made["sensors"], 100 * made["mean"], 100 * made["worst"]]
+    assert numbers(page.locator("#mis-made").inner_text()) == pytest.approx(shares, rel=1e-2)
+    x, y, z = array_size(LONGER, lay_out(LONGER))
+    assert numbers(page.locator("#size").inner_text()) == pytest.approx([max(x, y), min(x, y), z], rel=1e-3)
+
+    compared = {row[0]: row[2:] for row in table(page, "#compare-csv", tmp_path)}
+    for each in comparison(LONGER, ARRAY):
+        assert [float(value) for value in compared.pop(each["name"])] == [each["there"], each["here"]]
+    assert {name: [float(value) for value in row] for name, row in compared.items()} == {
+        name: pytest.approx([there["figures"][name], value], rel=1e-12) for name, value in here["figures"].items()
+    }
+
+    check = check_figures(LONGER)
+    findings = [(each["part"], each["rule"], each["verdict"]) for each in check["printing"]["findings"]]
+    findings += [("model", each["assumption"], "ok" if each["holds"] else "fail") for each in check["validity"]]
+    values = [[each["value"], each["limit"]] for each in (*check["printing"]["findings"], *check["validity"])]
+    printed = table(page, "#print-csv", tmp_path)
+    assert [(row[0], row[1], row[6]) for row in printed] == findings
+    np.testing.assert_allclose(np.array([[row[2], row[4]] for row in printed], float), values, rtol=1e-6)
+
+    heard = touched(LONGER, 3, "tap", 1)
+    page.locator("#touch-points button").nth(2).click()
+    until(page, "document.getElementById('answer').dataset.named")
+    (start, end, point, probability, _level) = heard["touches"][0]
+    said = page.locator("#answer").inner_text().split("named: ")[1]
+    assert said.startswith(f"point {point} from ")
+    assert numbers(said.replace("(", " "))[:4] == pytest.approx([point, start, end, 100 * probability], rel=2e-2)
+    assert page.problems == []
+    context.close()
+
+
+def test_a_study_is_run_and_a_click_on_its_front_loads_that_design(page: Any, tmp_path: Path) -> None:
+    page.locator("#study-title").scroll_into_view_if_needed()
+    page.select_option("#study-add", "tube.length")
+    page.select_option("#study-metrics select >> nth=0", "distance_smallest")
+    page.fill("#study-designs", "16")
+    page.click("#study-file")
+    with ZipFile(downloaded(page, lambda: page.click("#study-file"), tmp_path)) as archive:
+        archive.extractall(tmp_path)
+    study = load_study(tmp_path / "study.toml")
+    assert [each.name for each in study.parameters] == ["tube.length"]
+    page.click("#study-run")
+    until(page, f"{ROOT}.shown_study === '0'")
+    rows = table(page, "#study-csv", tmp_path)
+    assert len(rows) == 16
+    responses = [study.base.with_values({"tube.length": float(row[1])}) for row in rows[:3]]
+    expected = [METRICS["distance_smallest"].of_library(lumped_library(each, study.frequency)) for each in responses]
+    np.testing.assert_allclose([float(row[2]) for row in rows[:3]], expected, rtol=1e-4)
+    cloud = page.locator("#study-front")
+    cloud.scroll_into_view_if_needed()
+    down, along = (int(places[0]) for places in np.nonzero(lit(cloud.screenshot())))
+    cloud.click(position={"x": along, "y": down + 4})
+    until(page, f"{ROOT}.revision === '1' && {PAINTED}")
+    number = page.locator("#name").inner_text().rsplit("-", 1)[1]
+    assert [float(row[1]) for row in rows if row[0] == number] == [float(field(page, "tube.length").input_value())]
+    page.click("#undo")
+    until(page, f"{ROOT}.revision === '2'")
+    assert field(page, "tube.length").input_value() == "12.5"
+
+
+def test_a_study_that_is_stopped_shows_what_it_has_and_goes_on(page: Any) -> None:
+    page.locator("#study-title").scroll_into_view_if_needed()
+    page.select_option("#study-add", "resonator.cavity_height")
+    page.fill("#study-designs", "4096")
+    page.click("#study-run")
+    until(page, "document.querySelector('[data-status=study]').textContent.includes(' of 4096 cases')")
+    page.click("#study-stop")
+    until(page, f"{ROOT}.shown_study === '0'")
+    done = numbers(page.locator("#study-said").inner_text().split("lumped:")[1])
+    assert 0 < done[0] < 4096
+    assert "not yet: Run goes on" in page.locator("#study-said").inner_text()
+    page.click("#study-run")
+    before = until(page, "document.querySelector('[data-status=study]').textContent.match(/[0-9]+ of 4096/)?.[0]")
+    assert int(before.split()[0]) > done[0]
+    page.click("#study-stop")
+    until(page, "document.querySelector('#study-stop').disabled")
+
+
+def test_what_is_handed_out_opens_and_what_takes_long_is_stopped(page: Any, tmp_path: Path) -> None:
+    sofa = downloaded(page, lambda: page.click("[data-export='library.sofa']"), tmp_path)
+    assert sofar.read_sofa(str(sofa), verbose=False).GLOBAL_SOFAConventions == "GeneralTF-E"
+    page.click("[data-export='parts.zip']")
+    until(page, "document.querySelector('[data-status=export]').textContent.length > 6")
+    page.click("#stop-export")
+    until(page, "document.querySelector(`[data-problem='export']`).textContent === 'stopped'")
+    assert page.locator("#name").inner_text() == "array-2x6"
+
+
+def test_a_finding_lights_its_part_and_a_recording_is_replayed(page: Any, tmp_path: Path) -> None:
+    touch = touched(prototype("array-2x6"), 7, "tap", 3)
+    heard = np.frombuffer(touch["signals"], "<f4").reshape(len(touch["microphones"]), -1)
+    wavfile.write(tmp_path / "touch.wav", 1000, np.ascontiguousarray((heard / 8).T))
+    page.locator("#touch-title").scroll_into_view_if_needed()
+    page.fill("#full-scale", "8")
+    page.set_input_files("#replay", tmp_path / "touch.wav")
+    until(page, "document.getElementById('answer').dataset.named")
+    named = ",".join(str(each[2]) for each in touch["touches"])
+    assert page.locator("#answer").get_attribute("data-named") == named == "7"
+    page.locator("#print-title").scroll_into_view_if_needed()
+    until(page, f"{ROOT}.shown_check === '0' && {ROOT}.shown_model === '0'")
+    page.locator("#findings .finding").first.click()
+    page.wait_for_timeout(800)  # the array is scrolled into sight
+    assert lit(page.locator("#space canvas").screenshot()).sum() > 100
+
+
+def test_a_dropped_and_a_half_open_link_lose_no_change(browser: Any, running: Studio) -> None:
+    context = browser.new_context()
+    links: list[Any] = []
+    silent = False
+
+    def join(link: Any) -> None:
+        server = link.connect_to_server()
+        links.append(link)
+        link.on_message(lambda message: None if silent else server.send(message))
+        server.on_message(lambda message: None if silent else link.send(message))
+
+    context.route_web_socket("**/session", join)
+    page = opened(context, running)
+    give(page, "tube.length", "13")
+    until(page, f"{ROOT}.revision === '1'")
+    links[-1].close()
+    until(page, "!document.getElementById('lost').hidden")
+    assert "The design is kept" in page.locator("#lost").inner_text()
+    until(page, f"document.getElementById('lost').hidden && {ROOT}.revision === '1'")
+    silent = True
+    give(page, "tube.length", "16")
+    until(page, "!document.getElementById('lost').hidden", 30)
+    silent = False
+    until(page, f"{ROOT}.revision === '2' && {PAINTED}")
+    assert field(page, "tube.length").input_value() == "16"
+    page.click("#undo")
+    until(page, f"{ROOT}.revision === '3'")
+    assert field(page, "tube.length").input_value() == "13"
+    context.close()
