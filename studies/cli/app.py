@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import errno
 import signal
+import subprocess
 import sys
 import sysconfig
 import warnings
@@ -58,6 +59,7 @@ app = typer.Typer(
 #: In the order of work, which is that of ``--help``.
 VERBS = (
     designs.prototypes,
+    designs.new,
     designs.studio,
     designs.check,
     designs.wiring,
@@ -182,16 +184,35 @@ def _print_version(wanted: bool) -> None:
         from importlib.metadata import PackageNotFoundError, version
 
         try:
-            print(f"acoustic-fem {version('acoustic-fem')}")
+            commit = _commit()
+            print(f"acoustic-fem {version('acoustic-fem')}" + (f" (commit {commit})" if commit else ""))
         except PackageNotFoundError:
             print("acoustic-fem, run from a checkout without an installation")
         raise typer.Exit
 
 
+def _commit() -> str:
+    """The commit of the checkout that runs, with ``-dirty`` where files differ from it; empty for an installation."""
+    root = Path(__file__).parents[2]
+    if not (root / ".git").exists():
+        return ""
+    words = ["git", "-C", str(root), "describe", "--always", "--dirty", "--exclude=*"]
+    try:
+        return subprocess.run(words, capture_output=True, text=True, check=True, timeout=10).stdout.strip()
+    except (OSError, subprocess.SubprocessError):
+        return ""
+
+
 @app.callback()
 def _root(
     version: Annotated[
-        bool, typer.Option("--version", callback=_print_version, is_eager=True, help="Print the version and stop.")
+        bool,
+        typer.Option(
+            "--version",
+            callback=_print_version,
+            is_eager=True,
+            help="Print the version, and the commit of a checkout, and stop.",
+        ),
     ] = False,
 ) -> None: ...
 

@@ -44,6 +44,12 @@ def rig(
     design: Design,
     out: Annotated[Path, typer.Option(help="The folder to write to.", show_default=False)],
     seed: Annotated[int, typer.Option(help="Of the sensor: another one, another sensor.", min=0)] = _RIG_SEED,
+    altitude: Annotated[
+        float, typer.Option(metavar="M", help="Height of its place above that of the design's pressure.")
+    ] = 0.0,
+    modulus: Annotated[
+        float, typer.Option(metavar="FACTOR", help="Modulus of its membranes against the design's; 0.85 is softer.")
+    ] = 1.0,
 ) -> None:
     """Recordings of a virtual made sensor, to try everything before there is a real one.
 
@@ -58,9 +64,11 @@ def rig(
     Example: [bold]acoustic-fem rig array-2x6 --out bench; acoustic-fem calibrate bench/calibration --out made.nc[/bold]
     """
     from geometry import resolve_design
+    from studies.made_sensor.rig import HiddenScatter
 
+    scatter = HiddenScatter(altitude=altitude, modulus=modulus)
     with display_on_stderr() as display:
-        made = record_rig(resolve_design(design), out, seed=seed, display=display)
+        made = record_rig(resolve_design(design), out, seed=seed, scatter=scatter, display=display)
     for path in (made.calibration, made.touches, made.truth, made.library):
         print(path)
     tell(f"full scale of the touches: {made.full_scale:g} Pa, which locate and recalibrate take as --full-scale")

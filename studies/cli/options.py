@@ -8,7 +8,7 @@ import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, TypeVar
 
 import typer
 from typer.core import TyperCommand
@@ -18,6 +18,8 @@ from geometry.refusal import Refusal
 if TYPE_CHECKING:
     from studies.output.display import Display
 
+
+Answer = TypeVar("Answer", str, int, float)
 
 Design = Annotated[
     str, typer.Argument(metavar="DESIGN", help="A design file, or the name of a prototype.", show_default=False)
@@ -93,6 +95,14 @@ def display_on_stderr() -> Display:
     from studies.output.display import Display
 
     return Display(sys.stderr)
+
+
+def asked(given: Answer | None, question: str, usual: Answer) -> Answer | None:
+    """What an option says; without it the answer to a question on a terminal, elsewhere nothing."""
+    if given is not None or not sys.stdin.isatty():
+        return given
+    answer: Answer = typer.prompt(question, default=usual, type=type(usual))
+    return answer
 
 
 def check_workers(workers: int | None, scheduler: str | None) -> None:

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from geometry.printing.report import PrintReport
     from studies.run.check import DesignCheck
     from studies.run.part_folder import MadeParts
+    from studies.run.quality import DesignQuality
 
 #: Blanks of a table: at both its edges, and between columns.
 _EDGES, _GAP = 2, 3
@@ -146,6 +147,7 @@ def show_check(found: DesignCheck) -> None:
     length, width, height = max(found.size[:2]), min(found.size[:2]), found.size[2]
     print(f"{length:.1f} x {width:.1f} x {height:.1f} mm")
     print(found.covered)
+    _show_quality(found.quality)
     _show_wiring(found.wiring)
     table = table_of("distinct cell", "places", numbers=(1,))
     for cell, places in found.cells:
@@ -178,6 +180,14 @@ def show_check(found: DesignCheck) -> None:
         )
     show(table)
     _show_print_problems(found.printing)
+
+
+def _show_quality(quality: DesignQuality | None) -> None:
+    if quality is not None:
+        table = table_of("how good", "value", "of", numbers=(1,))
+        for row in quality.lines:
+            table.add_row(*row)
+        show(table)
 
 
 def _show_wiring(wiring: WiringCounts) -> None:

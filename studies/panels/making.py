@@ -68,14 +68,14 @@ def check_figures(design: ArrayDesign, tell: Callable[[str], None] = lambda line
         tell: called with what is being done.
 
     Returns:
-        As :meth:`studies.run.check.DesignCheck.to_dict`, and its ``verdict``.
+        As :meth:`studies.run.check.DesignCheck.to_dict` without the quality, and its ``verdict``.
 
     Raises:
         Refusal: as :func:`studies.check_design`.
     """
     from studies.run.check import check_design
 
-    found = check_design(design, display=Told(tell))
+    found = check_design(design, quality=False, display=Told(tell))  # the points' panel has it
     return {**found.to_dict(), "verdict": found.verdict}
 
 

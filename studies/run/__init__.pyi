@@ -4,4 +4,6 @@ from .findings import verdict as verdict
 from .libraries import convert_library as convert_library, solve_library as solve_library
 from .part_folder import MadeParts as MadeParts, export_parts as export_parts
 from .prototypes import copy_prototype as copy_prototype
+from .quality import DesignQuality as DesignQuality, design_quality as design_quality, draw_quality as draw_quality
+from .starting import PLACES as PLACES, new_design as new_design
 from .wiring import draw_wirings as draw_wirings, wiring_table as wiring_table, wirings as wirings

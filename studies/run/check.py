@@ -7,7 +7,7 @@ import os
 import warnings
 from collections import Counter
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -26,6 +26,7 @@ from studies.metrics.covered_area import FINGER, coverage
 from studies.metrics.pairs import BAND, worst_heard
 from studies.output.display import Display, Report
 from studies.output.folders import check_new_file, write_json
+from studies.run.quality import DesignQuality, design_quality, draw_quality
 
 if TYPE_CHECKING:
     from acoustic_fem.quantities.medium import Medium
@@ -112,6 +113,8 @@ class DesignCheck:
     attenuation: tuple[tuple[float, float, int], ...]
     """Frequency (Hz), then of the point that is heard worst: level at its second-loudest microphone (dB; a ratio needs
     two) and number; at fidelity lumped."""
+    quality: DesignQuality | None = None
+    """How good it is; None where that was not asked, or there is nothing to tell apart."""
 
     @property
     def covered(self) -> str:
@@ -178,29 +181,45 @@ class DesignCheck:
                 {"frequency_hz": f, "second_microphone_db": level, "point": point}
                 for f, level, point in self.attenuation
             ],
+            "quality": None if self.quality is None else self.quality.to_dict(),
         }
 
 
 def check_design(
-    design: ArrayDesign, out: str | os.PathLike[str] | None = None, *, display: Display | None = None
+    design: ArrayDesign,
+    out: str | os.PathLike[str] | None = None,
+    *,
+    picture: str | os.PathLike[str] | None = None,
+    quality: bool = True,
+    display: Display | None = None,
 ) -> DesignCheck:
     """Findings on a design: laid out, its parts drawn and judged, the models' assumptions compared with their limits.
 
     Args:
         design: the design.
         out: a JSON file for all that was found; an earlier one is replaced.
+        picture: a PNG file for the array in plan with how well each point is told from the others.
+        quality: whether to predict how good it is: :func:`studies.run.design_quality`.
         display: shows what is being done.
 
     Raises:
-        Refusal: a part cannot be built, the membrane's proportions are outside what can be solved, or the file cannot
-            be written.
+        Refusal: a part cannot be built, the membrane's proportions are outside what can be solved, a file cannot be
+            written, or a picture of a design that has nothing to tell apart.
     """
-    path = None if out is None else Path(out)
+    path, drawn = None if out is None else Path(out), None if picture is None else Path(picture)
     check_new_file(path, ".json")
+    check_new_file(drawn, ".png")
     with (display or Display()).stage("Check") as report:
         found = _judged(design, report)
+        if quality or drawn is not None:
+            report("how good it is", 0.9)
+            found = replace(found, quality=design_quality(design))
     if path is not None:
         write_json(path, found.to_dict())
+    if drawn is not None:
+        if found.quality is None:
+            raise Refusal(f"{design.name}: a picture of fewer than two points or microphones would show nothing")
+        draw_quality(design, found.quality, drawn)
     return found
 
 
@@ -227,9 +246,8 @@ def _judged(design: ArrayDesign, report: Report) -> DesignCheck:
     except Refusal as error:  # a tube that bends into itself is no solid
         in_the_way = (str(error),)
     printing = print_report(
-        parts, design=design, progress=lambda part, fraction: report(f"print rules: {part}", 0.5 + 0.5 * fraction)
+        parts, design=design, progress=lambda part, fraction: report(f"print rules: {part}", 0.4 + 0.5 * fraction)
     )
-    report("done", 1.0)
     return DesignCheck(
         design=design,
         wiring=wiring_counts(len(design.microphones), [line.points for line in design.lines]),

@@ -32,6 +32,7 @@ ROOT = Path(__file__).parents[3]
 #: Verb -> what it calls, where it finds it.
 CALLS = {
     "studio": "studies.studio.serving.serve_studio",
+    "new": "studies.cli.designs.new_design",
     "check": "studies.run.check.check_design",
     "wiring": "studies.run.wiring.wiring_table",
     "solve": "studies.cli.designs.solve_library",
@@ -60,6 +61,7 @@ CALLS = {
 #: Verb -> the words that it needs.
 WORDS = {
     "studio": "row.toml",
+    "new": "mine --out x.toml",
     "check": "row.toml",
     "wiring": "2 3",
     "solve": "row.toml --out x.nc",
@@ -91,6 +93,7 @@ BY_DEFAULT = {
     "decoding": studies.Decoding(air=LocalAir()),
     "source": studies.LiveInput(),
     "rig": studies.BendingRig(),
+    "scatter": studies.HiddenScatter(),
     "plan": localize.TrainingPlan(microphone_noise="design"),
 }
 #: The longest body of a verb, in lines behind its docstring, and the longest function that prints.

@@ -32,6 +32,7 @@ SEARCH = (
 FILES = {
     "prototypes": ("glove", ".toml"),
     "check": ("row.toml", ".json"),
+    "new": ("mine", ".toml"),
     "wiring": ("2 3", ".png"),
     "solve": ("row.toml", ".nc"),
     "calibrate": ("touches.toml", ".nc"),

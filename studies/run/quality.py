@@ -1,0 +1,189 @@
+"""How good a design is, in figures of seconds: points told apart, nominal and mis-made, the hardest pair, cost."""
+
+from __future__ import annotations
+
+import math
+import os
+from dataclasses import asdict, dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from geometry.design.array_design import ArrayDesign
+from geometry.layout.arrangement import lay_out
+from geometry.refusal import Refusal
+from studies.metrics.build import cost
+from studies.metrics.pairs import BAND
+from studies.metrics.responses import Responses
+from studies.metrics.separation import separability
+from studies.metrics.shared import SharedFigures
+from studies.output.display import number
+from studies.output.frequencies import FREQUENCIES, stated_frequencies
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+#: Mis-made sensors for designs of up to so many points; of larger ones fewer, as each takes the square of its points.
+SENSORS, SENSORS_UP_TO = 64, 24
+#: Designs of more points have none here.
+_MOST_POINTS = 128
+
+
+@dataclass(frozen=True, eq=False)
+class DesignQuality:
+    """Predicted quality of a design, at fidelity lumped: sums of sines, the noise of the design's microphone."""
+
+    named: float
+    """Share of touches on the nominal sensor whose point a trained localizer is predicted to name, 0 to 1."""
+    sensors: int
+    """Number of mis-made sensors; 0 where the lumped batch does not take the design, or it has over 128 points."""
+    mis_made: float
+    """The same share on sensors with a workshop's scatter, not calibrated, by their mean; NaN without sensors."""
+    worst: float
+    """The same of the worst of these sensors; NaN without sensors."""
+    hardest: tuple[int, int]
+    """Numbers of the two points that are hardest to tell apart, by their distance."""
+    level: float
+    """Level difference of the two, rms over 1 to 100 Hz, dB."""
+    phase: float
+    """Phase difference of the two, rms over 1 to 100 Hz, degrees."""
+    weakest: int
+    """Number of the point that needs the largest force."""
+    force: float
+    """Force there that stands out of the noise, rms from 1 to 100 Hz, N."""
+    cost: float
+    """Cost of the materials of one array, molds left out, at assumed prices, USD."""
+    per_point: NDArray[np.float64] = field(repr=False)
+    """Share of the touches of each point on the nominal sensor that name it; (n_point,) float64."""
+
+    @property
+    def lines(self) -> tuple[tuple[str, str, str], ...]:
+        """Rows of a table: what, value, and what the value is of."""
+        first, second = self.hardest
+        made = f"{100 * self.mis_made:.1f} % ({100 * self.worst:.1f} %)" if self.sensors else "not known"
+        of = f"mean of {self.sensors} (the worst), not calibrated" if self.sensors else "acoustic-fem tolerance may"
+        return (
+            ("named right, nominal sensor", f"{100 * self.named:.1f} %", "sums of sines, predicted for a localizer"),
+            ("named right, mis-made sensors", made, of),
+            ("hardest pair", f"{first} and {second}", f"{self.level:.2g} dB, {self.phase:.2g} degrees apart"),
+            ("smallest force", f"{number(1e9 * self.force)} nN", f"rms, point {self.weakest}, over the noise"),
+            ("cost", f"{self.cost:.2f} USD", "materials of one array, assumed prices"),
+        )
+
+    def to_dict(self) -> dict[str, Any]:
+        """Figures as JSON can hold them."""
+        known = {**asdict(self), "per_point": self.per_point.tolist(), "hardest": list(self.hardest)}
+        return {name: None if value != value else value for name, value in known.items()}
+
+
+def design_quality(design: ArrayDesign) -> DesignQuality | None:
+    """Predicted quality of a design; None where it has fewer than two points or microphones.
+
+    Args:
+        design: the design.
+
+    Raises:
+        Refusal: the design cannot be solved.
+    """
+    import acoustic_fem
+    from acoustic_fem.library.noise import detection_limits
+
+    if design.point_count < 2 or len(design.microphones) < 2:
+        return None
+    library = acoustic_fem.solve(design, stated_frequencies(FREQUENCIES), fidelity="lumped")
+    apart = separability(library.transfer_function)
+    hardest = apart.hardest_pairs[0]
+    level, phase, _ = apart.between(*hardest)
+    predicted = SharedFigures(Responses.of_library(library)).confusion(None)
+    limits = np.asarray(detection_limits(library, BAND)["force"].values)
+    weakest = int(np.argmax(limits))
+    made = _mis_made(design)
+    return DesignQuality(
+        named=float(predicted.top1[0]),
+        sensors=len(made),
+        mis_made=float(made.mean()) if len(made) else float("nan"),
+        worst=float(made.min()) if len(made) else float("nan"),
+        hardest=hardest,
+        level=level,
+        phase=phase,
+        weakest=apart.points[weakest],
+        force=float(limits[weakest]),
+        cost=float(cost(design)),
+        per_point=np.diagonal(predicted.confusion[0]).copy(),
+    )
+
+
+def _mis_made(design: ArrayDesign) -> NDArray[np.float64]:
+    """Predicted shares of mis-made sensors, (n,) float64; none where the batch does not take it or it takes long."""
+    from studies.scatter.effects import scattered_accuracy
+
+    if design.point_count > _MOST_POINTS:
+        return np.zeros(0)
+    count = min(SENSORS, math.ceil(SENSORS * (SENSORS_UP_TO / design.point_count) ** 2))
+    try:
+        return scattered_accuracy(design, stated_frequencies(FREQUENCIES), sensors=count)
+    except Refusal:
+        return np.zeros(0)
+
+
+def draw_quality(design: ArrayDesign, quality: DesignQuality, path: str | os.PathLike[str]) -> Path:
+    """Picture of an array in plan, mm: each point in the colour of its share of touches, the hardest pair ringed.
+
+    Args:
+        design: the array.
+        quality: its figures.
+        path: of the PNG.
+    """
+    from studies.output.figure_style import WIDTH, figure_in_style, save_figure
+
+    with figure_in_style((WIDTH, 4.6)) as figure:
+        axes = figure.subplots()
+        _plan(axes, design, quality)
+        axes.set(xlabel="x  (mm)", ylabel="y  (mm)", aspect="equal")
+        axes.set_title(
+            f"{design.name}: {100 * quality.named:.1f} % named right on the nominal sensor"
+            + (f", {100 * quality.mis_made:.1f} % on mis-made ones" if quality.sensors else "")
+        )
+        return save_figure(figure, path)
+
+
+def _plan(axes: Axes, design: ArrayDesign, quality: DesignQuality) -> None:
+    import matplotlib as mpl
+    from matplotlib.collections import PatchCollection
+    from matplotlib.patches import Circle
+
+    layout = lay_out(design)
+    for tube in layout.tubes:
+        axes.plot(*tube.path[:, :2].T, color="#777777", linewidth=1.2, zorder=1)
+    radius = design.resonator.outer_diameter / 2
+    shells = PatchCollection(
+        [Circle(point.position, radius) for point in layout.points],
+        cmap=mpl.colormaps["viridis"],
+        clim=(min(0.9, float(quality.per_point.min())), 1.0),
+        edgecolor="#333333",
+        zorder=2,
+    )
+    shells.set_array(quality.per_point)
+    axes.add_collection(shells)
+    bar = axes.figure.colorbar(shells, ax=axes, shrink=0.6)
+    bar.set_label("touches that name the point, nominal")
+    for point in layout.points:
+        if len(layout.points) <= 64:
+            box = {"boxstyle": "round,pad=0.15", "facecolor": "#00000090", "edgecolor": "none"}
+            axes.annotate(
+                str(point.number), point.position, ha="center", va="center", fontsize=7, color="white", bbox=box
+            )
+        if point.number in quality.hardest:
+            axes.add_patch(Circle(point.position, 1.2 * radius, fill=False, edgecolor="#c0392b", linewidth=2, zorder=3))
+    for microphone in layout.microphones:
+        axes.plot(*microphone.position, "s", color="#1d4d2b", markersize=9, zorder=3)
+        axes.annotate(
+            microphone.name, microphone.position, xytext=(0, 9), textcoords="offset points", ha="center", fontsize=9
+        )
+    axes.plot([], [], "o", markerfacecolor="none", markeredgecolor="#c0392b", label="hardest pair")
+    axes.plot([], [], "s", color="#1d4d2b", label="microphone")
+    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.15), ncols=2)
+    axes.margins(0.06)
+    axes.autoscale_view()

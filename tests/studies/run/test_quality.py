@@ -1,0 +1,53 @@
+"""How good a design is said to be: what the metrics of a study and of mis-made sensors say of it."""
+
+from __future__ import annotations
+
+import json
+import math
+
+import numpy as np
+import pytest
+from matplotlib.image import imread
+from small_run import small_design
+
+import studies
+from geometry import prototype
+from studies.run import quality
+from studies.run.quality import design_quality, draw_quality
+from studies.scatter.effects import scattered_accuracy
+
+
+def test_the_figures_are_those_of_the_metrics(tmp_path):
+    design = small_design()
+    found = design_quality(design)
+    grid = studies.output.stated_frequencies(studies.output.FREQUENCIES)
+    library = studies.solve_library(design, tmp_path / "library.nc", fidelity="lumped", frequency="1:100:64")
+    metrics = studies.study.METRICS
+    assert found.named == pytest.approx(metrics["predicted_top1"].of_library(library))
+    assert found.cost == pytest.approx(metrics["cost"].of_library(library))
+    assert found.per_point.mean() == pytest.approx(found.named)
+    made = scattered_accuracy(design, grid, sensors=found.sensors)
+    assert (found.mis_made, found.worst) == (pytest.approx(made.mean()), pytest.approx(made.min()))
+    assert found.sensors == 64
+    assert json.loads(json.dumps(found.to_dict()))["hardest"] == list(found.hardest)
+
+
+def test_what_takes_too_long_is_said_not_to_be_known(monkeypatch):
+    monkeypatch.setattr(quality, "_MOST_POINTS", 2)
+    found = design_quality(small_design())
+    assert (found.sensors, found.to_dict()["mis_made"]) == (0, None)
+    assert math.isnan(found.worst)
+    assert found.lines[1][:2] == ("named right, mis-made sensors", "not known")
+
+
+def test_the_picture_rings_the_hardest_pair(tmp_path):
+    design = small_design()
+    picture = imread(draw_quality(design, design_quality(design), tmp_path / "array.png"))
+    red = np.all(np.abs(picture[..., :3] - np.array([0xC0, 0x39, 0x2B]) / 255) < 0.05, axis=-1)
+    assert red.sum() > 100
+    assert picture.shape[1] > 1000
+
+
+def test_a_design_that_has_nothing_to_tell_apart_has_no_figures():
+    one = prototype("array-2x6").with_values({"lines.0.points": 1, "layout.columns": 1})
+    assert design_quality(one) is None

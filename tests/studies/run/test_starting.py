@@ -1,0 +1,55 @@
+"""A design of one's own: what was asked for, in a layout that can be built, or one line that says why not."""
+
+from __future__ import annotations
+
+import pytest
+
+import geometry
+import studies
+from geometry.layout.arrangement import lay_out
+from geometry.layout.overlaps import overlaps
+from geometry.refusal import Refusal
+from studies.run.starting import PLACES
+
+SIZES = [
+    {"place": "fingertip", "points": 24, "pitch": 5.0},
+    {"place": "wrist", "points": 16, "pitch": 15.0, "diameter": 50.0},
+    {"place": "hand", "points": 15},
+    {"points": 64, "microphones": 4},
+    {"points": 13, "pitch": 11.0},
+]
+
+
+@pytest.mark.parametrize("asked", [*({"place": place} for place in PLACES), *SIZES], ids=str)
+def test_a_new_design_has_what_was_asked_for_and_can_be_built(asked, tmp_path):
+    made = studies.new_design("mine", tmp_path / "mine.toml", **asked)
+    design = geometry.load_design(tmp_path / "mine.toml")
+    assert design == made
+    usual = PLACES[asked.get("place", "flat")]
+    assert design.point_count == asked.get("points", usual.points)
+    assert len(design.microphones) == asked.get("microphones", usual.microphones)
+    layout = lay_out(design)
+    assert overlaps(design, layout) == ()
+    pitch = asked.get("pitch", usual.pitch)
+    first, second = layout.points[:2]
+    frames = [layout.frame(point).origin for point in (first, second)]
+    apart = sum((a - b) ** 2 for a, b in zip(*frames, strict=True)) ** 0.5
+    if usual.layout == "cylinder":
+        assert 0.9 * pitch < apart < pitch  # around it the shells lean towards each other
+    else:
+        assert apart == pytest.approx(pitch)
+
+
+@pytest.mark.parametrize(
+    ("asked", "words"),
+    [
+        ({"place": "moon"}, "place = 'moon' must be of flat, fingertip, wrist, hand"),
+        ({"points": 1}, "points = 1 must be from 2 to 1000"),
+        ({"pitch": float("nan")}, "pitch = nan must be from 3 to 100"),
+        ({"place": "fingertip", "points": 24, "microphones": 3}, "no layout of 24 points 4 mm apart can be built"),
+    ],
+)
+def test_what_cannot_be_is_refused_and_nothing_is_written(asked, words, tmp_path):
+    with pytest.raises(Refusal, match=words):
+        studies.new_design("mine", tmp_path / "mine.toml", **asked)
+    assert list(tmp_path.iterdir()) == []
