@@ -90,25 +90,23 @@ def new_design(
     if place not in PLACES:
         raise Refusal(f"place = {place!r} must be of {', '.join(PLACES)}")
     usual = PLACES[place]
-    chosen = {
-        "points": usual.points if points is None else points,
-        "pitch": usual.pitch if pitch is None else pitch,
-        "microphones": usual.microphones if microphones is None else microphones,
-        "diameter": diameter,
-    }
+    points = usual.points if points is None else points
+    pitch = usual.pitch if pitch is None else pitch
+    microphones = usual.microphones if microphones is None else microphones
+    chosen = {"points": points, "pitch": pitch, "microphones": microphones, "diameter": diameter}
     for field, (least, most) in _LIMITS.items():
         if not least <= chosen[field] <= most:
             raise Refusal(f"{field} = {chosen[field]:g} must be from {least:g} to {most:g}")
     path = Path(f"{name}.toml" if out is None else out)
     check_new_file(path, ".toml", kept="a design")
-    design = _buildable(name, usual, **chosen)
+    design = _buildable(name, usual, points, pitch, microphones, diameter)
     from geometry.design.design_file import save_design
 
     save_design(design, path)
     return design
 
 
-def _buildable(name: str, place: Place, *, points: int, pitch: float, microphones: int, diameter: float) -> ArrayDesign:
+def _buildable(name: str, place: Place, points: int, pitch: float, microphones: int, diameter: float) -> ArrayDesign:
     """The first design of those that can be had whose parts are not in each other's way."""
     from geometry.layout.overlaps import OverlapError, refuse_overlaps
     from geometry.stated.fields import DesignError
