@@ -28,11 +28,11 @@ extensions = [
     "names",
     "reference",
 ]
-exclude_patterns = ["site", "build", "examples", "studio-page"]
+exclude_patterns = ["site", "build", "examples", "notebooks/*.py"]
 templates_path: list[str] = []
 language = "en"
 
-# Notebooks are shown as `make notebooks` left them; the tests execute them.
+# Notebooks are shown as docs/make_notebooks.py left them; the tests execute them.
 nb_execution_mode = "off"
 myst_enable_extensions = ["dollarmath", "deflist", "attrs_inline"]
 myst_heading_anchors = 4

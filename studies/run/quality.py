@@ -142,10 +142,11 @@ def draw_quality(design: ArrayDesign, quality: DesignQuality, path: str | os.Pat
         axes = figure.subplots()
         _plan(axes, design, quality)
         axes.set(xlabel="x  (mm)", ylabel="y  (mm)", aspect="equal")
-        axes.set_title(
+        figure.suptitle(
             f"{design.name}: {100 * quality.named:.1f} % named right on the nominal sensor"
             + (f", {100 * quality.mis_made:.1f} % on mis-made ones" if quality.sensors else "")
         )
+        figure.legend(loc="outside lower center", ncols=2)
         return save_figure(figure, path)
 
 
@@ -184,6 +185,5 @@ def _plan(axes: Axes, design: ArrayDesign, quality: DesignQuality) -> None:
         )
     axes.plot([], [], "o", markerfacecolor="none", markeredgecolor="#c0392b", label="hardest pair")
     axes.plot([], [], "s", color="#1d4d2b", label="microphone")
-    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.15), ncols=2)
     axes.margins(0.06)
     axes.autoscale_view()

@@ -108,14 +108,18 @@ def new_design(
 
 def _buildable(name: str, place: Place, points: int, pitch: float, microphones: int, diameter: float) -> ArrayDesign:
     """The first design of those that can be had whose parts are not in each other's way."""
-    from geometry.layout.overlaps import OverlapError, refuse_overlaps
+    from geometry.layout.arrangement import lay_out
+    from geometry.layout.overlaps import OverlapError, refuse_overlaps, schematic_notes
     from geometry.stated.fields import DesignError
 
     problem: Refusal | None = None
-    for values, dropped in _candidates(name, place, points, pitch, microphones, diameter):
+    for values, arranged in _candidates(name, place, points, pitch, microphones, diameter):
         try:
-            design = _from_base(values, dropped, "fingertip-3x4" if pitch < _SMALL else place.base)
-            refuse_overlaps(design)
+            design = _from_base(values, arranged, "fingertip-3x4" if pitch < _SMALL else place.base)
+            layout = lay_out(design)
+            refuse_overlaps(design, layout)
+            if notes := schematic_notes(design, layout):
+                raise OverlapError(*notes)
         except (DesignError, OverlapError) as error:
             problem = problem or error
         else:
@@ -160,7 +164,11 @@ def _candidates(
             "tube.length": length,
         }
         for layout in _layouts(place, points, microphones, diameter):
-            yield {**values, "lines": _lines(names, points, layout["columns"])}, layout
+            lines = _lines(names, points, layout["columns"])
+            yield {**values, "lines": lines}, layout
+            if (longest_last := [line["points"] for line in reversed(lines)]) != [line["points"] for line in lines]:
+                turned = zip(lines, longest_last, strict=True)
+                yield {**values, "lines": [{**line, "points": count} for line, count in turned]}, layout
 
 
 def _lines(names: list[str], points: int, columns: int) -> list[dict[str, Any]]:

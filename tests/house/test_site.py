@@ -49,3 +49,39 @@ def test_requests_to_other_hosts_and_lost_words_are_found(site, tmp_path: Path) 
     assert built.outside_requests(tmp_path) == ["a.html: //x.org/y.js", "b.css: https://x.org/f.css"]
     assert built.not_found(tmp_path) == ["port_admittance"]
     assert built.main(tmp_path) == 1
+
+
+@pytest.mark.slow
+def test_the_gallery_says_what_check_says() -> None:
+    import geometry
+    from studies.run import design_quality
+
+    examples, page = ROOT / "docs" / "examples", (ROOT / "docs" / "gallery.md").read_text(encoding="utf-8")
+    for name in geometry.prototype_names():
+        assert f"| [{name}](#{name}) |" in page
+    quality = design_quality(geometry.load_design(examples / "wristband-16.toml"))
+    row = next(line for line in page.splitlines() if line.startswith("| [wristband-16]"))
+    named, made = (cell.strip() for cell in row.split("|")[4:6])
+    assert named == f"{100 * quality.named:.1f}", "python docs/make_gallery.py"
+    assert made == f"{100 * quality.mis_made:.1f} ({100 * quality.worst:.1f})"
+
+
+def test_a_newcomer_types_every_block_and_looks_at_the_pictures(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.syspath_prepend(str(ROOT / "docs"))
+    newcomer = importlib.import_module("newcomer")
+    monkeypatch.delitem(sys.modules, "newcomer")
+    page = tmp_path / "page.md"
+    page.write_text(
+        "```sh\nacoustic-fem check a --picture a.png\n```\n\n```toml\nno = 1\n```\n\n```sh\ntrue\n```\n", "utf-8"
+    )
+    script = newcomer.typed(page).splitlines()
+    assert script == [
+        "set -eo pipefail",
+        "acoustic-fem check a --picture a.png",
+        f'test "$(wc -c < a.png)" -gt {newcomer.SMALLEST}',
+        "true",
+    ]
+    for name in newcomer.START:
+        assert newcomer.blocks_of(ROOT / "docs" / f"{name}.md"), name

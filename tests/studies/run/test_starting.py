@@ -30,6 +30,7 @@ def test_a_new_design_has_what_was_asked_for_and_can_be_built(asked, tmp_path):
     assert len(design.microphones) == asked.get("microphones", usual.microphones)
     layout = lay_out(design)
     assert overlaps(design, layout) == ()
+    assert not any(tube.schematic for tube in layout.tubes)
     pitch = asked.get("pitch", usual.pitch)
     first, second = layout.points[:2]
     frames = [layout.frame(point).origin for point in (first, second)]

@@ -1,0 +1,81 @@
+"""Write docs/gallery.md, its pictures and its designs: ``python docs/make_gallery.py``.
+
+Every prototype, and designs of ours, with what ``acoustic-fem check`` predicts of them. A minute or two of one core.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import geometry
+import studies
+from studies.run import design_quality, draw_quality
+
+DOCS = Path(__file__).parent
+PAGE, PICTURES, EXAMPLES = DOCS / "gallery.md", DOCS / "images" / "gallery", DOCS / "examples"
+#: Designs of ours that ``acoustic-fem new`` makes -> the answers to its questions.
+MADE = {
+    "wristband-16": {"place": "wrist", "points": 16, "pitch": 15.0, "diameter": 60.0},
+    "glove-15": {"place": "hand", "points": 15},
+    "pad-24": {"place": "flat", "points": 24, "pitch": 14.0, "microphones": 3},
+    "flat-64": {"place": "flat", "points": 64, "pitch": 18.5, "microphones": 4},
+}
+#: Designs of ours that a search found, or that were drawn by hand.
+FOUND = ("fingertip-12", "graded-line-36", "line-36", "ring-3x12")
+_HEAD = """# Gallery
+
+Every prototype, and designs of ours. The figures are those of `acoustic-fem check`: predicted at fidelity lumped, for
+sums of sines and the noise of the design's microphone, of a localizer trained on the nominal design. *Mis-made* is the
+mean of 64 sensors (fewer of more than 24 points) with a workshop's assumed [scatter](tolerances.md), and the worst of
+them, not calibrated; [calibration](calibration.md) brings most of it back. Cost is of the materials of one array at
+assumed prices, molds left out. In the pictures each point has the colour of its own share; the hardest pair is ringed.
+
+<!-- made by python docs/make_gallery.py -->
+"""
+
+
+def main() -> None:
+    """Write the missing designs, the pictures and the page."""
+    for name, answers in MADE.items():
+        path = EXAMPLES / f"{name}.toml"
+        if not path.is_file():
+            studies.new_design(name, path, **answers)
+    designs = {name: geometry.prototype(name) for name in geometry.prototype_names()}
+    ours = {name: geometry.load_design(EXAMPLES / f"{name}.toml") for name in (*MADE, *FOUND)}
+    PAGE.write_text(gallery_page(designs, ours), encoding="utf-8")
+
+
+def gallery_page(prototypes: dict[str, geometry.ArrayDesign], ours: dict[str, geometry.ArrayDesign]) -> str:
+    """The page; pictures are written beside."""
+    PICTURES.mkdir(parents=True, exist_ok=True)
+    rows, blocks = [], []
+    for name, design in {**ours, **prototypes}.items():
+        quality = design_quality(design)
+        assert quality is not None
+        picture = draw_quality(design, quality, PICTURES / f"{name}.png")
+        made = f"{100 * quality.mis_made:.1f} ({100 * quality.worst:.1f})" if quality.sensors else "not computed"
+        rows.append(
+            f"| [{name}](#{name}) | {design.point_count} | {len(design.microphones)} | {100 * quality.named:.1f} "
+            f"| {made} | {quality.hardest[0]}, {quality.hardest[1]}: {quality.level:.2g} dB, {quality.phase:.2g}° "
+            f"| {quality.cost:.2f} |"
+        )
+        file = f"[{name}.toml](examples/{name}.toml)" if name in ours else f"`acoustic-fem prototypes {name}`"
+        words = design.description.rstrip(".")
+        link = picture.relative_to(DOCS).as_posix()
+        blocks.append(
+            f"### {name}\n\n{words}. The file: {file}; the parts: `acoustic-fem parts "
+            f"{f'docs/examples/{name}.toml' if name in ours else name} --out {name}`.\n\n"
+            f"![{name} in plan: {words}]({link})\n"
+        )
+        print(rows[-1], flush=True)
+    head = (
+        "| design | points | microphones | named right, nominal (%) | mis-made: mean (worst) (%) | hardest pair "
+        "| cost (USD) |\n|---|---|---|---|---|---|---|"
+    )
+    split = len(ours)
+    parts = ["\n".join([head, *rows]), "## Designs of ours", *blocks[:split], "## Prototypes", *blocks[split:]]
+    return _HEAD + "\n" + "\n\n".join(part.rstrip() for part in parts) + "\n"
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,67 @@
+"""Do what the manual says, as printed: ``python docs/newcomer.py [PAGE ...]``, by default the pages of Start.
+
+Types the ``sh`` blocks of each page, unchanged and in order, into one shell in a fresh clone of the checkout, and ends
+with exit code 1 at the first command that fails or picture that a page promises and nobody drew. On a bare machine the
+first block installs everything; ``--venv .venv`` takes an installation that there is. What listens to a sound card or
+serves a page until it is stopped cannot be done this way.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+START = ("install", "first-minutes", "tutorial")
+BLOCK = re.compile(r"^```sh\n(.*?)^```", re.MULTILINE | re.DOTALL)
+PICTURE = re.compile(r"--(?:picture|out)[ =](\S+\.png)\b")
+#: Fewer bytes are no picture.
+SMALLEST = 5_000
+
+
+def blocks_of(page: Path) -> list[str]:
+    """The shell blocks of a page."""
+    return BLOCK.findall(page.read_text(encoding="utf-8"))
+
+
+def typed(page: Path) -> str:
+    """A script that types the blocks of a page, stops where one fails, and looks at the pictures of each."""
+    lines = ["set -eo pipefail"]
+    for block in blocks_of(page):
+        lines += [block.rstrip()]
+        lines += [f'test "$(wc -c < {name})" -gt {SMALLEST}' for name in PICTURE.findall(block)]
+    return "\n".join(lines) + "\n"
+
+
+def main() -> int:
+    """Exit code: 0 where all pages could be done."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("pages", nargs="*", default=START, metavar="PAGE")
+    parser.add_argument("--venv", type=Path, help="an installation to use as .venv of the clone")
+    asked = parser.parse_args()
+    with tempfile.TemporaryDirectory() as folder:
+        clone = Path(folder) / "acoustic-fem"
+        subprocess.run(["git", "clone", "--quiet", str(ROOT), str(clone)], check=True)
+        if asked.venv is not None:
+            (clone / ".venv").symlink_to(asked.venv.resolve())
+            for name in ("pyproject.toml", "constraints.txt"):
+                os.utime(clone / name, (0, 0))  # older than the installation: make leaves it as it is
+        for name in asked.pages:
+            script = typed(clone / "docs" / f"{name}.md")
+            if name != START[0]:
+                script = ". .venv/bin/activate\n" + script  # what the page says was done before
+            own = {"PYTHONPATH": str(clone)} if asked.venv is not None else {}
+            done = subprocess.run(["bash", "-x", "-c", script], cwd=clone, check=False, env={**os.environ, **own})
+            print(f"{name}: {'done' if done.returncode == 0 else f'ended with {done.returncode}'}", flush=True)
+            if done.returncode:
+                return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

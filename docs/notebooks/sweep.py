@@ -1,0 +1,63 @@
+# ---
+# jupyter:
+#   jupytext:
+#     formats: ipynb,py:percent
+#   kernelspec:
+#     display_name: Python 3
+#     language: python
+#     name: python3
+# ---
+
+# %% [markdown]
+# # A sweep, read with xarray
+#
+# A study is a file: a base, metrics, parameters. Its results are one labelled store.
+
+# %%
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import matplotlib.pyplot as plt
+
+import studies
+
+folder = TemporaryDirectory()
+study = Path(folder.name) / "study.toml"
+study.write_text("""
+base = "array-2x6"
+fidelity = "lumped"
+sampling = "sobol"
+cases = 128
+metrics = ["distance_smallest", "sensitivity_force", "scatter_detection"]
+[parameters]
+"tube.inner_diameter" = {from = 0.3, to = 0.6}
+"resonator.cavity_height" = {from = 1.5, to = 5}
+""")
+summary = studies.run_sweep(studies.load_study(study), f"{folder.name}/results.zarr", workers=1)
+dataset = studies.open_sweep(f"{folder.name}/results.zarr").dataset
+print(summary.cases, "cases;", *dataset.data_vars)
+
+# %% [markdown]
+# Narrow bores part the points and swallow the sound: what is gained in distance is paid in sensitivity.
+
+# %%
+figure, axis = plt.subplots(figsize=(7, 3.8), layout="constrained")
+shown = axis.scatter(dataset["distance_smallest"], dataset["sensitivity_force"], c=dataset["tube.inner_diameter"], s=18)
+axis.set(xlabel="smallest distance of two points", ylabel="sensitivity (Pa/N)", yscale="log")
+figure.colorbar(shown, label="bore (mm)")
+plt.show()
+
+# %% [markdown]
+# What a part costs in error on mis-made sensors, by the two parameters.
+
+# %%
+figure, axis = plt.subplots(figsize=(7, 3.8), layout="constrained")
+shown = axis.scatter(
+    dataset["tube.inner_diameter"], dataset["resonator.cavity_height"], c=dataset["scatter_detection"], s=30
+)
+axis.set(xlabel="bore (mm)", ylabel="height of the cavity (mm)")
+figure.colorbar(shown, label="predicted error, mis-made")
+plt.show()
+table = dataset[["tube.inner_diameter", "distance_smallest"]].to_dataframe()
+assert table.corr().iloc[0, 1] < 0
+folder.cleanup()

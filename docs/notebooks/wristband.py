@@ -1,0 +1,74 @@
+# ---
+# jupyter:
+#   jupytext:
+#     formats: ipynb,py:percent
+#   kernelspec:
+#     display_name: Python 3
+#     language: python
+#     name: python3
+# ---
+
+# %% [markdown]
+# # A wristband, from an idea to its parts
+#
+# Sixteen points around a wrist, 15 mm apart, with two microphones. `acoustic-fem new wristband --place wrist
+# --points 16 --pitch 15` does the first step from a terminal.
+
+# %%
+from tempfile import TemporaryDirectory
+
+import matplotlib.pyplot as plt
+
+import geometry
+import studies
+from studies.run import design_quality, draw_quality
+
+folder = TemporaryDirectory()
+design = studies.new_design("wristband", f"{folder.name}/wristband.toml", place="wrist", points=16, pitch=15)
+print(design.description, "-", design.layout.kind, "of", design.layout.diameter, "mm")
+
+# %% [markdown]
+# How good is it? The same figures as of `acoustic-fem check`.
+
+# %%
+quality = design_quality(design)
+for row in quality.lines:
+    print(*row, sep=" | ")
+picture = plt.imread(draw_quality(design, quality, f"{folder.name}/wristband.png"))
+figure, axis = plt.subplots(figsize=(9, 4.4), layout="constrained")
+axis.imshow(picture)
+axis.set_axis_off()
+plt.show()
+
+# %% [markdown]
+# Good when made exactly, bad when not. Which bore forgives most? Springs are bought in steps; each is tried.
+
+# %%
+springs = [(0.5, 0.06), (0.6, 0.08), (0.7, 0.08), (0.8, 0.1), (0.9, 0.1)]  # outer diameter, wire, mm
+tried = {}
+for outer, wire in springs:
+    other = design.with_values(
+        {
+            "tube.inner_diameter": round(outer - 2 * wire, 3),
+            "tube.wire_diameter": wire,
+            "tube.outer_diameter": round(outer + 0.3, 3),
+        }
+    )
+    tried[outer] = design_quality(other)
+figure, axis = plt.subplots(figsize=(6, 3.4), layout="constrained")
+axis.plot(list(tried), [100 * found.named for found in tried.values()], "o-", label="nominal")
+axis.plot(list(tried), [100 * found.mis_made for found in tried.values()], "s-", label="mis-made, mean")
+axis.set(xlabel="outer diameter of the spring (mm)", ylabel="named right (%)")
+axis.legend()
+plt.show()
+best = max(tried, key=lambda outer: tried[outer].mis_made)
+print(f"of a spring of {best} mm: {100 * tried[best].mis_made:.1f} % on mis-made sensors")
+assert tried[best].mis_made > quality.mis_made
+
+# %% [markdown]
+# The parts, and what they cost. `geometry.export` and `acoustic-fem parts` write the files.
+
+# %%
+bill = geometry.bill_of_materials(design)
+print(f"about {bill.cost:.2f} {bill.prices.currency} an array, {bill.tube_m:.2f} m of tube")
+folder.cleanup()
