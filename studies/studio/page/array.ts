@@ -62,7 +62,7 @@ export class ArrayPanel {
     });
     canvas.addEventListener("keydown", (event) => this.key(event));
     for (const id of ["exploded", "section"]) byId(id).addEventListener("input", () => this.arrange());
-    byId("dimensions").addEventListener("change", () => this.arrange());
+    byId("dimensions").addEventListener("change", () => { this.arrange(); this.see(); });
     byId("refit").addEventListener("click", () => this.see());
   }
 
@@ -87,8 +87,8 @@ export class ArrayPanel {
     this.switches(model.parts);
     // The camera stays where the designer put it, unless the array has grown or shrunk.
     const extent = Math.hypot(...model.size);
-    if (Math.abs(Math.log(extent / (this.fittedTo || 1))) > 0.08) this.see();
     this.arrange();
+    if (Math.abs(Math.log(extent / (this.fittedTo || 1))) > 0.08) this.see();
   }
 
   light(test: (part: Part) => boolean, places: { part: string; place: number[] | null }[] = []): void {
@@ -173,6 +173,7 @@ export class ArrayPanel {
 
   private see(): void {
     const bounds = new Box3().setFromObject(this.model);
+    bounds.union(new Box3().setFromObject(this.lines));
     if (bounds.isEmpty() || !this.controls) return;
     const middle = bounds.getCenter(new Vector3()), size = bounds.getSize(new Vector3());
     const tangent = Math.tan((this.camera.fov * Math.PI) / 360);

@@ -1,5 +1,5 @@
 // Small charts on a canvas: a frame with ticks, into which others draw; and figures as PNG files.
-import { colour, hand, words } from "./dom";
+import { colour, hand, shownUnit, words } from "./dom";
 
 export interface Axis { low: number; high: number; title: string; labels: string[]; }
 export interface Chart { c: CanvasRenderingContext2D; x: (value: number) => number; y: (value: number) => number; }
@@ -9,7 +9,7 @@ export function axisOf(values: number[], title: string, unit = "", labels: strin
   let low = Infinity, high = -Infinity;
   for (const value of values) { if (value < low) low = value; if (value > high) high = value; }
   const room = (high - low) * 0.06 || Math.abs(high) * 0.1 || 1;
-  return { low: low - room, high: high + room, title: unit && unit !== "1" ? `${title} (${unit})` : title, labels };
+  return { low: low - room, high: high + room, title: unit && unit !== "1" ? `${title} (${shownUnit(unit)})` : title, labels };
 }
 
 export function sized(canvas: HTMLCanvasElement, width: number, height: number): void {
@@ -21,13 +21,14 @@ export function sized(canvas: HTMLCanvasElement, width: number, height: number):
   canvas.getContext("2d")!.clearRect(0, 0, canvas.width, canvas.height);
 }
 
-const LEFT = 58, RIGHT = 10, TOP = 8, BOTTOM = 38;
+const LEFT = 58, RIGHT = 10, TOP = 8;
 
 /** The frame of a chart in a canvas of so many pixels of the page; places are in these pixels. */
 export function chart(canvas: HTMLCanvasElement, width: number, height: number, across: Axis, up: Axis): Chart {
   sized(canvas, width, height);
   const c = canvas.getContext("2d")!;
   c.scale(devicePixelRatio, devicePixelRatio);
+  const slanted = across.labels.length > 0, BOTTOM = slanted ? 74 : 38;
   const x = (value: number) => LEFT + ((value - across.low) / (across.high - across.low)) * (width - LEFT - RIGHT);
   const y = (value: number) => height - BOTTOM - ((value - up.low) / (up.high - up.low)) * (height - TOP - BOTTOM);
   c.font = "11px system-ui";
@@ -39,7 +40,11 @@ export function chart(canvas: HTMLCanvasElement, width: number, height: number, 
   const marks = ticks(across, (width - LEFT - RIGHT) / 70);
   for (const value of marks) {
     line(c, x(value), TOP, x(value), height - BOTTOM);
-    c.fillText(said(across, value), x(value), height - BOTTOM + 4, across.labels.length ? (width - LEFT) / marks.length - 6 : 70);
+    c.save();
+    c.translate(x(value), height - BOTTOM + 4);
+    if (slanted) { c.rotate(-Math.PI / 7); c.textAlign = "right"; }
+    c.fillText(said(across, value), slanted ? 8 : 0, 0, slanted ? Math.min(95, x(value)) : 70);
+    c.restore();
   }
   c.textAlign = "right";
   c.textBaseline = "middle";

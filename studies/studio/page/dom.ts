@@ -30,6 +30,8 @@ export function words(value: number, digits = 4): string {
   return String(Number(value.toPrecision(digits))).replace("-", "−");
 }
 
+export function shownUnit(unit: string): string { return unit.replace("um", "µm").replace("^3", "³"); }
+
 export function hand(content: Blob, name: string): void {
   const place = make("a", { href: URL.createObjectURL(content), download: name });
   place.click();

@@ -1,5 +1,5 @@
 // The Points panel: how well the points can be told apart, point by point, and as a whole.
-import { byId, colour, csv, hand, make, words } from "./dom";
+import { byId, colour, csv, hand, make, shownUnit, words } from "./dom";
 
 export interface Figures {
   figures: Record<string, number>;
@@ -88,7 +88,7 @@ export class PointsPanel {
         c.fillRect(room + j * cell, room + i * cell, cell - 1, cell - 1);
         c.globalAlpha = 1;
         if (cell >= 24 && share > 0) {
-          c.fillStyle = colour("--ink");
+          c.fillStyle = colour(i === j && share > 0.5 ? "--card" : "--ink");
           c.fillText(words(100 * share, 2), room + (j + 0.5) * cell, room + (i + 0.5) * cell);
         }
       }
@@ -117,5 +117,5 @@ export class PointsPanel {
 }
 
 export function show(value: number, unit: string): string {
-  return `${words(value)}${unit && unit !== "1" ? ` ${unit.replace("um", "µm").replace("^3", "³")}` : ""}`;
+  return `${words(value)}${unit && unit !== "1" ? ` ${shownUnit(unit)}` : ""}`;
 }
