@@ -22,6 +22,13 @@ from .form import (
     removable_tables as removable_tables,
     stated_values as stated_values,
 )
+from .live import hear_live as hear_live, sound_cards as sound_cards
 from .making import check_figures as check_figures, model_of_array as model_of_array, read_upload as read_upload
 from .points import figure_words as figure_words, mis_made_figures as mis_made_figures, point_figures as point_figures
-from .touching import TOUCHES as TOUCHES, replayed as replayed, surface as surface, touched as touched
+from .touching import (
+    TOUCHES as TOUCHES,
+    replayed as replayed,
+    slid as slid,
+    surface as surface,
+    touched as touched,
+)

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import math
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
@@ -15,7 +16,8 @@ from numpy.typing import NDArray
 
 from geometry.design.array_design import ArrayDesign
 from geometry.refusal import Refusal
-from studies.listening.opening import Decoding, open_localizer, open_stream
+from localize.contacts.radii import MOVING
+from studies.listening.opening import Decoding, open_localizer, open_stream, open_tracker
 from studies.run.libraries import solve_library
 
 if TYPE_CHECKING:
@@ -26,10 +28,12 @@ if TYPE_CHECKING:
 TOUCHES = ("tap", "double tap", "press")
 #: Length of the longest recording that is shown, s.
 LONGEST = 120.0
+#: Speed of a simulated slide, mm/s, and the longest, mm.
+SLIDE_SPEED, LONGEST_SLIDE = 60.0, 600.0
 
 
 @dataclass(frozen=True, eq=False)
-class _Ears:
+class Ears:
     """What listens to a design, with the folder of its library."""
 
     folder: TemporaryDirectory[str]
@@ -64,11 +68,65 @@ def touched(design: ArrayDesign, point: int, kind: str, sample: int) -> dict[str
         raise Refusal(f"kind = {kind!r} must be one of: {', '.join(TOUCHES)}")
     if not 1 <= point <= design.point_count:
         raise Refusal(f"point = {point} must be between 1 and {design.point_count}")
-    ears = _ears(design.model_dump_json())
+    ears = listening_to(design)
     place, _ = surface_of(ears.recorder.response)
     x, y = (float(each) for each in place[point - 1])
     take = ears.recorder.take(made[kind]((x, y), sample=sample), sample)
     return decoded(ears, take.signals)
+
+
+def slid(design: ArrayDesign, start: Sequence[float], end: Sequence[float], sample: int) -> dict[str, Any]:
+    """One simulated slide of a finger over the array, heard as :func:`touched`, and the path that is found of it.
+
+    Args:
+        design: the array.
+        start: x and y in plan where it begins, mm.
+        end: where it ends, mm.
+        sample: as of :func:`touched`.
+
+    Returns:
+        As :func:`decoded`, with ``paths``.
+
+    Raises:
+        Refusal: a slide of no length or too long a one, or a design that cannot be decoded.
+    """
+    from localize.contacts.gestures import slide
+
+    length = math.dist(start, end)
+    if not 1 <= length <= LONGEST_SLIDE:
+        raise Refusal(f"the slide is {length:.3g} mm long; it must be between 1 and {LONGEST_SLIDE:g} mm")
+    ears = listening_to(design)
+    (x0, y0), (x1, y1) = start, end
+    take = ears.recorder.take(slide((x0, y0), (x1, y1), SLIDE_SPEED, sample=sample), sample)
+    return {**decoded(ears, take.signals), "paths": paths_of(ears, take.signals)}
+
+
+def paths_of(ears: Ears, signals: NDArray[np.float64]) -> list[dict[str, Any]]:
+    """Paths of contacts, as ``acoustic-fem track`` finds them.
+
+    Args:
+        ears: what listens.
+        signals: (n_microphone, n_sample) float64, Pa, at 1 kHz.
+
+    Returns:
+        Of each path ``places``: time (s), x, y and their standard deviation (mm), 16 ms apart; ``gesture``: its kind
+        in words; ``length``, mm.
+    """
+    from localize import gesture_of
+    from localize.tracking import tracks_of
+
+    decoder, tracker = open_tracker(ears.library, Decoding(), MOVING)
+    found = []
+    for each in tracks_of(open_stream(ears.library, decoder, Decoding(), frames=True), tracker, signals):
+        gesture = gesture_of(each)
+        found.append(
+            {
+                "places": np.column_stack([each.time, each.place, each.deviation]).round(4).tolist(),
+                "gesture": f"{gesture.kind} {gesture.direction}".strip(),
+                "length": gesture.length,
+            }
+        )
+    return found
 
 
 def replayed(design: ArrayDesign, content: bytes, name: str, full_scale: float) -> dict[str, Any]:
@@ -81,14 +139,14 @@ def replayed(design: ArrayDesign, content: bytes, name: str, full_scale: float) 
         full_scale: pressure at full scale, Pa.
 
     Returns:
-        As :func:`decoded`.
+        As :func:`decoded`, with ``paths`` as of :func:`paths_of`.
 
     Raises:
         Refusal: no WAV file, or none of the design's microphones, or one longer than :data:`LONGEST`.
     """
     from localize import read_recording
 
-    ears = _ears(design.model_dump_json())
+    ears = listening_to(design)
     with TemporaryDirectory() as folder:
         path = Path(folder) / f"{re.sub(r'[^A-Za-z0-9._-]', '_', Path(name).stem)[:60] or 'recording'}.wav"
         path.write_bytes(content)
@@ -98,10 +156,10 @@ def replayed(design: ArrayDesign, content: bytes, name: str, full_scale: float) 
             raise Refusal(str(error).replace(f"{folder}/", "")) from None
     if heard.seconds > LONGEST:
         raise Refusal(f"{name}: {heard.seconds:.0f} s long; it must be at most {LONGEST:g} s")
-    return decoded(ears, heard.signals)
+    return {**decoded(ears, heard.signals), "paths": paths_of(ears, heard.signals)}
 
 
-def decoded(ears: _Ears, signals: NDArray[np.float64]) -> dict[str, Any]:
+def decoded(ears: Ears, signals: NDArray[np.float64]) -> dict[str, Any]:
     """Signals with what the decoder says of them.
 
     Args:
@@ -143,8 +201,13 @@ def surface(design: ArrayDesign) -> dict[str, Any]:
     return {"points": np.column_stack([place, np.broadcast_to(radius, len(place))]).tolist()}
 
 
+def listening_to(design: ArrayDesign) -> Ears:
+    """What listens to a design, by its lumped library."""
+    return _ears(design.model_dump_json())
+
+
 @lru_cache(maxsize=2)
-def _ears(design_json: str) -> _Ears:
+def _ears(design_json: str) -> Ears:
     """What listens to a design: its decoder takes a second to be made."""
     from localize.contacts import ContactRecorder
 
@@ -153,4 +216,4 @@ def _ears(design_json: str) -> _Ears:
     path = Path(folder.name) / "library.nc"
     library = solve_library(design, path, fidelity="lumped")
     recorder = ContactRecorder(library, microphone_noise="design")
-    return _Ears(folder, path, open_localizer(path, Decoding()), recorder)
+    return Ears(folder, path, open_localizer(path, Decoding()), recorder)

@@ -9,6 +9,7 @@ from typing import Any
 from geometry.design.array_design import ArrayDesign
 from geometry.refusal import Refusal
 from studies.panels.exploring import FoundDesigns, study_figures, study_file
+from studies.studio.messages import is_number
 from studies.studio.stage import Job, Say, outcome, progress, teller
 from studies.studio.workplace import Workplace
 
@@ -98,8 +99,3 @@ def file_of(design: ArrayDesign, asked: Mapping[str, Any]) -> str:
         raise Refusal("designs must be a whole number")
     search, fidelity = asked.get("search") is True, str(asked.get("fidelity"))[:40]
     return study_file(design, ranges, metrics, search=search, designs=designs, fidelity=fidelity)
-
-
-def is_number(value: object) -> bool:
-    """Whether a value is a number of JSON."""
-    return isinstance(value, (int, float)) and not isinstance(value, bool)

@@ -23,8 +23,7 @@ from studies.panels.exploring import MOST_DESIGNS, MOST_METRICS, metric_words
 from studies.panels.export_files import EXPORTS
 from studies.panels.points import figure_words
 from studies.studio.guard import Guard, Guarded
-from studies.studio.packing import packed_signals
-from studies.studio.session import MessageError
+from studies.studio.messages import MessageError, packed_signals
 from studies.studio.sessions import Sessions
 from studies.studio.workplace import Workplace
 

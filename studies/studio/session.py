@@ -18,7 +18,8 @@ from studies.panels.designing import DesignState, design_key, refusal_of
 from studies.panels.export_files import EXPORTS
 from studies.panels.form import addable_tables, flat_values, form_of, removable_tables, stated_values
 from studies.studio.exploration import Exploration, file_of
-from studies.studio.packing import packed, packed_signals
+from studies.studio.hearing import Hearing
+from studies.studio.messages import MessageError, packed, text_of
 from studies.studio.stage import Job, Stage, outcome, progress, teller
 from studies.studio.workplace import Workplace
 
@@ -26,12 +27,6 @@ from studies.studio.workplace import Workplace
 Send = Callable[[str | bytes], Awaitable[None]]
 #: Stages beside the curves, each shown by a panel, with the pause before they begin, s.
 STAGES = {"points": 0.0, "surface": 0.0, "mis_made": 0.5, "model": 0.1, "check": 1.0}
-#: Touches that wait to be computed at once.
-_MOST_TOUCHES = 8
-
-
-class MessageError(Refusal):
-    """A message that no page of ours sends."""
 
 
 class Session:
@@ -55,8 +50,7 @@ class Session:
         self._send: Send | None = None
         self._exporting: asyncio.Task[None] | None = None
         self._export_job: Job | None = None
-        self._touches = 0
-        self._touching: set[asyncio.Task[None]] = set()
+        self._hearing = Hearing(workplace, self._say)
         self._told: tuple[dict[str, Any], frozenset[str]] = ({}, frozenset())
         self._stages = {"curves": Stage(self._curves), "pinned": Stage(self._curves)} | {
             name: Stage(self._figures, workplace.stop, pause)
@@ -90,6 +84,7 @@ class Session:
         """The page is gone; its design stays."""
         if self._send == send:
             self._send = None
+            self._hearing.stop()
             for stage in self._stages.values():
                 stage.cancel()
 
@@ -107,7 +102,7 @@ class Session:
 
     # -- the design ---------------------------------------------------------------------------------
     async def _set(self, message: Mapping[str, Any]) -> None:
-        name, value = _text(message, "name"), message.get("value")
+        name, value = text_of(message, "name"), message.get("value")
         before = self.state.design
         try:
             self.state.set_values({name: value}, message.get("gesture"))
@@ -127,7 +122,7 @@ class Session:
 
     async def _prototype(self, message: Mapping[str, Any]) -> None:
         try:
-            self.state.open(prototype(_text(message, "name")))
+            self.state.open(prototype(text_of(message, "name")))
         except Refusal as error:
             await self._say({"type": "refused-design", "message": str(error)})
             return
@@ -138,7 +133,7 @@ class Session:
         if not isinstance(values, dict):
             raise MessageError("values must be a table")
         try:
-            self.state.restore(values, _text(message, "source"))
+            self.state.restore(values, text_of(message, "source"))
         except Refusal as error:
             await self._say({"type": "refused-design", "message": str(error)})
             return
@@ -178,7 +173,7 @@ class Session:
 
     # -- figures ------------------------------------------------------------------------------------
     async def _want(self, message: Mapping[str, Any]) -> None:
-        wanted, quantity = message.get("stages"), _text(message, "quantity")
+        wanted, quantity = message.get("stages"), text_of(message, "quantity")
         if quantity not in CURVES or not isinstance(wanted, list) or not all(each in [*STAGES] for each in wanted):
             raise MessageError(f"stages must be of {', '.join(STAGES)}, quantity one of {', '.join(CURVES)}")
         fresh = {*wanted} - self._wanted
@@ -221,11 +216,13 @@ class Session:
         await self._say({"type": "figures", "stage": job.stage, "revision": job.revision, "found": shown})
 
     async def _stop(self, message: Mapping[str, Any]) -> None:
-        name = _text(message, "stage")
+        name = text_of(message, "stage")
         if name == "export" and self._export_job is not None:
             self._workplace.stop_apart("export", self._export_job)
         elif name == "study":
             self.exploration.stop()
+        elif name == "live":
+            self._hearing.stop()
         elif name in STAGES:
             self._stages[name].cancel()
 
@@ -252,24 +249,13 @@ class Session:
 
     # -- touches ------------------------------------------------------------------------------------
     async def _touch(self, message: Mapping[str, Any]) -> None:
-        point, kind = message.get("point"), _text(message, "kind")
-        if not isinstance(point, int) or isinstance(point, bool):
-            raise MessageError("point must be a whole number")
-        if len(self._touching) >= _MOST_TOUCHES:
-            await self._say({"type": "error", "message": f"{_MOST_TOUCHES} touches are being computed: wait for one"})
-            return
-        self._touches += 1
-        job = Job("touch", self.state.revision, self.state.design, (point, kind, self._touches))
-        task = asyncio.create_task(self._touched(job))
-        self._touching.add(task)
-        task.add_done_callback(self._touching.discard)
+        await self._hearing.touch(self.state.design, self.state.revision, message)
 
-    async def _touched(self, job: Job) -> None:
-        point, kind, _ = job.options
-        found = await outcome(job, self._workplace.touch(job.design, *job.options), self._say)
-        if found is not None:
-            header = {"stage": "touch", "revision": job.revision, "touched": point, "kind": kind}
-            await self._say(packed_signals(header, found))
+    async def _listen(self, message: Mapping[str, Any]) -> None:
+        await self._hearing.listen(self.state.design, self.state.revision, message)
+
+    async def _cards(self, message: Mapping[str, Any]) -> None:
+        await self._hearing.cards(self.state.design, self.state.revision)
 
     # -- studies ------------------------------------------------------------------------------------
     async def _study(self, message: Mapping[str, Any]) -> None:
@@ -295,7 +281,7 @@ class Session:
 
     # -- files --------------------------------------------------------------------------------------
     async def _export(self, message: Mapping[str, Any]) -> None:
-        name, fidelity = _text(message, "name"), message.get("fidelity", "lumped")
+        name, fidelity = text_of(message, "name"), message.get("fidelity", "lumped")
         if name not in EXPORTS:
             raise MessageError(f"export = {name[:40]!r} must be one of: {', '.join(EXPORTS)}")
         if self._exporting is not None and not self._exporting.done():
@@ -334,13 +320,6 @@ def _download_name(design: ArrayDesign, name: str) -> str:
     return f"{design.name}.toml" if name == "design.toml" else f"{design.name}-{name}"
 
 
-def _text(message: Mapping[str, Any], key: str) -> str:
-    value = message.get(key)
-    if not isinstance(value, str) or len(value) > 300:
-        raise MessageError(f"{key} must be a text of at most 300 characters")
-    return value
-
-
 _ACTIONS: dict[str, Callable[[Session, Mapping[str, Any]], Awaitable[None]]] = {
     "set": Session._set,
     "undo": Session._undo,
@@ -353,6 +332,8 @@ _ACTIONS: dict[str, Callable[[Session, Mapping[str, Any]], Awaitable[None]]] = {
     "pin": Session._pin,
     "export": Session._export,
     "touch": Session._touch,
+    "listen": Session._listen,
+    "cards": Session._cards,
     "study": Session._study,
     "load": Session._load,
 }

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Awaitable, Callable
+from collections.abc import Awaitable, Callable, Coroutine
 from dataclasses import dataclass
 from typing import Any
 
@@ -12,7 +12,7 @@ from geometry.refusal import Refusal
 from studies.studio.workshop import Stopped
 
 #: Tells the page a message.
-Say = Callable[[dict[str, Any]], Awaitable[None]]
+Say = Callable[[dict[str, Any]], Coroutine[Any, Any, None]]
 #: What a page is told where nothing was foreseen.
 _MISTAKE = "this is a mistake of the program; the studio's terminal says where"
 

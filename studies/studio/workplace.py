@@ -10,13 +10,15 @@ from pathlib import Path
 from tempfile import TemporaryDirectory, mkdtemp
 from typing import TYPE_CHECKING, Any
 
+from geometry.refusal import Refusal
 from studies.panels.curves import Curves, curves_of, lumped_library
 from studies.panels.designing import design_key
 from studies.panels.exploring import FoundDesigns, run_study, study_so_far, write_study
 from studies.panels.export_files import make_export
+from studies.panels.live import hear_live, sound_cards
 from studies.panels.making import check_figures, model_of_array, read_upload
 from studies.panels.points import mis_made_figures, point_figures
-from studies.panels.touching import replayed, surface, touched
+from studies.panels.touching import replayed, slid, surface, touched
 from studies.studio.kept import Kept
 from studies.studio.workshop import Stopped, Workshop
 
@@ -40,7 +42,7 @@ class Workplace:
         # One thread a stage: a slow one delays no other, and none works on two designs at once.
         self._threads = {
             name: ThreadPoolExecutor(1, f"studio-{name}")
-            for name in ("curves", "points", "mis_made", "cad", "export", "study", "touch")
+            for name in ("curves", "points", "mis_made", "cad", "export", "live", "study", "touch")
         }
         self.workshop = Workshop(_warm_up)
         self._listening = Workshop(_import_decoder, "the process that listens")
@@ -115,9 +117,32 @@ class Workplace:
         """What a design file states that somebody handed in."""
         return await self.in_thread("cad", lambda: self.workshop.run(read_upload, (text, name)))
 
-    async def touch(self, design: ArrayDesign, point: int, kind: str, sample: int) -> dict[str, Any]:
-        """A simulated touch and what the decoder makes of it."""
-        return await self.in_thread("touch", lambda: self._listening.run(touched, (design, point, kind, sample)))
+    async def touch(self, design: ArrayDesign, kind: str, options: tuple[Any, ...]) -> dict[str, Any]:
+        """A simulated touch, or a slide, and what the decoder makes of it.
+
+        Args:
+            design: the array.
+            kind: of touch.
+            options: of :func:`studies.panels.slid` or :func:`studies.panels.touched`, behind the design.
+        """
+        work = slid if kind == "slide" else touched
+        return await self.in_thread("touch", lambda: self._listening.run(work, (design, *options)))
+
+    async def sound_cards(self) -> list[dict[str, Any]]:
+        """Sound cards of this machine."""
+        return await self.in_thread("touch", lambda: self._listening.run(sound_cards, ()))
+
+    async def live(self, job: Job, tell: Callable[[str], None]) -> dict[str, Any]:
+        """What is heard at a sound card, told line by line until it is stopped; one after the other."""
+
+        def work() -> dict[str, Any]:
+            with self._workshop("live", "the process that listens to the sound card") as workshop:
+                found: dict[str, Any] = workshop.run(hear_live, (job.design, *job.options, None), tell, job)
+                return found
+
+        if "live" in self._apart:
+            raise Refusal("another page is listening to a sound card: stop it first")
+        return await self.in_thread("live", work)
 
     async def replay(self, design: ArrayDesign, content: bytes, name: str, full_scale: float) -> dict[str, Any]:
         """A recording that somebody handed in, and what the decoder makes of it."""

@@ -46,7 +46,7 @@ const check = new CheckPanel((part, place) => {
 });
 const compare = new ComparePanel(() => figureWords, () => table.figures);
 const touch = new TouchPanel(
-  (point, kind) => { document.querySelector("[data-problem='touch']")!.textContent = ""; link?.send({ do: "touch", point, kind }); },
+  (message) => { document.querySelector("[data-problem='touch']")!.textContent = ""; link?.send(message); },
   (point) => array.light((part: Part) => part.kind === "membrane" && part.group === `point ${point}`),
 );
 const study = new StudyPanel(
@@ -102,6 +102,10 @@ function take(message: any): void {
       exported("");
       make("a", { href: message.file, download: "" }).click();
       return;
+    case "heard":
+      if (listening()) touch.hearLive(message.event);
+      return;
+    case "cards": return cards(message.cards);
     case "refused-export": notice(message.message);
   }
 }
@@ -121,6 +125,7 @@ function failed(message: any): void {
   if (place) place.textContent = message.message;
   else notice(message.message);
   if (message.stage === "export") exported(message.message);
+  else if (message.stage === "live") { byId("live").setAttribute("aria-pressed", "false"); touch.endLive(); }
   else shownRevision[message.stage] = -1;
   stale();
 }
@@ -141,6 +146,27 @@ async function figures(message: any): Promise<void> {
   if (problem) problem.textContent = "";
   document.documentElement.dataset[`shown_${stage}`] = String(message.revision);
   stale();
+}
+
+const listening = () => byId("live").getAttribute("aria-pressed") === "true";
+
+/** Listen to a sound card, or no more; which ones there are is asked first. */
+function live(on: boolean): void {
+  byId("live").setAttribute("aria-pressed", String(on));
+  document.querySelector("[data-problem='live']")!.textContent = "";
+  if (!on) { link?.send({ do: "stop", stage: "live" }); touch.endLive(); return; }
+  const card = byId<HTMLSelectElement>("card");
+  if (card.hidden) link?.send({ do: "cards" });
+  else link?.send({ do: "listen", device: Number(card.value), full_scale: Number(byId<HTMLInputElement>("full-scale").value) });
+}
+
+function cards(found: { number: number; name: string; channels: number; default: boolean }[]): void {
+  const card = byId<HTMLSelectElement>("card");
+  card.replaceChildren(...found.map((each) => make("option", { value: String(each.number) }, `${each.name}, ${each.channels} channels`)));
+  card.value = String(found.find((each) => each.default)?.number ?? found[0]?.number ?? "");
+  card.hidden = found.length === 0;
+  if (found.length) live(true);
+  else failed({ stage: "live", message: "no device that can record is there" });
 }
 
 function learn(message: any): void {
@@ -367,6 +393,8 @@ byId("compare-csv").addEventListener("click", () => csv(compare.rows(), `${name}
 byId("stop-check").addEventListener("click", () => { link?.send({ do: "stop", stage: "check" }); progress("check", "stopped"); });
 byId("stop-export").addEventListener("click", () => link?.send({ do: "stop", stage: "export" }));
 byId("study-stop").addEventListener("click", () => link?.send({ do: "stop", stage: "study" }));
+byId("live").addEventListener("click", () => live(!listening()));
+byId("card").addEventListener("change", () => { if (listening()) live(true); });
 byId("sound").addEventListener("click", () => touch.sound());
 byId<HTMLInputElement>("replay").addEventListener("change", (event) => {
   const file = (event.target as HTMLInputElement).files?.[0];

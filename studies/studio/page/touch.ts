@@ -5,8 +5,10 @@ import { button, byId, colour, words } from "./dom";
 export interface Heard {
   stage: "touch"; revision: number; touched: number | null; kind: string; microphones: string[]; samples: number;
   decisions: [number, string, number | null, number | null][]; touches: [number, number, number, number, number][];
-  values: Float32Array;
+  values: Float32Array; paths?: { places: number[][]; gesture: string; length: number }[];
 }
+/** An event of live listening: a decision with the samples since the one before, a fault or a notice. */
+export interface LiveEvent { time: number; state?: string; point?: number; probability?: number; samples?: number[][]; microphones?: string[]; fault?: string; text?: string; latency?: number; }
 /** Signals that are shown at once, ms; moles of a game. */
 const SHOWN = 1000, MOLES = 10;
 
@@ -22,11 +24,18 @@ export class TouchPanel {
   private score = { hit: 0, left: 0, begun: 0 };
   private pictures = 0;
   private shown: Heard | null = null;
-  constructor(private touch: (point: number, kind: string) => void, private lit: (point: number | null) => void) {
+  private from: number[] | null = null;
+  private dragged: number[] | null = null;
+  private live: { names: string[]; samples: number[][] } | null = null;
+  private asked = false;
+  constructor(private send: (message: object) => void, private lit: (point: number | null) => void) {
     const plan = byId<HTMLCanvasElement>("plan");
+    plan.addEventListener("pointerdown", (event) => { this.dragged = this.placeOf(event); });
     plan.addEventListener("click", (event) => {
-      const point = this.under(event);
-      if (point) this.press(point);
+      const from = this.dragged, to = this.placeOf(event), point = this.under(event);
+      this.dragged = null;
+      if (from && Math.hypot(to[0] - from[0], to[1] - from[1]) > 2 * this.points[0]?.[2]) this.slide(from, to);
+      else if (point) this.press(point);
     });
     byId("game").addEventListener("click", () => this.play());
     new ResizeObserver(() => this.draw()).observe(plan.parentElement!);
@@ -39,9 +48,40 @@ export class TouchPanel {
   }
 
   press(point: number): void {
-    byId("answer").textContent = `point ${point} is touched…`;
-    this.touch(point, byId<HTMLSelectElement>("touch-kind").value);
+    const kind = byId<HTMLSelectElement>("touch-kind").value, place = this.points[point - 1];
+    if (kind !== "slide") {
+      byId("answer").textContent = `point ${point} is touched…`;
+      this.send({ do: "touch", point, kind });
+    } else if (!this.from) {
+      this.from = place;
+      byId("answer").textContent = `A slide from point ${point} to… (choose a second one)`;
+    } else {
+      this.slide(this.from, place);
+    }
   }
+
+  private slide(from: number[], to: number[]): void {
+    this.from = null;
+    byId("answer").textContent = "a finger slides over the array…";
+    this.send({ do: "touch", kind: "slide", start: from.slice(0, 2), end: to.slice(0, 2) });
+  }
+
+  // -- live from a sound card
+  /** What a sound card hears, as it comes. */
+  hearLive(event: LiveEvent): void {
+    if (event.samples) {
+      this.live ??= { names: event.microphones!, samples: event.microphones!.map(() => []) };
+      event.samples.forEach((each, m) => { this.live!.samples[m] = [...this.live!.samples[m], ...each].slice(-SHOWN); });
+      this.named = event.state === "touch" ? event.point! : null;
+      this.lit(this.named);
+      byId("answer").textContent = this.named ? `point ${this.named} (${words(100 * event.probability!, 2)} %)` : event.state!;
+    } else if (event.fault || event.text) byId("answer").textContent = event.text ?? event.fault!;
+    if (this.asked) return;
+    this.asked = true;
+    requestAnimationFrame(() => { this.asked = false; this.draw(); });
+  }
+
+  endLive(): void { this.live = null; this.named = null; this.lit(null); this.draw(); }
 
   /** What was heard, played in real time, one after the other. */
   hear(heard: Heard): void {
@@ -81,8 +121,9 @@ export class TouchPanel {
   private finish(heard: Heard, seconds: number): void {
     const told = heard.touches.map(([start, stop, point, probability]) =>
       `point ${point} from ${words(start, 3)} to ${words(stop, 3)} s (${words(100 * probability, 2)} %)`);
-    const begin = heard.touched === null ? `${heard.kind}: ` : `A ${heard.kind} on point ${heard.touched}; named: `;
-    byId("answer").textContent = begin + (told.length ? told.join(", ") : "no touch was heard");
+    const begin = heard.touched === null ? `${heard.kind === "slide" ? "A slide" : heard.kind}: ` : `A ${heard.kind} on point ${heard.touched}; named: `;
+    const paths = (heard.paths ?? []).filter((each) => each.length > 0).map((each) => `${each.gesture}, ${words(each.length, 3)} mm`);
+    byId("answer").textContent = begin + (told.length ? told.join(", ") : "no touch was heard") + (paths.length ? `; path: ${paths.join("; ")}` : "");
     byId("answer").dataset.pictures = String(Math.round(this.pictures / seconds));
     byId("answer").dataset.named = heard.touches.map((each) => each[2]).join(",");
     if (this.mole !== null && heard.touched !== null) this.whacked(heard.touches.some((each) => each[2] === this.mole));
@@ -168,21 +209,52 @@ export class TouchPanel {
       c.font = `${Math.max(Math.min(radius * scale, 14 * devicePixelRatio), 9 * devicePixelRatio)}px system-ui`;
       c.fillText(String(number), px, py);
     });
+    this.paths(c, at, scale);
+  }
+
+  /** What the waves are drawn of: live samples, else those of what was heard. */
+  private waveforms(): { names: string[]; of: (m: number) => ArrayLike<number>; until: number } | null {
+    if (this.live) return { names: this.live.names, of: (m) => this.live!.samples[m], until: this.live.samples[0].length };
+    const heard = this.heard ?? this.shown;
+    if (!heard) return null;
+    const of = (m: number) => heard.values.subarray(m * heard.samples, (m + 1) * heard.samples);
+    return { names: heard.microphones, of, until: this.heard ? Math.floor(this.now * 1000) : heard.samples };
+  }
+
+  /** Paths as far as they have come, with how sure they are. */
+  private paths(c: CanvasRenderingContext2D, at: (x: number, y: number) => [number, number], scale: number): void {
+    const heard = this.heard ?? this.shown;
+    if (this.live || !heard?.paths) return;
+    c.strokeStyle = c.fillStyle = colour("--accent");
+    c.lineWidth = 3 * devicePixelRatio;
+    for (const path of heard.paths) {
+      const come = path.places.filter((place) => !this.heard || place[0] <= this.now);
+      c.beginPath();
+      for (const [, x, y] of come) c.lineTo(...at(x, y));
+      c.stroke();
+      const last = come.at(-1);
+      if (!last) continue;
+      c.globalAlpha = 0.25;
+      c.beginPath();
+      c.arc(...at(last[1], last[2]), Math.max(last[3] * scale, 4 * devicePixelRatio), 0, 7);
+      c.fill();
+      c.globalAlpha = 1;
+    }
   }
 
   private waves(): void {
-    const canvas = byId<HTMLCanvasElement>("waves"), heard = this.heard ?? this.shown;
+    const canvas = byId<HTMLCanvasElement>("waves"), found = this.waveforms();
     const width = canvas.parentElement!.clientWidth;
-    if (!heard || width === 0) return;
-    const count = heard.microphones.length, row = 64;
+    if (!found || width === 0) return;
+    const { names, of, until } = found, count = names.length, row = 64;
     sized(canvas, width, row * count);
-    const c = canvas.getContext("2d")!, until = this.heard ? Math.floor(this.now * 1000) : heard.samples;
+    const c = canvas.getContext("2d")!;
     let most = 1e-9;
-    for (const value of heard.values) most = Math.max(most, Math.abs(value));
+    for (let m = 0; m < count; m++) { const own = of(m); for (let k = 0; k < own.length; k++) most = Math.max(most, Math.abs(own[k])); }
     const from = Math.max(0, until - SHOWN), step = canvas.width / SHOWN, high = row * devicePixelRatio;
     c.font = `${12 * devicePixelRatio}px system-ui`;
-    heard.microphones.forEach((name, m) => {
-      const middle = (m + 0.5) * high;
+    names.forEach((name, m) => {
+      const own = of(m), middle = (m + 0.5) * high;
       c.strokeStyle = colour("--grid");
       c.lineWidth = 1;
       c.beginPath();
@@ -192,11 +264,18 @@ export class TouchPanel {
       c.strokeStyle = colour("--accent");
       c.lineWidth = 1.3 * devicePixelRatio;
       c.beginPath();
-      for (let k = from; k < until; k++) c.lineTo((k - from) * step, middle - (heard.values[m * heard.samples + k] / most) * high * 0.44);
+      for (let k = from; k < until; k++) c.lineTo((k - from) * step, middle - (own[k] / most) * high * 0.44);
       c.stroke();
       c.fillStyle = colour("--ink-soft");
       c.fillText(`${name}, ±${words(most, 2)} Pa`, 6 * devicePixelRatio, m * high + 14 * devicePixelRatio);
     });
+  }
+
+  /** Where in plan the mouse is, mm. */
+  private placeOf(event: MouseEvent): number[] {
+    const canvas = byId<HTMLCanvasElement>("plan"), frame = canvas.getBoundingClientRect(), { at, scale } = this.place(canvas);
+    const [ox, oy] = at(0, 0), x = (event.clientX - frame.left) * (canvas.width / frame.width), y = (event.clientY - frame.top) * (canvas.height / frame.height);
+    return [(x - ox) / scale, (oy - y) / scale];
   }
 
   private under(event: MouseEvent): number | null {

@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import numpy as np
 import pytest
+from fake_audio import FakeAudio
 
 from acoustic_fem.sound.sound_file import write_wav
 from geometry import Refusal, prototype
 from localize import Decision
 from localize.contacts.contact import surface_of
+from localize.live import sound_device
 from studies import locate_recording, solve_library
-from studies.panels.touching import TOUCHES, replayed, surface, touched
+from studies.listening.tracked import track_recording
+from studies.panels.live import hear_live, sound_cards
+from studies.panels.touching import TOUCHES, replayed, slid, surface, touched
 
 ARRAY = prototype("array-2x6")
 FULL_SCALE = 200.0
@@ -60,3 +65,43 @@ def test_a_touch_is_decoded_as_locate_decodes_its_recording(tmp_path: Path) -> N
         replayed(ARRAY, b"RIFF" + content[8:60], "../../broken.wav", FULL_SCALE)
     with pytest.raises(Refusal, match=r"^take\.wav.*3"):
         replayed(prototype("glove"), content, "take.wav", FULL_SCALE)
+
+
+@pytest.mark.slow
+def test_the_path_of_a_slide_is_that_of_track_and_live_hears_what_was_recorded(tmp_path: Path) -> None:
+    design = prototype("fingertip-3x4")
+    points = surface(design)["points"]
+    start, end = points[0][:2], points[3][:2]
+    found = slid(design, start, end, 1)
+    signals = np.frombuffer(found["signals"], "<f4").reshape(-1, found["samples"])
+    write_wav(tmp_path / "slide.wav", signals / FULL_SCALE, 1000, bits=32)
+    solve_library(design, tmp_path / "library.nc", fidelity="lumped")
+    tracked = track_recording(tmp_path / "library.nc", tmp_path / "slide.wav", full_scale=FULL_SCALE)
+    assert len(found["paths"]) == len(tracked.tracks) > 0
+    for shown, track in zip(found["paths"], tracked.tracks, strict=True):
+        expected = np.column_stack([track.time, track.place, track.deviation])
+        np.testing.assert_allclose(np.array(shown["places"])[1:-1], expected[1:-1], rtol=0.05, atol=0.05)
+    replay = replayed(design, (tmp_path / "slide.wav").read_bytes(), "slide.wav", FULL_SCALE)
+    gestures = [f"{each.kind} {each.direction}".strip() for each in tracked.gestures]
+    assert [each["gesture"] for each in replay["paths"]] == gestures == ["swipe right"]
+
+    lines: list[str] = []
+    told = hear_live(design, None, FULL_SCALE, tmp_path / "slide.wav", lines.append)
+    events = [json.loads(line) for line in lines]
+    samples = np.concatenate([event["samples"] for event in events if "samples" in event], axis=1)
+    assert told["samples_lost"] == 0
+    assert samples.shape[1] >= signals.shape[1] - 32
+    named = {event["point"] for event in events if event.get("state") == "touch"}
+    assert named <= {1, 2, 3, 4}
+    assert named
+
+
+@pytest.mark.parametrize(("end", "length"), [([0.0, 0.0], "0 mm"), ([5000.0, 0.0], "5e\\+03 mm")])
+def test_a_slide_has_a_length(end: list[float], length: str) -> None:
+    with pytest.raises(Refusal, match=f"the slide is {length} long; it must be between 1 and 600 mm"):
+        slid(ARRAY, [0.0, 0.0], end, 1)
+
+
+def test_sound_cards_are_those_that_can_record(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sound_device, "load_sounddevice", lambda: FakeAudio([]))
+    assert sound_cards() == [{"number": 1, "name": "USB array (ALSA)", "channels": 4, "default": True}]

@@ -5,17 +5,19 @@ from __future__ import annotations
 import asyncio
 import json
 import struct
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 import pytest
 
-from geometry import prototype
+from geometry import Refusal, prototype
 from studies.panels.curves import curves_of, lumped_library
 from studies.studio.session import Session
 from studies.studio.sessions import MOST_SESSIONS, Sessions
 from studies.studio.stage import Job, Stage
 from studies.studio.workplace import Workplace
+from studies.studio.workshop import Stopped
 
 ARRAY = prototype("array-2x6")
 
@@ -154,3 +156,69 @@ def test_while_a_job_runs_of_those_asked_for_the_last_alone_is_done() -> None:
     asyncio.run(play())
     assert done == [0, 4]
     assert superseded == [0, 0, 0, 0]
+
+
+def test_what_a_sound_card_hears_is_told_until_it_is_stopped(
+    workplace: Workplace, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    stopped: list[str] = []
+
+    async def live(job: Job, tell: Callable[[str], None]) -> dict[str, Any]:
+        assert job.options == (2, 20.0)
+        tell(json.dumps({"time": 0.25, "state": "touch", "point": 3, "samples": [[0.1], [0.2]]}))
+        while not stopped:
+            await asyncio.sleep(0.005)
+        raise Stopped("stopped")
+
+    monkeypatch.setattr(workplace, "live", live)
+    monkeypatch.setattr(workplace, "stop_apart", lambda name, task: stopped.append(name))
+
+    async def play() -> None:
+        page, session = Page(), Session(ARRAY, workplace)
+        await session.join(page.send)
+        await session.take({"do": "listen", "device": 2, "full_scale": 20})
+        assert (await page.until("heard"))["event"]["point"] == 3
+        await session.take({"do": "stop", "stage": "live"})
+        assert (await page.until("failed"))["message"] == "stopped"
+
+    asyncio.run(play())
+    assert stopped == ["live"]
+
+
+def test_a_cad_process_that_crashes_and_a_full_disk_are_told_and_the_design_is_kept(
+    workplace: Workplace, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def crash(*arguments: Any, **options: Any) -> None:
+        raise Refusal("the CAD process ended without an answer; it is started again, the design is kept")
+
+    async def full(*arguments: Any) -> None:
+        raise OSError(28, "No space left on device", "parts.zip")
+
+    monkeypatch.setattr(workplace.workshop, "run", crash)
+    monkeypatch.setattr(workplace, "export", full)
+
+    async def play() -> None:
+        page, session = Page(), Session(ARRAY, workplace)
+        await session.join(page.send)
+        await session.take({"do": "set", "name": "tube.length", "value": 14.0})
+        await session.take({"do": "want", "quantity": "level", "stages": ["model"]})
+        told = await page.until("failed")
+        assert (told["stage"], told["message"][:39]) == ("model", "the CAD process ended without an answer")
+        page.texts.clear()
+        await session.take({"do": "export", "name": "parts.zip", "fidelity": "lumped"})
+        told = await page.until("failed")
+        assert told["message"] == "parts.zip: No space left on device; the design is kept"
+        assert session.state.design.tube.length == 14.0
+
+    asyncio.run(play())
+
+
+def test_a_page_whose_link_was_cut_unnoticed_takes_up_its_session_again(workplace: Workplace) -> None:
+    async def play() -> None:
+        sessions, page = Sessions(ARRAY, workplace), Page()
+        first, _ = sessions.enter(None, "one page")
+        await first.join(page.send)
+        assert sessions.enter(first.id, "one page") == (first, False)
+        assert sessions.enter(first.id, "another page")[0] is not first
+
+    asyncio.run(play())

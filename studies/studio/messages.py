@@ -1,13 +1,48 @@
-"""Messages to a page that hold many numbers: a header as JSON, then float32."""
+"""Messages from and to a page: what is read from them, and how many numbers are sent."""
 
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Mapping
-from typing import Any
+from typing import Any, TypeGuard
 
+from geometry.refusal import Refusal
 from studies.panels.curves import Curves
 from studies.studio.stage import Job
+
+
+class MessageError(Refusal):
+    """A message that no page of ours sends."""
+
+
+def text_of(message: Mapping[str, Any], key: str) -> str:
+    """A text of a message.
+
+    Raises:
+        MessageError: it is none, or longer than any text of ours.
+    """
+    value = message.get(key)
+    if not isinstance(value, str) or len(value) > 300:
+        raise MessageError(f"{key} must be a text of at most 300 characters")
+    return value
+
+
+def is_number(value: object) -> TypeGuard[float]:
+    """Whether a value is a finite number of JSON."""
+    return isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value)
+
+
+def place_of(message: Mapping[str, Any], key: str) -> tuple[float, float]:
+    """A place in plan, x and y.
+
+    Raises:
+        MessageError: it is none.
+    """
+    value = message.get(key)
+    if not isinstance(value, list) or len(value) != 2 or not all(map(is_number, value)):
+        raise MessageError(f"{key} must be two numbers")
+    return float(value[0]), float(value[1])
 
 
 def packed_signals(header: Mapping[str, Any], found: Mapping[str, Any]) -> bytes:

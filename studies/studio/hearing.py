@@ -1,0 +1,101 @@
+"""What a page touches and hears: simulated touches and slides, and microphones at a sound card."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+from collections.abc import Mapping
+from typing import Any
+
+from geometry.design.array_design import ArrayDesign
+from studies.studio.messages import MessageError, is_number, packed_signals, place_of, text_of
+from studies.studio.stage import Job, Say, outcome
+from studies.studio.workplace import Workplace
+
+#: Touches that wait to be computed at once.
+_MOST_TOUCHES = 8
+
+
+class Hearing:
+    """Touches of a session, and what it listens to.
+
+    Args:
+        workplace: where they are computed.
+        say: tells the page a message, or bytes.
+    """
+
+    def __init__(self, workplace: Workplace, say: Any) -> None:
+        self._workplace = workplace
+        self._say: Say = say
+        self._send_bytes = say
+        self._count = 0
+        self._tasks: set[asyncio.Task[None]] = set()
+        self._live: Job | None = None
+
+    async def touch(self, design: ArrayDesign, revision: int, message: Mapping[str, Any]) -> None:
+        """Touch a point, or slide from one place to another; the page is told what was heard.
+
+        Raises:
+            MessageError: neither.
+        """
+        kind = text_of(message, "kind")
+        if kind == "slide":
+            what: tuple[Any, ...] = (place_of(message, "start"), place_of(message, "end"))
+        else:
+            point = message.get("point")
+            if not isinstance(point, int) or isinstance(point, bool):
+                raise MessageError("point must be a whole number")
+            what = (point, kind)
+        if len(self._tasks) >= _MOST_TOUCHES:
+            await self._say({"type": "error", "message": f"{_MOST_TOUCHES} touches are being computed: wait for one"})
+            return
+        self._count += 1
+        self._begin(self._touched(Job("touch", revision, design, (*what, self._count)), kind))
+
+    async def listen(self, design: ArrayDesign, revision: int, message: Mapping[str, Any]) -> None:
+        """Listen to a sound card until the page says stop.
+
+        Raises:
+            MessageError: no such message.
+        """
+        device, full_scale = message.get("device"), message.get("full_scale")
+        if not is_number(full_scale) or not (device is None or isinstance(device, int)):
+            raise MessageError("device must be a whole number or null, full_scale a number")
+        self.stop()
+        self._live = Job("live", revision, design, (device, float(full_scale)))
+        self._begin(self._listened(self._live))
+
+    async def cards(self, design: ArrayDesign, revision: int) -> None:
+        """Tell the page the sound cards of the machine that the studio runs on."""
+        found = await outcome(Job("live", revision, design), self._workplace.sound_cards(), self._say)
+        if found is not None:
+            await self._say({"type": "cards", "cards": found})
+
+    def stop(self) -> None:
+        """Listen no more."""
+        if self._live is not None:
+            self._workplace.stop_apart("live", self._live)
+            self._live = None
+
+    def _begin(self, work: Any) -> None:
+        task = asyncio.create_task(work)
+        self._tasks.add(task)
+        task.add_done_callback(self._tasks.discard)
+
+    async def _touched(self, job: Job, kind: str) -> None:
+        found = await outcome(job, self._workplace.touch(job.design, kind, job.options), self._say)
+        if found is not None:
+            point = None if kind == "slide" else job.options[0]
+            header = {"stage": "touch", "revision": job.revision, "touched": point, "kind": kind}
+            await self._send_bytes(packed_signals(header, found))
+
+    async def _listened(self, job: Job) -> None:
+        loop = asyncio.get_running_loop()
+
+        def tell(line: str) -> None:
+            event = {"type": "heard", "revision": job.revision, "event": json.loads(line)}
+            asyncio.run_coroutine_threadsafe(self._say(event), loop)
+
+        found = await outcome(job, self._workplace.live(job, tell), self._say, "stopped")
+        if found is not None:
+            await self._say({"type": "failed", "stage": "live", "revision": job.revision, "message": "ended"})
