@@ -25,6 +25,7 @@ from .decoders.sound_test import SoundTest as SoundTest
 from .decoders.tolerant import TolerantDecoder as TolerantDecoder
 from .decoders.two_touches import TwoTouchDecoder as TwoTouchDecoder, TwoTouches as TwoTouches
 from .evaluation.accuracy import Evaluation as Evaluation, evaluate as evaluate
+from .evaluation.goodness_of_fit import SensorFit as SensorFit, sensor_fit as sensor_fit
 from .learned.epochs import TrainingProgress as TrainingProgress
 from .learned.localizer import (
     Localizer as Localizer,

@@ -235,6 +235,28 @@ class BayesDecoder:
         score = np.concatenate([self.log_likelihood(flat[k : k + CHUNK]) for k in range(0, len(flat), CHUNK)])
         return np.asarray(score.reshape(*frames.shape[:2], -1).sum(1))
 
+    def misfit(self, frames: NDArray[np.float64]) -> NDArray[np.float64]:
+        """What the best point leaves of each frame, by what the noise that was told leaves in the directions that a
+        point does not reach; its determinants count, and so does what a frame's edges cut off.
+
+        Args:
+            frames: (n, n_microphone, 250) float64, Pa.
+
+        Returns:
+            (n,) float64, 1 for a sensor that is known exactly, in the noise that was told.
+        """
+        flat = frames.reshape(len(frames), -1)
+        power, fit, whole = [], [], []
+        for screen in self._screens:
+            white = flat @ screen.tables.reduce
+            power.append((white**2).sum(1))
+            fit.append(screen.all_exact(white).max(1))
+            whole.append(fit[-1] + screen.alone(white)[1][:, 0])
+        level = np.argmax(whole, axis=0)[None]
+        empty = self.tables[0].reduce.shape[1] * (1 - 1 / len(self.microphones))
+        left = np.array(power) / TEMPERATURE - 2 * np.array(fit)
+        return np.asarray(np.take_along_axis(left, level, 0)[0] / empty)
+
     def log_likelihood(self, frames: NDArray[np.float64]) -> NDArray[np.float64]:
         """Log-likelihood of every point, maximised over the power of the touch and divided by the temperature.
 

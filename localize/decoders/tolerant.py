@@ -128,9 +128,29 @@ class TolerantDecoder(BayesDecoder):
         """Log-likelihoods of points: which hypotheses are scored is decided there."""
         return self.joint_log_likelihood(batch)
 
+    def misfit(self, frames: NDArray[np.float64]) -> NDArray[np.float64]:
+        """What the best hypothesis leaves of each frame, (n,) float64; as of :meth:`localize.BayesDecoder.misfit`."""
+        heard = _Heard(self._screens, self._bounds, frames[:, None])
+        return self._misfit(self._fitted(heard), heard)
+
     def _of_recordings(self, frames: NDArray[np.float64]) -> NDArray[np.float64]:
         """(n, n_frame, n_microphone, 250) to (n, n_point), the log-likelihoods, nats."""
         heard = _Heard(self._screens, self._bounds, frames)
+        found = self._fitted(heard)
+        fitted = np.isfinite(found)
+        doubt = np.maximum(1.0, self._misfit(found, heard) / MISFIT)[:, None] ** 2
+        # The others can be no better than the worst of these.
+        least = np.where(fitted, found, np.inf).min(1, keepdims=True)
+        prior = np.tile(self.log_prior.ravel(), len(self.tables))
+        heard.know(np.minimum(heard.score, least) + prior > (found + prior).max(1, keepdims=True) - FAR * doubt)
+        score = np.where(fitted, found, np.minimum(heard.score, least))
+        best = score.reshape(len(score), len(self.tables), *self.log_prior.shape).max(1)
+        return np.asarray(np.logaddexp.reduce(best + self.log_prior, axis=2) / doubt)
+
+    def _fitted(self, heard: _Heard) -> NDArray[np.float64]:
+        """Scores of the likeliest hypotheses of recordings with their deviations; (n, n_level n_table) nats, of the
+        others -inf.
+        """
         likeliest = heard.likeliest(min(CANDIDATES, heard.score.shape[1]))
         fitted = np.zeros(heard.score.shape, bool)
         np.put_along_axis(fitted, likeliest, True, axis=1)
@@ -140,14 +160,7 @@ class TolerantDecoder(BayesDecoder):
             chosen = fitted[:, columns[0]]
             score = self._deviating[level].scores(heard.white[level][chosen], tables) + heard.alone[level][chosen]
             found[np.ix_(chosen, columns)] = score.T
-        doubt = np.maximum(1.0, self._misfit(found, heard) / MISFIT)[:, None] ** 2
-        # The others can be no better than the worst of these.
-        least = np.where(fitted, found, np.inf).min(1, keepdims=True)
-        prior = np.tile(self.log_prior.ravel(), len(self.tables))
-        heard.know(np.minimum(heard.score, least) + prior > (found + prior).max(1, keepdims=True) - FAR * doubt)
-        score = np.where(fitted, found, np.minimum(heard.score, least))
-        best = score.reshape(len(score), len(self.tables), *self.log_prior.shape).max(1)
-        return np.asarray(np.logaddexp.reduce(best + self.log_prior, axis=2) / doubt)
+        return found
 
     def _misfit(self, found: NDArray[np.float64], heard: _Heard) -> NDArray[np.float64]:
         """What the best hypothesis leaves of each recording, by what the noise that was told leaves; (n,)."""

@@ -1,6 +1,6 @@
-"""How often a locator is right.
+"""How often a locator is right, and whether what it hears is of its sensor.
 
-Stands on: signals.
+Stands on: decoders, live, signals.
 """
 
 import lazy_loader

@@ -10,3 +10,8 @@ from .conditions import (
     evaluate_conditions as evaluate_conditions,
     evaluate_sensors as evaluate_sensors,
 )
+from .goodness_of_fit import (
+    LoudFrames as LoudFrames,
+    SensorFit as SensorFit,
+    sensor_fit as sensor_fit,
+)

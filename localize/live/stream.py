@@ -133,6 +133,11 @@ class TouchStream:
         """Group delay of the high-pass at 20 Hz, s."""
         return self._high_pass.delay
 
+    @property
+    def noise(self) -> NDArray[np.float64]:
+        """Noise of the microphones as it is measured; (n_microphone,) float64, Pa rms, 0 before it was."""
+        return self._floor.rms
+
     def push(self, chunk: ArrayLike, first: int | None = None) -> list[Decision | Fault]:
         """Take the next samples and say what they show.
 

@@ -185,6 +185,8 @@ def _print_summary(summary: LiveSummary) -> None:
         f"listened for {summary.seconds:.1f} s: {counted(summary.touches, 'touch')}; decisions: {states}",
         f"faults: {faults}{lost}",
         f"latency: p50 {p50:.1f} ms, p99 {p99:.1f} ms, at most {1e3 * summary.latencies.largest:.1f} ms",
+        f"assumed is {summary.assumes}",
+        *([] if summary.doubt is None else [f"warning: {summary.doubt}"]),
         *summary.recordings,
     ):
         print(line, file=sys.stderr)

@@ -197,6 +197,9 @@ def locate(
         f"points are those of the design {found.design}, as {model}{told_of} has it: of another array they say nothing"
     )
     tell(f"assumed is {found.assumes}")
+    if found.doubt is not None:
+        brought = "" if found.brought is None else f"; touches were decided with {found.brought} brought to its level"
+        tell(f"warning: {found.doubt}{brought}")
 
 
 def recognize(

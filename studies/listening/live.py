@@ -14,13 +14,14 @@ from typing import TYPE_CHECKING
 
 from geometry.files.writing import whole_lines
 from geometry.refusal import Refusal
-from studies.listening.opening import Decoding, open_localizer, open_stream, open_tracker
+from studies.listening.opening import Decoding, assumed_by, open_localizer, open_stream, open_tracker
 from studies.output.folders import check_new_file
 
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
+    from localize import SensorFit
     from localize.live.listener import Heard, Latencies, LiveListener
     from localize.live.recorder import LiveRecorder
     from localize.live.sources import Source
@@ -62,9 +63,12 @@ class LiveSession:
         listener: joins the source to the stream.
         array: what its points are.
         recorder: writes what comes in.
+        assumes: what the localizer takes for granted of the sensor, in words.
     """
 
-    def __init__(self, listener: LiveListener, array: TouchedArray, recorder: LiveRecorder | None = None) -> None:
+    def __init__(
+        self, listener: LiveListener, array: TouchedArray, recorder: LiveRecorder | None = None, assumes: str = ""
+    ) -> None:
         from localize.live.listener import Latencies
 
         self._listener, self._recorder = listener, recorder
@@ -72,6 +76,8 @@ class LiveSession:
         """Array with the lines and places of its points."""
         self.microphones = listener.stream.locator.microphones
         """Names of the microphones."""
+        self.assumes = assumes
+        """What the localizer takes for granted of the sensor, in words."""
         self.latencies = Latencies()
         """Latencies of the decisions so far."""
 
@@ -113,6 +119,11 @@ class LiveSummary:
     """Latencies of the decisions, from the last sample of their frame to the end of what was done with them."""
     recordings: tuple[Path, ...]
     """Files that were recorded."""
+    assumes: str
+    """What the localizer takes for granted of the sensor, in words."""
+    doubt: str | None = None
+    """Reason to doubt what was told: the sensor does not fit the library; as of
+    :attr:`studies.listening.recorded.LocatedTouches.doubt`."""
     unrecorded: str = ""
     """Why the recording was stopped while the listening went on, in one line with its file; empty if it was not."""
 
@@ -147,6 +158,9 @@ def listen(
         OSError: a disk that is full: the lines cannot be written, or the recording cannot be begun.
     """
     lines = None if out is None else Path(out)
+    from localize import BayesDecoder
+    from localize.evaluation.goodness_of_fit import LoudFrames, sensor_fit
+
     heard_from, given = source or LiveInput(), decoding or Decoding()
     reads = (model, heard_from.replay, given.library)
     check_new_file(lines, ".jsonl", reads=reads)
@@ -154,7 +168,7 @@ def listen(
     if lines is not None and record is not None and lines.resolve() == Path(record).resolve():
         raise Refusal(f"{lines}: out and record must be two files")
     listener, session = _opened(Path(model), heard_from, record, given, radius)
-    counts = _Counts()
+    counts, loud = _Counts(), LoudFrames()
     with ExitStack() as stack:
         stack.enter_context(_nothing_freed())
         # Lines are written as they come, and stand in the file whenever the program ends.
@@ -169,11 +183,14 @@ def listen(
                 if available is not None:
                     session.latencies.add(perf_counter() - available)
                 counts.take(heard)
+                loud.take([heard.event])
                 if not goes_on:
                     break
         except KeyboardInterrupt:
             pass
-    return counts.summary(session, listener.stopped)
+    locator = listener.stream.locator
+    fit = sensor_fit(locator, loud.frames, listener.stream.noise) if isinstance(locator, BayesDecoder) else None
+    return counts.summary(session, fit, listener.stopped)
 
 
 def _opened(
@@ -188,13 +205,13 @@ def _opened(
     check_full_scale(source.full_scale)
     locator = open_localizer(model, decoding)
     samples = source.open(locator)
-    stream = open_stream(model, locator, decoding, samples.limit, frames=radius is not None)
+    stream = open_stream(model, locator, decoding, samples.limit, frames=True)
     recorder = None
     if record is not None:
         recorder = LiveRecorder(Path(record), samples.rate, len(locator.microphones), source.full_scale)
     places = () if radius is None else (open_tracker(model, decoding, radius)[1],)
     listener = LiveListener(samples, stream, recorder, trackers=(TouchTracker(locator), *places))
-    return listener, LiveSession(listener, locator, recorder)
+    return listener, LiveSession(listener, locator, recorder, assumed_by(model, locator, decoding))
 
 
 @contextmanager
@@ -233,7 +250,7 @@ class _Counts:
         elif isinstance(event, Notice):
             self._faults[event.kind] += 1
 
-    def summary(self, session: LiveSession, unrecorded: str) -> LiveSummary:
+    def summary(self, session: LiveSession, fit: SensorFit | None, unrecorded: str) -> LiveSummary:
         """All of it."""
         return LiveSummary(
             perf_counter() - self._began,
@@ -243,5 +260,7 @@ class _Counts:
             self._lost,
             session.latencies,
             session.recordings,
+            session.assumes,
+            None if fit is None else fit.doubt,
             unrecorded,
         )

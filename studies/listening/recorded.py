@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections import Counter
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -14,9 +14,16 @@ from studies.listening.opening import Decoding, assumed_by, open_localizer, open
 from studies.output.folders import check_new_file
 
 if TYPE_CHECKING:
-    from localize import Decision, Fault, Touch, TouchEvent
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from localize import Decision, Fault, SensorFit, Touch, TouchEvent, TouchStream
     from localize.live.events import State
+    from localize.live.spare import StreamLocator
     from localize.live.touches import Array as TouchedArray
+
+PART = 60_000
+"""Number of samples that are decided at once: a minute."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,6 +42,11 @@ class LocatedTouches:
     """Name of the design whose points are named: that of the localizer, whatever was recorded."""
     assumes: str
     """What the localizer takes for granted of the sensor, in words."""
+    doubt: str | None = None
+    """Reason to doubt what was decided, in words: the sensor does not fit the library. None where there is none, or
+    nothing tells: of a trained localizer, or of fewer than eight touches."""
+    brought: str | None = None
+    """Microphone that is far off its level, and was brought to it before touches were decided; None where none is."""
 
     @property
     def seconds_by_state(self) -> dict[State, float]:
@@ -76,9 +88,15 @@ def locate_recording(
     from localize import TouchTracker, read_recording, touches_of
 
     localizer = open_localizer(source, given)
-    stream = open_stream(source, localizer, given)
+    stream = open_stream(source, localizer, given, frames=True)
     heard = read_recording(Path(recording), localizer.microphones, full_scale)
-    decided = stream.push(heard.signals)
+    decided, fit = _decided(stream, localizer, heard.signals)
+    brought = None
+    if fit is not None and fit.off_level is not None:
+        brought, level = fit.off_level
+        signals = heard.signals.copy()
+        signals[fit.microphones.index(brought)] /= 10 ** (level / 20)
+        decided = open_stream(source, localizer, given).push(signals)
     tracker = TouchTracker(localizer, stream.delay)
     events = [each for event in decided for each in (event, *tracker.take(event))]
     events += tracker.finish()
@@ -86,4 +104,25 @@ def locate_recording(
         write_text(path, "".join(event.json_line() + "\n" for event in events))
     touches = tuple(touches_of(decided, localizer))
     assumes = assumed_by(source, localizer, given)
-    return LocatedTouches(touches, tuple(events), localizer, heard.seconds, localizer.design, assumes)
+    doubt = None if fit is None else fit.doubt
+    return LocatedTouches(touches, tuple(events), localizer, heard.seconds, localizer.design, assumes, doubt, brought)
+
+
+def _decided(
+    stream: TouchStream, localizer: StreamLocator, signals: NDArray[np.float64]
+) -> tuple[list[Decision | Fault], SensorFit | None]:
+    """What a stream says of signals, (n_microphone, n) Pa, and whether they are of the localizer's sensor."""
+    from localize import BayesDecoder, DriftDecoder
+    from localize.evaluation.goodness_of_fit import LoudFrames, sensor_fit
+    from localize.live.events import Decision
+
+    loud, decided = LoudFrames(), []
+    for first in range(0, signals.shape[1], PART):
+        events = stream.push(signals[:, first : first + PART])
+        loud.take(events)
+        # The samples of all frames take sixteen times the memory of the recording.
+        decided += [replace(event, frame=None) if isinstance(event, Decision) else event for event in events]
+    fit = sensor_fit(localizer, loud.frames, stream.noise) if isinstance(localizer, BayesDecoder) else None
+    if isinstance(localizer, DriftDecoder):
+        localizer.reset()  # what follows is decided from the first touch on
+    return decided, fit

@@ -100,3 +100,25 @@ def test_sound_is_no_touch_for_any_model_that_is_given_a_library(command: Comman
         assert (" 0 touches" in command("locate", model, sound).out) == (model == folder / "library.nc")
         told = command("locate", model, sound, *words)
         assert (told.code, "0 touches in 1.0 s, sound alone for 0.8 s" in told.out) == (0, True), told
+
+
+def test_a_microphone_far_off_its_level_is_told_and_brought_to_it(command: Command, tmp_path: Path) -> None:
+    library = small_run().folder / "library.nc"
+    touches = localize.TouchGenerator(response_of(acoustic_fem.load(library)), 0, "evaluation", 0.0).samples(0, 12)
+    loud = touches.signals.numpy() / touches.signals.numpy().std((1, 2), keepdims=True) / 20
+    still = np.zeros((12, 2, 1000))
+    samples = np.concatenate([still, loud], axis=2).transpose(1, 0, 2).reshape(2, -1)
+    samples += 5e-4 * np.random.default_rng(0).standard_normal(samples.shape)
+    heard = {}
+    for name, factor in (("as it is", 1.0), ("off", 10 ** (-12 / 20))):
+        scipy.io.wavfile.write(tmp_path / "heard.wav", 1000, (samples.T * [1.0, factor]).astype(np.float32))
+        heard[name] = command("locate", library, tmp_path / "heard.wav").out
+    assert "warning" not in heard["as it is"]
+    assert re.search(
+        r"warning: microphone . is 1[123] dB .*touches were decided with . brought to its level", heard["off"]
+    )
+    points = {
+        name: [line.split()[2] for line in told.splitlines() if re.match(r" *\d", line)] for name, told in heard.items()
+    }
+    assert len(points["off"]) >= 8
+    assert points["off"] == points["as it is"]

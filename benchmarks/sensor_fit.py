@@ -1,0 +1,114 @@
+"""Whether ``locate`` notices a library of another array, and a microphone that is far off its level.
+
+``python benchmarks/sensor_fit.py`` writes the table of docs/realtime.md anew, in some minutes of one core. Signals are
+taps and friction that virtual rigs record, eight points each, of seeds from ``FIRST`` on, of which no constant was
+chosen; libraries are those of the designs, and nobody calibrated.
+"""
+
+from __future__ import annotations
+
+import tempfile
+import warnings
+from collections import defaultdict
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+import acoustic_fem
+import geometry
+from geometry.files.writing import replace_section
+from localize import TolerantDecoder, TouchStream, read_recording
+from localize.evaluation.goodness_of_fit import LoudFrames, SensorFit, sensor_fit
+from localize.live.front_end import Listening
+from studies.made_sensor.rig import HiddenScatter, Recorder, Rig
+from studies.made_sensor.rig_touches import TouchSession, record_touches
+
+PAGE = Path(__file__).parents[1] / "docs" / "realtime.md"
+BEGIN, END = "<!-- sensor fit: made by benchmarks/sensor_fit.py -->", "<!-- end of sensor fit -->"
+FIRST, SENSORS, POINTS = 9210, 3, 6
+DESIGNS = ("array-2x6", "line-2", "fingertip-4x6", "glove", "line-3", "large-area-64")
+LEVELS = (-20.0, -12.0, -8.0, 8.0, 12.0, 20.0)
+SESSION = TouchSession(takes=1, seconds=4.0, parts=("taps", "friction"))
+
+
+def recorded(rig: Rig, points: int, folder: Path) -> list[NDArray[np.float64]]:
+    """What the microphones of a rig record of touches at some of its points, (n_microphone, n) Pa each."""
+    chosen = np.random.default_rng(rig.seed).choice(np.arange(1, points + 1), POINTS, replace=False)
+    recorder = Recorder()
+    record_touches(rig, folder, sorted(chosen.tolist()), SESSION, recorder)
+    names = rig.design.microphones
+    return [read_recording(path, names, recorder.full_scale).signals for path in sorted(folder.glob("*.wav"))]
+
+
+def fitted(decoder: TolerantDecoder, recordings: list[NDArray[np.float64]], factor: NDArray[np.float64]) -> SensorFit:
+    """What is said of recordings whose microphones are off by a factor."""
+    loud = LoudFrames()
+    for number, signals in enumerate(recordings):
+        stream = TouchStream(_Anyhow(decoder), listening=Listening(frames=True))
+        loud.take(stream.push(signals * factor[:, None], 10**6 * number))
+    found = sensor_fit(decoder, loud.frames)
+    assert found is not None
+    return found
+
+
+class _Anyhow:
+    """Locator that names no point: which one it is does not matter here, and takes the time."""
+
+    def __init__(self, decoder: TolerantDecoder) -> None:
+        self.microphones, self.noise_rms = decoder.microphones, decoder.noise_rms
+
+    def locate(self, signals: object) -> NDArray[np.float64]:
+        return np.ones(1)
+
+
+def is_found(fit: SensorFit, microphone: str, level: float) -> bool:
+    """Whether a level was found to 2 dB, of two microphones as the difference of both."""
+    if fit.off_level is None:
+        return False
+    name, found = fit.off_level
+    if len(fit.microphones) == 2 and name != microphone:
+        found = -found
+    return (name == microphone or len(fit.microphones) == 2) and abs(found - level) < 2
+
+
+def main() -> None:
+    warnings.filterwarnings("ignore", "entrance loss|membrane: |.*its library ends", UserWarning)
+    designs = {name: geometry.prototype(name) for name in DESIGNS}
+    libraries = {k: acoustic_fem.solve(design, np.arange(1.0, 501.0), "lumped") for k, design in designs.items()}
+    decoders = {name: TolerantDecoder(library, None, "design") for name, library in libraries.items()}
+    rows: dict[tuple[str, int], list[bool]] = defaultdict(list)
+    random = np.random.default_rng(FIRST)
+    for name, design in designs.items():
+        microphones = design.microphones
+        for seed in range(FIRST, FIRST + SENSORS):
+            with tempfile.TemporaryDirectory() as folder:
+                heard = recorded(Rig(design, seed, HiddenScatter(), "lumped"), design.point_count, Path(folder) / "rig")
+            count, unchanged = len(microphones), np.ones(len(microphones))
+            for other, decoder in decoders.items():
+                if decoder.microphones == microphones:
+                    fit = fitted(decoder, heard, unchanged)
+                    what = "its own library: no doubt" if other == name else "a library of another array: told"
+                    rows[what, count].append((fit.doubt is None) == (other == name) and fit.off_level is None)
+                    print(name, seed, other, fit, flush=True)
+            for level in LEVELS:
+                channel = int(random.integers(count))
+                factor = unchanged.copy()
+                factor[channel] = 10 ** (level / 20)
+                fit = fitted(decoders[name], heard, factor)
+                print(name, seed, microphones[channel], level, fit, flush=True)
+                what = f"a microphone {abs(level):g} dB too {'loud' if level > 0 else 'quiet'}: found to 2 dB"
+                rows[what, count].append(is_found(fit, microphones[channel], level))
+    counts = sorted({count for _, count in rows})
+    head = " | ".join(f"{count} microphones" for count in counts)
+    lines = [f"| cases | {head} |", "|---|" + "---|" * len(counts)]
+    for what in dict.fromkeys(what for what, _ in rows):
+        found = [rows.get((what, count), []) for count in counts]
+        cells = " | ".join(f"{sum(each)} of {len(each)}" if each else "-" for each in found)
+        lines.append(f"| {what} | {cells} |")
+    replace_section(PAGE, BEGIN, END, lines)
+    print("\n".join(lines))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,179 @@
+"""Whether touches are of the sensor that a decoder has: what its best point leaves of the loudest of them.
+
+A library of another array, a sensor that is further from its design than tolerances go, and a microphone that is far
+off its level all leave more of a loud touch than a sensor as expected does, at every point. A level that is off shows
+itself: divided by it, what is left falls to what is expected.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from geometry.refusal import Refusal
+from localize.decoders.bayes import BayesDecoder
+from localize.decoders.tolerant import TolerantDecoder
+from localize.live.events import Decision
+from localize.signals.frames import FRAME, checked_signals
+from localize.signals.stimulus import SAMPLE_RATE
+from localize.signals.threads import one_thread
+
+FEWEST, MOST = 8, 32
+"""Numbers of loud frames that are judged together, at least and at most."""
+LOUDEST = 16
+"""Number of those that a level is looked for with."""
+AT_LEVEL = 200.0
+"""Multiple of the noise to which louder frames are brought: of what a sensor is not as it should be, they leave more."""
+OF_TWO, OF_MORE, OF_KNOWN = 4.0, 100.0, 2.0
+"""What sensors leave at most: not calibrated ones of two microphones, of more, and calibrated ones.
+
+Medians on virtual rigs of seeds 9110 to 9112: of two microphones 1.5 to 2.5 (2.8 at 2000 m, which nobody told), by
+libraries of other arrays 4.8 and more, as loud as rigs record them 6.8 and more; of three 0.8 to 4.1 (22 at 2000 m) and
+1600 or more, of four 5 to 32 (52 at 2000 m); calibrated 1.0 to 1.5 (1.9 and more after a change of stiffness of 20 %),
+by libraries of other arrays 2.7 or more."""
+LEVELS = tuple(float(level) for level in range(-24, 25, 6))
+"""Levels of a microphone that are tried first, dB; further away it is all but dead."""
+STEPS = (3.0, 1.5, 0.75)
+"""Steps in which the level is looked for then, dB, each around the best so far."""
+OFF = 5.0
+"""Level from which on a microphone is far off, dB: its own tolerance is 1 dB."""
+FALLS = 2.0
+"""Factor by which what is left must fall at least, and to what is expected, with the level of one microphone; by
+libraries of other arrays it falls to 6.6 at best (the same seeds)."""
+
+
+@dataclass(frozen=True)
+class SensorFit:
+    """How well the points of a decoder explain the loudest touches of a sensor."""
+
+    misfit: float
+    """What the best point leaves of a frame, by what the noise leaves; the median over the frames."""
+    expected: float
+    """Largest one of a sensor as the decoder expects it."""
+    microphones: tuple[str, ...]
+    """Names of the microphones."""
+    off_level: tuple[str, float] | None = None
+    """Microphone that is far off its level, and by how much, dB against the library; None where that of none explains
+    the touches. Of two it is the one that leaves less, for all that is known is how they differ."""
+
+    @property
+    def doubt(self) -> str | None:
+        """Reason to doubt what was decided, in words; None where there is none."""
+        if self.off_level is not None:
+            name, level = self.off_level
+            louder, quieter = ("louder", "quieter") if level > 0 else ("quieter", "louder")
+            others = [each for each in self.microphones if each != name]
+            either = f", or {others[0]} {quieter}" if len(others) == 1 else ""
+            return f"microphone {name} is {abs(level):.0f} dB {louder}{either} than the library has it"
+        if self.misfit <= self.expected:
+            return None
+        return (
+            f"no point explains the touches: of the loudest {self.misfit:.3g} times what noise leaves is left, "
+            f"{self.expected:g} is the most that is expected; the library may be one of another array or air, the "
+            "sensor may have changed, or there is sound that was not told"
+        )
+
+
+class LoudFrames:
+    """Loudest frames of a stream whose samples are others, gathered while it goes on."""
+
+    def __init__(self) -> None:
+        self._kept: list[Decision] = []
+
+    def take(self, events: Iterable[object]) -> None:
+        """Take what a stream says next, whose decisions carry their samples."""
+        for event in events:
+            if isinstance(event, Decision) and event.state == "touch" and event.frame is not None:
+                self._take(event)
+
+    def _take(self, event: Decision) -> None:
+        near = [each for each in self._kept if abs(each.time - event.time) < FRAME / SAMPLE_RATE]
+        if any(each.level >= event.level for each in near):
+            return
+        self._kept = [each for each in self._kept if each not in near] + [event]
+        if len(self._kept) > MOST:
+            self._kept.remove(min(self._kept, key=lambda each: each.level))
+
+    @property
+    def frames(self) -> list[NDArray[np.float64]]:
+        """(n_microphone, 250) float64 each, Pa."""
+        return [each.frame for each in self._kept if each.frame is not None]
+
+
+@one_thread()
+def sensor_fit(decoder: BayesDecoder, frames: ArrayLike, noise: ArrayLike | None = None) -> SensorFit | None:
+    """How well a decoder explains the loudest touches, and whether one microphone is far off its level.
+
+    Args:
+        decoder: of a library.
+        frames: (n, n_microphone, 250), Pa, at 1 kHz: of touches, at several points if possible.
+        noise: of the microphones as it was measured, (n_microphone,) Pa rms; by default that of the decoder.
+
+    Returns:
+        None of fewer than 8 frames, and where it is not known what sensors leave: of a computed library whose
+        tolerances are not known.
+
+    Raises:
+        Refusal: as :meth:`localize.BayesDecoder.locate`, or noise of another number of microphones.
+    """
+    expected = _expected(decoder)
+    if expected is None or len(frames) < FEWEST:  # type: ignore[arg-type]
+        return None
+    heard = checked_signals(frames, decoder.microphones)[0].numpy()[:MOST].copy()
+    level = heard.std(2).max(1) / (AT_LEVEL * decoder.noise_rms)
+    heard /= np.maximum(level, 1.0)[:, None, None]
+    louder = 1.0 if noise is None else _louder(decoder, np.asarray(noise, np.float64))
+    misfit = _left(decoder, heard) / louder
+    # Of more microphones one that is off may leave less than sensors of some designs do.
+    if misfit <= min(expected, OF_TWO):
+        return SensorFit(misfit, expected, decoder.microphones)
+    loudest = heard[np.argsort(-level, kind="stable")[:LOUDEST]]
+    unchanged = _left(decoder, loudest)
+    found = [_level(decoder, loudest, k, unchanged) for k in range(len(decoder.microphones))]
+    best = min(range(len(found)), key=lambda k: found[k][1])
+    level, left = found[best]
+    off = OFF <= abs(level) <= LEVELS[-1] and left <= min(expected * louder, unchanged / FALLS)
+    return SensorFit(misfit, expected, decoder.microphones, (decoder.microphones[best], level) if off else None)
+
+
+def _expected(decoder: BayesDecoder) -> float | None:
+    """Most that sensors leave as a decoder expects them; None where that is not known."""
+    from acoustic_fem.library.result import MEASURED
+
+    if isinstance(decoder, TolerantDecoder):
+        return OF_TWO if len(decoder.microphones) == 2 else OF_MORE
+    return OF_KNOWN if decoder.provenance.get("fidelity") == MEASURED else None
+
+
+def _louder(decoder: BayesDecoder, noise: NDArray[np.float64]) -> float:
+    """Power of the noise over that which the decoder was told, at least 1."""
+    if noise.shape != (len(decoder.microphones),):
+        raise Refusal(f"noise has shape {noise.shape}, must be ({len(decoder.microphones)},): one per microphone")
+    return max(1.0, float(np.mean(noise**2)) / decoder.noise_rms**2)
+
+
+def _left(decoder: BayesDecoder, frames: NDArray[np.float64]) -> float:
+    return float(np.median(decoder.misfit(frames)))
+
+
+def _level(
+    decoder: BayesDecoder, frames: NDArray[np.float64], microphone: int, unchanged: float
+) -> tuple[float, float]:
+    """Level of a microphone, dB, at which touches are explained best, and what is left then; unchanged at 0 dB."""
+
+    def left(level: float) -> float:
+        as_told = frames.copy()
+        as_told[:, microphone] /= 10 ** (level / 20)
+        return _left(decoder, as_told)
+
+    tried = {level: left(level) if level else unchanged for level in LEVELS}
+    for step in STEPS:
+        best = min(tried, key=lambda each: tried[each])
+        if best == 0:
+            break
+        tried |= {level: left(level) for level in (best - step, best + step)}
+    best = min(tried, key=lambda each: tried[each])
+    return best, tried[best]
