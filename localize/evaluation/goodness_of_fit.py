@@ -26,7 +26,7 @@ FEWEST, MOST = 8, 32
 LOUDEST = 16
 """Number of those that a level is looked for with."""
 AT_LEVEL = 200.0
-"""Multiple of the noise to which louder frames are brought: of what a sensor is not as it should be, they leave more."""
+"""Multiple of the noise to which louder frames are brought: they leave more of what a sensor is not as it should be."""
 OF_TWO, OF_MORE, OF_KNOWN = 4.0, 100.0, 2.0
 """What sensors leave at most: not calibrated ones of two microphones, of more, and calibrated ones.
 
