@@ -2,7 +2,7 @@
 # make test        the tests, without the slow ones
 # make unit        those of them to run while working: neither 3-D verification nor whole runs of commands
 # make slow-test   the slow ones
-# make docs        the manual as a site, in docs/build/index.html
+# make docs        the manual as a site, in docs/build/html/index.html
 #
 # All create a virtual environment in .venv and install into it what is missing; the second time nothing is.
 
@@ -45,9 +45,9 @@ slow-test: $(VENV)/.installed-dev
 	$(BIN)/python -m pytest -n $(WORKERS) --dist loadfile --no-loadscope-reorder -m slow
 
 docs: $(VENV)/.installed-docs
-	$(BIN)/sphinx-build --quiet --fail-on-warning --keep-going -b html docs docs/build
-	$(BIN)/python docs/site/built.py docs/build
-	@echo "The manual: $(abspath docs/build/index.html)"
+	$(BIN)/sphinx-build --quiet --fail-on-warning --keep-going -b html docs docs/build/html
+	$(BIN)/python docs/site/built.py docs/build/html
+	@echo "The manual: $(abspath docs/build/html/index.html)"
 
 # The package is installed in place: changed code needs no new installation, changed dependencies do.
 $(VENV)/.installed: pyproject.toml constraints.txt | $(VENV)/.created

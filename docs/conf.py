@@ -24,6 +24,7 @@ extensions = [
     "sphinx.ext.napoleon",
     "myst_nb",
     "sphinx_copybutton",
+    "accessible",
     "equations",
     "names",
     "reference",

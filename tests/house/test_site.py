@@ -22,7 +22,7 @@ def site(monkeypatch: pytest.MonkeyPatch):
         return importlib.import_module(name)
 
     yield load
-    for name in ("public_names", "built"):
+    for name in ("public_names", "built", "accessible"):
         sys.modules.pop(name, None)
 
 
@@ -85,3 +85,14 @@ def test_a_newcomer_types_every_block_and_looks_at_the_pictures(
     ]
     for name in newcomer.START:
         assert newcomer.blocks_of(ROOT / "docs" / f"{name}.md"), name
+
+
+def test_pages_are_put_right_for_readers_of_screens_once(site) -> None:
+    accessible = pytest.importorskip("sphinx") and site("accessible").accessible
+    page = '<p class="caption" role="heading">x</p><pre id="a"></pre><dl>\n<dd>n: int</dd>\n</dl><dl><dt>a</dt></dl>'
+    better = accessible(page)
+    assert better == (
+        '<p class="caption" role="heading" aria-level="2">x</p><pre tabindex="0" id="a"></pre>'
+        '<span class="arguments">\n<span class="argument">n: int</span>\n</span><dl><dt>a</dt></dl>'
+    )
+    assert accessible(better) == better
