@@ -4,8 +4,10 @@
 
 For each design (by default array-2x6 and line-2) a studio is started in a process of its own. ``first curves`` and
 ``first 3-D`` run from when the page is asked for; ``slider`` from an input event of the slider of ``tube.length`` to
-the frame in which the curves of that change are painted. ``bytes`` is what the server sends for one change of the
-slider with the curves alone in sight. Memory is that of the server's process, after a tenth of the changes and after
+the frame in which the curves of that change are painted. ``confusion`` and ``new 3-D`` run from a change of the length
+to when its figures and its model are shown, all panels in sight; ``pictures`` are those drawn a second while a
+simulated touch is played. ``bytes`` is what the server sends for one change of the slider with the curves alone in
+sight. Memory is that of the server's process, after a tenth of the changes and after
 all. Needs the extras ``studio`` and ``dev`` and the system's Chromium. Figures are of the machine at hand: close other
 programs.
 """
@@ -44,6 +46,14 @@ DRAG = """async (count) => {
 }"""
 
 
+SET = """(place) => {
+  const slider = document.querySelector("[data-name='tube.length'] .slider");
+  slider.value = String(place);
+  slider.dispatchEvent(new Event("input", { bubbles: true }));
+  slider.dispatchEvent(new Event("change", { bubbles: true }));
+}"""
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("designs", nargs="*", default=["array-2x6", "line-2"])
@@ -51,6 +61,7 @@ def main() -> None:
     options = parser.parse_args()
     static = Path(__file__).parents[1] / "studies" / "studio" / "static"
     size = sum(len(gzip.compress(path.read_bytes())) for path in static.iterdir())
+    print(f"load at the start {os.getloadavg()[0]:.1f}, {os.cpu_count()} cores")
     print(f"page: {size / 1000:.0f} kB gzip (at most 300)")
     for design in options.designs:
         measure(design, options.changes)
@@ -75,9 +86,10 @@ def measure(design: str, changes: int) -> None:
         page.on("websocket", lambda socket: socket.on("framereceived", lambda frame: received.append(len(frame))))
         begin = time.perf_counter()
         page.goto(f"http://127.0.0.1:{port}/?token={TOKEN}")
-        print(f"\n{design}")
+        print(f"\n{design}, load {os.getloadavg()[0]:.1f}")
         print(f"  first curves {wait(page, 'painted') - begin:.2f} s (at most 3)")
         print(f"  first 3-D {wait(page, 'shown_model') - begin:.2f} s (at most 15)")
+        again(page)
         page.set_viewport_size({"width": 1440, "height": 420})  # the curves alone are in sight
         page.wait_for_timeout(1500)
         page.evaluate(DRAG, 20)
@@ -91,6 +103,36 @@ def measure(design: str, changes: int) -> None:
         early, late = asyncio.run(memory(port, server.pid, 10 * changes))
         print(f"  memory of the server: {early:.0f} MB after {changes} changes, {late:.0f} MB after {10 * changes}")
         server.terminate()
+
+
+def again(page: Any, changes: int = 3) -> None:
+    """Figures and models of changed designs, the worst of some, and the pictures of a touch."""
+    worst = dict.fromkeys(("points", "model"), 0.0)
+    page.set_viewport_size({"width": 1440, "height": 1500})  # curves, array and points are in sight
+    wait(page, "shown_points")
+    for change in range(changes):
+        before = page.evaluate("document.documentElement.dataset.revision")
+        begin = time.perf_counter()
+        page.evaluate(SET, 300 + 40 * change)
+        while page.evaluate("document.documentElement.dataset.revision") == before:
+            time.sleep(0.01)
+        for stage in worst:  # the first is there long before the second
+            while page.evaluate(
+                f"document.documentElement.dataset.shown_{stage} !== document.documentElement.dataset.revision"
+            ):
+                time.sleep(0.01)
+            worst[stage] = max(worst[stage], time.perf_counter() - begin)
+    print(f"  confusion {worst['points']:.2f} s (at most 0.5), new 3-D {worst['model']:.2f} s (at most 3)")
+    page.set_viewport_size({"width": 1440, "height": 3600})
+    page.locator("#touch-title").scroll_into_view_if_needed()
+    for _ in range(2):  # the first one imports the decoder
+        page.evaluate("delete document.getElementById('answer').dataset.pictures")
+        while page.locator("#touch-points button").count() == 0:
+            time.sleep(0.05)
+        page.locator("#touch-points button").first.click()
+        while (pictures := page.locator("#answer").get_attribute("data-pictures")) is None:
+            time.sleep(0.05)
+    print(f"  pictures a second of a touch: {pictures} (at least 30)")
 
 
 def wait(page: Any, name: str) -> float:
