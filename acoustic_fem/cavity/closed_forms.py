@@ -73,10 +73,17 @@ def _compliance(volume: float, mean: NDArray[np.complex128], medium: Medium) -> 
 def _sphere_mean(radius: float, rate: NDArray[np.complex128]) -> NDArray[np.complex128]:
     """<Psi> = 1 + 3 (z cot z - 1)/z^2 with z = R sqrt(-j w / alpha).
 
-    Taken as -J_{5/2}(z) / J_{1/2}(z), which does not cancel at small z.
+    Below |z| = 1 taken as -J_{5/2}(z) / J_{1/2}(z), which does not cancel and is slow.
     """
-    argument = radius * np.sqrt(-rate)
-    return np.asarray(-jve(2.5, argument) / jve(0.5, argument), dtype=np.complex128)
+    argument = np.asarray(radius * np.sqrt(-rate), dtype=np.complex128)
+    small = np.abs(argument) < 1
+    z = np.where(small, 1 - 1j, argument)  # below the real axis, where exp(-2 j z) is small
+    turn = np.exp(-2j * z)
+    mean = 1 + 3 * (1j * z * (1 + turn) / (1 - turn) - 1) / z**2
+    if small.any():
+        below = np.where(small, argument, 1)
+        mean = np.where(small, -jve(2.5, below) / jve(0.5, below), mean)
+    return np.asarray(mean, dtype=np.complex128)
 
 
 def _cylinder_mean(radius: float, height: float, rate: NDArray[np.complex128]) -> NDArray[np.complex128]:

@@ -123,11 +123,14 @@ def _with_play(movement: Array, session: TouchSession) -> Array:
     reach = session.hysteresis * float(movement.std())
     if reach == 0:
         return movement
-    held, followed = 0.0, np.empty_like(movement)
-    for number, (low, high) in enumerate(zip((movement - reach).tolist(), (movement + reach).tolist(), strict=True)):
-        held = min(max(held, low), high)
-        followed[number] = held
-    return followed
+    held, followed = 0.0, []
+    for low, high in zip((movement - reach).tolist(), (movement + reach).tolist(), strict=True):
+        if held < low:
+            held = low
+        elif held > high:
+            held = high
+        followed.append(held)
+    return np.array(followed)
 
 
 def _pressure(

@@ -7,6 +7,7 @@ from functools import cache
 
 import numpy as np
 from numpy.typing import NDArray
+from shared import shared
 
 import acoustic_fem
 import geometry
@@ -55,4 +56,4 @@ def heard() -> Array:
 
 @cache
 def calibrated() -> SelfCalibration:
-    return self_calibrate(nominal(), heard(), NOISE)
+    return shared("calibrated", lambda: self_calibrate(nominal(), heard(), NOISE))

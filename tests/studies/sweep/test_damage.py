@@ -15,6 +15,7 @@ import pytest
 import zarr
 from damage import damaged
 from stores import assert_same_store
+from thorough import many
 
 from studies.findings.reporting import best_designs
 from studies.output.checked_store import StoreWarning
@@ -375,4 +376,4 @@ def test_any_damage_is_refused_or_changes_nothing(study: Study, store: Path, fin
 
 @pytest.mark.slow
 def test_much_damage_is_refused_or_changes_nothing(study: Study, store: Path, finished: Path) -> None:
-    check_damage(study, store, finished, 300, 2, 60)
+    check_damage(study, store, finished, many(100), 2, many(20))
