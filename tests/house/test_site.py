@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib
+import subprocess
 import sys
 from pathlib import Path
 from types import ModuleType
@@ -85,6 +86,16 @@ def test_a_newcomer_types_every_block_and_looks_at_the_pictures(
     ]
     for name in newcomer.START:
         assert newcomer.blocks_of(ROOT / "docs" / f"{name}.md"), name
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(sys.prefix == sys.base_prefix, reason="a newcomer works in a virtual environment")
+def test_a_newcomer_gets_through_the_first_minutes() -> None:
+    """The commands of the page as printed, in a clone of what is committed, and the picture that they draw."""
+    words = [sys.executable, str(ROOT / "docs" / "newcomer.py"), "--venv", sys.prefix, "first-minutes"]
+    done = subprocess.run(words, capture_output=True, text=True, timeout=600, check=False)
+    assert done.returncode == 0, done.stderr[-2000:]
+    assert done.stdout.rstrip().endswith("first-minutes: done")
 
 
 def test_pages_are_put_right_for_readers_of_screens_once(site) -> None:
