@@ -153,7 +153,7 @@ class MarginalLikelihood:
             inverse = 1 / (1 + g * values)
             seen = np.sqrt(share * g) * inverse * found.along[table][found.frame[chosen]]
             by_covariance = 0.5 * (seen.T @ seen - np.diag((share * g * inverse).sum(0)))
-            by_b = 2 * (b @ vectors) @ by_covariance @ vectors.T
+            by_b = b @ (2 * vectors @ by_covariance @ vectors.T)  # b is the tallest: it is multiplied once
             kind, point = divmod(table, len(h))
             slope[point] += self._by_response(by_b, kind)
         return float(found.evidence.frames.sum()), slope

@@ -59,6 +59,7 @@ def response(disc: ElasticDisc, fraction: float) -> np.ndarray:
     return np.einsum("ak,bk,k->ab", loads, loads, 1 / (disc.eigenvalues - square))
 
 
+@pytest.mark.slow
 def test_interpolated_discs_agree_with_solved_ones(table: DiscTable) -> None:
     """To within what the solutions themselves are converged to, 3e-4 to 6e-4."""
     for shape in shapes(300)[:6]:
@@ -69,11 +70,13 @@ def test_interpolated_discs_agree_with_solved_ones(table: DiscTable) -> None:
         assert guess.compliance == pytest.approx(true.compliance, rel=1e-4)
 
 
+@pytest.mark.slow
 def test_a_table_takes_far_fewer_solutions_than_it_replaces(table: DiscTable, solved: Shapes) -> None:
     assert len(solved) == disc_count(shapes(300)) < 60
     assert table.error < 3e-4
 
 
+@pytest.mark.slow
 def test_a_disc_outside_the_table_is_solved(table: DiscTable) -> None:
     inside = shapes(300)[0]
     assert table.covers(inside)
@@ -94,6 +97,7 @@ def test_few_discs_are_not_interpolated() -> None:
     assert disc_count(shapes(49)) == 49
 
 
+@pytest.mark.slow
 def test_an_array_with_an_interpolated_membrane_responds_as_with_a_solved_one(table: DiscTable) -> None:
     design = prototype("array-2x6").with_values({"membrane.thickness": 0.531})
     assert table.covers(design_shape(design))
@@ -110,6 +114,7 @@ def test_an_array_with_an_interpolated_membrane_responds_as_with_a_solved_one(ta
     np.testing.assert_allclose(*forces, rtol=4e-4)
 
 
+@pytest.mark.slow
 def test_a_table_is_asked_by_who_is_given_it_alone(table: DiscTable) -> None:
     design = prototype("array-2x6").with_values({"membrane.thickness": 0.531})
     before = ArrayParameters.from_design(design)

@@ -32,7 +32,7 @@ HEALTH = [HealthCheck.filter_too_much, HealthCheck.too_slow]
 
 
 @pytest.mark.slow
-@settings(max_examples=many(40), deadline=None, suppress_health_check=HEALTH)
+@settings(max_examples=many(20), deadline=None, suppress_health_check=HEALTH)
 @given(design=designs())
 def test_many_random_designs_that_are_said_to_be_buildable_have_no_overlap(design):
     assume(design is not None)

@@ -191,4 +191,4 @@ def test_a_socket_that_would_graze_the_seat_of_the_board_leaves_a_wall() -> None
 
 @pytest.mark.slow
 def test_random_designs_build_or_are_refused_by_name() -> None:
-    check_random_designs(many(20))
+    check_random_designs(many(12))

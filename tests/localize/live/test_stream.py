@@ -94,6 +94,7 @@ def test_one_sample_at_a_time_is_a_chunk_size_too(decoder, signals):
     assert streamed(TouchStream(decoder), samples, range(1, 600)) == TouchStream(decoder).push(samples)
 
 
+@pytest.mark.slow
 def test_silence_is_no_touch_and_noise_names_no_point(array, decoder):
     noise = NOISE * np.random.default_rng(1).standard_normal((2, 100_000))
     events = TouchStream(decoder).push(noise)

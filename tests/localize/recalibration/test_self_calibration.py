@@ -147,6 +147,7 @@ def test_the_stated_uncertainty_of_ratios_is_about_what_they_are_off() -> None:
     assert 0.2 < np.sqrt(np.mean(np.abs(error) ** 2 / spread)) < 1.5
 
 
+@pytest.mark.slow
 def test_the_stated_uncertainty_holds_the_level() -> None:
     """A sensor 6 % louder, or quieter, at all microphones makes the same touches of quieter, or louder, fingers."""
     found = calibrated().posterior
@@ -157,6 +158,7 @@ def test_the_stated_uncertainty_holds_the_level() -> None:
         assert (np.abs(found.transfer_function - level * own * h) < radius).mean() > 0.9
 
 
+@pytest.mark.slow
 def test_unlabelled_touches_bring_the_library_to_the_made_sensor() -> None:
     found = calibrated()
     assert found.objection is None
@@ -165,6 +167,7 @@ def test_unlabelled_touches_bring_the_library_to_the_made_sensor() -> None:
     assert after > known - 0.01
 
 
+@pytest.mark.slow
 def test_the_library_says_what_it_was_made_from(tmp_path: Path) -> None:
     library = calibrated().library()
     acoustic_fem.save(library, tmp_path / "now.nc")
@@ -233,6 +236,7 @@ def test_a_gain_that_is_6_db_higher_is_named() -> None:
         assert float(text.split(",")[0]) == pytest.approx(ratio, abs=0.05)
 
 
+@pytest.mark.slow
 def test_touches_of_a_part_of_the_points_are_refused() -> None:
     line = np.repeat([0, 1], [36, 12])
 
@@ -253,6 +257,7 @@ def test_touches_of_a_part_of_the_points_are_refused() -> None:
     assert found.library() is nominal()
 
 
+@pytest.mark.slow
 def test_a_refusal_names_what_touches_look_like() -> None:
     assert "touches of another kind, such as two at a time, sound from outside" in str(
         replace(calibrated(), explained=0.5).objection

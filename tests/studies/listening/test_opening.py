@@ -16,7 +16,9 @@ from geometry.refusal import Refusal
 from studies.listening.opening import Decoding, assumed_by, open_localizer, open_stream, open_trained
 
 
-@pytest.mark.parametrize(("name", "state"), [("glove", "no touch"), ("array-2x6", "unreadable")])
+@pytest.mark.parametrize(
+    ("name", "state"), [pytest.param("glove", "no touch", marks=pytest.mark.slow), ("array-2x6", "unreadable")]
+)
 def test_a_library_of_three_microphones_goes_on_without_one_that_is_dead(tmp_path, name, state) -> None:
     path = tmp_path / "library.nc"
     acoustic_fem.save(solved(name, np.arange(1.0, 101.0)), path)
@@ -55,6 +57,7 @@ def test_a_library_is_decoded_with_the_tolerances_until_its_sensor_is_measured(t
         assert type(open_localizer(tmp_path / "library.nc", Decoding(noise=1e-3))) is kind
 
 
+@pytest.mark.slow
 def test_what_is_assumed_of_a_sensor_is_said_of_every_kind_of_model(tmp_path) -> None:
     library = solved("array-2x6", np.arange(1.0, 101.0))
     dome = library.design.with_values({"resonator.shape": "dome"})
