@@ -6,6 +6,7 @@ import math
 import cadquery as cq
 import pytest
 from hypothesis import HealthCheck, given, settings, strategies as st
+from thorough import many
 
 import geometry
 from geometry.air.cells import ANGLE_STEP, Cell, canonical_ports, cell_catalogue, resonator_cell
@@ -220,7 +221,7 @@ def check_random_shell(size, ports, fraction):
     return True
 
 
-@pytest.mark.parametrize("examples", [6, pytest.param(100, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("examples", [6, pytest.param(many(40), marks=pytest.mark.slow)])
 def test_random_shells_are_filled_or_refused_by_name(examples):
     built = []
 

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 import trimesh
 from hypothesis import HealthCheck, given, settings, strategies as st
+from thorough import many
 
 import geometry
 from geometry.assembly.parts import build_parts, part_counts
@@ -381,7 +382,7 @@ def test_engraved_digits_of_a_small_shell_do_not_break_into_its_sockets():
         build_random({**size, "shape": "cylinder"}, extra, 1.0, 3, label)
 
 
-@pytest.mark.parametrize("examples", [6, pytest.param(80, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("examples", [6, pytest.param(many(30), marks=pytest.mark.slow)])
 def test_random_shells_are_watertight_or_refused_by_name(examples):
     built = []
 
