@@ -26,6 +26,7 @@ extensions = [
     "sphinx_copybutton",
     "accessible",
     "equations",
+    "fields",
     "names",
     "reference",
 ]

@@ -13,9 +13,7 @@ import pytest
 import yaml
 from imports import PACKAGES, House
 
-from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import read_design
-from geometry.stated.declared import fields_of
 
 ROOT = Path(__file__).parents[2]
 PAGES = sorted([*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md")])
@@ -178,25 +176,6 @@ def test_the_files_that_a_page_names_exist(page: Path) -> None:
     assert [path for path in named if not (ROOT / path).exists() and not (page.parent / path).exists()] == []
 
 
-def test_the_design_page_lists_every_field_with_its_range() -> None:
-    rows = {}
-    for line in (ROOT / "docs" / "design-file.md").read_text(encoding="utf-8").splitlines():
-        cells = [cell.strip() for cell in line.strip("|").split("|")]
-        if line.startswith("| `") and len(cells) == 4:
-            rows[cells[0].strip("`")] = cells
-    fields = {
-        field.name: field
-        for field in fields_of(ArrayDesign)
-        if field.kind != "a table"
-        and not field.name.startswith(("microphone_tube.", "lines.*.tube.", "lines.*.micro", "tube_kinds."))
-    }
-    assert rows.keys() == fields.keys()
-    for name, field in fields.items():
-        stated = str(field.default).lower() if isinstance(field.default, bool) else field.default
-        default = "required" if field.required else "" if field.default in (None, "") else f"`{stated}`"
-        assert rows[name][1:] == [field_range(field.kind, field.allowed), default, field.description], name
-
-
 def test_the_cluster_of_the_page_is_the_one_whose_scheduler_is_forwarded() -> None:
     page = (ROOT / "docs" / "studies.md").read_text(encoding="utf-8")
     (cluster,) = (yaml.safe_load(text) for text in re.findall(r"^```yaml\n(.*?)^```", page, re.MULTILINE | re.DOTALL))
@@ -206,12 +185,6 @@ def test_the_cluster_of_the_page_is_the_one_whose_scheduler_is_forwarded() -> No
     for part in ("worker", "scheduler"):
         (container,) = cluster["spec"][part]["spec"]["containers"]
         assert all(isinstance(word, str) for word in container["args"])
-
-
-def field_range(kind: str, allowed: str) -> str:
-    if kind == "a number":
-        return allowed
-    return kind if kind == "true or false" else f"{kind.split(' ', 1)[1]} {allowed}".strip()
 
 
 def test_the_example_of_the_design_page_is_a_valid_design() -> None:

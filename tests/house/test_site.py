@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -23,7 +24,7 @@ def site(monkeypatch: pytest.MonkeyPatch):
         return importlib.import_module(name)
 
     yield load
-    for name in ("public_names", "built", "accessible"):
+    for name in ("public_names", "built", "accessible", "fields"):
         sys.modules.pop(name, None)
 
 
@@ -50,6 +51,23 @@ def test_requests_to_other_hosts_and_lost_words_are_found(site, tmp_path: Path) 
     assert built.outside_requests(tmp_path) == ["a.html: //x.org/y.js", "b.css: https://x.org/f.css"]
     assert built.not_found(tmp_path) == ["port_admittance"]
     assert built.main(tmp_path) == 1
+
+
+def test_the_design_page_has_every_field_once_with_range_unit_and_words(site) -> None:
+    fields = site("fields")
+    page = (ROOT / "docs" / "design-file.md").read_text(encoding="utf-8")
+    listed = [
+        field.name
+        for words in re.findall(r"^```\{fields\} (.*)$", page, re.MULTILINE)
+        for field in fields.fields_named(words.split())
+    ]
+    assert sorted(listed) == sorted(fields.stated_fields())
+    assert (
+        "| `resonator.cavity_diameter` | between 0.8 and 50 mm | required | diameter of the air cavity |\n"
+        in fields.field_table(["resonator"])
+    )
+    with pytest.raises(ValueError, match="'resonators' is neither"):
+        fields.fields_named(["resonators"])
 
 
 @pytest.mark.slow

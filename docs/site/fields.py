@@ -1,0 +1,80 @@
+"""Tables of the design file's fields, from the models that read it: ``{fields} SECTION`` or names of single fields."""
+
+from __future__ import annotations
+
+from docutils import nodes
+from sphinx.application import Sphinx
+from sphinx.util.docutils import SphinxDirective
+
+from geometry.design.array_design import ArrayDesign
+from geometry.stated.declared import DesignField, fields_of
+
+#: What has the fields of ``[tube]`` all over again, as the page says.
+_ALIKE = ("microphone_tube.", "lines.*.tube.", "lines.*.micro", "tube_kinds.")
+_HEAD = "| field | allowed | default | what it is |\n|---|---|---|---|\n"
+
+
+def stated_fields() -> dict[str, DesignField]:
+    """Fields that the page lists, by name, in the order of the file."""
+    return {
+        field.name: field
+        for field in fields_of(ArrayDesign)
+        if field.kind != "a table" and not field.name.startswith(_ALIKE)
+    }
+
+
+def fields_named(words: list[str]) -> list[DesignField]:
+    """Fields of sections, each with all of its own, and single ones by name.
+
+    Raises:
+        ValueError: a word that is neither.
+    """
+    known, found = stated_fields(), []
+    for word in words:
+        own = [known[word]] if word in known else [f for f in known.values() if f.name.rpartition(".")[0] == word]
+        if not own:
+            raise ValueError(f"{word!r} is neither a field nor a section of a design file")
+        found += own
+    return found
+
+
+def field_table(words: list[str]) -> str:
+    """Markdown table of fields: name, range with unit, default, words."""
+    return _HEAD + "".join(
+        f"| `{field.name}` | {_allowed(field)} | {_default(field)} | {field.description} |\n"
+        for field in fields_named(words)
+    )
+
+
+def _allowed(field: DesignField) -> str:
+    if field.kind in ("a number", "true or false"):
+        return field.allowed if field.kind == "a number" else field.kind
+    return f"{field.kind.split(' ', 1)[1]} {field.allowed}".strip()
+
+
+def _default(field: DesignField) -> str:
+    if field.required:
+        return "required"
+    if field.default in (None, ""):
+        return ""
+    return f"`{str(field.default).lower() if isinstance(field.default, bool) else field.default}`"
+
+
+class Fields(SphinxDirective):
+    """The directive."""
+
+    required_arguments = 1
+    optional_arguments = 9
+
+    def run(self) -> list[nodes.Node]:
+        """The table as nodes."""
+        try:
+            return self.parse_text_to_nodes(field_table(self.arguments))
+        except ValueError as error:
+            raise self.error(str(error)) from None
+
+
+def setup(app: Sphinx) -> dict[str, bool]:
+    """Register the directive."""
+    app.add_directive("fields", Fields)
+    return {"parallel_read_safe": True, "parallel_write_safe": True}
