@@ -12,7 +12,7 @@ from importlib.metadata import version as version_of
 from pathlib import Path
 
 HERE = Path(__file__).parent
-sys.path[:0] = [str(HERE.parent), str(HERE / "site")]
+sys.path[:0] = [str(HERE.parent), str(HERE), str(HERE / "site")]
 
 project = "acoustic-fem"
 author = "acoustic-fem developers"

@@ -43,7 +43,8 @@ room may import only from the rooms it stands on, also inside functions and for 
 circle. `geometry.refusal` belongs to no room: every error that the project raises on purpose derives from its
 `Refusal`.
 
-What is public: the names of the packages' and the rooms' faces. Everything else may move without notice.
+What is public: the names of the packages' and the rooms' faces. Everything else may move without notice. What each
+module of a room is about stands in its first sentence; the site (`make docs`) lists them on the page of the room.
 """
 
 
@@ -108,16 +109,13 @@ def _first_sentence(path: Path) -> str:
 
 
 def architecture_page(rooms: tuple[Room, ...]) -> str:
-    """The page as Markdown: a table of rooms per package, then what each module is about."""
+    """The page as Markdown: a table of rooms per package; the site has what each module is about."""
     text = [_HEAD]
     for package in PACKAGES:
         own = [room for room in rooms if room.package == package]
         text.append(f"\n## {package}\n\n| room | what lives there | stands on |\n|---|---|---|")
         for room in own:
             text.append(f"| `{room.name}` | {room.purpose} | {', '.join(room.stands_on) or '-'} |")
-        for room in own:
-            text.append(f"\n**`{room.path}`**\n")
-            text += [f"- `{name}`: {sentence}" for name, sentence in room.modules]
     return "\n".join(text) + "\n"
 
 

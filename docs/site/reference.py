@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import typer
+from make_architecture import Room, read_rooms
 from numpy.typing import ArrayLike
 from public_names import PACKAGES, Face, definition, entries, faces, kind_of, value_of
 from sphinx.application import Sphinx
@@ -69,7 +70,15 @@ def face_page(face: Face) -> str:
     for name, module in face.names.items():
         if name not in elsewhere:
             parts += _entry(face, name, module)
+    if (room := _rooms().get(face.path)) is not None:
+        parts += [_title("Modules", "-"), "For who changes the program; they may move without notice.", ""]
+        parts += [f"- ``{name}``: {_plain(sentence)}" for name, sentence in room.modules]
     return "\n".join(parts) + "\n"
+
+
+@cache
+def _rooms() -> dict[str, Room]:
+    return {room.path: room for room in read_rooms()}
 
 
 def _first_line(path: str) -> str:
