@@ -49,7 +49,7 @@ class RecognitionPlan:
     def of(cls, subject: str) -> RecognitionPlan:
         """Plan of a subject: for letters the paper's two stages of blocks, 60 samples of each and salt and pepper."""
         if subject == "letters":
-            return cls(takes=60, epochs=10, salt_and_pepper=0.05, network="two-stage")
+            return cls(takes=60, epochs=20, salt_and_pepper=0.05, network="two-stage")
         return cls()
 
     def __post_init__(self) -> None:

@@ -1,8 +1,8 @@
-"""Maps of what is written on an array: where the decoder hears the touch, frame by frame, drawn as a picture.
+"""Maps of what is written on an array: where the pen was as far as the array knows, drawn as a picture.
 
-The first map is the line as the points have heard it, in a box of its own size: how large a letter is and where it is
-written says nothing. The second, ours, is the time at which the line was there, from -1 to 1: letters that look alike
-are drawn in another order.
+The first map is the line, the fainter the less it is known where it was, in a box of its own size: how large a letter
+is and where it is written says nothing. The second, ours, is the time at which the line was there, from -1 to 1:
+letters that look alike are drawn in another order.
 """
 
 from __future__ import annotations
@@ -17,27 +17,32 @@ from torch import Tensor
 
 from localize.contacts import ContactRecorder
 from localize.decoders.bayes import BayesDecoder
+from localize.decoders.frame_covariance import INTEGRATION_STEP
 from localize.learned.features import COLUMNS, FREQUENCIES
-from localize.live.front_end import HIGH_PASS, HighPass
+from localize.live.front_end import HighPass
 from localize.recognition.letters import LETTERS, Hand, written
 from localize.signals.array_response import ArrayResponse
 from localize.signals.frames import FRAME
 from localize.signals.noise import NoiseChoice, NoiseSpectrum
 from localize.signals.random_streams import PURPOSES, Purpose
+from localize.signals.stimulus import BAND
 from localize.signals.threads import one_thread
+from localize.tracking.pen import PenTracker
 
 Array = NDArray[np.float64]
 
 WRITTEN = "letters"
 """Subject of a recognizer of letters."""
-HOP = 32
-"""Samples from frame to frame."""
+CORNER = 15.0
+"""Corner of the high-pass, Hz: below it a membrane is heard long after it was left, above it while it is rubbed."""
 QUIET = 4.0
 """Multiple of the microphones' noise below which a frame is silent at all of them."""
-LOUD = 0.05
-"""Share of the loudest frames' level from which a frame counts whole."""
-LEAST_COUNT = 0.1
-"""What a frame must count to be drawn."""
+ENDS = -35.0
+"""Level over the loudest from which a line is there, dB: it goes from the first hop that is as loud to the last."""
+LOUDEST = 0.9
+"""Share of the hops that are not louder than what counts as loudest."""
+LEAST = 5e-3
+"""Probability below which a place is left out."""
 VARIANTS = 6
 """Pictures of each letter to train on, each a little turned, moved and stretched."""
 _WIDTH = 0.08
@@ -45,7 +50,7 @@ _WIDTH = 0.08
 
 
 class LineReader:
-    """LineReader of lines that are drawn on an array.
+    """Reader of lines that are drawn on an array.
 
     Args:
         response: the array, with the places of its points.
@@ -55,39 +60,42 @@ class LineReader:
         Refusal: an array without places.
     """
 
+    @one_thread()
     def __init__(self, response: ArrayResponse, noise: NoiseChoice) -> None:
-        from localize.contacts.contact import surface_of
-
-        self._place, _ = surface_of(response)
+        self._pen = PenTracker(response)
         self._decoder = BayesDecoder(response, noise)
         level = response.noise(noise)
-        self._quiet = QUIET * (level.rms if isinstance(level, NoiseSpectrum) else level)
+        self._noise = level.rms if isinstance(level, NoiseSpectrum) else level
+        heard = np.arange(CORNER, BAND[1] + 0.5, INTEGRATION_STEP)
+        self._usual = np.sqrt((np.abs(response.at(heard)) ** 2).mean((1, 2)))
 
     @one_thread()
     def line(self, signals: Array) -> Array:
-        """Places that are heard, frame by frame.
+        """Where the line was, hop by hop, as far as the array knows.
 
         Args:
             signals: (n_microphone, n_sample) float64, Pa at 1 kHz, at least a frame.
 
         Returns:
-            (n, 4) float64: time, as a share of the recording; place, mm, the mean of the points, each as probable as it
-            is heard; and how much that counts, 0 to 1, by how sure and how loud the frame is. Silent frames are left
-            out.
+            (n, 4) float64: time, as a share of the recording; a place, mm; and how probable it is that the line was
+            there then. Times have several places, whose probabilities make up one together with that of a lifted pen.
         """
-        signals = HighPass(len(signals), HIGH_PASS).begin(signals)
-        first = np.arange(0, signals.shape[1] - FRAME + 1, HOP)
+        signals = HighPass(len(signals), CORNER).begin(signals)
+        first = np.arange(0, signals.shape[1] - FRAME + 1, self._pen.hop)
         frames = np.lib.stride_tricks.sliding_window_view(signals, FRAME, axis=1)[:, first].transpose(1, 0, 2)
-        level = frames.std(2).max(1)
-        heard = level > self._quiet
-        if not heard.any():
+        if not (frames.std(2).max(1) > QUIET * self._noise).any():
             return np.zeros((0, 4))
-        probability = np.concatenate(
-            [self._decoder.locate(np.ascontiguousarray(part)) for part in _parts(frames[heard])]
-        )
-        loud = np.minimum(1.0, level[heard] / (LOUD * np.quantile(level[heard], 0.9)))
-        counts = loud * probability.max(1)
-        return np.column_stack([first[heard] / signals.shape[1], probability @ self._place, counts])
+        parts = np.array_split(frames, -(-len(frames) // 128))
+        point = np.concatenate([self._decoder.locate(np.ascontiguousarray(part)).argmax(1) for part in parts])
+        level = 20 * np.log10(np.sqrt((frames**2).mean((1, 2))) / self._usual[point])
+        loudest = np.quantile(level, LOUDEST)
+        there = np.flatnonzero(level > loudest + ENDS)
+        kept = slice(max(int(there[0]) - 1, 0), int(there[-1]) + 2)
+        floor = 20 * np.log10(self._noise / self._usual.mean()) - loudest
+        probability = self._pen.probability(point[kept], level[kept] - loudest, float(floor))
+        hop, cell = np.nonzero(probability > LEAST)
+        time = (first[kept] + FRAME / 2)[hop] / signals.shape[1]
+        return np.column_stack([time, self._pen.place[cell], probability[hop, cell]])
 
     def begins(self, signals: Array, first: int) -> int:
         """Point, from 0, that is heard first from a sample on.
@@ -112,20 +120,27 @@ def letter_maps(line: Array, random: np.random.Generator | None = None) -> Tenso
     """
     if not len(line):
         return torch.zeros(2, FREQUENCIES, COLUMNS)
-    line = line[line[:, 3] >= min(LEAST_COUNT, float(line[:, 3].max()))]
-    places = line[:, 1:3]
-    places = places - (places.max(0) + places.min(0)) / 2
-    places = places / max(float(np.ptp(places, axis=0).max()), 1e-3)
+    begin = np.flatnonzero(np.diff(line[:, 0], prepend=-1.0))
+    down = np.add.reduceat(line[:, 3], begin)
+    middle = np.add.reduceat(line[:, 1:3] * line[:, 3:], begin) / down[:, None]
+    middle = middle[down >= min(0.5, float(down.max()))]
+    places = line[:, 1:3] - (middle.max(0) + middle.min(0)) / 2
+    places = places / max(float(np.ptp(middle, axis=0).max()), 1e-3)
     if random is not None:
         places = places @ (np.eye(2) + 0.06 * random.standard_normal((2, 2))) + 0.02 * random.standard_normal(2)
     # the line fills most of the picture: its rows are twice as close as its columns
     rows, columns = np.linspace(0.65, -0.65, FREQUENCIES), np.linspace(-0.65, 0.65, COLUMNS)
-    near = np.exp(-0.5 * ((rows[None, :] - places[:, 1:]) / _WIDTH) ** 2)[:, :, None]
-    near = near * np.exp(-0.5 * ((columns[None, :] - places[:, :1]) / _WIDTH) ** 2)[:, None, :] * line[:, 3, None, None]
-    time = line[:, 0] - line[:, 0].min()
+    upright = np.exp((-0.5 * ((rows - places[:, 1:]) / _WIDTH) ** 2).astype(np.float32)) * line[:, 3:].astype(
+        np.float32
+    )
+    across = np.exp((-0.5 * ((columns - places[:, :1]) / _WIDTH) ** 2).astype(np.float32))
+    ends = [*begin[1:], len(line)]
+    near = np.stack([upright[a:b].T @ across[a:b] for a, b in zip(begin, ends, strict=True)])
+    time = line[begin, 0] - line[0, 0]
     time = 2 * time / max(float(time.max()), 1e-9) - 1
     ink = near.max(0)
-    when = (near**4 * time[:, None, None]).sum(0) / ((near**4).sum(0) + 1e-6)
+    clear = np.square(np.square(near))
+    when = np.tensordot(time.astype(np.float32), clear, 1) / (clear.sum(0) + 1e-6)
     return torch.from_numpy(np.stack([ink, ink * when]).astype(np.float32))
 
 
@@ -173,7 +188,3 @@ class LetterMaker:
             maps += [letter_maps(line, random) for _ in range(variants)] if variants else [letter_maps(line)]
             kinds += [number % len(LETTERS)] * max(1, variants)
         return torch.stack(maps), torch.tensor(kinds)
-
-
-def _parts(frames: Array) -> list[Array]:
-    return np.array_split(frames, -(-len(frames) // 128))

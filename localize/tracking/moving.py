@@ -27,6 +27,8 @@ from localize.decoders.frame_covariance import (
     TAPS,
     check_level,
     check_noise,
+    floor_covariance,
+    frame_noise_covariance,
     joint_covariance,
     low_pass,
     sampled_waves,
@@ -59,7 +61,7 @@ POWERS = 10 ** np.arange(-6.0, 4.01, 0.5)
 MISFIT = 1e-2
 """Share of a frame's level that is noise at least: libraries are not exact."""
 FORGOTTEN = 1e-3
-"""Power below which a past hop is not counted, in terms of the noise."""
+"""Power below which a past hop is not counted, in terms of the noise and sound in a sample, hum apart."""
 _PERIOD = 4000
 
 
@@ -99,7 +101,10 @@ class MovingScorer:
     ) -> None:
         check_noise(microphone_noise)
         check_level(response, ambient)
-        self._noise = joint_covariance(response, response.noise(microphone_noise), ambient)
+        noise = response.noise(microphone_noise)
+        self._noise = joint_covariance(response, noise, ambient)
+        # Hum fills a few lines and hides no source: what counts is compared with the rest.
+        self._hiss = float(self._noise[0, 0] - floor_covariance(noise)[0, 0] + frame_noise_covariance(noise)[0])
         self._channels = len(response.microphones)
         self._reduce = low_pass()
         response = footprint_response(response, _of_two(footprints.share))
@@ -122,7 +127,7 @@ class MovingScorer:
         x = (frame @ self._reduce.T).reshape(-1)
         floor = MISFIT**2 * float(np.mean(x**2))
         known = self._noise + floor * np.eye(self._size)
-        sample, number = np.nonzero(self._heard > FORGOTTEN * (floor + self._noise[0, 0]))
+        sample, number = np.nonzero(self._heard > FORGOTTEN * (floor + self._hiss))
         if len(sample):
             columns = self._past[number, sample] * np.sqrt(self._heard[sample, number])[:, None]
             known = known + columns.T @ columns
