@@ -13,7 +13,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
-from made_sensors import made_sensors
+from made_sensors import calibrated, made_sensors
 from numpy.typing import NDArray
 
 import acoustic_fem
@@ -30,6 +30,7 @@ Array = NDArray[np.float64]
 DOCS = Path(__file__).parents[1] / "docs"
 BEGIN, END = "<!-- tracks: made by benchmarks/tracks.py -->", "<!-- end tracks -->"
 PLACES_BEGIN, PLACES_END = "<!-- places: made by benchmarks/tracks.py -->", "<!-- end places -->"
+BETWEEN_BEGIN, BETWEEN_END = "<!-- between: made by benchmarks/tracks.py -->", "<!-- end between -->"
 DESIGN = "large-area-64"
 SEED, STROKES, SECONDS, SENSORS = 7100, 4, 5.0, range(7200, 7203)
 NOISE, ROOM = 1e-3, 70.0
@@ -97,24 +98,26 @@ def paths() -> list[str]:
     assert library.position is not None
     box = (library.position.min(0), library.position.max(0))
     made = made_sensors(library, DESIGN, SENSORS)
+    measured = calibrated(DESIGN, SENSORS)
     conditions = {
-        "nominal": (None, lambda sensor: library, (library,)),
-        "nominal, sound of 70 dB SPL, told": (ROOM, lambda sensor: library, (library,)),
-        "mis-made, nominal library": (None, lambda sensor: library, made),
-        "mis-made, their own transfer functions": (None, lambda sensor: sensor, made),
+        "nominal": (None, (library,), (library,)),
+        "nominal, sound of 70 dB SPL, told": (ROOM, (library,), (library,)),
+        "mis-made, nominal library": (None, (library,), made),
+        "mis-made, their own transfer functions": (None, made, made),
+        "mis-made, calibrated from recordings": (None, measured, made),
     }
     lines = [
         "| sensor | " + " | ".join(f"{low:.0f} to {high:.0f} mm/s" for low, high in SPEEDS) + " |",
         "|---|" + "---|" * len(SPEEDS),
     ]
-    for name, (ambient, decoded, sensors) in conditions.items():
+    for name, (ambient, libraries, sensors) in conditions.items():
         cells = []
         for fast, speed in enumerate(SPEEDS):
             found = []
             for number in range(STROKES):
                 contact = written(np.random.default_rng(SEED + 100 * fast + number), speed, box, 10 * fast + number)
-                sensor = sensors[number % len(sensors)]
-                found.append(errors(decoded(sensor), sensor, contact, number, ambient))
+                known, sensor = (each[number % len(each)] for each in (libraries, sensors))
+                found.append(errors(known, sensor, contact, number, ambient))
             cells.append(cell(found))
             print(name, speed, cells[-1], flush=True)
         lines.append(f"| {name} | {' | '.join(cells)} |")
@@ -159,8 +162,57 @@ def places() -> list[str]:
     return lines
 
 
+def between() -> list[str]:
+    """Rows of the table of taps between two neighbours."""
+    design = geometry.prototype("fingertip-4x6")
+    library = response_of(acoustic_fem.solve(design, np.arange(0.5, 300.1, 0.5), "lumped"))
+    assert library.position is not None
+    position, pitch = library.position, localize.tracking.pitch_of(library)
+    made = made_sensors(library, "fingertip-4x6", SENSORS)
+    conditions = {
+        "nominal": ((library,), (library,)),
+        "mis-made, nominal library": ((library,), made),
+        "mis-made, their own transfer functions": (made, made),
+        "mis-made, calibrated from recordings": (calibrated("fingertip-4x6", SENSORS), made),
+    }
+    apart = np.linalg.norm(position[:, None] - position, axis=-1)
+    pairs = np.argwhere(np.triu(apart < 1.1 * pitch, 1))
+    random = np.random.default_rng(SEED)
+    pair, share = pairs[random.integers(len(pairs), size=TAPS)], random.uniform(0, 1, (TAPS, 1))
+    true = position[pair[:, 0]] * (1 - share) + position[pair[:, 1]] * share
+    along = (position[pair[:, 1]] - position[pair[:, 0]]) / apart[pair[:, 0], pair[:, 1]][:, None]
+    lines = [
+        "| sensor | points alone: rms along the pair | places: within a pitch | rms along the pair of these | of all |",
+        "|---|---|---|---|---|",
+    ]
+    tool = replace(FINGER, radius=(pitch, pitch))
+    for name, (libraries, sensors) in conditions.items():
+        points = [localize.BayesDecoder(each, microphone_noise=NOISE) for each in libraries]
+        decoders = [localize.PositionDecoder(each, pitch, NOISE) for each in libraries]
+        recorders = [ContactRecorder(each, microphone_noise=NOISE, seed=SEED) for each in sensors]
+        off, named = np.empty((TAPS, 2)), np.empty((TAPS, 2))
+        for number, place in enumerate(true):
+            take = recorders[number % len(sensors)].take(tap(tuple(place), tool=tool, seed=SEED, sample=number), number)
+            first = int(np.flatnonzero(take.force)[0])
+            frame = np.pad(take.signals, ((0, 0), (0, 250)), "edge")[None, :, first : first + 250]
+            off[number] = decoders[number % len(libraries)].position(frame).place[0] - place
+            named[number] = position[points[number % len(libraries)].locate(frame)[0].argmax()] - place
+        near = np.linalg.norm(off, axis=1) < pitch
+        of_points, of_all = (float(np.sqrt(((each * along).sum(1) ** 2).mean())) / pitch for each in (named, off))
+        of_near = float(np.sqrt(((off * along).sum(1)[near] ** 2).mean())) / pitch
+        lines.append(
+            f"| {name} | {of_points:.2f} pitch | {100 * near.mean():.0f} % | {of_near:.2f} pitch | {of_all:.2f} pitch |"
+        )
+        print(lines[-1], flush=True)
+    return lines
+
+
 def main() -> None:
-    parts = {"paths": (paths, BEGIN, END), "places": (places, PLACES_BEGIN, PLACES_END)}
+    parts = {
+        "paths": (paths, BEGIN, END),
+        "places": (places, PLACES_BEGIN, PLACES_END),
+        "between": (between, BETWEEN_BEGIN, BETWEEN_END),
+    }
     for name in sys.argv[1:] or parts:
         make, begin, end = parts[name]
         replace_section(DOCS / "tracks.md", begin, end, make())
