@@ -21,7 +21,7 @@ from localize.recognition.power_maps import MAPS, maps_of
 from localize.signals.threads import one_thread
 
 FORMAT = "acoustic-fem recognizer"
-VERSION = 1
+VERSION = 2
 DESCRIPTION_FILE = "recognizer.json"
 
 _Name = Annotated[str, Field(min_length=1, max_length=200)]

@@ -118,20 +118,17 @@ class PenTracker:
 
     def _probability(self, point: NDArray[np.int64], level: Array, floor: float) -> Single:
         @cache
-        def judged(number: int) -> tuple[float, Single, Array]:
+        def tried(number: int) -> tuple[float, Single, Single, Array]:
             down, lifted = self._judged(point, level, floor, SPEEDS[number])
-            return self._forward(down, lifted, self._moves(SPEEDS[number]), None), down, lifted
+            return *self._forward(down, lifted, self._moves(SPEEDS[number])), down, lifted
 
-        best, around = -1, len(SPEEDS) // 2
+        best, around = -1, len(SPEEDS) // 2 - 1
         while around != best:  # uphill from the middle: the likelihood has one maximum
             best = around
             near = range(max(0, best - 1), min(len(SPEEDS), best + 2))
-            around = max(near, key=lambda number: judged(number)[0])
-        _, down, lifted = judged(best)
-        moves = self._moves(SPEEDS[best])
-        belief = np.empty((len(point), DIRECTIONS, len(self.place)), np.float32)
-        self._forward(down, lifted, moves, belief)
-        return self._backward(down, lifted, moves, belief)
+            around = max(near, key=lambda number: tried(number)[0])
+        _, belief, down, lifted = tried(best)
+        return self._backward(down, lifted, self._moves(SPEEDS[best]), belief)
 
     def _judged(self, point: NDArray[np.int64], level: Array, floor: float, speed: float) -> tuple[Single, Array]:
         """Log-likelihoods of the cells, (n_hop, n_cell), and of a lifted pen, (n_hop,), by frames that overlap."""
@@ -177,8 +174,9 @@ class PenTracker:
         on = scipy.sparse.block_diag(blocks, format="csr", dtype=np.float32)
         return _Moves(on, on.T.tocsr())
 
-    def _forward(self, down: Single, lifted: Array, moves: _Moves, belief: Single | None) -> float:
-        """Log-likelihood of a line; ``belief`` takes the probabilities by the hops so far, if wanted."""
+    def _forward(self, down: Single, lifted: Array, moves: _Moves) -> tuple[float, Single]:
+        """Log-likelihood of a line, and probabilities by the hops so far, (n_hop, DIRECTIONS, n_cell)."""
+        belief = np.empty((len(down), DIRECTIONS, len(self.place)), np.float32)
         top = np.maximum(down.max(1), lifted)
         near, apart = np.exp(down - top[:, None].astype(np.float32)), np.exp(lifted - top)
         state = np.zeros((DIRECTIONS, len(self.place)), np.float32)
@@ -193,9 +191,8 @@ class PenTracker:
             state /= np.float32(whole)
             up /= whole
             total += float(np.log(whole))
-            if belief is not None:
-                belief[k] = state
-        return total
+            belief[k] = state
+        return total, belief
 
     def _backward(self, down: Single, lifted: Array, moves: _Moves, belief: Single) -> Single:
         """Probabilities of the cells by all hops, (n_hop, n_cell)."""

@@ -70,7 +70,7 @@ def test_a_saved_recognizer_gives_the_same_probabilities(trained, tmp_path: Path
     ("change", "message"),
     [
         ({"format": "other"}, "not a recognizer: its format is not 'acoustic-fem recognizer'"),
-        ({"version": 9}, "version = 9 must be 1"),
+        ({"version": 9}, "version = 9 must be 2"),
         ({"labels": ["a", "b"]}, "changed or damaged"),
         ({"labels": 3}, "labels = 3 is refused"),
         ({"extra": 3}, "extra = 3 is refused"),
