@@ -13,7 +13,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
-from made_sensors import calibrated, made_sensors
+from made_sensors import made_sensors
 from numpy.typing import NDArray
 
 import acoustic_fem
@@ -98,13 +98,11 @@ def paths() -> list[str]:
     assert library.position is not None
     box = (library.position.min(0), library.position.max(0))
     made = made_sensors(library, DESIGN, SENSORS)
-    measured = calibrated(DESIGN, SENSORS)
     conditions = {
         "nominal": (None, (library,), (library,)),
         "nominal, sound of 70 dB SPL, told": (ROOM, (library,), (library,)),
         "mis-made, nominal library": (None, (library,), made),
         "mis-made, their own transfer functions": (None, made, made),
-        "mis-made, calibrated from recordings": (None, measured, made),
     }
     lines = [
         "| sensor | " + " | ".join(f"{low:.0f} to {high:.0f} mm/s" for low, high in SPEEDS) + " |",
@@ -173,7 +171,6 @@ def between() -> list[str]:
         "nominal": ((library,), (library,)),
         "mis-made, nominal library": ((library,), made),
         "mis-made, their own transfer functions": (made, made),
-        "mis-made, calibrated from recordings": (calibrated("fingertip-4x6", SENSORS), made),
     }
     apart = np.linalg.norm(position[:, None] - position, axis=-1)
     pairs = np.argwhere(np.triu(apart < 1.1 * pitch, 1))
