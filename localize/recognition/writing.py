@@ -16,10 +16,11 @@ from numpy.typing import NDArray
 from torch import Tensor
 
 from localize.contacts import ContactRecorder
+from localize.contacts.contact import surface_of
 from localize.decoders.bayes import BayesDecoder
 from localize.decoders.frame_covariance import INTEGRATION_STEP
 from localize.learned.features import COLUMNS, FREQUENCIES
-from localize.live.front_end import HighPass
+from localize.live.front_end import HIGH_PASS, HighPass
 from localize.recognition.letters import LETTERS, Hand, written
 from localize.signals.array_response import ArrayResponse
 from localize.signals.frames import FRAME
@@ -27,7 +28,8 @@ from localize.signals.noise import NoiseChoice, NoiseSpectrum
 from localize.signals.random_streams import PURPOSES, Purpose
 from localize.signals.stimulus import BAND
 from localize.signals.threads import one_thread
-from localize.tracking.pen import PenTracker
+from localize.tracking.footprints import pitch_of
+from localize.tracking.pen import PAD, PenTracker
 
 Array = NDArray[np.float64]
 
@@ -43,6 +45,12 @@ LOUDEST = 0.9
 """Share of the hops that are not louder than what counts as loudest."""
 LEAST = 5e-3
 """Probability below which a place is left out."""
+HOP = 32
+"""Samples from frame to frame where a pad covers several points."""
+LOUD = 0.05
+"""Share of the loudest frames' level from which such a frame counts whole."""
+LEAST_COUNT = 0.1
+"""What it must count to be drawn."""
 VARIANTS = 6
 """Pictures of each letter to train on, each a little turned, moved and stretched."""
 _WIDTH = 0.08
@@ -51,6 +59,9 @@ _WIDTH = 0.08
 
 class LineReader:
     """Reader of lines that are drawn on an array.
+
+    Where a pad is narrower than the pitch :class:`localize.tracking.pen.PenTracker` goes on between the points.
+    Where it always covers several points it is at their mean, each as probable as it is heard.
 
     Args:
         response: the array, with the places of its points.
@@ -62,7 +73,8 @@ class LineReader:
 
     @one_thread()
     def __init__(self, response: ArrayResponse, noise: NoiseChoice) -> None:
-        self._pen = PenTracker(response)
+        self._pen = PenTracker(response) if pitch_of(response) > PAD else None
+        self._place, _ = surface_of(response)
         self._decoder = BayesDecoder(response, noise)
         level = response.noise(noise)
         self._noise = level.rms if isinstance(level, NoiseSpectrum) else level
@@ -78,15 +90,15 @@ class LineReader:
 
         Returns:
             (n, 4) float64: time, as a share of the recording; a place, mm; and how probable it is that the line was
-            there then. Times have several places, whose probabilities make up one together with that of a lifted pen.
+            there then. Times have several places, whose probabilities make up one together with that of a lifted pen;
+            where a pad covers several points, one, and how much the frame counts by how sure and how loud it is.
         """
-        signals = HighPass(len(signals), CORNER).begin(signals)
-        first = np.arange(0, signals.shape[1] - FRAME + 1, self._pen.hop)
-        frames = np.lib.stride_tricks.sliding_window_view(signals, FRAME, axis=1)[:, first].transpose(1, 0, 2)
+        if self._pen is None:
+            return self._mean(signals)
+        frames, first = _frames(HighPass(len(signals), CORNER).begin(signals), self._pen.hop)
         if not (frames.std(2).max(1) > QUIET * self._noise).any():
             return np.zeros((0, 4))
-        parts = np.array_split(frames, -(-len(frames) // 128))
-        point = np.concatenate([self._decoder.locate(np.ascontiguousarray(part)).argmax(1) for part in parts])
+        point = self._probability(frames).argmax(1)
         level = 20 * np.log10(np.sqrt((frames**2).mean((1, 2))) / self._usual[point])
         loudest = np.quantile(level, LOUDEST)
         there = np.flatnonzero(level > loudest + ENDS)
@@ -96,6 +108,24 @@ class LineReader:
         hop, cell = np.nonzero(probability > LEAST)
         time = (first[kept] + FRAME / 2)[hop] / signals.shape[1]
         return np.column_stack([time, self._pen.place[cell], probability[hop, cell]])
+
+    def _mean(self, signals: Array) -> Array:
+        """The line as the mean of the points in each frame that is not silent."""
+        frames, first = _frames(HighPass(len(signals), HIGH_PASS).begin(signals), HOP)
+        level = frames.std(2).max(1)
+        heard = level > QUIET * self._noise
+        if not heard.any():
+            return np.zeros((0, 4))
+        probability = self._probability(frames[heard])
+        loud = np.minimum(1.0, level[heard] / (LOUD * np.quantile(level[heard], LOUDEST)))
+        counts = loud * probability.max(1)
+        drawn = counts >= min(LEAST_COUNT, float(counts.max()))
+        return np.column_stack([first[heard] / signals.shape[1], probability @ self._place, counts])[drawn]
+
+    def _probability(self, frames: Array) -> Array:
+        """Probability per point of frames, (n, n_point)."""
+        parts = np.array_split(frames, -(-len(frames) // 128))
+        return np.concatenate([self._decoder.locate(np.ascontiguousarray(part)) for part in parts])
 
     def begins(self, signals: Array, first: int) -> int:
         """Point, from 0, that is heard first from a sample on.
@@ -188,3 +218,9 @@ class LetterMaker:
             maps += [letter_maps(line, random) for _ in range(variants)] if variants else [letter_maps(line)]
             kinds += [number % len(LETTERS)] * max(1, variants)
         return torch.stack(maps), torch.tensor(kinds)
+
+
+def _frames(signals: Array, hop: int) -> tuple[Array, NDArray[np.int64]]:
+    """Frames of signals, (n, n_microphone, 250), and their first samples."""
+    first = np.arange(0, signals.shape[1] - FRAME + 1, hop)
+    return np.lib.stride_tricks.sliding_window_view(signals, FRAME, axis=1)[:, first].transpose(1, 0, 2), first

@@ -60,9 +60,9 @@ LONGEST = 600
 class _Moves:
     """Where a hop takes a pen of one speed."""
 
-    on: scipy.sparse.csr_matrix
+    on: scipy.sparse.csr_array
     """From cells and directions before to those behind; (n, n), n = DIRECTIONS n_cell, float32."""
-    back: scipy.sparse.csr_matrix
+    back: scipy.sparse.csr_array
     """Its transpose."""
 
 
@@ -153,10 +153,10 @@ class PenTracker:
     def _moves_at(self, speed: float) -> _Moves:
         rows, columns = self._shape
         number = np.arange(rows * columns).reshape(self._shape)
-        blocks = []
-        for angle in 2 * np.pi * np.arange(DIRECTIONS) / DIRECTIONS:
+        before, behind, values = [], [], []
+        for direction in range(DIRECTIONS):
+            angle = 2 * np.pi * direction / DIRECTIONS
             way = np.array([np.cos(angle), np.sin(angle)]) * speed * self.hop / SAMPLE_RATE / self._step
-            block = scipy.sparse.csr_matrix((number.size, number.size), dtype=np.float32)
             for uneven, often in UNEVEN:
                 whole = np.floor(uneven * way).astype(int)
                 part = uneven * way - whole
@@ -166,13 +166,16 @@ class PenTracker:
                     if weight < 1e-9 or abs(down) >= rows or abs(right) >= columns:
                         continue
                     # Who leaves the surface is not there any more.
-                    before = number[max(0, -down) : rows - max(0, down), max(0, -right) : columns - max(0, right)]
-                    behind = number[max(0, down) : rows + min(0, down), max(0, right) : columns + min(0, right)]
-                    values = np.full(before.size, weight, np.float32)
-                    block += scipy.sparse.csr_matrix((values, (behind.ravel(), before.ravel())), block.shape)
-            blocks.append(block)
-        on = scipy.sparse.block_diag(blocks, format="csr", dtype=np.float32)
-        return _Moves(on, on.T.tocsr())
+                    left = number[max(0, -down) : rows - max(0, down), max(0, -right) : columns - max(0, right)]
+                    came = number[max(0, down) : rows + min(0, down), max(0, right) : columns + min(0, right)]
+                    before.append(left.ravel() + direction * number.size)
+                    behind.append(came.ravel() + direction * number.size)
+                    values.append(np.full(left.size, weight, np.float32))
+        ends, weights = (np.concatenate(behind), np.concatenate(before)), np.concatenate(values)
+        shape = (DIRECTIONS * number.size, DIRECTIONS * number.size)
+        return _Moves(
+            scipy.sparse.csr_array((weights, ends), shape), scipy.sparse.csr_array((weights, ends[::-1]), shape)
+        )
 
     def _forward(self, down: Single, lifted: Array, moves: _Moves) -> tuple[float, Single]:
         """Log-likelihood of a line, and probabilities by the hops so far, (n_hop, DIRECTIONS, n_cell)."""
