@@ -73,8 +73,8 @@ class LineReader:
 
     @one_thread()
     def __init__(self, response: ArrayResponse, noise: NoiseChoice) -> None:
-        self._pen = PenTracker(response) if pitch_of(response) > PAD else None
         self._place, _ = surface_of(response)
+        self._pen = PenTracker(response) if pitch_of(response) > PAD else None
         self._decoder = BayesDecoder(response, noise)
         level = response.noise(noise)
         self._noise = level.rms if isinstance(level, NoiseSpectrum) else level
