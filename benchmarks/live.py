@@ -74,7 +74,8 @@ def measured(title: str, folder: Path, seconds: int) -> dict[str, Any]:
         localize.export_onnx(localize.train(response, PLAN), model)
     command = [sys.executable, "-m", "studies.cli", "live", model, "--replay", recording, "--out", out]
     command += ["--full-scale", str(FULL_SCALE), *options]
-    environment = {**os.environ, "PYTHONPATH": str(ROOT)}
+    paths = [str(ROOT), *filter(None, [os.environ.get("PYTHONPATH")])]
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(paths)}
     with subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
         memory, lines = _watched(process, seconds)
         if process.wait():

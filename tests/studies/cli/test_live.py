@@ -296,10 +296,10 @@ def test_options_that_do_not_go_together_are_a_wrong_command_line(folder, monkey
 
 
 @pytest.mark.slow
-def test_ten_seconds_of_two_times_36_points_in_real_time_lose_no_frame():
+def test_ten_seconds_of_two_times_36_points_in_real_time_lose_no_frame(folder):
     result = subprocess.run(
         [sys.executable, ROOT / "benchmarks" / "live.py", "--seconds", "10", "--json"],
-        env={**os.environ, "PYTHONPATH": str(ROOT)},
+        env={**os.environ, "PYTHONPATH": os.pathsep.join(map(str, [ROOT, folder]))},
         capture_output=True,
         text=True,
         check=False,
