@@ -192,6 +192,9 @@ def add_checksums(path: Path, filled: Collection[str]) -> None:
     """
     import zarr
 
+    with warnings.catch_warnings():  # it says that the third version of the format has not settled how
+        warnings.filterwarnings("ignore", "Consolidated metadata is currently not part", UserWarning)
+        zarr.consolidate_metadata(path, zarr_format=3)  # where other programs look first; none of it changes any more
     document = json.loads((path / METADATA).read_text(encoding="utf-8"))
     attributes = document["attributes"]
     found = {f"attribute {name}": _digest(value) for name, value in attributes.items()}

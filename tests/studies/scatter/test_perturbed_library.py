@@ -53,7 +53,7 @@ class Recorded:
 
 
 def test_it_opens_with_xarray_and_carries_what_made_it(store: PerturbedLibrary) -> None:
-    dataset = xr.open_zarr(store.path, consolidated=False)
+    dataset = xr.open_zarr(store.path)
     assert dataset["transfer_function_real"].dims == ("design", "point", "microphone", "frequency")
     assert dataset["transfer_function_real"].shape == (150, 3, 2, 16)
     assert dataset["transfer_function_imag"].attrs["units"] == "Pa/Pa"
@@ -70,7 +70,7 @@ def test_any_sensor_can_be_made_again_alone(store: PerturbedLibrary) -> None:
         assert np.abs(store.sensors(k, 1) / alone - 1).max() < 1e-12
     across = store.sensors(60, 10)
     assert np.array_equal(across[4], store.sensors(64, 1)[0])
-    dataset = xr.open_zarr(store.path, consolidated=False)
+    dataset = xr.open_zarr(store.path)
     assert np.array_equal(across.imag, dataset["transfer_function_imag"].values[60:70])
 
 

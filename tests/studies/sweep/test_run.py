@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+import warnings
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import replace
@@ -104,7 +105,9 @@ def test_a_case_that_is_no_design_is_kept_as_failed_with_its_reason(finished: tu
 def test_the_store_opens_in_xarray_with_units_and_carries_its_study(
     finished: tuple[Path, Summary], study: Study
 ) -> None:
-    dataset = xr.open_zarr(finished[0], consolidated=False)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        dataset = xr.open_zarr(finished[0])
     sizes = {"case": 40, "point": 12, "microphone": 2, "frequency": 12}
     assert dict(dataset.drop_vars("seals").sizes) == sizes
     assert dataset["tube.length"].attrs["units"] == "mm"
