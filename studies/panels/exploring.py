@@ -7,9 +7,10 @@ import json
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from shutil import make_archive
+from tempfile import TemporaryDirectory
 from time import monotonic
 from typing import TYPE_CHECKING, Any
-from zipfile import ZIP_DEFLATED, ZipFile
 
 import numpy as np
 import tomlkit
@@ -17,6 +18,8 @@ import tomlkit
 from acoustic_fem.numerics.disk_cache import cache_folder
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import write_design
+from geometry.files.reading import parse_toml
+from geometry.files.writing import write_text
 from geometry.refusal import Refusal
 from studies.findings.page import design_of
 from studies.findings.result_table import Column, ResultTable, effect, fast_front, table_of_search, table_of_sweep
@@ -102,14 +105,15 @@ def _read(design: ArrayDesign, text: str) -> Any:
 
 
 def _is_search(text: str) -> bool:
-    return "optimize" in tomlkit.parse(text)
+    return "optimize" in parse_toml(text, "the study", StudyError)
 
 
 def write_study(design: ArrayDesign, text: str, path: Path) -> None:
     """Write a study file and its base beside each other into one ZIP file, as ``sweep`` and ``optimize`` take them."""
-    with ZipFile(path, "w", ZIP_DEFLATED) as archive:
-        archive.writestr("study.toml", text)
-        archive.writestr(f"{design.name}.toml", write_design(design))
+    with TemporaryDirectory() as folder:
+        write_text(Path(folder) / "study.toml", text)
+        write_text(Path(folder) / f"{design.name}.toml", write_design(design))
+        make_archive(str(path.with_suffix("")), "zip", folder)
 
 
 def study_folder(design: ArrayDesign, text: str) -> Path:

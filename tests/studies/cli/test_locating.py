@@ -102,6 +102,7 @@ def test_sound_is_no_touch_for_any_model_that_is_given_a_library(command: Comman
         assert (told.code, "0 touches in 1.0 s, sound alone for 0.8 s" in told.out) == (0, True), told
 
 
+@pytest.mark.slow
 def test_a_microphone_far_off_its_level_is_told_and_brought_to_it(command: Command, tmp_path: Path) -> None:
     library = small_run().folder / "library.nc"
     touches = localize.TouchGenerator(response_of(acoustic_fem.load(library)), 0, "evaluation", 0.0).samples(0, 12)
