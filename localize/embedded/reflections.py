@@ -19,6 +19,9 @@ BLOCK = 4
 """Number of reflections that are done at once."""
 LARGEST = 32767
 """Largest number of 16 bits."""
+LONGEST = 16
+"""Length of a vector of 16 bits, in units of the largest number: its product with the longest frame then stays one of
+32 bits. Only vectors of more than 256 numbers, of five microphones, can be longer."""
 _COUPLED = np.tril_indices(BLOCK, -1)
 
 
@@ -52,7 +55,8 @@ def reflections(directions: Array, in_16_bits: bool = False) -> Reflections:
     for stage in range(size - 1):
         vector = _reflection(left[stage:, stage])
         if in_16_bits:
-            units[stage] = np.float32(max(np.abs(vector[1:]).max(), np.finfo(np.float32).tiny) / LARGEST)
+            largest = max(np.abs(vector[1:]).max(), np.linalg.norm(vector[1:]) / LONGEST, np.finfo(np.float32).tiny)
+            units[stage] = np.float32(largest / LARGEST)
             vector[1:] = units[stage] * np.rint(vector[1:] / units[stage]).clip(-LARGEST, LARGEST)
             vector[0] = np.sqrt(2.0 - (vector[1:] ** 2).sum())
             steps[:, stage] = units[stage], vector[0]
