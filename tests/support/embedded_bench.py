@@ -17,30 +17,33 @@ COMPILER = next((name for name in ("gcc", "clang", "cc") if shutil.which(name)),
 needs_compiler = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler to build the decoder with")
 STRICT = ("-std=c99", "-Wall", "-Wextra", "-Wconversion", "-Wpedantic", "-Werror", "-O1")
 SANITIZED = ("-fsanitize=address,undefined", "-fno-sanitize-recover=all")
-SOURCES = ("touch_bench.c", "touch_decoder.c", "touch_tables.c")
+SOURCES = ("touch_decoder.c", "touch_tables.c")
+UNEVEN = Path(__file__).parent / "uneven_bench.c"
 #: Largest differences of a probability, of frames of one touch and in the wake of a clipped one. Asked were 1e-4 and
 #: 1e-2, which rare frames on the long line miss: docs/embed.md.
 LARGEST = {
     "array-2x6": {"float32": (1e-4, 1e-4), "int16": (1e-2, 1e-2)},
-    "line-2": {"float32": (1e-3, 1e-3), "int16": (0.1, 0.1)},
+    "line-2": {"float32": (5e-4, 5e-4), "int16": (0.1, 0.1)},
     "glove": {"float32": (1e-4, 1e-4), "int16": (1e-2, 1e-2)},
 }
 
 
-def build(decoder: EmbeddedDecoder, folder: Path) -> Path:
-    """Test bench of a decoder, in a folder that is made."""
+def build(decoder: EmbeddedDecoder, folder: Path, main: Path = Path("touch_bench.c")) -> Path:
+    """Test bench of a decoder, in a folder that is made; or another program that drives it."""
     folder.mkdir(exist_ok=True)
     for name, text in decoder.files.items():
         (folder / name).write_text(text, encoding="utf-8")
-    bench = folder / "touch_bench"
-    command = [str(COMPILER), *STRICT, *SANITIZED, *SOURCES, "-lm", "-o", str(bench)]
+    bench = folder / main.stem
+    command = [str(COMPILER), *STRICT, *SANITIZED, "-I.", str(main), *SOURCES, "-lm", "-o", str(bench)]
     made = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
     assert made.returncode == 0, made.stderr
     return bench
 
 
 def decided_in_c(bench: Path, samples: NDArray[np.float32], points: int, chunk: int = 16) -> Decided:
-    """What a bench decides of (n_microphone, n) samples, pushed so many at a time."""
+    """What a bench decides of (n_microphone, n) samples, pushed so many at a time; :data:`UNEVEN` takes instead of
+    that how many samples came before.
+    """
     told = subprocess.run(
         [str(bench), str(chunk), str(LIMIT)], input=np.ascontiguousarray(samples.T).tobytes(), capture_output=True,
         check=False,

@@ -21,7 +21,6 @@
 #define TOUCH_ALL 0
 #endif
 #define LARGEST_PRESSURE 1e6f
-#define LARGEST_SCORE 1e30f
 /* A frame is the last TAIL samples of one hop and the whole of those after it. */
 #define TAIL (TOUCH_FRAME % TOUCH_HOP)
 /* Of 16-bit tables: bits of the longest frame, whose products with reflections then stay below 31, and those by which
@@ -357,23 +356,24 @@ static float best_power(const float *energy, int point, float missed)
     return middle - (right - left) * (right - left) / (8.0f * bend);
 }
 
-/* Log-likelihood of a point: minus what it misses of the frame, beside what the first point leaves empty. The frame is
- * turned into the directions of the point, those that it leaves empty first; what lies there alone may already give the
- * point up. */
+/* Log-likelihood of a point: minus what it misses of the frame, beside decoder->common. The frame is turned into the
+ * directions of the point, those that it leaves empty first; what lies there alone may already give the point up. A point
+ * that has half of decoder->common there, or less, sets it anew: beside what another misses, where a finger was before,
+ * the digits that tell it from its neighbours would be lost. */
 static float score_of(touch_decoder *decoder, int point, float best)
 {
     const touch_number *held = touch_reflections[point];
     float sum[2] = {0.0f, 0.0f}, energy[TOUCH_RANK];
     int stage = 0;
     begin_turn(decoder);
-    /* The first point that is scored, whose best is -INFINITY, is never given up. */
+    /* The first point that is scored, whose best is -INFINITY and whose common is INFINITY, is never given up. */
     const float most = best - SURE + touch_half_log_determinant[point][0];
     for (; stage < TOUCH_NUMBERS - TOUCH_RANK; stage += BLOCK) {
         held = turn(decoder->turned, point, stage, held);
         for (int k = 0; k < BLOCK; k++) add(sum, squared(decoder, stage + k));
         if (!TOUCH_ALL && -touch_half * (sum[0] - decoder->common) < most) return -INFINITY;
     }
-    if (best < -LARGEST_SCORE) decoder->common = sum[0];
+    if (sum[0] < 0.5f * decoder->common) decoder->common = sum[0];
     const float missed = (sum[0] - decoder->common) - sum[1];
     for (; stage < TOUCH_NUMBERS; stage += BLOCK) held = turn(decoder->turned, point, stage, held);
     for (int k = 0; k < TOUCH_RANK; k++) energy[k] = squared(decoder, TOUCH_NUMBERS - TOUCH_RANK + k);
@@ -385,12 +385,22 @@ static void locate(touch_decoder *decoder)
     touch_decision *decision = &decoder->decision;
     float *posterior = decision->posterior;
     choose_unit(decoder);
+    decoder->common = INFINITY;
     /* A finger mostly stays: beside the best point the others are given up early. */
     float best = posterior[decoder->last] = score_of(decoder, decoder->last, -INFINITY), sum = 0.0f;
     for (int point = 0; point < TOUCH_POINTS; point++) {
         if (point == decoder->last) continue;
-        posterior[point] = score_of(decoder, point, best);
-        best = fmaxf(best, posterior[point]);
+        const float common = decoder->common;
+        const float score = score_of(decoder, point, best);
+        if (decoder->common < common) {
+            const float less = touch_half * (common - decoder->common);
+            best -= less;
+            posterior[decoder->last] -= less;
+            for (int before = 0; before < point; before++)
+                if (before != decoder->last) posterior[before] -= less;
+        }
+        posterior[point] = score;
+        best = fmaxf(best, score);
     }
     for (int point = 0; point < TOUCH_POINTS; point++) {
         posterior[point] = expf(posterior[point] - best);
@@ -424,7 +434,7 @@ static void count(touch_spread *spread, float value, int number)
 static void watch(touch_decoder *decoder, int m, float sample)
 {
     const int place = decoder->place, first = TOUCH_HOP - TAIL;
-    if (fabsf(sample) >= decoder->limit) decoder->clipped = decoder->number + TOUCH_FRAME;
+    if (fabsf(sample) >= decoder->limit) decoder->clipped = TOUCH_FRAME;
     count(&decoder->whole[m][decoder->hop], sample, place + 1);
     if (place >= first) count(&decoder->tail[m][decoder->hop], sample, place - first + 1);
 }
@@ -468,7 +478,7 @@ static touch_state judge(touch_decoder *decoder)
     float level = 0.0f;
     for (int m = 0; m < TOUCH_MICROPHONES; m++) level = fmaxf(level, level_of(decoder->frame[m]));
     decoder->decision.level = level;
-    if (decoder->number < decoder->clipped) return TOUCH_UNREADABLE;
+    if (decoder->clipped > 0) return TOUCH_UNREADABLE;
     for (int m = 0; m < TOUCH_MICROPHONES; m++)
         if (is_dead(decoder, m)) return TOUCH_UNREADABLE;
     decoder->loudest *= FADES;
@@ -521,6 +531,7 @@ size_t touch_push(touch_decoder *decoder, const float *samples, size_t count)
     for (size_t taken = 0; taken < count; taken++, samples += TOUCH_MICROPHONES) {
         const int is_whole = decoder->held == TOUCH_FRAME;
         decoder->number++;
+        if (decoder->clipped > 0) decoder->clipped--;
         if (!take(decoder, samples)) {
             forget(decoder, 1);
             continue;

@@ -37,7 +37,7 @@ typedef enum {
 } touch_state;
 
 typedef struct {
-    uint32_t sample;                 /* samples up to the end of the frame, from the start */
+    uint32_t sample;                 /* samples up to the end of the frame, from the start; 0 again after 49 days */
     touch_state state;
     float level;                     /* of the loudest microphone about its mean, Pa rms */
     int point;                       /* the most probable one, from 1; 0 unless a point is touched */
@@ -59,7 +59,7 @@ typedef struct {
     int held;                        /* samples of the frame so far, TOUCH_FRAME once it is whole */
     int last;                        /* point that was touched last, from 0 */
     float loudest, least;            /* levels: what may be left of a touch, and the least of it so far */
-    uint32_t clipped;                /* sample up to which a frame is clipped */
+    int clipped;                     /* samples for which a frame is clipped still */
     int hop, place;                  /* of the newest sample: its hop of those below, and where it lies in that */
     touch_spread whole[TOUCH_MICROPHONES][TOUCH_HOPS]; /* of the samples of each hop, as they came */
     touch_spread tail[TOUCH_MICROPHONES][TOUCH_HOPS];  /* of those that are in the frame still when it is the oldest */
@@ -67,7 +67,7 @@ typedef struct {
     float frame[TOUCH_MICROPHONES][TOUCH_FRAME];      /* behind the high-pass; as it came until it is whole */
     float coming[TOUCH_MICROPHONES][TOUCH_HOP];
     float decimated[TOUCH_MICROPHONES][TOUCH_SAMPLES];
-    float common;                    /* what the point that was scored first leaves empty of the frame */
+    float common;                    /* what a point leaves empty of the frame, and scores are beside */
     float white[TOUCH_NUMBERS];                       /* the frame where its noise is white, of variance 1 */
     float unit;                      /* of the numbers below */
     touch_coordinate turned[TOUCH_NUMBERS];           /* that frame in the directions of a point */
