@@ -111,7 +111,8 @@ def test_a_newcomer_types_every_block_and_looks_at_the_pictures(
 def test_a_newcomer_gets_through_the_first_minutes() -> None:
     """The commands of the page as printed, in a clone of what is committed, and the picture that they draw."""
     words = [sys.executable, str(ROOT / "docs" / "newcomer.py"), "--venv", sys.prefix, "first-minutes"]
-    done = subprocess.run(words, capture_output=True, text=True, timeout=600, check=False)
+    # What the commands print is UTF-8, whatever the locale is.
+    done = subprocess.run(words, capture_output=True, encoding="utf-8", timeout=600, check=False)
     assert done.returncode == 0, done.stderr[-2000:]
     assert done.stdout.rstrip().endswith("first-minutes: done")
 
