@@ -32,8 +32,8 @@ OF_TWO, OF_MORE, OF_KNOWN = 4.0, 100.0, 2.0
 
 Medians on virtual rigs of seeds 9110 to 9112: of two microphones 1.5 to 2.5 (2.8 at 2000 m, which nobody told), by
 libraries of other arrays 4.8 and more, as loud as rigs record them 6.8 and more; of three 0.8 to 4.1 (22 at 2000 m) and
-1600 or more, of four 5 to 32 (52 at 2000 m); calibrated 1.0 to 1.5 (1.9 and more after a change of stiffness of 20 %),
-by libraries of other arrays 2.7 or more."""
+1600 or more, of four 5 to 32 (52 at 2000 m). Calibrated, on two rigs of three designs and by two libraries of other
+arrays only: 1.0 to 1.5 (1.9 and more after a change of stiffness of 20 %), 2.7 or more."""
 LEVELS = tuple(float(level) for level in range(-24, 25, 6))
 """Levels of a microphone that are tried first, dB; further away it is all but dead."""
 STEPS = (3.0, 1.5, 0.75)
@@ -42,7 +42,7 @@ OFF = 5.0
 """Level from which on a microphone is far off, dB: its own tolerance is 1 dB."""
 FALLS = 2.0
 """Factor by which what is left must fall at least, and to what is expected, with the level of one microphone; by
-libraries of other arrays it falls to 6.6 at best (the same seeds)."""
+libraries of other arrays it falls to 6.6 at best (seeds 9100 to 9112)."""
 
 
 @dataclass(frozen=True)
@@ -119,14 +119,16 @@ def sensor_fit(decoder: BayesDecoder, frames: ArrayLike, noise: ArrayLike | None
     Raises:
         Refusal: as :meth:`localize.BayesDecoder.locate`, or noise of another number of microphones.
     """
-    expected = _expected(decoder)
-    if expected is None or len(frames) < FEWEST:  # type: ignore[arg-type]
+    expected, given = _expected(decoder), np.asarray(frames)
+    if expected is None or len(given) < FEWEST:
         return None
-    heard = checked_signals(frames, decoder.microphones)[0].numpy()[:MOST].copy()
+    heard = checked_signals(given, decoder.microphones)[0].numpy()[:MOST].copy()
+    if noise is not None:
+        # Before loud frames are brought to their level: what the sensor leaves is then still seen above the noise.
+        heard /= _louder(decoder, np.asarray(noise, np.float64))
     level = heard.std(2).max(1) / (AT_LEVEL * decoder.noise_rms)
     heard /= np.maximum(level, 1.0)[:, None, None]
-    louder = 1.0 if noise is None else _louder(decoder, np.asarray(noise, np.float64))
-    misfit = _left(decoder, heard) / louder
+    misfit = _left(decoder, heard)
     # Of more microphones one that is off may leave less than sensors of some designs do.
     if misfit <= min(expected, OF_TWO):
         return SensorFit(misfit, expected, decoder.microphones)
@@ -135,7 +137,7 @@ def sensor_fit(decoder: BayesDecoder, frames: ArrayLike, noise: ArrayLike | None
     found = [_level(decoder, loudest, k, unchanged) for k in range(len(decoder.microphones))]
     best = min(range(len(found)), key=lambda k: found[k][1])
     level, left = found[best]
-    off = OFF <= abs(level) <= LEVELS[-1] and left <= min(expected * louder, unchanged / FALLS)
+    off = OFF <= abs(level) <= LEVELS[-1] and left <= min(expected, unchanged / FALLS)
     return SensorFit(misfit, expected, decoder.microphones, (decoder.microphones[best], level) if off else None)
 
 
@@ -149,10 +151,10 @@ def _expected(decoder: BayesDecoder) -> float | None:
 
 
 def _louder(decoder: BayesDecoder, noise: NDArray[np.float64]) -> float:
-    """Power of the noise over that which the decoder was told, at least 1."""
+    """The noise over that which the decoder was told, rms, at least 1."""
     if noise.shape != (len(decoder.microphones),):
         raise Refusal(f"noise has shape {noise.shape}, must be ({len(decoder.microphones)},): one per microphone")
-    return max(1.0, float(np.mean(noise**2)) / decoder.noise_rms**2)
+    return max(1.0, float(np.sqrt(np.mean(noise**2))) / decoder.noise_rms)
 
 
 def _left(decoder: BayesDecoder, frames: NDArray[np.float64]) -> float:

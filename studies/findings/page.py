@@ -100,12 +100,7 @@ def _in_script(content: dict[str, Any]) -> str:
 
 
 def _about(column: Column) -> dict[str, Any]:
-    return {
-        "name": column.name,
-        "title": column.title,
-        "unit": column.unit,
-        "labels": list(column.labels),
-        "better": column.better,
+    return column.words | {
         "caution": column.caution,
         "integral": bool(not column.labels and np.all(column.values == np.round(column.values))),
     }

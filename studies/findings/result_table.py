@@ -46,6 +46,17 @@ class Column:
     """Caution to whoever ranks designs by it alone; empty where there is none."""
 
     @property
+    def words(self) -> dict[str, Any]:
+        """What a page says of the column beside its values: name, title, unit, labels and the better direction."""
+        return {
+            "name": self.name,
+            "title": self.title,
+            "unit": self.unit,
+            "labels": list(self.labels),
+            "better": self.better,
+        }
+
+    @property
     def goodness(self) -> Values:
         """Values with a sign, larger being better; (n,) float64."""
         return -self.values if self.better == "smaller" else self.values

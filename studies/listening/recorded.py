@@ -85,7 +85,7 @@ def locate_recording(
     check_new_file(path, ".jsonl", reads=(model, recording, given.library))
     if given.waveform and path is None:
         raise Refusal("`waveform` goes into the lines of `out`; give that too")
-    from localize import TouchTracker, read_recording, touches_of
+    from localize import DriftDecoder, TouchTracker, read_recording, touches_of
 
     localizer = open_localizer(source, given)
     stream = open_stream(source, localizer, given, frames=True)
@@ -96,6 +96,8 @@ def locate_recording(
         brought, level = fit.off_level
         signals = heard.signals.copy()
         signals[fit.microphones.index(brought)] /= 10 ** (level / 20)
+        if isinstance(localizer, DriftDecoder):
+            localizer.reset()  # what it followed was the level's
         decided = open_stream(source, localizer, given).push(signals)
     tracker = TouchTracker(localizer, stream.delay)
     events = [each for event in decided for each in (event, *tracker.take(event))]
@@ -112,7 +114,7 @@ def _decided(
     stream: TouchStream, localizer: StreamLocator, signals: NDArray[np.float64]
 ) -> tuple[list[Decision | Fault], SensorFit | None]:
     """What a stream says of signals, (n_microphone, n) Pa, and whether they are of the localizer's sensor."""
-    from localize import BayesDecoder, DriftDecoder
+    from localize import BayesDecoder
     from localize.evaluation.goodness_of_fit import LoudFrames, sensor_fit
     from localize.live.events import Decision
 
@@ -123,6 +125,4 @@ def _decided(
         # The samples of all frames take sixteen times the memory of the recording.
         decided += [replace(event, frame=None) if isinstance(event, Decision) else event for event in events]
     fit = sensor_fit(localizer, loud.frames, stream.noise) if isinstance(localizer, BayesDecoder) else None
-    if isinstance(localizer, DriftDecoder):
-        localizer.reset()  # what follows is decided from the first touch on
     return decided, fit

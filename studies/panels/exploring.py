@@ -256,14 +256,7 @@ def study_figures(found: FoundDesigns) -> dict[str, Any]:
 
 
 def _column(column: Column) -> dict[str, Any]:
-    return {
-        "name": column.name,
-        "title": column.title,
-        "unit": column.unit,
-        "labels": list(column.labels),
-        "better": column.better,
-        "values": _numbers(column.values),
-    }
+    return column.words | {"values": _numbers(column.values)}
 
 
 def _effect(parameter: Column, metric: Column) -> dict[str, Any]:
@@ -277,13 +270,4 @@ def _numbers(values: Any) -> list[float]:
 
 def metric_words() -> dict[str, dict[str, str]]:
     """Title, unit, definition, the better direction and the caution of every figure of merit that a study can have."""
-    return {
-        metric.name: {
-            "title": metric.long_name,
-            "unit": metric.unit,
-            "definition": metric.definition,
-            "better": metric.better,
-            "caution": metric.caution,
-        }
-        for metric in METRICS.values()
-    }
+    return {metric.name: metric.words | {"caution": metric.caution} for metric in METRICS.values()}

@@ -83,15 +83,7 @@ def point_figures(design: ArrayDesign) -> dict[str, Any]:
 
 def figure_words() -> dict[str, dict[str, str]]:
     """Title, unit, definition and the better direction of each of :data:`FIGURES`."""
-    return {
-        metric.name: {
-            "title": metric.long_name,
-            "unit": metric.unit,
-            "definition": metric.definition,
-            "better": metric.better,
-        }
-        for metric in metrics_named(FIGURES)
-    }
+    return {metric.name: metric.words for metric in metrics_named(FIGURES)}
 
 
 def mis_made_figures(design: ArrayDesign) -> dict[str, Any]:

@@ -143,7 +143,7 @@ def draw_quality(design: ArrayDesign, quality: DesignQuality, path: str | os.Pat
         _plan(axes, design, quality)
         axes.set(xlabel="x  (mm)", ylabel="y  (mm)", aspect="equal")
         figure.suptitle(
-            f"{design.name}: {100 * quality.named:.1f} % named right on the nominal sensor"
+            f"{design.name}: predicted to be named right {100 * quality.named:.1f} % on the nominal sensor"
             + (f", {100 * quality.mis_made:.1f} % on mis-made ones" if quality.sensors else "")
         )
         figure.legend(loc="outside lower center", ncols=2)

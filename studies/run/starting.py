@@ -115,7 +115,7 @@ def _buildable(name: str, place: Place, points: int, pitch: float, microphones: 
     problem: Refusal | None = None
     for values, arranged in _candidates(name, place, points, pitch, microphones, diameter):
         try:
-            design = _from_base(values, arranged, "fingertip-3x4" if pitch < _SMALL else place.base)
+            design = _from_base(values, arranged, _parts(place, pitch)[0])
             layout = lay_out(design)
             refuse_overlaps(design, layout)
             if notes := schematic_notes(design, layout):
@@ -125,6 +125,12 @@ def _buildable(name: str, place: Place, points: int, pitch: float, microphones: 
         else:
             return design
     raise Refusal(f"{name}: no layout of {points} points {pitch:g} mm apart can be built: {problem}")
+
+
+def _parts(place: Place, pitch: float) -> tuple[str, float]:
+    """Prototype whose parts are taken, and the distance of its neighbours, mm."""
+    taken = PLACES["fingertip"] if pitch < _SMALL else place
+    return taken.base, taken.pitch
 
 
 def _from_base(values: dict[str, Any], layout: dict[str, Any], base: str) -> ArrayDesign:
@@ -144,11 +150,11 @@ def _candidates(
     """Changes of a prototype by field, and the layout, of designs that are tried in turn."""
     from geometry.design.design_file import prototype, value_of
 
-    base = prototype("fingertip-3x4" if pitch < _SMALL else place.base)
+    named, usual = _parts(place, pitch)
+    base = prototype(named)
     own = {field: value_of(base, field) for field in _SCALED}
     outer = base.resonator.outer_diameter
     # the shells keep the share of the pitch that they have in the prototype, and are never larger than there
-    usual = 4.0 if pitch < _SMALL else place.pitch
     fit = max(1.0, pitch / usual) if pitch < _SMALL else min(1.0, pitch / usual)
     names = [chr(ord("A") + k) for k in range(microphones)]
     for size in _SIZES:

@@ -55,6 +55,16 @@ class Metric:
     caution: str = ""
     """Caution to whoever ranks designs by it alone, one sentence; empty where there is none."""
 
+    @property
+    def words(self) -> dict[str, str]:
+        """What a page says of it: title, unit, definition and the better direction."""
+        return {
+            "title": self.long_name,
+            "unit": self.unit,
+            "definition": self.definition,
+            "better": self.better,
+        }
+
     def check_grid(self, frequency: Values) -> None:
         """Refuse a grid that does not cover the band: the value would not be what its definition says.
 
