@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from functools import cache
 
 import numpy as np
+import scipy.linalg
 import scipy.ndimage
 import scipy.sparse
 from numpy.typing import NDArray
@@ -38,8 +39,11 @@ SPEEDS = (25.0, 35.0, 50.0, 70.0, 100.0, 140.0, 200.0)
 """Speeds of a line that are tried, mm/s."""
 UNEVEN = ((0.85, 0.25), (1.0, 0.5), (1.15, 0.25))
 """Steps of a hop over those of the line's speed, and how often they are taken."""
-TURN, CORNER, LIFT, LAND = 1.9, 0.3, 0.16, 1.9
-"""How often, 1/s, a pen turns by one direction to either side, turns to any, is lifted, and is put down."""
+TURN, CORNER, LIFT = 0.75, 0.12, 0.065
+"""How often, in each pitch of its way, a pen turns by one direction to either side, turns to any, and is lifted: what is
+written has its shape at any speed."""
+LAND = 1.9
+"""How often it is put down again, 1/s."""
 FLOOR = -50.0
 """Level to which what was heard before fades at least, dB over the loudest."""
 SCATTER = 8.0
@@ -64,6 +68,10 @@ class _Moves:
     """From cells and directions before to those behind; (n, n), n = DIRECTIONS n_cell, float32."""
     back: scipy.sparse.csr_array
     """Its transpose."""
+    turned: Single
+    """From directions before to those behind; (DIRECTIONS, DIRECTIONS) float32."""
+    lifted: float
+    """Probability that the pen is lifted."""
 
 
 class PenTracker:
@@ -80,7 +88,7 @@ class PenTracker:
         from localize.contacts.contact import surface_of
 
         place, _ = surface_of(response)
-        pitch = pitch_of(response)
+        self._pitch = pitch = pitch_of(response)
         room = np.ptp(place, axis=0)
         self._step = step = max(pitch / CELLS, float(np.sqrt(np.prod(room + pitch / 2) / MOST)))
         self.hop = 16 * round(np.clip(step / 1.1, 1, 4))
@@ -92,13 +100,7 @@ class PenTracker:
         """Middles of the cells; (n_cell, 2) float64, mm."""
         share = shares_at(response, PAD, self.place) ** 2
         self._power = share / share.max()
-        seconds = self.hop / SAMPLE_RATE
-        self._lifted, self._landed = (1 - np.exp(-each * seconds) for each in (LIFT, LAND))
-        turn, corner = 1 - np.exp(-TURN * seconds), 1 - np.exp(-CORNER * seconds)
-        same = np.eye(DIRECTIONS)
-        beside = np.roll(same, 1, 1) + np.roll(same, -1, 1)
-        turned = (1 - 2 * turn - corner) * same + turn * beside + corner / DIRECTIONS
-        self._turned = turned.astype(np.float32)
+        self._landed = float(1 - np.exp(-LAND * self.hop / SAMPLE_RATE))
         self._moves = cache(self._moves_at)
         self._loudness = cache(self._loudness_at)
 
@@ -173,9 +175,12 @@ class PenTracker:
                     values.append(np.full(left.size, weight, np.float32))
         ends, weights = (np.concatenate(behind), np.concatenate(before)), np.concatenate(values)
         shape = (DIRECTIONS * number.size, DIRECTIONS * number.size)
-        return _Moves(
-            scipy.sparse.csr_array((weights, ends), shape), scipy.sparse.csr_array((weights, ends[::-1]), shape)
-        )
+        on, back = (scipy.sparse.csr_array((weights, each), shape) for each in (ends, ends[::-1]))
+        pitches = speed * self.hop / SAMPLE_RATE / self._pitch
+        same = np.eye(DIRECTIONS)
+        rate = TURN * (np.roll(same, 1, 1) + np.roll(same, -1, 1) - 2 * same) + CORNER * (1 / DIRECTIONS - same)
+        turned = scipy.linalg.expm(pitches * rate).astype(np.float32)
+        return _Moves(on, back, turned, float(1 - np.exp(-LIFT * pitches)))
 
     def _forward(self, down: Single, lifted: Array, moves: _Moves) -> tuple[float, Single]:
         """Log-likelihood of a line, and probabilities by the hops so far, (n_hop, DIRECTIONS, n_cell)."""
@@ -186,8 +191,8 @@ class PenTracker:
         up, total = 1.0, float(top.sum())
         for k in range(len(down)):
             landed = up * self._landed / state.size
-            up, drawn = up * (1 - self._landed) + self._lifted * float(state.sum()), self._turned.T @ state
-            state = (moves.on @ drawn.ravel()).reshape(state.shape) * np.float32(1 - self._lifted) + np.float32(landed)
+            up, drawn = up * (1 - self._landed) + moves.lifted * float(state.sum()), moves.turned.T @ state
+            state = (moves.on @ drawn.ravel()).reshape(state.shape) * np.float32(1 - moves.lifted) + np.float32(landed)
             state *= near[k]
             up *= apart[k]
             whole = float(state.sum()) + up
@@ -211,7 +216,7 @@ class PenTracker:
             up *= apart[k]
             landed = float(after.mean())
             came = (moves.back @ after.ravel()).reshape(after.shape)
-            after = self._turned @ came * np.float32(1 - self._lifted) + np.float32(self._lifted * up)
+            after = moves.turned @ came * np.float32(1 - moves.lifted) + np.float32(moves.lifted * up)
             up = (1 - self._landed) * up + self._landed * landed
             most = max(float(after.max()), up)
             after /= np.float32(most)
