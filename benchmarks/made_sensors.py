@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import tempfile
 from collections.abc import Iterable
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 
 import geometry
-from localize.signals.array_response import ArrayResponse, interpolated
-from studies.made_sensor.rig import Rig
+from localize.signals.array_response import ArrayResponse, interpolated, response_of
+from studies.made_sensor.calibrating import calibrate_sensor
+from studies.made_sensor.rig import Recorder, Rig
 
 #: Frequencies, Hz: the rig's sensors are not heard beyond.
 HEARD = np.geomspace(0.5, 160.0, 150)
@@ -33,3 +36,20 @@ def made_sensors(response: ArrayResponse, design: str, seeds: Iterable[int]) -> 
     }
     rigs = (Rig(geometry.prototype(design), seed) for seed in seeds)
     return tuple(replace(response, transfer_function=each.transfer_function(HEARD), **bare) for each in rigs)
+
+
+def calibrated(design: str, seeds: Iterable[int]) -> tuple[ArrayResponse, ...]:
+    """The same sensors as `calibrate` measures them, from a recording of half a minute of every point.
+
+    Args:
+        design: name of the prototype.
+        seeds: one for each sensor.
+    """
+    found = []
+    for seed in seeds:
+        rig = Rig(geometry.prototype(design), seed)
+        with tempfile.TemporaryDirectory() as folder:
+            recordings = Path(folder) / "recordings"
+            rig.record(recordings, range(1, rig.design.point_count + 1), Recorder(seconds=30.0))
+            found.append(response_of(calibrate_sensor(recordings, Path(folder) / "library.nc").library))
+    return tuple(found)

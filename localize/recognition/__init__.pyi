@@ -3,5 +3,11 @@ from .letters import LETTERS as LETTERS, Hand as Hand, written as written
 from .pulse import PulseReader as PulseReader, PulseReading as PulseReading, waves_of as waves_of
 from .recorded_takes import windows_of as windows_of
 from .takes import SUBJECTS as SUBJECTS, TakeMaker as TakeMaker, at_usual_speed as at_usual_speed
-from .textures import PROFILES as PROFILES, SPEED as SPEED, Profile as Profile, texture_pressure as texture_pressure
+from .textures import (
+    PROFILES as PROFILES,
+    SPEED as SPEED,
+    Profile as Profile,
+    texture_force as texture_force,
+    texture_pressure as texture_pressure,
+)
 from .writing import LetterMaker as LetterMaker, LineReader as LineReader, letter_maps as letter_maps

@@ -6,13 +6,18 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import NDArray
 
+from geometry.refusal import Refusal
 from localize.decoders.reconstruct import Reconstructor
 from localize.evaluation.accuracy import Locator
 from localize.recognition.power_maps import WINDOW
 from localize.recognition.recognizer import Recognizer
 from localize.recognition.recorded_takes import (
+    APART,
+    HOP,
+    LETTERS_APART,
     Stretch,
     cut,
     heard_frames,
@@ -25,6 +30,7 @@ from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.frames import FRAME
 from localize.signals.noise import NoiseChoice, NoiseSpectrum
 from localize.signals.stimulus import SAMPLE_RATE
+from localize.tracking.sliding import straight_slide
 
 if TYPE_CHECKING:
     from acoustic_fem import Library
@@ -74,16 +80,24 @@ class Ear:
         Args:
             signals: (n_microphone, n_sample) float64, Pa at 1 kHz.
             point: that is touched, from 0; None to have each named.
-            speed: of what slides, mm/s.
+            speed: of what slides, mm/s; None to have it told from the points that a straight slide passes.
             locator: names points.
+
+        Raises:
+            Refusal: a recognizer of what slides, no speed, and something that is heard is no straight slide.
         """
         if self._recognizer.subject == WRITTEN:
             return self._letters(signals)
         found = []
-        for each in stretches(heard_frames(signals, self._recognizer.microphones, self._rms)):
-            touched = self._named(locator, signals, each) if point is None else point
-            waveform, stretched = stretched_waveform(self._reconstructor, signals, touched, speed)
-            windows = cut(waveform, Stretch(round(each.begin * stretched), round(each.end * stretched)))
+        slides = self._recognizer.at_usual_speed and speed is None
+        frames = heard_frames(signals, self._recognizer.microphones, self._rms)
+        for each in stretches(frames, LETTERS_APART if slides else APART):
+            if slides:
+                touched, windows = self._passing(locator, signals, each)
+            else:
+                touched = self._named(locator, signals, each) if point is None else point
+                waveform, stretched = stretched_waveform(self._reconstructor, signals, touched, speed)
+                windows = cut(waveform, Stretch(round(each.begin * stretched), round(each.end * stretched)))
             if not len(windows):
                 continue
             # windows of one touch overlap, and are hardly independent: their mean is what is told
@@ -103,6 +117,26 @@ class Ear:
             ToldTouch(each.begin / SAMPLE_RATE, each.end / SAMPLE_RATE, reader.begins(signals, each.begin), probability)
             for each, probability in zip(found, told, strict=True)
         )
+
+    def _passing(self, locator: Locator, signals: Array, each: Stretch) -> tuple[int, Array]:
+        """The point in the middle of a slide, and windows (n, 1024) about the times at which points are passed."""
+        begin = max(0, each.begin - FRAME)
+        slide = straight_slide(self._response, locator.locate, signals[:, begin : each.end + FRAME])
+        if slide is None:
+            raise Refusal(
+                f"`speed` must be given: what is heard from {each.begin / SAMPLE_RATE:.2f} to "
+                f"{each.end / SAMPLE_RATE:.2f} s is no straight slide over three points, which would tell it"
+            )
+        found = [np.zeros((0, WINDOW))]
+        for touched, time in zip(slide.point, slide.time, strict=True):
+            waveform, stretched = stretched_waveform(self._reconstructor, signals, int(touched), slide.speed)
+            # A contact that comes down or is lifted is a step.
+            first, last = (round(stretched * edge) for edge in (each.begin + FRAME, each.end - FRAME))
+            middle = round(stretched * (begin + SAMPLE_RATE * time)) - WINDOW // 2
+            starts = np.clip([middle - HOP, middle, middle + HOP], first, max(first, last - WINDOW))
+            windows = sliding_window_view(waveform, WINDOW)[np.unique(starts[starts <= len(waveform) - WINDOW])]
+            found.append(windows[np.isfinite(windows).all(1)])
+        return int(slide.point[len(slide.point) // 2]), np.concatenate(found)
 
     @staticmethod
     def _named(locator: Locator, signals: Array, each: Stretch) -> int:

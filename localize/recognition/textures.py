@@ -94,6 +94,28 @@ def texture_pressure(
     Raises:
         Refusal: a speed that is not between 1 and 100 mm/s.
     """
+    felt, _ = _felt(profile, count, speed, random, blunter)
+    return np.asarray(np.exp(random.uniform(np.log(0.05), np.log(1.0))) * felt)
+
+
+def texture_force(
+    profile: Profile, count: int, speed: float, random: np.random.Generator, blunter: float = 1.0
+) -> Array:
+    """Force of a contact that slides over a profile, over its mean: that of which :func:`texture_pressure` is felt.
+
+    Args and errors as there.
+
+    Returns:
+        (count,) float64, zero or above.
+    """
+    felt, share = _felt(profile, count, speed, random, blunter)
+    return np.maximum(1 + share * felt, 0.0)
+
+
+def _felt(
+    profile: Profile, count: int, speed: float, random: np.random.Generator, blunter: float
+) -> tuple[Array, float]:
+    """What of the force changes, (count,), over the rms of what the ridges do; and that rms over the mean force."""
     if not 1.0 <= speed <= 100.0:
         raise Refusal(f"speed = {speed:g} mm/s must be between 1 and 100 mm/s")
     wander = 1 + 0.01 * band_noise(count, 0.2, 2.0, random)
@@ -101,7 +123,8 @@ def texture_pressure(
     height = felt_height(profile, place, blunter * random.uniform(*RADIUS))
     pressed = INDENTATION * random.uniform(0.85, 1.15) * (1 + 0.05 * band_noise(count, 0.3, 3.0, random))
     force = np.maximum(pressed + height, 0.0) ** 1.5
-    force -= force.mean()
+    mean = float(force.mean())
+    force -= mean
     rms = max(float(force.std()), 1e-9)
     friction = random.uniform(0.05, 0.2) * band_noise(count, 5.0, 100.0, random)
-    return np.asarray(np.exp(random.uniform(np.log(0.05), np.log(1.0))) * (force / rms + friction))
+    return force / rms + friction, rms / mean

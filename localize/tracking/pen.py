@@ -40,8 +40,8 @@ SPEEDS = (25.0, 35.0, 50.0, 70.0, 100.0, 140.0, 200.0)
 UNEVEN = ((0.85, 0.25), (1.0, 0.5), (1.15, 0.25))
 """Steps of a hop over those of the line's speed, and how often they are taken."""
 TURN, CORNER, LIFT = 0.75, 0.12, 0.065
-"""How often, in each pitch of its way, a pen turns by one direction to either side, turns to any, and is lifted: what is
-written has its shape at any speed."""
+"""How often, in each pitch of its way, a pen turns by one direction to either side, turns to any, and is lifted: what
+is written has its shape at any speed."""
 LAND = 1.9
 """How often it is put down again, 1/s."""
 FLOOR = -50.0

@@ -219,7 +219,11 @@ def recognize(
         typer.Option(help="The point that is touched.", show_default="the one that the library's decoder names"),
     ] = None,
     speed: Annotated[
-        float | None, typer.Option(help="Of what slides, mm/s: textures need it.", show_default=False)
+        float | None,
+        typer.Option(
+            help="Of what slides, mm/s: for textures.",
+            show_default="that of a straight slide over three points or more",
+        ),
     ] = None,
     full_scale: Annotated[
         float | None, typer.Option(help="Pa: of WAV files the pressure at full scale.", show_default="1 Pa")

@@ -48,14 +48,15 @@ def recognize_recording(
         recording: see :func:`localize.read_recording`.
         out: a file for a line of JSON for every touch.
         point: that is touched, from 1; by default that which is named.
-        speed: of what slides, mm/s; a recognizer of textures needs it.
+        speed: of what slides, mm/s; by default that of a straight slide over three points at least, as it is heard.
         full_scale: pressure at full scale of WAV files, Pa.
         decoding: noise, sound and air of the place; by default noise is that of the training where something is heard,
             and that of the design's microphone where points are named.
 
     Raises:
         Refusal: a file that cannot be read or written; a library of another array than the recognizer's; a point that
-            the array does not have; a speed that is missing, or of no use.
+            the array does not have; a speed of no use; a point without a speed; no speed, and what is heard is no
+            straight slide.
     """
     path = None if out is None else Path(out)
     check_new_file(path, ".jsonl", reads=(model, library, recording))
@@ -70,8 +71,8 @@ def recognize_recording(
             f"{model}: is of {recognizer.design} with the microphones {', '.join(recognizer.microphones)}, {library} "
             f"of {localizer.design} with {', '.join(localizer.microphones)}; they must be of one array"
         )
-    if recognizer.at_usual_speed and speed is None:
-        raise Refusal(f"`speed` must be given: {model} tells what slides")
+    if recognizer.at_usual_speed and speed is None and point is not None:
+        raise Refusal("`speed` must be given where `point` is: else it is told by the points that a slide passes")
     if speed is not None and not recognizer.at_usual_speed:
         raise Refusal(f"speed = {speed:g} is of no use: {model} was trained without speeds")
     if point is not None and not 1 <= point <= len(localizer.line):
