@@ -89,7 +89,7 @@ def draw_letters() -> list[Path]:
     library = acoustic_fem.solve(geometry.prototype("large-area-64"), np.arange(0.5, 501.0, 1.5), "lumped")
     array = response_of(library)
     reader, recorder = LineReader(array, "design"), ContactRecorder(array, microphone_noise="design")
-    with figure_in_style((WIDTH, 3.2)) as figure:
+    with figure_in_style((WIDTH, 2.0)) as figure:
         for number, (axes, letter) in enumerate(zip(figure.subplots(2, 13).flat, LETTERS, strict=True)):
             contact = written(letter, array, Hand(), 3, sample=number)
             line = reader.line(recorder.take(contact, number).signals)
