@@ -5,11 +5,11 @@
 For each design (by default array-2x6 and line-2) a studio is started in a process of its own. ``first curves`` and
 ``first 3-D`` run from when the page is asked for; ``slider`` from an input event of the slider of ``tube.length`` to
 the frame in which the curves of that change are painted. ``confusion`` and ``new 3-D`` run from a change of the length
-to when its figures and its model are shown, all panels in sight; ``pictures`` are those drawn a second while a
-simulated touch is played. ``bytes`` is what the server sends for one change of the slider with the curves alone in
-sight. Memory is that of the server's process, after a tenth of the changes and after
-all. Needs the extras ``studio`` and ``dev`` and the system's Chromium. Figures are of the machine at hand: close other
-programs.
+to when its figures and its model are shown, all panels in sight; ``pictures`` are those drawn a second while six
+simulated taps are replayed from a WAV file, and ``tap to picture`` runs from where a tap begins in it to when a picture
+with a membrane lit has been shown. ``bytes`` is what the server sends for one change of the slider with the curves
+alone in sight. Memory is that of the server's process, after a tenth of the changes and after all. Needs the extras
+``studio`` and ``dev`` and the system's Chromium. Figures are of the machine at hand: close other programs.
 """
 
 from __future__ import annotations
@@ -24,10 +24,12 @@ import subprocess
 import sys
 import time
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 import numpy as np
 
+FULL_SCALE = 500.0  # Pa, of the taps that are replayed
 TOKEN = "theBenchmarksOwnToken"
 ARGUMENTS = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"]
 DRAG = """async (count) => {
@@ -89,7 +91,7 @@ def measure(design: str, changes: int) -> None:
         print(f"\n{design}, load {os.getloadavg()[0]:.1f}")
         print(f"  first curves {wait(page, 'painted') - begin:.2f} s (at most 3)")
         print(f"  first 3-D {wait(page, 'shown_model') - begin:.2f} s (at most 15)")
-        again(page)
+        again(page, design)
         page.set_viewport_size({"width": 1440, "height": 420})  # the curves alone are in sight
         page.wait_for_timeout(1500)
         page.evaluate(DRAG, 20)
@@ -105,8 +107,8 @@ def measure(design: str, changes: int) -> None:
         server.terminate()
 
 
-def again(page: Any, changes: int = 3) -> None:
-    """Figures and models of changed designs, the worst of some, and the pictures of a touch."""
+def again(page: Any, design: str, changes: int = 3) -> None:
+    """Figures and models of changed designs, the worst of some, and the pictures of taps."""
     worst = dict.fromkeys(("points", "model"), 0.0)
     page.set_viewport_size({"width": 1440, "height": 1500})  # curves, array and points are in sight
     wait(page, "shown_points")
@@ -125,14 +127,38 @@ def again(page: Any, changes: int = 3) -> None:
     print(f"  confusion {worst['points']:.2f} s (at most 0.5), new 3-D {worst['model']:.2f} s (at most 3)")
     page.set_viewport_size({"width": 1440, "height": 900})
     page.locator("#touch-title").scroll_into_view_if_needed()
-    for _ in range(2):  # the first one imports the decoder
-        page.evaluate("delete document.getElementById('answer').dataset.pictures")
-        while page.locator("#touch-points button").count() == 0:
-            time.sleep(0.05)
-        page.locator("#touch-points button").first.click()
-        while (pictures := page.locator("#answer").get_attribute("data-pictures")) is None:
-            time.sleep(0.05)
-    print(f"  pictures a second of a touch: {pictures} (at least 30)")
+    while page.locator("#touch-points button").count() == 0:
+        time.sleep(0.05)
+    with TemporaryDirectory() as folder:
+        path = Path(folder) / "taps.wav"
+        begins = write_taps(design, path)
+        page.fill("#full-scale", f"{FULL_SCALE:g}")
+        for _ in range(2):  # the first one imports the decoder
+            page.evaluate("delete document.getElementById('answer').dataset.pictures")
+            page.set_input_files("#replay", path)
+            while (pictures := page.locator("#answer").get_attribute("data-pictures")) is None:
+                if said := page.locator("[data-problem='touch']").inner_text():
+                    raise SystemExit(said)
+                time.sleep(0.05)
+    lit = np.array([float(each) for each in str(page.locator("#answer").get_attribute("data-lit")).split(",")])
+    after = [1000 * float(lit[lit > begin][0] - begin) for begin in begins if np.any(lit > begin)]
+    told = f"ms: p50 {np.median(after):.0f}, most {max(after):.0f} (at most 100), {len(after)} of {len(begins)} lit"
+    print(f"  pictures a second: {pictures} (at least 30); tap to picture, {told}")
+
+
+def write_taps(design: str, path: Path, count: int = 7) -> list[float]:
+    """Taps one after the other, written for :data:`FULL_SCALE`; when they begin, without the first, s."""
+    from acoustic_fem.sound.sound_file import write_wav
+    from geometry import prototype
+    from localize.contacts.bodies import QUIET
+    from studies.panels.touching import touched
+
+    array = prototype(design)
+    takes = [touched(array, 1 + 2 * sample % array.point_count, "tap", sample) for sample in range(1, count + 1)]
+    signals = [np.frombuffer(each["signals"], "<f4").reshape(len(each["microphones"]), -1) for each in takes]
+    write_wav(path, np.concatenate(signals, axis=1) / FULL_SCALE, 1000, bits=32)
+    begins = np.cumsum([each.shape[1] for each in signals[:-1]]) / 1000 + QUIET[0]
+    return [float(begin) for begin in begins]
 
 
 def wait(page: Any, name: str) -> float:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import gc
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
@@ -45,7 +46,9 @@ class Workplace:
             for name in ("curves", "points", "mis_made", "cad", "export", "live", "study", "touch")
         }
         self.workshop = Workshop(_warm_up)
-        self._listening = Workshop(_import_decoder, "the process that listens")
+        self._listening = Workshop(_import_decoder, "the process that listens", aside=False)
+        # Seconds of Python: in a thread they would stand in the way of every curve.
+        self._predicting = Workshop(_import_decoder, "the process that predicts mis-made sensors")
         self._libraries: Kept[Library] = Kept(MOST_KEPT)
         self._results: Kept[dict[str, Any]] = Kept(MOST_KEPT)
         self._models: Kept[dict[str, Any]] = Kept(MOST_MODELS)
@@ -60,7 +63,7 @@ class Workplace:
     def _warm_up_threads(self, design: ArrayDesign) -> None:
         self.library(design)
         # The decoder's imports take seconds: after the first curves, not in their way.
-        self._threads["points"].submit(_import_decoder)
+        self._threads["points"].submit(_settle)
 
     def library(self, design: ArrayDesign) -> Library:
         """The lumped library of a design at the frequencies of the curves."""
@@ -98,7 +101,9 @@ class Workplace:
                 self._threads["touch"].submit(self._listening.start)  # the first touch is not far
                 found = await self.in_thread("points", lambda: surface(job.design))
             elif stage == "mis_made":
-                found = await self.in_thread("mis_made", lambda: mis_made_figures(job.design))
+                found = await self.in_thread(
+                    "mis_made", lambda: self._predicting.run(mis_made_figures, (job.design,), task=job)
+                )
             elif stage == "model":
                 found = await self.in_thread("cad", lambda: self.workshop.run(model_of_array, (job.design,), task=job))
             else:
@@ -188,6 +193,7 @@ class Workplace:
     def stop(self, task: object) -> None:
         """Say that nobody waits for a task any more."""
         self.workshop.stop(task)
+        self._predicting.stop(task)
 
     def stop_apart(self, name: str, task: object) -> None:
         """Say that a file ("export") or a study ("study") is not wanted any more."""
@@ -199,6 +205,7 @@ class Workplace:
         """End threads and processes, and remove what was written."""
         self.workshop.close()
         self._listening.close()
+        self._predicting.close()
         for workshop in list(self._apart.values()):
             workshop.close()
         for threads in self._threads.values():
@@ -225,6 +232,11 @@ def _import_decoder() -> None:
     import localize.signals.stimulus
 
     del localize
+
+
+def _settle() -> None:
+    _import_decoder()
+    gc.freeze()  # a quarter of a million objects that stay: looked through again, they would hold up a curve
 
 
 def _warm_up() -> None:

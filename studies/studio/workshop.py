@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import multiprocessing
+import os
 import signal
 import threading
 from collections.abc import Callable, Sequence
@@ -14,6 +15,8 @@ from geometry.refusal import Refusal
 
 #: Seconds that a process gets to end when it is told to.
 _PATIENCE = 2.0
+#: By how much a process that works aside is nicer than the server.
+_ASIDE = 10
 
 
 class Stopped(Refusal):
@@ -30,10 +33,13 @@ class Workshop:
     Args:
         warm_up: called in the process when it is started, such as for imports.
         name: of it, for messages.
+        aside: the process has what processor time others leave: who drags a slider does not wait for it.
     """
 
-    def __init__(self, warm_up: Callable[[], None] | None = None, name: str = "the CAD process") -> None:
-        self._warm_up, self._name = warm_up, name
+    def __init__(
+        self, warm_up: Callable[[], None] | None = None, name: str = "the CAD process", aside: bool = True
+    ) -> None:
+        self._warm_up, self._name, self._aside = warm_up, name, aside
         self._turn = threading.Lock()  # one task at a time
         self._change = threading.Lock()  # of what follows
         self._process: multiprocessing.process.BaseProcess | None = None
@@ -48,7 +54,7 @@ class Workshop:
                 return
             context = multiprocessing.get_context("spawn")
             self._connection, theirs = context.Pipe()
-            self._process = context.Process(target=_work, args=(theirs, self._warm_up), name=self._name)
+            self._process = context.Process(target=_work, args=(theirs, self._warm_up, self._aside), name=self._name)
             self._process.start()
             theirs.close()
 
@@ -143,12 +149,14 @@ def _end(number: int, frame: object) -> None:
     raise SystemExit(0)
 
 
-def _work(connection: Connection, warm_up: Callable[[], None] | None) -> None:
+def _work(connection: Connection, warm_up: Callable[[], None] | None, aside: bool) -> None:
     """Work off tasks until whoever gives them is gone."""
     import traceback
 
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the server decides
     signal.signal(signal.SIGTERM, _end)
+    if aside and hasattr(os, "nice"):  # Windows has none
+        os.nice(_ASIDE)
     if warm_up is not None:
         warm_up()
 

@@ -13,12 +13,14 @@ export function axisOf(values: number[], title: string, unit = "", labels: strin
 }
 
 export function sized(canvas: HTMLCanvasElement, width: number, height: number): void {
-  const scale = devicePixelRatio;
-  canvas.width = Math.round(width * scale);
-  canvas.height = Math.round(height * scale);
-  canvas.style.width = `${width}px`;
-  canvas.style.height = `${height}px`;
-  canvas.getContext("2d")!.clearRect(0, 0, canvas.width, canvas.height);
+  const scale = devicePixelRatio, wide = Math.round(width * scale), tall = Math.round(height * scale);
+  if (canvas.width !== wide || canvas.height !== tall || !canvas.style.width) { // what has its size keeps its place in the page
+    canvas.width = wide;
+    canvas.height = tall;
+    canvas.style.width = `${width}px`;
+    canvas.style.height = `${height}px`;
+  }
+  canvas.getContext("2d")!.reset();
 }
 
 const LEFT = 58, RIGHT = 10, TOP = 8;

@@ -44,9 +44,16 @@ export function csv(rows: (string | number)[][], name: string): void {
   hand(new Blob([rows.map((row) => row.map(quoted).join(",")).join("\n") + "\n"], { type: "text/csv" }), name);
 }
 
+const colours = new Map<string, string>();
+
 export function colour(name: string): string {
-  return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+  let found = colours.get(name);
+  if (found === undefined) colours.set(name, found = getComputedStyle(document.documentElement).getPropertyValue(name).trim());
+  return found;
 }
+
+/** Another theme has others. */
+export function forgetColours(): void { colours.clear(); }
 
 const RAMP = [[68, 1, 84], [65, 68, 135], [42, 120, 142], [34, 168, 132], [122, 209, 81], [253, 231, 37]];
 

@@ -6,7 +6,7 @@ import { CheckPanel } from "./check";
 import { ComparePanel } from "./compare";
 import { CurvesPanel, unpack } from "./curves";
 import { tablePicture } from "./chart";
-import { button, byId, csv, make } from "./dom";
+import { button, byId, csv, forgetColours, make } from "./dom";
 import { Form } from "./form";
 import { addressOf, designInAddress, forget, keep, keptInTab, keptUnsaved } from "./kept";
 import { PointsPanel, type Word } from "./points";
@@ -268,6 +268,7 @@ function offer(before: any): void {
 
 function theme(choice: string): void {
   document.documentElement.dataset.theme = choice;
+  forgetColours();
   byId("theme").setAttribute("aria-pressed", String(choice === "dark"));
   curves.restyle();
   array.restyle();

@@ -5,12 +5,18 @@ import { button, byId, colour, words } from "./dom";
 export interface Heard {
   stage: "touch"; revision: number; touched: number | null; kind: string; microphones: string[]; samples: number;
   decisions: [number, string, number | null, number | null][]; touches: [number, number, number, number, number][];
-  values: Float32Array; paths?: { places: number[][]; gesture: string; length: number }[];
+  values: Float32Array; most?: number; paths?: { places: number[][]; gesture: string; length: number }[];
 }
 /** An event of live listening: a decision with the samples since the one before, a fault or a notice. */
 export interface LiveEvent { time: number; state?: string; point?: number; probability?: number; samples?: number[][]; microphones?: string[]; fault?: string; text?: string; latency?: number; }
 /** Signals that are shown at once, ms; moles of a game. */
 const SHOWN = 1000, MOLES = 10;
+
+function loudest(signals: ArrayLike<number>[]): number {
+  let most = 1e-9;
+  for (const own of signals) for (let k = 0; k < own.length; k++) most = Math.max(most, Math.abs(own[k]));
+  return most;
+}
 
 export class TouchPanel {
   private points: number[][] = [];
@@ -18,11 +24,13 @@ export class TouchPanel {
   private begun = 0;
   private now = -1;
   private named: number | null = null;
-  private certain = 0;
   private queue: Heard[] = [];
   private mole: number | null = null;
   private score = { hit: 0, left: 0, begun: 0 };
   private pictures = 0;
+  private newly = false;
+  private lightings: string[] = [];
+  private planned = "";
   private shown: Heard | null = null;
   private from: number[] | null = null;
   private dragged: number[] | null = null;
@@ -43,6 +51,7 @@ export class TouchPanel {
 
   take(found: { points: number[][] }): void {
     this.points = found.points;
+    this.planned = "";
     byId("touch-points").replaceChildren(...found.points.map((_, k) => button(String(k + 1), () => this.press(k + 1), { "aria-label": `touch point ${k + 1}` })));
     this.draw();
   }
@@ -72,8 +81,7 @@ export class TouchPanel {
     if (event.samples) {
       this.live ??= { names: event.microphones!, samples: event.microphones!.map(() => []) };
       event.samples.forEach((each, m) => { this.live!.samples[m] = [...this.live!.samples[m], ...each].slice(-SHOWN); });
-      this.named = event.state === "touch" ? event.point! : null;
-      this.lit(this.named);
+      this.name(event.state === "touch" ? event.point! : null);
       byId("answer").textContent = this.named ? `point ${this.named} (${words(100 * event.probability!, 2)} %)` : event.state!;
     } else if (event.fault || event.text) byId("answer").textContent = event.text ?? event.fault!;
     if (this.asked) return;
@@ -81,7 +89,15 @@ export class TouchPanel {
     requestAnimationFrame(() => { this.asked = false; this.draw(); });
   }
 
-  endLive(): void { this.live = null; this.named = null; this.lit(null); this.draw(); }
+  /** Another membrane is named, or none; whether it is news. */
+  private name(point: number | null): boolean {
+    if (point === this.named) return false;
+    this.named = point;
+    this.lit(point);
+    return true;
+  }
+
+  endLive(): void { this.live = null; this.name(null); this.draw(); }
 
   /** What was heard, played in real time, one after the other. */
   hear(heard: Heard): void {
@@ -96,6 +112,7 @@ export class TouchPanel {
     if (!this.heard) return;
     this.begun = performance.now();
     this.pictures = 0;
+    this.lightings = [];
     requestAnimationFrame(() => this.frame());
   }
 
@@ -108,11 +125,8 @@ export class TouchPanel {
     let last: Heard["decisions"][0] | null = null;
     for (const each of heard.decisions) if (each[0] <= this.now) last = each; else break;
     const named = last && last[1] === "touch" ? last[2] : null;
-    if (named !== this.named) {
-      this.named = named;
-      this.lit(named);
-    }
-    this.certain = last?.[3] ?? 0;
+    if (this.newly) this.lightings.push(words(this.now, 5)); // the picture before this one showed it
+    this.newly = this.name(named) && named !== null;
     this.draw();
     if (this.now < end) requestAnimationFrame(() => this.frame());
     else this.finish(heard, (performance.now() - this.begun) / 1000);
@@ -125,13 +139,12 @@ export class TouchPanel {
     const paths = (heard.paths ?? []).filter((each) => each.length > 0).map((each) => `${each.gesture}, ${words(each.length, 3)} mm`);
     byId("answer").textContent = begin + (told.length ? told.join(", ") : "no touch was heard") + (paths.length ? `; path: ${paths.join("; ")}` : "");
     byId("answer").dataset.pictures = String(Math.round(this.pictures / seconds));
+    byId("answer").dataset.lit = this.lightings.join(",");
     byId("answer").dataset.named = heard.touches.map((each) => each[2]).join(",");
     if (this.mole !== null && heard.touched !== null) this.whacked(heard.touches.some((each) => each[2] === this.mole));
     // What was named last stays lit until the next touch.
     const last = heard.touches.at(-1);
-    this.named = last ? last[2] : null;
-    this.certain = last ? last[3] : 0;
-    this.lit(this.named);
+    this.name(last ? last[2] : null);
     this.heard = null;
     this.shown = heard;
     this.draw();
@@ -183,6 +196,10 @@ export class TouchPanel {
     const canvas = byId<HTMLCanvasElement>("plan"), width = canvas.parentElement!.clientWidth;
     if (!this.points.length || width === 0) return;
     const xs = this.points.map((p) => p[0]), ys = this.points.map((p) => p[1]);
+    const heard = this.live ? null : this.heard ?? this.shown;
+    const shown = [width, devicePixelRatio, document.documentElement.dataset.theme, this.named, this.mole, this.heard?.touched, heard?.paths && this.now].join();
+    if (shown === this.planned) return;
+    this.planned = shown;
     const shape = (Math.max(...ys) - Math.min(...ys) + 12) / (Math.max(...xs) - Math.min(...xs) + 12);
     const tall = Math.round(Math.min(Math.max(width * shape, 110), 380));
     sized(canvas, width, tall);
@@ -213,12 +230,12 @@ export class TouchPanel {
   }
 
   /** What the waves are drawn of: live samples, else those of what was heard. */
-  private waveforms(): { names: string[]; of: (m: number) => ArrayLike<number>; until: number } | null {
-    if (this.live) return { names: this.live.names, of: (m) => this.live!.samples[m], until: this.live.samples[0].length };
+  private waveforms(): { names: string[]; of: (m: number) => ArrayLike<number>; until: number; most: number } | null {
+    if (this.live) return { names: this.live.names, of: (m) => this.live!.samples[m], until: this.live.samples[0].length, most: loudest(this.live.samples) };
     const heard = this.heard ?? this.shown;
     if (!heard) return null;
     const of = (m: number) => heard.values.subarray(m * heard.samples, (m + 1) * heard.samples);
-    return { names: heard.microphones, of, until: this.heard ? Math.floor(this.now * 1000) : heard.samples };
+    return { names: heard.microphones, of, until: this.heard ? Math.floor(this.now * 1000) : heard.samples, most: heard.most ??= loudest([heard.values]) };
   }
 
   /** Paths as far as they have come, with how sure they are. */
@@ -246,11 +263,9 @@ export class TouchPanel {
     const canvas = byId<HTMLCanvasElement>("waves"), found = this.waveforms();
     const width = canvas.parentElement!.clientWidth;
     if (!found || width === 0) return;
-    const { names, of, until } = found, count = names.length, row = 64;
+    const { names, of, until, most } = found, count = names.length, row = 64;
     sized(canvas, width, row * count);
     const c = canvas.getContext("2d")!;
-    let most = 1e-9;
-    for (let m = 0; m < count; m++) { const own = of(m); for (let k = 0; k < own.length; k++) most = Math.max(most, Math.abs(own[k])); }
     const from = Math.max(0, until - SHOWN), step = canvas.width / SHOWN, high = row * devicePixelRatio;
     c.font = `${12 * devicePixelRatio}px system-ui`;
     names.forEach((name, m) => {
