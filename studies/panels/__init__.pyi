@@ -25,6 +25,7 @@ from .form import (
 from .live import hear_live as hear_live, sound_cards as sound_cards
 from .making import check_figures as check_figures, model_of_array as model_of_array, read_upload as read_upload
 from .points import figure_words as figure_words, mis_made_figures as mis_made_figures, point_figures as point_figures
+from .recognizing import keep_recognizer as keep_recognizer, recognized as recognized, wrote as wrote
 from .touching import (
     TOUCHES as TOUCHES,
     replayed as replayed,

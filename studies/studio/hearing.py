@@ -31,16 +31,20 @@ class Hearing:
         self._count = 0
         self._tasks: set[asyncio.Task[None]] = set()
         self._live: Job | None = None
+        #: Folder of the recognizer that tells kinds of touches and letters, where one was handed in.
+        self.recognizer: str | None = None
 
     async def touch(self, design: ArrayDesign, revision: int, message: Mapping[str, Any]) -> None:
-        """Touch a point, or slide from one place to another; the page is told what was heard.
+        """Touch a point, slide from one place to another, or write a letter; the page is told what was heard.
 
         Raises:
-            MessageError: neither.
+            MessageError: none of these.
         """
         kind = text_of(message, "kind")
         if kind == "slide":
             what: tuple[Any, ...] = (place_of(message, "start"), place_of(message, "end"))
+        elif kind == "letter":
+            what = (text_of(message, "letter"),)
         else:
             point = message.get("point")
             if not isinstance(point, int) or isinstance(point, bool):
@@ -83,9 +87,9 @@ class Hearing:
         task.add_done_callback(self._tasks.discard)
 
     async def _touched(self, job: Job, kind: str) -> None:
-        found = await outcome(job, self._workplace.touch(job.design, kind, job.options), self._say)
+        found = await outcome(job, self._workplace.touch(job.design, kind, job.options, self.recognizer), self._say)
         if found is not None:
-            point = None if kind == "slide" else job.options[0]
+            point = None if kind in ("slide", "letter") else job.options[0]
             header = {"stage": "touch", "revision": job.revision, "touched": point, "kind": kind}
             await self._send_bytes(packed_signals(header, found))
 

@@ -27,8 +27,8 @@ from studies.studio.messages import MessageError, packed_signals
 from studies.studio.sessions import Sessions
 from studies.studio.workplace import Workplace
 
-#: Largest design file and recording that are taken, and largest message of a page, bytes.
-MOST_UPLOAD, MOST_RECORDING, MOST_MESSAGE = 256 * 1024, 32 * 1024**2, 1024**2
+#: Largest design file, recording and recognizer that are taken, and largest message of a page, bytes.
+MOST_UPLOAD, MOST_RECORDING, MOST_RECOGNIZER, MOST_MESSAGE = 256 * 1024, 32 * 1024**2, 16 * 1024**2, 1024**2
 #: Files of the page by their addresses, with what they are.
 _PAGE = {
     "/": ("index.html", "text/html; charset=utf-8"),
@@ -91,10 +91,24 @@ def studio_app(design: ArrayDesign, guard: Guard, workplace: Workplace) -> ASGIA
             return _refused(f"full_scale = {scale[:40]!r} must be a number of pascals", 400)
         revision = found.state.revision
         try:
-            heard = await workplace.replay(found.state.design, content, name, full_scale)
+            heard = await workplace.replay(found.state.design, (content, name, full_scale), found.hearing.recognizer)
         except Refusal as error:
             return _refused(str(error), 400)
         return Response(packed_signals({"stage": "touch", "revision": revision, "touched": None, "kind": name}, heard))
+
+    async def recognizer(request: Request) -> Response:
+        found = sessions.find(request.query_params.get("session"))
+        if found is None:
+            return _refused("there is no such session", 404)
+        content = await _body(request, MOST_RECOGNIZER)
+        if content is None:
+            return _refused(f"the recognizer must be at most {MOST_RECOGNIZER // 1024**2} MB", 413)
+        try:
+            said = await workplace.recognizer(content)
+        except Refusal as error:
+            return _refused(str(error), 400)
+        found.hearing.recognizer = said.pop("folder")
+        return JSONResponse(said)
 
     async def session(socket: WebSocket) -> None:
         await _hold(socket, sessions)
@@ -107,6 +121,7 @@ def studio_app(design: ArrayDesign, guard: Guard, workplace: Workplace) -> ASGIA
             Route("/files/{session}/{key}", file, methods=["GET"]),
             Route("/designs", upload, methods=["POST"]),
             Route("/recordings", recording, methods=["POST"]),
+            Route("/recognizers", recognizer, methods=["POST"]),
             WebSocketRoute("/session", session),
         ]
     )

@@ -50,7 +50,7 @@ class Session:
         self._send: Send | None = None
         self._exporting: asyncio.Task[None] | None = None
         self._export_job: Job | None = None
-        self._hearing = Hearing(workplace, self._say)
+        self.hearing = Hearing(workplace, self._say)
         self._told: tuple[dict[str, Any], frozenset[str]] = ({}, frozenset())
         self._stages = {"curves": Stage(self._curves), "pinned": Stage(self._curves)} | {
             name: Stage(self._figures, workplace.stop, pause)
@@ -84,7 +84,7 @@ class Session:
         """The page is gone; its design stays."""
         if self._send == send:
             self._send = None
-            self._hearing.stop()
+            self.hearing.stop()
             for stage in self._stages.values():
                 stage.cancel()
 
@@ -222,7 +222,7 @@ class Session:
         elif name == "study":
             self.exploration.stop()
         elif name == "live":
-            self._hearing.stop()
+            self.hearing.stop()
         elif name in STAGES:
             self._stages[name].cancel()
 
@@ -249,13 +249,13 @@ class Session:
 
     # -- touches ------------------------------------------------------------------------------------
     async def _touch(self, message: Mapping[str, Any]) -> None:
-        await self._hearing.touch(self.state.design, self.state.revision, message)
+        await self.hearing.touch(self.state.design, self.state.revision, message)
 
     async def _listen(self, message: Mapping[str, Any]) -> None:
-        await self._hearing.listen(self.state.design, self.state.revision, message)
+        await self.hearing.listen(self.state.design, self.state.revision, message)
 
     async def _cards(self, message: Mapping[str, Any]) -> None:
-        await self._hearing.cards(self.state.design, self.state.revision)
+        await self.hearing.cards(self.state.design, self.state.revision)
 
     # -- studies ------------------------------------------------------------------------------------
     async def _study(self, message: Mapping[str, Any]) -> None:

@@ -19,6 +19,7 @@ from studies.panels.export_files import make_export
 from studies.panels.live import hear_live, sound_cards
 from studies.panels.making import check_figures, model_of_array, read_upload
 from studies.panels.points import mis_made_figures, point_figures
+from studies.panels.recognizing import keep_recognizer, recognized, wrote
 from studies.panels.touching import replayed, slid, surface, touched
 from studies.studio.kept import Kept
 from studies.studio.workshop import Stopped, Workshop
@@ -122,16 +123,30 @@ class Workplace:
         """What a design file states that somebody handed in."""
         return await self.in_thread("cad", lambda: self.workshop.run(read_upload, (text, name)))
 
-    async def touch(self, design: ArrayDesign, kind: str, options: tuple[Any, ...]) -> dict[str, Any]:
-        """A simulated touch, or a slide, and what the decoder makes of it.
+    async def touch(
+        self, design: ArrayDesign, kind: str, options: tuple[Any, ...], recognizer: str | None
+    ) -> dict[str, Any]:
+        """A simulated touch, a slide or a letter, and what the decoder makes of it.
 
         Args:
             design: the array.
             kind: of touch.
-            options: of :func:`studies.panels.slid` or :func:`studies.panels.touched`, behind the design.
+            options: of :func:`studies.panels.slid`, :func:`studies.panels.wrote` or :func:`studies.panels.touched`,
+                behind the design.
+            recognizer: the folder of one that tells kinds; None for none.
         """
-        work = slid if kind == "slide" else touched
-        return await self.in_thread("touch", lambda: self._listening.run(work, (design, *options)))
+        work = {"slide": slid, "letter": wrote}.get(kind, touched)
+        return await self._heard(work, design, options, recognizer)
+
+    async def _heard(
+        self, work: Callable[..., dict[str, Any]], design: ArrayDesign, options: tuple[Any, ...], model: str | None
+    ) -> dict[str, Any]:
+        return await self.in_thread("touch", lambda: self._listening.run(recognized, (work, design, options, model)))
+
+    async def recognizer(self, content: bytes) -> dict[str, Any]:
+        """A recognizer that somebody handed in, kept in a folder of its own."""
+        folder = mkdtemp(dir=self._folder.name)
+        return await self.in_thread("touch", lambda: self._listening.run(keep_recognizer, (content, folder)))
 
     async def sound_cards(self) -> list[dict[str, Any]]:
         """Sound cards of this machine."""
@@ -149,9 +164,11 @@ class Workplace:
             raise Refusal("another page is listening to a sound card: stop it first")
         return await self.in_thread("live", work)
 
-    async def replay(self, design: ArrayDesign, content: bytes, name: str, full_scale: float) -> dict[str, Any]:
-        """A recording that somebody handed in, and what the decoder makes of it."""
-        return await self.in_thread("touch", lambda: self._listening.run(replayed, (design, content, name, full_scale)))
+    async def replay(
+        self, design: ArrayDesign, options: tuple[bytes, str, float], recognizer: str | None
+    ) -> dict[str, Any]:
+        """A recording that somebody handed in, and what the decoder makes of it; as :func:`studies.panels.replayed`."""
+        return await self._heard(replayed, design, options, recognizer)
 
     async def export(
         self, design: ArrayDesign, name: str, fidelity: Fidelity, tell: Callable[[str], None], task: object

@@ -119,9 +119,9 @@ def give(page: Any, name: str, value: str) -> None:
     field(page, name).press("Enter")
 
 
-def downloaded(page: Any, act: Callable[[], None], folder: Path) -> Path:
+def downloaded(page: Any, act: Callable[[], None], folder: Path, seconds: float = 120.0) -> Path:
     """The file that the page hands out when something is done."""
-    with page.expect_download(timeout=120_000) as download:
+    with page.expect_download(timeout=1000 * seconds) as download:
         act()
     path = folder / str(download.value.suggested_filename)
     download.value.save_as(path)

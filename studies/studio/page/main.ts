@@ -293,6 +293,21 @@ async function replay(file: File): Promise<void> {
   else problem.textContent = (await answer.json()).message;
 }
 
+/** A recognizer is a folder: its files are handed in together. */
+async function recognizer(files: File[]): Promise<void> {
+  const packed: Record<string, string> = {}, problem = document.querySelector("[data-problem='touch']")!;
+  for (const file of files) {
+    const bytes = new Uint8Array(await file.arrayBuffer());
+    let text = "";
+    for (let k = 0; k < bytes.length; k += 32768) text += String.fromCharCode(...bytes.subarray(k, k + 32768));
+    packed[file.name] = btoa(text);
+  }
+  const answer = await fetch(`/recognizers?${new URLSearchParams({ session: session ?? "" })}`, { method: "POST", body: JSON.stringify(packed) });
+  const found = await answer.json();
+  problem.textContent = answer.ok ? "" : found.message;
+  if (answer.ok) byId("answer").textContent = `A recognizer of ${found.subject} on ${found.design} tells: ${found.labels.join(", ")}.`;
+}
+
 function save(): void { ask("design.toml"); }
 
 function ask(file: string): void {
@@ -400,6 +415,11 @@ byId("sound").addEventListener("click", () => touch.sound());
 byId<HTMLInputElement>("replay").addEventListener("change", (event) => {
   const file = (event.target as HTMLInputElement).files?.[0];
   if (file) replay(file);
+  (event.target as HTMLInputElement).value = "";
+});
+byId<HTMLInputElement>("recognizer").addEventListener("change", (event) => {
+  const files = [...((event.target as HTMLInputElement).files ?? [])];
+  if (files.length) recognizer(files);
   (event.target as HTMLInputElement).value = "";
 });
 byId("array-png").addEventListener("click", () => array.picture(name));

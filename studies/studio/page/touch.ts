@@ -6,6 +6,7 @@ export interface Heard {
   stage: "touch"; revision: number; touched: number | null; kind: string; microphones: string[]; samples: number;
   decisions: [number, string, number | null, number | null][]; touches: [number, number, number, number, number][];
   values: Float32Array; most?: number; paths?: { places: number[][]; gesture: string; length: number }[];
+  line?: number[][]; kinds?: [number, number, number, string, number][];
 }
 /** An event of live listening: a decision with the samples since the one before, a fault or a notice. */
 export interface LiveEvent { time: number; state?: string; point?: number; probability?: number; samples?: number[][]; microphones?: string[]; fault?: string; text?: string; latency?: number; }
@@ -46,6 +47,10 @@ export class TouchPanel {
       else if (point) this.press(point);
     });
     byId("game").addEventListener("click", () => this.play());
+    byId("write").addEventListener("click", () => this.write());
+    byId<HTMLSelectElement>("touch-kind").addEventListener("change", (event) => {
+      for (const id of ["letter", "write"]) byId(id).hidden = (event.target as HTMLSelectElement).value !== "letter";
+    });
     new ResizeObserver(() => this.draw()).observe(plan.parentElement!);
   }
 
@@ -58,7 +63,8 @@ export class TouchPanel {
 
   press(point: number): void {
     const kind = byId<HTMLSelectElement>("touch-kind").value, place = this.points[point - 1];
-    if (kind !== "slide") {
+    if (kind === "letter") this.write();
+    else if (kind !== "slide") {
       byId("answer").textContent = `point ${point} is touched…`;
       this.send({ do: "touch", point, kind });
     } else if (!this.from) {
@@ -67,6 +73,12 @@ export class TouchPanel {
     } else {
       this.slide(this.from, place);
     }
+  }
+
+  private write(): void {
+    const letter = byId<HTMLInputElement>("letter").value.toUpperCase();
+    byId("answer").textContent = `a finger writes ${letter}…`;
+    this.send({ do: "touch", kind: "letter", letter });
   }
 
   private slide(from: number[], to: number[]): void {
@@ -135,9 +147,11 @@ export class TouchPanel {
   private finish(heard: Heard, seconds: number): void {
     const told = heard.touches.map(([start, stop, point, probability]) =>
       `point ${point} from ${words(start, 3)} to ${words(stop, 3)} s (${words(100 * probability, 2)} %)`);
-    const begin = heard.touched === null ? `${heard.kind === "slide" ? "A slide" : heard.kind}: ` : `A ${heard.kind} on point ${heard.touched}; named: `;
+    const begin = heard.touched === null ? `${heard.kind === "slide" ? "A slide" : heard.kind === "letter" ? "A letter" : heard.kind}: ` : `A ${heard.kind} on point ${heard.touched}; named: `;
     const paths = (heard.paths ?? []).filter((each) => each.length > 0).map((each) => `${each.gesture}, ${words(each.length, 3)} mm`);
     byId("answer").textContent = begin + (told.length ? told.join(", ") : "no touch was heard") + (paths.length ? `; path: ${paths.join("; ")}` : "");
+    if (heard.kinds) byId("answer").textContent += `; told: ${heard.kinds.map((each) => `${each[3]} (${words(100 * each[4], 2)} %)`).join(", ") || "nothing"}`;
+    else if (heard.line) byId("answer").textContent += "; which letter it is, a recognizer of this array tells";
     byId("answer").dataset.pictures = String(Math.round(this.pictures / seconds));
     byId("answer").dataset.lit = this.lightings.join(",");
     byId("answer").dataset.named = heard.touches.map((each) => each[2]).join(",");
@@ -197,7 +211,7 @@ export class TouchPanel {
     if (!this.points.length || width === 0) return;
     const xs = this.points.map((p) => p[0]), ys = this.points.map((p) => p[1]);
     const heard = this.live ? null : this.heard ?? this.shown;
-    const shown = [width, devicePixelRatio, document.documentElement.dataset.theme, this.named, this.mole, this.heard?.touched, heard?.paths && this.now].join();
+    const shown = [width, devicePixelRatio, document.documentElement.dataset.theme, this.named, this.mole, this.heard?.touched, (heard?.paths || heard?.line) && this.now].join();
     if (shown === this.planned) return;
     this.planned = shown;
     const shape = (Math.max(...ys) - Math.min(...ys) + 12) / (Math.max(...xs) - Math.min(...xs) + 12);
@@ -241,10 +255,18 @@ export class TouchPanel {
   /** Paths as far as they have come, with how sure they are. */
   private paths(c: CanvasRenderingContext2D, at: (x: number, y: number) => [number, number], scale: number): void {
     const heard = this.heard ?? this.shown;
-    if (this.live || !heard?.paths) return;
+    if (this.live || !heard) return;
+    c.fillStyle = colour("--accent");
+    for (const [time, x, y, share] of heard.line ?? []) {
+      if (this.heard && time > this.now) break;
+      c.globalAlpha = Math.min(share, 1);
+      const side = Math.max(scale, 2 * devicePixelRatio), [px, py] = at(x, y);
+      c.fillRect(px - side / 2, py - side / 2, side, side);
+    }
+    c.globalAlpha = 1;
     c.strokeStyle = c.fillStyle = colour("--accent");
     c.lineWidth = 3 * devicePixelRatio;
-    for (const path of heard.paths) {
+    for (const path of heard.paths ?? []) {
       const come = path.places.filter((place) => !this.heard || place[0] <= this.now);
       c.beginPath();
       for (const [, x, y] of come) c.lineTo(...at(x, y));

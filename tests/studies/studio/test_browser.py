@@ -35,6 +35,7 @@ def test_every_panel_shows_a_design_and_a_click_lights_its_point(browser: Any, r
     context = browser.new_context(viewport={"width": 1440, "height": 2600})
     page = opened(context, running)
     page.select_option("#prototypes", name)
+    until(page, f"{ROOT}.revision === '1'")
     for stage in ("points", "model"):
         until(page, f"{ROOT}.shown_{stage} === {ROOT}.revision", 240)
     design = prototype(name)

@@ -166,6 +166,42 @@ def test_what_is_handed_out_opens_and_what_takes_long_is_stopped(page: Any, tmp_
     assert page.locator("#name").inner_text() == "array-2x6"
 
 
+def test_parts_and_the_report_are_handed_out_whole(browser: Any, running: Studio, tmp_path: Path) -> None:
+    context = browser.new_context(viewport={"width": 1440, "height": 420})
+    page = opened(context, running)
+    save_design(ARRAY, tmp_path / "small.toml")
+    page.set_input_files("#open", tmp_path / "small.toml")
+    until(page, f"{ROOT}.revision === '1'")
+    with ZipFile(downloaded(page, lambda: page.click("[data-export='parts.zip']"), tmp_path, 600)) as archive:
+        assert archive.testzip() is None
+        names = set(archive.namelist())
+        said = archive.read("files.txt").decode()
+    assert {"bill.csv", "assembly.csv", "mold-base.stl", "shell-straight.stl", "membrane.3mf", "plate-1.3mf"} <= names
+    assert all(Path(name).name in said for name in names if name.endswith((".stl", ".csv")))
+    report = downloaded(page, lambda: page.click("[data-export='report.html']"), tmp_path, 900)
+    text = report.read_text(encoding="utf-8")
+    assert ARRAY.name in text
+    assert text.rstrip().endswith("</html>")
+    assert page.problems == []
+    context.close()
+
+
+def test_a_letter_is_written_and_its_line_is_drawn(page: Any) -> None:
+    page.select_option("#prototypes", "fingertip-3x4")
+    until(page, f"{ROOT}.revision === '1'")
+    page.locator("#touch-title").scroll_into_view_if_needed()
+    until(page, f"{ROOT}.shown_surface === '1'")
+    before = lit(page.locator("#plan").screenshot()).sum()
+    page.select_option("#touch-kind", "letter")
+    page.fill("#letter", "l")
+    page.click("#write")
+    until(page, "document.getElementById('answer').dataset.pictures", 240)
+    said = page.locator("#answer").inner_text()
+    assert said.startswith("A letter: ")
+    assert said.endswith("which letter it is, a recognizer of this array tells")
+    assert lit(page.locator("#plan").screenshot()).sum() > before + 30
+
+
 def test_a_finding_lights_its_part_and_a_recording_is_replayed(page: Any, tmp_path: Path) -> None:
     touch = touched(prototype("array-2x6"), 7, "tap", 3)
     heard = np.frombuffer(touch["signals"], "<f4").reshape(len(touch["microphones"]), -1)

@@ -12,7 +12,7 @@ from starlette.websockets import WebSocketDisconnect
 
 from geometry import prototype
 from studies.studio.guard import Guard
-from studies.studio.server import MOST_RECORDING, MOST_UPLOAD, studio_app
+from studies.studio.server import MOST_RECOGNIZER, MOST_RECORDING, MOST_UPLOAD, studio_app
 from studies.studio.workplace import Workplace
 
 ORIGIN = "http://127.0.0.1:8765"
@@ -197,6 +197,29 @@ def test_a_recording_that_is_none_is_refused_in_one_line(
         asked = {"session": own if session == "own" else session, "full_scale": full_scale, "name": "a.wav"}
         answer = page.post("/recordings", params=asked, content=b"x" * size, headers={"origin": ORIGIN})
     assert (answer.status_code, answer.json()["message"]) == (status, message)
+
+
+@pytest.mark.parametrize(
+    ("session", "content", "status", "message"),
+    [
+        ("nobody's", b"{}", 404, "there is no such session"),
+        ("own", b"x" * (MOST_RECOGNIZER + 1), 413, "the recognizer must be at most 16 MB"),
+        ("own", b"[" * 5000, 400, "a recognizer is handed in as a table of its files"),
+        ("own", b'{"recognizer.json": "?"}', 400, "a recognizer is handed in as a table of its files"),
+        ("own", b'{"../a.json": ""}', 400, "../a.json: is no file of a recognizer"),
+        ("own", b'{"recognizer.json": ""}', 400, "recognizer.json: "),
+    ],
+)
+def test_a_recognizer_that_is_none_is_refused_in_one_line(
+    page: TestClient, session: str, content: bytes, status: int, message: str
+) -> None:
+    with page.websocket_connect("ws://127.0.0.1:8765/session", headers={"origin": ORIGIN}) as socket:
+        own = hello(socket)["session"]
+        asked = {"session": own if session == "own" else session}
+        answer = page.post("/recognizers", params=asked, content=content, headers={"origin": ORIGIN})
+    assert answer.status_code == status
+    assert answer.json()["message"].startswith(message)
+    assert "\n" not in answer.json()["message"]
 
 
 @pytest.mark.parametrize(

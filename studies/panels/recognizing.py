@@ -1,0 +1,125 @@
+"""Letters and kinds on the page: a letter written on a design, and what a recognizer makes of what was heard."""
+
+from __future__ import annotations
+
+import base64
+import binascii
+import json
+import re
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from geometry.design.array_design import ArrayDesign
+from geometry.refusal import Refusal
+from studies.listening.opening import library_there
+from studies.panels.touching import decoded, listening_to
+
+#: Files of a recognizer's folder.
+_FILES = re.compile(r"recognizer\.json|weights-[0-9a-f]{12}\.safetensors")
+
+
+def keep_recognizer(content: bytes, folder: str) -> dict[str, Any]:
+    """Write a recognizer that somebody handed in into a folder, and read it.
+
+    Args:
+        content: a table of JSON: each file of its folder, by its name, in base64.
+        folder: exists and is empty.
+
+    Returns:
+        ``folder``; ``subject``, ``labels`` and ``design`` of the recognizer.
+
+    Raises:
+        Refusal: other files than those that ``train`` writes, or no recognizer.
+    """
+    from localize import load_recognizer
+
+    try:
+        files = json.loads(content)
+        written = {str(name): base64.b64decode(text, validate=True) for name, text in files.items()}
+    except (ValueError, TypeError, AttributeError, RecursionError, binascii.Error):
+        raise Refusal("a recognizer is handed in as a table of its files") from None
+    for name, data in written.items():
+        if not _FILES.fullmatch(name):
+            raise Refusal(f"{name[:60]}: is no file of a recognizer: choose recognizer.json and the weights beside it")
+        (Path(folder) / name).write_bytes(data)
+    try:
+        found = load_recognizer(folder)
+    except Refusal as error:
+        raise Refusal(str(error).replace(f"{folder}/", "")) from None
+    return {"folder": folder, "subject": found.subject, "labels": list(found.labels), "design": found.design}
+
+
+def wrote(design: ArrayDesign, letter: str, sample: int) -> dict[str, Any]:
+    """A letter that a finger writes on a design, and where the array hears the line.
+
+    It is written and heard as :func:`localize.recognition.written` and the takes of the studio are.
+
+    Args:
+        design: the array.
+        letter: one of :data:`localize.recognition.LETTERS`.
+        sample: number of the letter: each has draws of its own.
+
+    Returns:
+        As :func:`studies.panels.touched`, with ``line``: time (s), x and y (mm) and how probable it is that the line
+        was there then.
+
+    Raises:
+        Refusal: no such letter, or a design without places, or one that cannot be decoded.
+    """
+    from localize.recognition import LETTERS, Hand, LineReader, written
+
+    if letter not in LETTERS:
+        raise Refusal(f"letter = {letter[:20]!r} must be one of: {', '.join(LETTERS)}")
+    ears = listening_to(design)
+    response = ears.recorder.response
+    take = ears.recorder.take(written(letter, response, Hand(), sample=sample), sample)
+    line = LineReader(response, "design").line(take.signals)
+    line[:, 0] *= take.signals.shape[1] / 1000
+    return {**decoded(ears, take.signals), "line": line.round(4).tolist()}
+
+
+def recognized(
+    work: Callable[..., dict[str, Any]], design: ArrayDesign, options: tuple[Any, ...], model: str | None
+) -> dict[str, Any]:
+    """What was heard of a design, with what a recognizer makes of it.
+
+    Args:
+        work: one of :func:`studies.panels.touched`, :func:`studies.panels.slid`, :func:`studies.panels.replayed`,
+            :func:`wrote`.
+        design: the array.
+        options: of it, behind the design.
+        model: the folder of a recognizer; None for none.
+
+    Returns:
+        As ``work``; with a recognizer, ``kinds``: start and end (s), point, kind and its probability of each touch.
+
+    Raises:
+        Refusal: that of ``work``, or a recognizer of another array.
+    """
+    found = work(design, *options)
+    if model is None:
+        return found
+    from localize import load_recognizer
+    from localize.recognition.hearing import Ear
+
+    ears, recognizer = listening_to(design), load_recognizer(model)
+    if (recognizer.design, recognizer.microphones) != (design.name, ears.localizer.microphones):
+        raise Refusal(
+            f"the recognizer is of {recognizer.design} with the microphones {', '.join(recognizer.microphones)}, not "
+            f"of {design.name} with {', '.join(ears.localizer.microphones)}"
+        )
+    signals = np.frombuffer(found["signals"], "<f4").reshape(len(found["microphones"]), -1).astype(np.float64)
+    kinds = [
+        [
+            each.start,
+            each.end,
+            each.point + 1,
+            recognizer.labels[int(each.probability.argmax())],
+            each.probability.max(),
+        ]
+        for each in Ear(library_there(ears.library, None), recognizer).touches(signals, None, None, ears.localizer)
+    ]
+    return {**found, "kinds": kinds}
