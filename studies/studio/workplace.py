@@ -135,8 +135,8 @@ class Workplace:
                 behind the design.
             recognizer: the folder of one that tells kinds; None for none.
         """
-        work = {"slide": slid, "letter": wrote}.get(kind, touched)
-        return await self._heard(work, design, options, recognizer)
+        works: dict[str, Callable[..., dict[str, Any]]] = {"slide": slid, "letter": wrote}
+        return await self._heard(works.get(kind, touched), design, options, recognizer)
 
     async def _heard(
         self, work: Callable[..., dict[str, Any]], design: ArrayDesign, options: tuple[Any, ...], model: str | None
