@@ -1,4 +1,5 @@
-"""Whether the probabilities of touches that are stated while they happen are right: those of ``down`` and of ``up``.
+"""Whether the probabilities of touches are right: those of ``down`` and ``up``, stated while they happen, and those of
+the touches that ``locate`` prints afterwards.
 
 ``python benchmarks/event_probabilities.py --write`` writes the table of docs/realtime.md anew. Signals are those of
 ``streams.py``: a sensor as designed and made ones, none of the decoder's own; taps and presses of 1 to 10 Pa. Seeds
@@ -29,19 +30,24 @@ KINDS = ("tap", "press")
 
 
 def events_of(decoder: localize.BayesDecoder, sensor: Sensor, kind: str) -> list[tuple[str, float, bool]]:
-    """Kind, stated probability and whether the point was right of the events of a record of touches."""
+    """Kind, stated probability and whether the point was right of the events, and the touches, of a record."""
     random = np.random.default_rng([sensor.seed, 5, len(kind)])
     made = session(kind, sensor.design.point_count, random)
     signals = sensor.heard(made) + sensor.own_noise(PERIOD, random)
     sound = localize.SoundTest(response_of(sensor.library), "design")
     stream = localize.TouchStream(decoder, sound_test=sound)
     tracker = localize.TouchTracker(decoder, stream.delay)
-    told = [each for event in stream.push(signals) for each in tracker.take(event)] + tracker.finish()
+    events = stream.push(signals)
+    told = [each for event in events for each in tracker.take(event)] + tracker.finish()
     begins, points = [touch.begin for touch, _ in made], [touch.point for touch, _ in made]
     # A touch is of what was touched when it came down: it may go up when the next one has begun.
     came = {event.touch: event.time for event in told if event.kind == "down"}
     of = [int(np.searchsorted(begins, 1000 * came[event.touch], side="right")) - 1 for event in told]
-    return [(each.kind, each.probability, each.point == points[k]) for each, k in zip(told, of, strict=True) if k >= 0]
+    found = [(each.kind, each.probability, each.point == points[k]) for each, k in zip(told, of, strict=True) if k >= 0]
+    for touch in localize.touches_of(events, decoder):
+        k = int(np.searchsorted(begins, 1000 * touch.start, side="right")) - 1
+        found += [("touch", touch.probability, touch.point == points[k])] if k >= 0 else []
+    return found
 
 
 def cell_of(found: list[tuple[float, bool]]) -> str:
@@ -65,15 +71,17 @@ def rows_of(name: str, sensors: int) -> list[str]:
                 decoder = localize.BayesDecoder(sensor.calibrated, "design") if known else tolerant
                 for what, stated, right in events_of(decoder, sensor, kind):
                     told[what].append((stated, right))
-            rows += [f"| {name} | {title} | {kind} | {what} | {cell_of(told[what])} |" for what in ("down", "up")]
-            print("\n".join(rows[-2:]), flush=True)
+            rows += [
+                f"| {name} | {title} | {kind} | {what} | {cell_of(told[what])} |" for what in ("down", "up", "touch")
+            ]
+            print("\n".join(rows[-3:]), flush=True)
     return rows
 
 
 def main() -> None:
     warnings.filterwarnings("ignore", "entrance loss", UserWarning)
     parser = argparse.ArgumentParser()
-    parser.add_argument("--sensors", type=int, default=3)
+    parser.add_argument("--sensors", type=int, default=2)
     parser.add_argument("--write", action="store_true", help="into docs/realtime.md")
     chosen = parser.parse_args()
     lines = ["| design | sensor | touches | event | events | right | stated | error |", "|---" * 8 + "|"]

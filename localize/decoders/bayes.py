@@ -283,9 +283,20 @@ def assumed_of(provenance: Mapping[str, Any]) -> str:
     """
     from acoustic_fem.library.result import MEASURED
 
+    air = air_of(provenance)
     if provenance.get("fidelity", MEASURED) == MEASURED:
-        return "that the sensor is as its library has it"
-    return "that the sensor is exactly as it was designed: tolerances of manufacturing are not reckoned with"
+        return f"that the sensor is as its library has it{air}"
+    return f"that the sensor is exactly as it was designed{air}: tolerances of manufacturing are not reckoned with"
+
+
+def air_of(provenance: Mapping[str, Any]) -> str:
+    """The air that the library of an array is in, in words that follow others; empty where it is not known.
+
+    Args:
+        provenance: of the array, :attr:`localize.ArrayResponse.provenance`.
+    """
+    medium = provenance.get("medium")
+    return f", in air of {medium['pressure'] / 1e3:.1f} kPa" if medium else ""
 
 
 def checked_levels(response: ArrayResponse, ambient: Ambient) -> tuple[float | None, ...]:

@@ -20,7 +20,7 @@ from torch import Tensor
 
 from acoustic_fem.scatter.tolerances import UNCALIBRATED, UnknownScatterError
 from geometry.refusal import Refusal
-from localize.decoders.bayes import Ambient, BayesDecoder
+from localize.decoders.bayes import Ambient, BayesDecoder, air_of
 from localize.decoders.deviations import DeviatingTables
 from localize.decoders.frame_covariance import SAMPLES, touch_covariances
 from localize.decoders.hypotheses import made_hypotheses
@@ -183,7 +183,10 @@ class TolerantDecoder(BayesDecoder):
     @property
     def assumes(self) -> str:
         """What is taken for granted of the sensor, in words."""
-        return "that the sensor was made from its design within the tolerances of manufacturing, and not calibrated"
+        air = air_of(self.provenance)
+        return (
+            f"that the sensor was made from its design within the tolerances of manufacturing, and not calibrated{air}"
+        )
 
     @property
     def shapes(self) -> int:

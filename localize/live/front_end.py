@@ -55,7 +55,10 @@ NOISE_QUANTILE = 0.3
 HISS = 5.0
 """Multiple of the noise that is expected, and of that of the quietest microphone, from which on one hisses."""
 HISS_TIME = 0.5
-"""Time over which noise must have been measured before a microphone is said to hiss, s."""
+"""Time over which noise must have been measured before a microphone is said to hiss, or to be dead, s."""
+QUIET = 0.2
+"""Multiple of the noise that is expected, and of that of the quietest other microphone, below which one is dead: what
+its converter toggles by."""
 
 
 @dataclass(frozen=True)
@@ -227,6 +230,18 @@ class NoiseFloor:
 
     def hisses(self, expected: float) -> NDArray[np.bool_]:
         """Microphones whose noise is far above that which is expected, Pa rms, and that of others; (n_microphone,)."""
-        if len(self._past) < HISS_TIME * SAMPLE_RATE / HOP:
+        if not self._is_known:
             return np.zeros(self._channels, bool)
         return np.asarray(self.rms > HISS * max(expected, float(self.rms.min())))
+
+    def dead(self, expected: float) -> NDArray[np.bool_]:
+        """Microphones whose noise is missing, where Pa rms are expected and others have theirs; (n_microphone,)."""
+        if not self._is_known or self._channels < 2:
+            return np.zeros(self._channels, bool)
+        least, second = np.sort(self.rms)[:2]
+        of_others = np.where(self.rms == least, second, least)
+        return np.asarray(self.rms < QUIET * np.minimum(expected, of_others))
+
+    @property
+    def _is_known(self) -> bool:
+        return len(self._past) >= HISS_TIME * SAMPLE_RATE / HOP

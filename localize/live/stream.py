@@ -252,7 +252,7 @@ class TouchStream:
         good = ~self._bad_channels(raw, events)
         if self.listening.follow and (good.all() or self._judges_of(good) is not None):
             self._floor.take(frame)
-            good &= ~self._hissing_channels(frame, events)
+            good &= ~self._channels_of_other_noise(frame, events)
         judges = self._judges if good.all() else self._judges_of(good)
         if judges is None:
             events.append(Decision(self._time, "unreadable", float(frame.std(1).max())))
@@ -311,12 +311,14 @@ class TouchStream:
                 self._tell("clipped", channel, self._number, events)
         return np.asarray(dead | clipped)
 
-    def _hissing_channels(self, frame: NDArray[np.float64], events: list[Decision | Fault]) -> NDArray[np.bool_]:
-        """Channels whose noise is far above that of the decoder, (n_microphone,), which is told."""
-        hisses = self._floor.hisses(self.silence / SILENCE) & (self._floor.rms > HISSES * frame.std(1))
-        for channel in np.flatnonzero(hisses).tolist():
-            self._tell("hissing channel", channel, self._number, events)
-        return hisses
+    def _channels_of_other_noise(self, frame: NDArray[np.float64], events: list[Decision | Fault]) -> NDArray[np.bool_]:
+        """Channels whose noise is far above that of the decoder, or missing, (n_microphone,), which is told."""
+        expected = self.silence / SILENCE
+        hisses = self._floor.hisses(expected) & (self._floor.rms > HISSES * frame.std(1))
+        dead = self._floor.dead(expected)
+        for channel in np.flatnonzero(hisses | dead).tolist():
+            self._tell("hissing channel" if hisses[channel] else "dead channel", channel, self._number, events)
+        return np.asarray(hisses | dead)
 
     def _loudness(self, frame: NDArray[np.float64], noise: NDArray[np.float64]) -> float:
         """Level of the loudest microphone over that up to which it is silent; what may be hum is left out."""

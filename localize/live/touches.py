@@ -31,7 +31,8 @@ PAUSE = 0.05
 HELD = 6
 """Number of frames, 96 ms, that a point must be named for: for fewer within a longer contact it is passed over."""
 LIKELY = 0.5
-"""Probability that a point must reach to be touched in a contact shorter than that."""
+"""Probability that a point must reach, by what its frames hold of it, to be touched in a contact shorter than that:
+sound that rises and falls within one touch makes such pieces."""
 STAY, JUMP = 0.97, 1e-3
 """Probability of staying at a point from one frame to the next, 16 ms later, and of landing anywhere."""
 FALLEN, RISEN = 0.4, 2.0
@@ -67,7 +68,7 @@ class Touch:
     point: int
     """Point that was touched, from 1."""
     probability: float
-    """Mean probability of the point over its frames, each by how much of the touch is in it."""
+    """Probability of the point by what all its frames say together."""
     level: float
     """Level of the loudest microphone in the loudest frame, Pa rms."""
 
@@ -235,15 +236,16 @@ def _touches(contact: list[Decision], listener: TouchFilter) -> list[Touch]:
     each = np.stack([decision.distribution for decision in contact if decision.distribution is not None])
     heard = np.array([decision.level if decision.weight is None else decision.weight for decision in contact])
     weight = HOP / FRAME * heard / heard.max() * _covered(len(contact)) ** 2
-    probability = listener.forward_backward(weight[:, None] * np.log(each.clip(_LEAST_PROBABILITY)))
+    log_probability = np.log(each.clip(_LEAST_PROBABILITY))
+    probability = listener.forward_backward(weight[:, None] * log_probability)
     named = probability.argmax(1)
     edges = [0, *(np.flatnonzero(np.diff(named)) + 1).tolist(), len(named)]
     runs = [(a, b) for a, b in pairwise(edges) if b - a >= HELD]
     if not runs:  # too short for anything else: the point of most weight, where there is one
-        best = int((weight @ probability).argmax())
-        touch = _touch(contact, probability[:, best], weight, best)
-        return [touch] if touch.probability >= LIKELY else []
-    return [_touch(contact[a:b], probability[a:b, named[a]], weight[a:b], int(named[a])) for a, b in runs]
+        of_points = weight @ probability / weight.sum()
+        best = int(of_points.argmax())
+        return [_touch(contact, log_probability, heard, best)] if of_points[best] >= LIKELY else []
+    return [_touch(contact[a:b], log_probability[a:b], heard[a:b], int(named[a])) for a, b in runs]
 
 
 def _covered(count: int) -> NDArray[np.float64]:
@@ -253,12 +255,15 @@ def _covered(count: int) -> NDArray[np.float64]:
 
 
 def _touch(
-    decisions: list[Decision], probability: NDArray[np.float64], weight: NDArray[np.float64], point: int
+    decisions: list[Decision], log_probability: NDArray[np.float64], heard: NDArray[np.float64], point: int
 ) -> Touch:
+    evidence = _Evidence()
+    for of_frame, level in zip(log_probability, heard.tolist(), strict=True):
+        evidence.take(of_frame, level)
     return Touch(
         start=decisions[0].time,
         end=decisions[-1].time,
         point=point + 1,
-        probability=float(np.average(probability, weights=weight)),
+        probability=evidence.probability(point),
         level=max(decision.level for decision in decisions),
     )

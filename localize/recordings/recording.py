@@ -57,7 +57,11 @@ class Recording:
 
 
 def read_recording(
-    path: str | os.PathLike[str], microphones: tuple[str, ...], full_scale: float | None = None
+    path: str | os.PathLike[str],
+    microphones: tuple[str, ...],
+    full_scale: float | None = None,
+    *,
+    spare: bool = False,
 ) -> Recording:
     """Read a recording and bring it to 1 kHz.
 
@@ -71,6 +75,7 @@ def read_recording(
         microphones: names of the array's microphones.
         full_scale: Pa: of WAV files the pressure at full scale, 1 Pa by default; of others the pressure at which they
             clip. Flat tops below it are clipping too, see :mod:`acoustic_fem.sound.clipping`.
+        spare: whether one channel may be silent, all the time or from some time on: for what goes on with the others.
 
     Raises:
         RecordingError: the file cannot be read or is cut short; a wrong number of channels, or others; two that are
@@ -95,10 +100,14 @@ def read_recording(
         # One after the other: at the rate of a sound card all of them are ten times as large as the file.
         channel = sound.channels[name] * scale
         _check(path, channel, rate, microphone, limit)
+        if channel.max() == channel.min():
+            if not spare:
+                raise RecordingError(f"{path}: channel {microphone} is silent: its value never changes")
+            spare = False  # that one
         signals.append(at_one_kilohertz(channel[None], rate)[0])
     _check_apart(path, sound.channels, names, microphones)
     together = np.stack(signals)
-    _check_together(path, together, microphones)
+    _check_together(path, together, microphones, spare)
     loudest = float(np.abs(together).max())
     if loudest > LOUDEST:
         warnings.warn(
@@ -110,12 +119,13 @@ def read_recording(
     return Recording(together, rate)
 
 
-def _check_together(path: Path, signals: NDArray[np.float64], microphones: tuple[str, ...]) -> None:
+def _check_together(path: Path, signals: NDArray[np.float64], microphones: tuple[str, ...], spare: bool) -> None:
     """Refuse channels that did not begin or end together: one is dead for a second while another is heard throughout.
 
     Half a second is told. A channel that was cut off silently for less cannot be told from one that heard nothing.
 
-    A channel that is quiet at other times too is not dead: steps of its format may be larger than its noise.
+    A channel that is quiet at other times too is not dead: steps of its format may be larger than its noise. One that
+    falls silent may be spare, see :func:`read_recording`.
     """
     frames = signals[:, : signals.shape[1] // FRAME * FRAME].reshape(len(signals), -1, FRAME)
     alive = np.ptp(frames, axis=2) > SILENT * np.ptp(signals, axis=1, keepdims=True)
@@ -128,7 +138,7 @@ def _check_together(path: Path, signals: NDArray[np.float64], microphones: tuple
             if heard:
                 how = what.format(dead * FRAME / SAMPLE_RATE)
                 said = f"{path}: channel {name} {how} channel {heard[0]}; all channels must be of one time"
-                if dead >= math.ceil(LATE * SAMPLE_RATE / FRAME):
+                if dead >= math.ceil(LATE * SAMPLE_RATE / FRAME) and not spare:
                     raise RecordingError(said)
                 warnings.warn(said, RecordingWarning, stacklevel=3)
 
@@ -186,8 +196,6 @@ def _check(path: Path, channel: NDArray[np.float64], rate: float, name: str, lim
     bad = np.flatnonzero(~np.isfinite(channel))
     if len(bad):
         raise RecordingError(f"{path}: channel {name} is not finite at {bad[0] / rate:.3f} s")
-    if channel.max() == channel.min():
-        raise RecordingError(f"{path}: channel {name} is silent: its value never changes")
     clipped = first_clipped(channel, limit)
     if clipped is not None:
         raise RecordingError(

@@ -188,10 +188,13 @@ def locate(
         decoding = Decoding(noise, library, waveform, ambient, refuse, air, follow_drift)
         found = locate_recording(model, recording, out, full_scale=full_scale, decoding=decoding)
     _show_touches(found)
-    told: dict[State, str] = {"sound": "sound alone", "other": "no single touch"}
+    told: dict[State, str] = {"sound": "sound alone", "other": "no single touch", "unreadable": "unreadable"}
     seconds = found.seconds_by_state
     others = "".join(f", {what} for {seconds[state]:.1f} s" for state, what in told.items() if state in seconds)
     tell(f"{recording}: {counted(len(found.touches), 'touch')} in {found.seconds:.1f} s{others}")
+    for fault in found.faults:
+        of = "" if fault.channel is None else f" of microphone {fault.channel}"
+        tell(f"warning: {fault.kind}{of}, from {fault.time:.1f} s on")
     told_of = f" and {library}" if library is not None else ""
     tell(
         f"points are those of the design {found.design}, as {model}{told_of} has it: of another array they say nothing"

@@ -57,6 +57,13 @@ class LocatedTouches:
         states = Counter(event.state for event in self.events if isinstance(event, Decision))
         return {state: count * HOP / SAMPLE_RATE for state, count in states.items()}
 
+    @property
+    def faults(self) -> tuple[Fault, ...]:
+        """Faults of the recording, each where it began."""
+        from localize.live.events import Fault
+
+        return tuple(event for event in self.events if isinstance(event, Fault))
+
 
 def locate_recording(
     model: str | os.PathLike[str],
@@ -85,11 +92,13 @@ def locate_recording(
     check_new_file(path, ".jsonl", reads=(model, recording, given.library))
     if given.waveform and path is None:
         raise Refusal("`waveform` goes into the lines of `out`; give that too")
-    from localize import DriftDecoder, TouchTracker, read_recording, touches_of
+    from localize import BayesDecoder, DriftDecoder, TouchTracker, read_recording, touches_of
 
     localizer = open_localizer(source, given)
     stream = open_stream(source, localizer, given, frames=True)
-    heard = read_recording(Path(recording), localizer.microphones, full_scale)
+    # A network knows nothing of the array without one of its microphones.
+    spare = isinstance(localizer, BayesDecoder) and len(localizer.microphones) > 2
+    heard = read_recording(Path(recording), localizer.microphones, full_scale, spare=spare)
     decided, fit = _decided(stream, localizer, heard.signals)
     brought = None
     if fit is not None and fit.off_level is not None:

@@ -214,6 +214,25 @@ def test_a_microphone_that_only_toggles_by_a_bit_is_dead(decoder, signals):
     assert {event.state for event in events if isinstance(event, Decision)} == {"unreadable"}
 
 
+def test_a_microphone_whose_noise_is_missing_is_dead(decoder, signals):
+    samples = signals[0][:, :6000].copy()
+    bit = 0.1 * NOISE  # of a converter of 16 bits whose full scale is 3000 times the noise
+    samples[1] = bit * np.random.default_rng(0).integers(-1, 2, 6000)
+    events = TouchStream(decoder).push(samples)
+    (fault,) = [event for event in events if isinstance(event, Fault)]
+    assert (fault.kind, fault.channel) == ("dead channel", "right")
+    assert fault.time < 1.0
+    late = [event.state for event in events if isinstance(event, Decision) and event.time > fault.time]
+    assert set(late) == {"unreadable"}
+
+
+def test_microphones_that_are_all_quieter_than_expected_are_alive(decoder, signals):
+    quiet = 0.05 * NOISE * np.random.default_rng(1).standard_normal((2, 6000))
+    quiet[:, 3000:3300] += signals[0][:, 3000:3300]
+    events = TouchStream(decoder).push(quiet)
+    assert not [event for event in events if isinstance(event, Fault)]
+
+
 def test_a_device_that_counts_anew_is_listened_to_from_there(decoder, signals):
     samples = signals[0]
     stream = TouchStream(decoder)

@@ -60,6 +60,21 @@ def test_the_latency_is_the_time_from_the_first_frame_that_showed_it() -> None:
     assert set(line) == {"time", "event", "touch", "point", "probability", "level", "latency"}
 
 
+@pytest.mark.parametrize("count", [6, 8, 12, 40])
+def test_what_is_stated_afterwards_is_as_sure_as_what_was_stated_meanwhile(count: int) -> None:
+    likely = np.array([0.01, 1e-12, 1e-12, 0.99, 1e-12, 1e-12])
+    events = [
+        replace(event, distribution=likely, probability=0.99) if event.state == "touch" else event
+        for event in frames(("touch", count, 4, 1.0), ("no touch", 10, 0, 0.0))
+    ]
+    tracker = TouchTracker(ARRAY)
+    up = [each for event in events for each in tracker.take(event)][-1]
+    (touch,) = localize.touches_of(events, ARRAY)
+    assert (up.kind, up.point, touch.point) == ("up", 4, 4)
+    assert touch.probability == pytest.approx(up.probability, abs=1e-9)
+    assert touch.probability >= 0.99 - 1e-6
+
+
 def test_what_is_stated_of_a_point_is_as_sure_as_the_frames_are() -> None:
     # Three frames that give the point 0.8 are one frame: they share most of their samples.
     likely = np.array([0.2, 1e-12, 1e-12, 0.8, 1e-12, 1e-12])

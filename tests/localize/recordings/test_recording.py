@@ -219,6 +219,21 @@ def test_channels_that_are_not_of_one_time_are_refused(tmp_path, what):
         read_recording(tmp_path / "late.npz", ("left", "right"))
 
 
+def test_one_channel_may_be_silent_for_what_goes_on_with_the_others(tmp_path):
+    signals = np.random.default_rng(0).standard_normal((3, 8000))
+    signals[1, 4000:] = 0.0
+    np.savez(tmp_path / "dies.npz", signals=signals)
+    with pytest.warns(RecordingWarning, match="channel b ends 4 s before channel a"):
+        read_recording(tmp_path / "dies.npz", ("a", "b", "c"), spare=True)
+    signals[1] = 0.0
+    np.savez(tmp_path / "dead.npz", signals=signals)
+    assert (read_recording(tmp_path / "dead.npz", ("a", "b", "c"), spare=True).signals[1] == 0).all()
+    signals[2] = 0.0
+    np.savez(tmp_path / "both.npz", signals=signals)
+    with pytest.raises(RecordingError, match="channel c is silent"):
+        read_recording(tmp_path / "both.npz", ("a", "b", "c"), spare=True)
+
+
 @pytest.mark.parametrize(("late", "told"), [(300, 0), (700, 1)])
 def test_a_channel_that_is_a_little_late_is_told(tmp_path, late, told):
     signals = np.random.default_rng(0).standard_normal((2, 8000))

@@ -15,6 +15,7 @@ from shared import shared_folder
 from small_run import small_run
 
 import acoustic_fem
+import geometry
 import localize
 from localize.signals.array_response import response_of
 
@@ -68,6 +69,32 @@ def test_a_recording_is_located_by_the_network_an_onnx_file_and_the_library_alik
     assert [event["event"] for event in events if "event" in event] == ["down", "up", "down", "up"]
     waveforms = [event["waveform"] for event in events if event.get("state") == "touch" and event["time"] > 0.3]
     assert {len(waveform) for waveform in waveforms} == {16}
+
+
+@pytest.mark.slow
+def test_a_microphone_that_dies_is_named_and_decoding_goes_on_with_two(command: Command, tmp_path: Path) -> None:
+    design = geometry.prototype("glove").with_values({"lines.0.points": 3, "lines.1.points": 3})
+    solved = acoustic_fem.solve(design, np.arange(1.0, 501.0), "lumped")
+    acoustic_fem.save(solved, tmp_path / "glove.nc")
+    library = response_of(solved)
+    touches = localize.TouchGenerator(library, 0, "evaluation", 0.0).samples(0, 2 * design.point_count)
+    first = [k for k in range(len(touches.point)) if library.line[touches.point[k]] == 0]
+    loud = sorted(first, key=lambda k: -float(touches.signals[k].std()))[:2]
+    samples = 7e-4 * np.random.default_rng(0).standard_normal((3, 12000))
+    for begin, sample in zip((2000, 9000), loud, strict=True):
+        samples[:, begin : begin + 1000] += touches.signals[sample].numpy()
+    samples[2, 6000:] = 0.0
+    recording = tmp_path / "recording.wav"
+    scipy.io.wavfile.write(recording, 1000, samples.T.astype(np.float32))
+    told = command("locate", tmp_path / "glove.nc", recording)
+    assert told.code == 0, told.err
+    assert re.search(r"^warning: dead channel of microphone C, from 6\.\d s on$", told.out, re.MULTILINE)
+    rows = [line.split() for line in told.out.splitlines() if re.match(r" *\d", line)]
+    assert [int(row[2]) for row in rows] == [int(touches.point[k]) + 1 for k in loud]
+    # Nobody goes on with one of two.
+    scipy.io.wavfile.write(recording, 1000, samples[[0, 2]].T.astype(np.float32))
+    told = command("locate", small_run().folder / "library.nc", recording)
+    assert (told.code, "ends 6 s before" in told.err) == (1, True)
 
 
 @pytest.fixture
