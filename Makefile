@@ -14,15 +14,6 @@ OUT ?= demo
 # Processes that run tests side by side.
 WORKERS ?= auto
 
-# The fast solver's wheels exist for x86-64 only, and not for macOS.
-ifeq ($(shell uname -sm),Linux x86_64)
-EXTRAS := fast
-TEST_EXTRAS := fast,dev,docs
-else
-EXTRAS :=
-TEST_EXTRAS := dev,docs
-endif
-
 PIP_INSTALL = $(BIN)/python -m pip install --constraint constraints.txt
 
 .PHONY: demo test unit slow-test docs clean help
@@ -51,15 +42,15 @@ docs: $(VENV)/.installed-docs
 
 # The package is installed in place: changed code needs no new installation, changed dependencies do.
 $(VENV)/.installed: pyproject.toml constraints.txt | $(VENV)/.created
-	$(PIP_INSTALL) --editable ".$(if $(EXTRAS),[$(EXTRAS)])"
+	$(PIP_INSTALL) --editable ".[all]"
 	touch $@
 
 $(VENV)/.installed-dev: pyproject.toml constraints.txt | $(VENV)/.created
-	$(PIP_INSTALL) --editable ".[$(TEST_EXTRAS)]"
+	$(PIP_INSTALL) --editable ".[all,dev,docs]"
 	touch $@ $(VENV)/.installed $(VENV)/.installed-docs
 
 $(VENV)/.installed-docs: pyproject.toml constraints.txt | $(VENV)/.created
-	$(PIP_INSTALL) --editable ".[docs]"
+	$(PIP_INSTALL) --editable ".[all,docs]"
 	touch $@
 
 $(VENV)/.created:

@@ -99,7 +99,8 @@ class PlainTolerant:
 
 def _checked(signals: ArrayLike, microphones: tuple[str, ...]) -> Array:
     """A frame (n_microphone, 250) as one row, looked at as the decoders look at it."""
-    return np.asarray(checked_signals(signals, microphones)[0].flatten(1).numpy())
+    frames = checked_signals(signals, microphones)[0]
+    return frames.reshape(len(frames), -1)
 
 
 def _scores(x: Array, tables: DecoderTables) -> Array:

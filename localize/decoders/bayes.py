@@ -22,7 +22,6 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from torch import Tensor
 
 from geometry.refusal import Refusal
 from localize.decoders.frame_covariance import SAMPLES, check_level, check_noise, joint_whitening, touch_covariances
@@ -45,6 +44,8 @@ from localize.signals.noise import NoiseChoice, NoiseSpectrum
 from localize.signals.threads import one_thread
 
 if TYPE_CHECKING:
+    from torch import Tensor
+
     from acoustic_fem import Library
 
 LEADING = 3
@@ -177,7 +178,7 @@ class BayesDecoder:
         batch, _ = checked_signals(signals, self.microphones)
         return _normalised(self.joint_log_likelihood(batch))
 
-    def _leading(self, batch: Tensor) -> NDArray[np.float64]:
+    def _leading(self, batch: NDArray[np.float64]) -> NDArray[np.float64]:
         """:meth:`joint_log_likelihood`, but of points that are far behind the best what it is at most."""
         if not self._bounds:
             return self.joint_log_likelihood(batch)
@@ -186,9 +187,9 @@ class BayesDecoder:
         parts = [batch[k : k + several] for k in range(0, len(batch), several)]
         return np.concatenate([self._leading_of(part) for part in parts])
 
-    def _leading_of(self, batch: Tensor) -> NDArray[np.float64]:
+    def _leading_of(self, batch: NDArray[np.float64]) -> NDArray[np.float64]:
         """The same of few signals."""
-        frames = cut_frames(batch).numpy()
+        frames = cut_frames(batch)
         count, each = frames.shape[:2]
         white = [frames.reshape(count * each, -1) @ tables.reduce for tables in self.tables]
         alone = [screen.alone(x)[1] for screen, x in zip(self._screens, white, strict=True)]
@@ -221,7 +222,7 @@ class BayesDecoder:
             score[many] = joint(screen.all_exact(x) for screen, x in zip(self._screens, white, strict=True))[many]
         return score
 
-    def joint_log_likelihood(self, batch: Tensor) -> NDArray[np.float64]:
+    def joint_log_likelihood(self, batch: NDArray[np.float64]) -> NDArray[np.float64]:
         """Log-likelihood of every point, all frames of each signal together.
 
         Args:
@@ -231,7 +232,7 @@ class BayesDecoder:
             (n, n_point) float64, nats, up to a constant per signal.
         """
         frames = cut_frames(batch)
-        flat = frames.flatten(0, 1).numpy()
+        flat = frames.reshape(-1, *frames.shape[2:])
         score = np.concatenate([self.log_likelihood(flat[k : k + CHUNK]) for k in range(0, len(flat), CHUNK)])
         return np.asarray(score.reshape(*frames.shape[:2], -1).sum(1))
 

@@ -21,7 +21,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.special import logsumexp
-from torch import Tensor
 
 from geometry.refusal import Refusal
 from localize.decoders.bayes import Ambient, BayesDecoder
@@ -33,6 +32,8 @@ from localize.signals.noise import NoiseChoice
 from localize.signals.threads import one_thread
 
 if TYPE_CHECKING:
+    from torch import Tensor
+
     from acoustic_fem import Library
 
 STATES = 11
@@ -155,10 +156,10 @@ class DriftDecoder(BayesDecoder):
         """Log-likelihoods of frames in all states, (n, n_point, n_state), nats."""
         return super().log_likelihood(frames).reshape(len(frames), self.point_count, STATES)
 
-    def _of_touches(self, batch: Tensor) -> NDArray[np.float64]:
+    def _of_touches(self, batch: NDArray[np.float64]) -> NDArray[np.float64]:
         """Log-likelihoods of touches, (n, n_point, n_state), nats, all frames of each together."""
         frames = cut_frames(batch)
-        flat = frames.flatten(0, 1).numpy()
+        flat = frames.reshape(-1, *frames.shape[2:])
         score = np.concatenate([self._by_state(flat[k : k + CHUNK]) for k in range(0, len(flat), CHUNK)])
         return np.asarray(score.reshape(*frames.shape[:2], *score.shape[1:]).sum(1))
 

@@ -14,7 +14,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.special import logsumexp, softmax
-from torch import Tensor
 
 from geometry.refusal import Refusal
 from localize.decoders.bayes import BayesDecoder
@@ -24,6 +23,8 @@ from localize.signals.noise import NoiseChoice
 from localize.signals.threads import one_thread
 
 if TYPE_CHECKING:
+    from torch import Tensor
+
     from acoustic_fem import Library
 
 

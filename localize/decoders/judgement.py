@@ -16,7 +16,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 import scipy.stats
 from numpy.typing import ArrayLike, NDArray
-from torch import Tensor
 
 from geometry.refusal import Refusal
 from localize.decoders.bayes import BayesDecoder
@@ -35,6 +34,8 @@ from localize.signals.stimulus import BAND, NOISE, SAMPLE_RATE
 from localize.signals.threads import one_thread
 
 if TYPE_CHECKING:
+    from torch import Tensor
+
     from acoustic_fem import Library
 
 TAIL = 10.0
@@ -130,7 +131,7 @@ class ResidualTest:
         points = np.asarray(point, np.int64)
         if points.shape != (len(batch),) or not ((points >= 0) & (points < len(self.freedom))).all():
             raise Refusal(f"point must hold {len(batch)} values from 0 to {len(self.freedom) - 1}, one per signal")
-        frames = cut_frames(batch).numpy()
+        frames = cut_frames(batch)
         x = (frames @ self._reduce).reshape(*frames.shape[:2], -1)
         residual = np.empty(len(x))
         for here in np.unique(points):

@@ -23,7 +23,6 @@ import numpy as np
 import scipy.linalg
 import scipy.signal
 from numpy.typing import ArrayLike, NDArray
-from torch import Tensor
 
 from geometry.refusal import Refusal, counted
 from localize.decoders.frame_covariance import SOURCE_RMS, check_noise, source_density
@@ -34,6 +33,8 @@ from localize.signals.stimulus import BAND, SAMPLE_RATE
 from localize.signals.threads import one_thread
 
 if TYPE_CHECKING:
+    from torch import Tensor
+
     from acoustic_fem import Library
 
 PAPER_WINDOW, PAPER_HOP = 32, 16
@@ -127,7 +128,7 @@ class Reconstructor:
         count = batch.shape[-1]
         if count < self.window:
             raise Refusal(f"signals have {counted(count, 'sample')}, must have at least a window of {self.window}")
-        whole = scipy.signal.fftconvolve(batch.numpy(), taps[None], mode="valid", axes=2).sum(1)
+        whole = scipy.signal.fftconvolve(batch, taps[None], mode="valid", axes=2).sum(1)
         pressure = np.full((len(batch), count), np.nan)
         pressure[:, self.window - 1 - self.latency : count - self.latency] = whole
         return Waveform(pressure=pressure, deviation=deviation)
@@ -186,7 +187,7 @@ def short_window_waveform(
         raise Refusal(f"window = {window}, hop = {hop}: must be 4 to {LONGEST} samples and 1 to half the window")
     batch, _ = checked_signals(signals, response.microphones)
     transform = scipy.signal.ShortTimeFFT(np.hanning(window + 1)[:window], hop, SAMPLE_RATE)
-    spectrum = transform.stft(batch.numpy())
+    spectrum = transform.stft(batch)
     known = transform.f <= BAND[1]
     # Below the lowest frequency of the library its value there stands for the static one.
     h = response.at(np.maximum(transform.f[known], response.frequency[0]))[point]

@@ -14,7 +14,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 import scipy.special
 from numpy.typing import ArrayLike, NDArray
-from torch import Tensor
 
 from geometry.refusal import Refusal
 from localize.decoders.frame_covariance import ambient_covariance, check_level, check_noise, low_pass, whitening
@@ -24,6 +23,8 @@ from localize.signals.noise import NoiseChoice, NoiseSpectrum
 from localize.signals.threads import one_thread
 
 if TYPE_CHECKING:
+    from torch import Tensor
+
     from acoustic_fem import Library
 
 FALSE_ALARM = 1e-6
@@ -151,7 +152,8 @@ class SoundTest:
 
     def _frames(self, signals: ArrayLike | Tensor) -> NDArray[np.float64]:
         batch, _ = checked_signals(signals, self.microphones)
-        return np.asarray(cut_frames(batch).flatten(2).numpy())
+        frames = cut_frames(batch)
+        return frames.reshape(*frames.shape[:2], -1)
 
 
 def _energy(frames: NDArray[np.float64], directions: NDArray[np.float64]) -> NDArray[np.float64]:

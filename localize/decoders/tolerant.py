@@ -16,7 +16,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
-from torch import Tensor
 
 from acoustic_fem.scatter.tolerances import UNCALIBRATED, UnknownScatterError
 from geometry.refusal import Refusal
@@ -100,7 +99,7 @@ class TolerantDecoder(BayesDecoder):
             for tables, each in zip(self.tables, whitening, strict=True)
         )
 
-    def joint_log_likelihood(self, batch: Tensor) -> NDArray[np.float64]:
+    def joint_log_likelihood(self, batch: NDArray[np.float64]) -> NDArray[np.float64]:
         """Log-likelihood of every point, all frames of each signal together: they are of one sensor.
 
         Args:
@@ -109,7 +108,7 @@ class TolerantDecoder(BayesDecoder):
         Returns:
             (n, n_point) float64, nats, up to a constant per signal.
         """
-        frames = cut_frames(batch).numpy()
+        frames = cut_frames(batch)
         several = max(1, TOGETHER // frames.shape[1])
         return np.concatenate([self._of_recordings(frames[k : k + several]) for k in range(0, len(frames), several)])
 
@@ -124,7 +123,7 @@ class TolerantDecoder(BayesDecoder):
         """
         return self._of_recordings(frames[:, None])
 
-    def _leading(self, batch: Tensor) -> NDArray[np.float64]:
+    def _leading(self, batch: NDArray[np.float64]) -> NDArray[np.float64]:
         """Log-likelihoods of points: which hypotheses are scored is decided there."""
         return self.joint_log_likelihood(batch)
 

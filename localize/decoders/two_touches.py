@@ -19,7 +19,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from torch import Tensor
 
 from geometry.refusal import Refusal
 from localize.decoders.frame_covariance import check_noise, low_pass, touch_covariances, whitening
@@ -31,6 +30,8 @@ from localize.signals.noise import NoiseChoice
 from localize.signals.threads import one_thread
 
 if TYPE_CHECKING:
+    from torch import Tensor
+
     from acoustic_fem import Library
     from acoustic_fem.scatter.tolerances import Tolerance
 
@@ -137,7 +138,7 @@ class TwoTouchDecoder:
         """
         batch, _ = checked_signals(signals, self.microphones)
         frames = cut_frames(batch)
-        flat = frames.flatten(0, 1).numpy()
+        flat = frames.reshape(-1, *frames.shape[2:])
         parts = [self.log_likelihood(flat[k : k + CHUNK]) for k in range(0, len(flat), CHUNK)]
         one, two = (
             np.concatenate([part[k] for part in parts]).reshape(*frames.shape[:2], *parts[0][k].shape[1:]).sum(1)

@@ -122,7 +122,7 @@ def sensor_fit(decoder: BayesDecoder, frames: ArrayLike, noise: ArrayLike | None
     expected, given = _expected(decoder), np.asarray(frames)
     if expected is None or len(given) < FEWEST:
         return None
-    heard = checked_signals(given, decoder.microphones)[0].numpy()[:MOST].copy()
+    heard = checked_signals(given, decoder.microphones)[0][:MOST].copy()
     if noise is not None:
         # Before loud frames are brought to their level: what the sensor leaves is then still seen above the noise.
         heard /= _louder(decoder, np.asarray(noise, np.float64))

@@ -52,6 +52,11 @@ class Localizer:
     """Design, fidelity, air, frequencies and versions."""
 
     @property
+    def kind(self) -> str:
+        """Kind of localizer, as graphs state theirs."""
+        return "network"
+
+    @property
     def point_count(self) -> int:
         """Number of sensing points."""
         return self.shape.points
@@ -78,12 +83,13 @@ class Localizer:
             Refusal: wrong number of channels, too few samples, a value that is not finite, a silent channel.
         """
         batch, batched = checked_signals(signals, self.microphones)
-        frames = cut_frames(batch.to(torch.float32))
+        frames = cut_frames(batch)
+        flat = torch.from_numpy(frames.reshape(-1, *frames.shape[2:]).astype(np.float32))
         self.classifier.eval()
         with torch.inference_mode():
-            logits = torch.cat([self.classifier(part) for part in frames.flatten(0, 1).split(512)])
+            logits = torch.cat([self.classifier(part) for part in flat.split(512)])
         per_frame = logits.double().log_softmax(-1).unflatten(0, frames.shape[:2])
-        probability = combined_probability(per_frame).numpy()
+        probability = combined_probability(per_frame.numpy())
         return probability if batched else probability[0]
 
     def save(self, folder: str | os.PathLike[str]) -> None:

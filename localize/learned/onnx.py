@@ -149,11 +149,10 @@ class OnnxLocalizer:
             Refusal: wrong number of channels, too few samples, a value that is not finite, a silent channel.
         """
         batch, batched = checked_signals(signals, self.microphones)
-        frames = cut_frames(batch.to(torch.float32))
-        flat = frames.flatten(0, 1).numpy()
+        frames = cut_frames(batch)
+        flat = frames.reshape(-1, *frames.shape[2:]).astype(np.float32)
         score = np.concatenate([self._graph.run(flat[k : k + BATCH]) for k in range(0, len(flat), BATCH)])
-        per_frame = torch.from_numpy(score).double().unflatten(0, frames.shape[:2])
-        probability = combined_probability(per_frame).numpy()
+        probability = combined_probability(score.astype(np.float64).reshape(*frames.shape[:2], -1))
         return probability if batched else probability[0]
 
 

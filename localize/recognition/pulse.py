@@ -165,7 +165,7 @@ class PulseReader:
             Refusal: less than 3 s, no such point, or as :meth:`localize.BayesDecoder.locate`.
         """
         batch, _ = checked_signals(signals, self.microphones)
-        given = batch[0].numpy()
+        given = batch[0]
         if given.shape[1] < LEAST * SAMPLE_RATE:
             raise Refusal(
                 f"signals last {given.shape[1] / SAMPLE_RATE:g} s, must last at least {LEAST:g} s for a pulse"

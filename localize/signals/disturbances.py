@@ -14,13 +14,14 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-
-import torch
-from torch import Tensor
+from typing import TYPE_CHECKING
 
 from geometry.refusal import Refusal
 from localize.signals.random_streams import Purpose, between, complex_normal, random_words, uniform
 from localize.signals.stimulus import SAMPLE_LENGTH, SAMPLE_RATE, Device
+
+if TYPE_CHECKING:
+    from torch import Tensor
 
 REFERENCE = 20e-6
 """Reference pressure of sound levels, Pa."""
@@ -69,6 +70,8 @@ class MicrophoneMismatch:
         Returns:
             (count, microphones, n_line) complex64.
         """
+        import torch
+
         drawn = complex_normal(
             random_words(seed, purpose, "mismatch", start, count, microphones), vent_ratio.device
         )[..., None]  # fmt: skip
@@ -112,6 +115,8 @@ def ambient_sound(
     Returns:
         (count, SOUND_LINES) complex64, Pa: p(t) = 2 Re sum_k spectrum_k exp(2 pi j f_k t), f_k = k Hz.
     """
+    import torch
+
     words = random_words(seed, purpose, "ambient", start, count, SOUND_LINES + 1)
     rms = REFERENCE * 10 ** (between(*levels, uniform(words[:, -1:], device)[:, 0, :1]) / 20)
     frequency = torch.arange(SOUND_LINES, device=device) * (SAMPLE_RATE / SAMPLE_LENGTH)

@@ -3,33 +3,36 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
-import torch
-from numpy.typing import ArrayLike
-from torch import Tensor
+from numpy.typing import ArrayLike, NDArray
+from scipy.special import softmax
 
 from geometry.refusal import Refusal, counted
 from localize.signals.stimulus import SAMPLE_RATE
+
+if TYPE_CHECKING:
+    from torch import Tensor
 
 FRAME = 250
 """Length of a frame, samples."""
 
 
-def cut_frames(signals: Tensor) -> Tensor:
+def cut_frames(signals: NDArray[np.float64]) -> NDArray[np.float64]:
     """Frames of 250 samples, one after the other, the last one ending with the signal.
 
     Args:
         signals: (n, n_microphone, n_sample), n_sample at least 250, in any unit.
 
     Returns:
-        (n, n_frame, n_microphone, 250), a view in the type and unit of the signals.
+        (n, n_frame, n_microphone, 250) float64, a view in the unit of the signals.
     """
-    rest = signals.shape[-1] % FRAME
-    return signals[..., rest:].unfold(-1, FRAME, FRAME).transpose(1, 2)
+    kept = signals[..., signals.shape[-1] % FRAME :]
+    return kept.reshape(*kept.shape[:2], -1, FRAME).swapaxes(1, 2)
 
 
-def checked_signals(signals: ArrayLike | Tensor, microphones: Sequence[str]) -> tuple[Tensor, bool]:
+def checked_signals(signals: ArrayLike | Tensor, microphones: Sequence[str]) -> tuple[NDArray[np.float64], bool]:
     """Signals as a batch, refused where no touch could be read from them.
 
     Args:
@@ -43,12 +46,12 @@ def checked_signals(signals: ArrayLike | Tensor, microphones: Sequence[str]) -> 
         Refusal: wrong number of dimensions or channels, fewer than 250 samples, a value that is not finite, or a
             channel that never changes.
     """
-    batch = torch.as_tensor(
-        signals if isinstance(signals, Tensor) else np.ascontiguousarray(signals), dtype=torch.float64
-    )
+    # Tensors may lie on another device, or keep what their gradients need.
+    given = signals.numpy(force=True) if hasattr(signals, "numpy") else signals
+    batch = np.ascontiguousarray(given, np.float64)
     if batch.ndim not in (2, 3):
         raise Refusal(
-            f"signals have shape {tuple(batch.shape)}, must be (n_microphone, n_sample) or (n, n_microphone, n_sample)"
+            f"signals have shape {batch.shape}, must be (n_microphone, n_sample) or (n, n_microphone, n_sample)"
         )
     batched = batch.ndim == 3
     batch = batch if batched else batch[None]
@@ -62,32 +65,31 @@ def checked_signals(signals: ArrayLike | Tensor, microphones: Sequence[str]) -> 
             f"({FRAME / SAMPLE_RATE:g} s at {SAMPLE_RATE:g} Hz)"
         )
     # One look at all values: of a single frame checks take as long as some decoders.
-    values = batch.numpy(force=True)
-    span = values.max(-1) - values.min(-1)
+    span = batch.max(-1) - batch.min(-1)
     if not ((span > 0) & (span < np.inf)).all():
         _refuse_channels(batch, microphones, batched)
     return batch, batched
 
 
-def _refuse_channels(batch: Tensor, microphones: Sequence[str], batched: bool) -> None:
+def _refuse_channels(batch: NDArray[np.float64], microphones: Sequence[str], batched: bool) -> None:
     """Refuse the first channel that is not finite, or else that never changes; an infinite span alone is none."""
     for broken, what in (
-        (~torch.isfinite(batch).all(-1), "holds values that are not finite"),
-        (batch.amax(-1) == batch.amin(-1), "is silent: its value never changes"),
+        (~np.isfinite(batch).all(-1), "holds values that are not finite"),
+        (batch.max(-1) == batch.min(-1), "is silent: its value never changes"),
     ):
         if broken.any():
-            sample, channel = (int(k) for k in torch.nonzero(broken)[0])
+            sample, channel = np.argwhere(broken)[0].tolist()
             where = f" of signal {sample}" if batched else ""
             raise Refusal(f"channel {microphones[channel]}{where} {what}")
 
 
-def combined_probability(log_probability: Tensor) -> Tensor:
+def combined_probability(log_probability: NDArray[np.float64]) -> NDArray[np.float64]:
     """Probabilities of one touch from several frames, taken as independent observations of the same point.
 
     Args:
         log_probability: (n, n_frame, n_point), nats, normalised per frame or not.
 
     Returns:
-        (n, n_point) of the same type, each row summing to 1.
+        (n, n_point) float64, each row summing to 1.
     """
-    return log_probability.sum(1).softmax(-1)
+    return np.asarray(softmax(log_probability.sum(1), axis=-1))

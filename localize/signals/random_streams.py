@@ -8,12 +8,14 @@ therefore independent, a block of consecutive ones is drawn in one call, and non
 from __future__ import annotations
 
 import math
-from typing import Literal, get_args
+from typing import TYPE_CHECKING, Literal, get_args
 
 import numpy as np
-import torch
 from numpy.typing import NDArray
-from torch import Tensor
+
+if TYPE_CHECKING:
+    import torch
+    from torch import Tensor
 
 #: What a stream of random numbers is for; no two share any.
 Purpose = Literal["training", "held-out", "evaluation"]
@@ -82,6 +84,8 @@ def uniform(words: NDArray[np.uint64], device: torch.device | str = "cpu") -> Te
     Returns:
         (..., 2) float32.
     """
+    import torch
+
     halves = torch.from_numpy(np.ascontiguousarray(words).view(np.int32).reshape(*words.shape, 2)).to(device)
     # The ends are kept out: zero has no logarithm, and one would be a choice beyond the last.
     return (halves.to(torch.float32) * 2.0**-32 + 0.5).clamp_(2.0**-26, 1 - 2.0**-24)
@@ -97,6 +101,8 @@ def complex_normal(words: NDArray[np.uint64], device: torch.device | str = "cpu"
     Returns:
         Same shape as the words, complex64.
     """
+    import torch
+
     parts = uniform(words, device)
     radius = parts[..., 0].log().mul_(-2).sqrt_()
     angle = (2 * math.pi) * parts[..., 1]
@@ -117,4 +123,6 @@ def log_between(low: float, high: float, number: Tensor) -> Tensor:
     """Numbers from low to high, their logarithms evenly spread, from numbers in (0, 1); same shape as these,
     float32.
     """
+    import torch
+
     return torch.exp(between(math.log(low), math.log(high), number))

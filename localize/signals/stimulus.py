@@ -14,14 +14,16 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol, TypeAlias
 
 import numpy as np
-import torch
 from numpy.typing import NDArray
-from torch import Tensor
 
 from localize.signals.random_streams import Purpose, between, choice, complex_normal, random_words, uniform
+
+if TYPE_CHECKING:
+    import torch
+    from torch import Tensor
 
 SAMPLE_RATE = 1000.0
 """Sample rate of all signals, Hz."""
@@ -45,7 +47,7 @@ NOISE = 0.005
 """Level of the white noise of a stimulus, Pa rms over 0 to 500 Hz."""
 
 #: Where tensors lie: a device of torch, or its name.
-Device = torch.device | str
+Device: TypeAlias = "torch.device | str"
 _MOST_COMPONENTS = max(high for _, high in COMPONENT_INTERVALS) - 1
 _COMPONENT_WORDS = 2 + 2 * _MOST_COMPONENTS
 _STIMULUS_WORDS = _COMPONENT_WORDS + LINE_COUNT
@@ -102,6 +104,8 @@ def multi_sines(
             The sinusoids of a sample do not depend on it.
         device: where the result shall be.
     """
+    import torch
+
     words = random_words(seed, purpose, "stimulus", start, count, _STIMULUS_WORDS)
     drawn = uniform(words[:, :_COMPONENT_WORDS], device)
     bounds = torch.tensor(COMPONENT_INTERVALS, device=device)
@@ -135,6 +139,8 @@ def time_signal(spectrum: Tensor, sample_count: int = SAMPLE_LENGTH) -> Tensor:
     Returns:
         (..., sample_count) real, in the unit of the spectrum.
     """
+    import torch
+
     return torch.fft.irfft(spectrum, n=PERIOD, norm="forward")[..., :sample_count]
 
 
@@ -155,6 +161,8 @@ def white_noise(
     Returns:
         (count, channels, SAMPLE_LENGTH) float32 in the unit of ``rms``.
     """
+    import torch
+
     words = random_words(seed, purpose, "microphone", start, count, channels * SAMPLE_LENGTH // 2)
     return rms * torch.view_as_real(complex_normal(words, device)).reshape(count, channels, SAMPLE_LENGTH)
 
@@ -182,6 +190,8 @@ def coloured_noise(
     Returns:
         (count, channels, SAMPLE_LENGTH) float32; the noise repeats after this length.
     """
+    import torch
+
     lines = SAMPLE_LENGTH // 2
     words = random_words(seed, purpose, "microphone", start, count, channels * lines)
     # A line of 2 Re X exp(2 pi j f t) has the mean square 2 |X|^2, and a normal X of unit parts |X|^2 = 2.

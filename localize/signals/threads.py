@@ -7,12 +7,12 @@ times the whole, and results would depend on the number of cores.
 from __future__ import annotations
 
 import functools
+import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 
 import numpy.linalg  # noqa: F401  loaded, so that the controller below finds its library
 import scipy.linalg  # noqa: F401  the same
-import torch
 from threadpoolctl import LibController, ThreadpoolController
 
 
@@ -22,8 +22,11 @@ def one_thread() -> Iterator[None]:
 
     The setting holds for the process. It costs some microseconds, so that single frames bear it too.
     """
-    before, libraries = torch.get_num_threads(), [(each, each.num_threads) for each in _libraries()]
-    torch.set_num_threads(1)
+    torch = sys.modules.get("torch")  # which takes seconds to load, and need not be installed
+    before = None if torch is None else torch.get_num_threads()
+    libraries = [(each, each.num_threads) for each in _libraries()]
+    if torch is not None:
+        torch.set_num_threads(1)
     for library, _ in libraries:
         library.set_num_threads(1)
     try:
@@ -31,7 +34,8 @@ def one_thread() -> Iterator[None]:
     finally:
         for library, count in libraries:
             library.set_num_threads(count)
-        torch.set_num_threads(before)
+        if torch is not None:
+            torch.set_num_threads(before)
 
 
 @functools.cache

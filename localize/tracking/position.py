@@ -13,7 +13,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from torch import Tensor
 
 from localize.decoders.bayes import Ambient, BayesDecoder
 from localize.decoders.frame_covariance import SAMPLES, touch_covariances
@@ -25,6 +24,8 @@ from localize.signals.threads import one_thread
 from localize.tracking.footprints import footprint_response, footprints_over, pitch_of, shares_at
 
 if TYPE_CHECKING:
+    from torch import Tensor
+
     from acoustic_fem import Library
 
 Array = NDArray[np.float64]
@@ -153,7 +154,7 @@ class PositionDecoder(BayesDecoder):
             Refusal: as :meth:`localize.BayesDecoder.locate`.
         """
         batch, _ = checked_signals(signals, self.microphones)
-        each = [self._position(frames) for frames in cut_frames(batch).numpy()]
+        each = [self._position(frames) for frames in cut_frames(batch)]
         place = np.stack([one for one, _ in each])
         assert self._response.position is not None
         nearest = np.linalg.norm(place[:, None] - self._response.position, axis=-1).argmin(1)

@@ -144,10 +144,13 @@ def _tell(error: Exception) -> None:
         fail(f"{message}; try {error.ctx.command_path if error.ctx else 'acoustic-fem'} --help", 2)
     if not isinstance(error, (ImportError, OSError)):
         return
+    from geometry.system.extras import what_to_install
     from geometry.system.libraries import what_is_missing
 
     if missing := what_is_missing(str(error)):
         fail(missing)
+    if isinstance(error, ModuleNotFoundError) and (extra := what_to_install(error.name)):
+        fail(extra)
     if isinstance(error, ImportError):
         return
     if error.errno in _FULL:

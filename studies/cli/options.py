@@ -14,6 +14,7 @@ import typer
 from typer.core import TyperCommand
 
 from geometry.refusal import Refusal
+from geometry.system.extras import check_extras
 
 if TYPE_CHECKING:
     from studies.output.display import Display
@@ -68,8 +69,37 @@ Temperature = Annotated[
 AIR_OPTIONS = {"pressure": "--pressure", "altitude": "--altitude", "temperature_c": "--temperature"}
 
 
+#: Verb -> extras of the installation without which it does nothing; others refuse the options that need one.
+NEEDS = {
+    "studio": ("fem", "train", "studies", "studio"),
+    "parts": ("cad",),
+    "calibrate": ("plots",),
+    "recalibrate": ("train",),
+    "train": ("train",),
+    "evaluate": ("train",),
+    "onnx": ("train",),
+    "recognize": ("train",),
+    "run": ("fem", "train", "studies"),
+    "bend": ("fem",),
+    "sweep": ("studies",),
+    "tolerance": ("studies",),
+    "optimize": ("studies", "train"),
+    "report": ("studies",),
+    "best": ("studies",),
+}
+
+
 class Verb(TyperCommand):
     """A verb whose options are given once and say something."""
+
+    def invoke(self, ctx: Any) -> Any:
+        """Do it, where what it needs is installed.
+
+        Raises:
+            MissingExtra: it is not.
+        """
+        check_extras(f"what {ctx.info_name} needs", *NEEDS.get(ctx.info_name, ()))
+        return super().invoke(ctx)
 
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
         """Read the command line.

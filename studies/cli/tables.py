@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import os
 import textwrap
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from geometry.refusal import counted, in_one_line
+from geometry.system.extras import is_installed
 from studies.output.display import number
 
 if TYPE_CHECKING:
@@ -143,7 +144,9 @@ def show_check(found: DesignCheck) -> None:
     _show_first(found.problems, "- {}")
     if found.mend:
         tell(f"- {found.mend}")
-    _show_verdict(found.printing)
+    _show_unjudged(found)
+    if found.printing is not None:
+        _show_verdict(found.printing)
     length, width, height = max(found.size[:2]), min(found.size[:2]), found.size[2]
     print(f"{length:.1f} x {width:.1f} x {height:.1f} mm")
     print(found.covered)
@@ -161,10 +164,8 @@ def show_check(found: DesignCheck) -> None:
     for line in found.fidelities:
         tell(line)
     print()
-    table = table_of("part", "count", numbers=(1,))
-    for part, count in found.part_counts.items():
-        table.add_row(part, str(count))
-    show(table)
+    if found.part_counts:
+        _show_counts(found.part_counts)
     _show_notes(found.notes, found.misfits if found.overlaps else ())
     table = table_of("estimated attenuation", "level (dB)", "", numbers=(1,))
     for frequency, level, point in found.attenuation:
@@ -179,7 +180,23 @@ def show_check(found: DesignCheck) -> None:
             "ok" if item.holds else "warn",
         )
     show(table)
-    _show_print_problems(found.printing)
+    if found.printing is not None:
+        _show_print_problems(found.printing)
+
+
+def _show_unjudged(found: DesignCheck) -> None:
+    """What nothing is installed for."""
+    if not is_installed("train"):
+        tell("how good it is was not judged: pip install 'acoustic-fem[train]'")
+    if found.printing is None:
+        tell("parts were not drawn, so that neither fit nor printing is judged: pip install 'acoustic-fem[cad]'")
+
+
+def _show_counts(counts: Mapping[str, int]) -> None:
+    table = table_of("part", "count", numbers=(1,))
+    for part, count in counts.items():
+        table.add_row(part, str(count))
+    show(table)
 
 
 def _show_quality(quality: DesignQuality | None) -> None:

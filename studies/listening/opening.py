@@ -156,7 +156,7 @@ def assumed_by(model: Path, localizer: Localizer | BayesDecoder | OnnxLocalizer,
         localizer: of :func:`open_localizer` or :func:`open_trained`.
         decoding: how signals are read.
     """
-    from localize import BayesDecoder, Localizer
+    from localize import BayesDecoder
     from localize.decoders.bayes import assumed_of
     from localize.decoders.tolerant import TolerantDecoder, objection_to_tolerances
 
@@ -165,7 +165,7 @@ def assumed_by(model: Path, localizer: Localizer | BayesDecoder | OnnxLocalizer,
     if isinstance(localizer, BayesDecoder):
         objection = objection_to_tolerances(library_there(model, decoding.air))
         return localizer.assumes if objection is None else f"{localizer.assumes} ({objection})"
-    if isinstance(localizer, Localizer) or localizer.kind == "network":
+    if localizer.kind == "network":
         return "that touches are like those of the training"
     return assumed_of(localizer.provenance)
 

@@ -64,7 +64,6 @@ def recalibrate(
     path = Path(out)
     check_new_file(path, ".nc", kept="a calibrated library")
     import numpy as np
-    import torch
 
     import acoustic_fem
     from localize import SelfCalibrationError, read_recording, self_calibrate
@@ -80,7 +79,7 @@ def recalibrate(
     paths = [Path(recording) for recording in recordings]
     heard = [read_recording(recording, response.microphones, full_scale).signals for recording in paths]
     passed = [HighPass(len(signals), HIGH_PASS).begin(signals) for signals in heard]
-    frames = [cut_frames(torch.from_numpy(signals)[None])[0].numpy() for signals in passed]
+    frames = [cut_frames(signals[None])[0] for signals in passed]
     of_microphones = response.noise("design" if noise is None else noise)
     level = of_microphones.rms if isinstance(of_microphones, NoiseSpectrum) else of_microphones
     _refuse_the_same_take(paths, heard, frames, level)

@@ -23,6 +23,7 @@ from geometry.files.reading import LARGEST_TEXT, read_text
 from geometry.files.replacing import check_own_kind
 from geometry.files.writing import write_text
 from geometry.refusal import Refusal
+from geometry.system.extras import check_extras
 
 #: Marks a folder as the result of a run, which a later run may replace.
 MARK = ".acoustic-fem-run"
@@ -90,10 +91,12 @@ def check_new_file(
 
     Raises:
         Refusal: it is a folder, no ordinary file or one that is read, exists and is kept, or its own folder does not
-            exist or cannot be written to.
+            exist or cannot be written to; or a picture, and nothing is installed that draws.
     """
     if path is None:
         return
+    if path.suffix == ".png":
+        check_extras(f"what draws {path}", "plots")
     if path.is_dir():
         raise Refusal(f"{path}: is a folder; `{option}` must be a file")
     if kept is not None and path.exists():

@@ -22,6 +22,7 @@ from geometry.plan.topology import WiringCounts, wiring_counts
 from geometry.printing.report_files import report_content
 from geometry.refusal import Refusal
 from geometry.stated.fields import DesignError
+from geometry.system.extras import check_extras, is_installed
 from studies.metrics.covered_area import FINGER, coverage
 from studies.metrics.pairs import BAND, worst_heard
 from studies.output.display import Display, Report
@@ -103,18 +104,18 @@ class DesignCheck:
     mend: str
     """Change that would mend the overlaps; empty where there is none, or none is known."""
     part_counts: Mapping[str, int]
-    """Number of each part."""
+    """Number of each part; empty where none was drawn, for nothing is installed that draws."""
     misfits: tuple[str, ...]
     """Lines on what keeps the parts, as drawn, from being put together."""
-    printing: PrintReport
-    """Report of the print rules on the parts."""
+    printing: PrintReport | None
+    """Report of the print rules on the parts; None where none was drawn."""
     validity: tuple[Validity, ...]
     """Assumptions of the models, each against its limit."""
     attenuation: tuple[tuple[float, float, int], ...]
     """Frequency (Hz), then of the point that is heard worst: level at its second-loudest microphone (dB; a ratio needs
     two) and number; at fidelity lumped."""
     quality: DesignQuality | None = None
-    """How good it is; None where that was not asked, or there is nothing to tell apart."""
+    """How good it is; None where that was not asked, there is nothing to tell apart, or nothing to judge it with."""
 
     @property
     def covered(self) -> str:
@@ -133,7 +134,7 @@ class DesignCheck:
             f"{f.part}: {f.rule} {f.value:.3g} {f.unit} must be {f.relation} {f.limit:.3g} {f.unit}".replace(
                 "  ", " "
             ).rstrip()
-            for f in self.printing.findings
+            for f in (() if self.printing is None else self.printing.findings)
             if f.verdict == "fail"
         )
 
@@ -147,9 +148,11 @@ class DesignCheck:
 
     @property
     def verdict(self) -> str:
-        """Verdict on the array: a valid design, or one that cannot be built or printed."""
+        """Verdict on the array: a valid design, as far as was looked, or one that cannot be built or printed."""
         if self.overlaps or self.misfits:
             return "cannot be built"
+        if self.printing is None:
+            return "a valid design, its parts not drawn"
         return "cannot be printed" if self.failures else "a valid design"
 
     @property
@@ -175,7 +178,7 @@ class DesignCheck:
             "fidelities": list(self.fidelities),
             "parts": dict(self.part_counts),
             "misfits": list(self.misfits),
-            "printing": report_content(self.printing),
+            "printing": None if self.printing is None else report_content(self.printing),
             "validity": [{**asdict(item), "holds": item.holds} for item in self.validity],
             "attenuation": [
                 {"frequency_hz": f, "second_microphone_db": level, "point": point}
@@ -195,11 +198,13 @@ def check_design(
 ) -> DesignCheck:
     """Findings on a design: laid out, its parts drawn and judged, the models' assumptions compared with their limits.
 
+    Parts are left out where the extra ``cad`` is not installed, and how good it is without ``train``: findings say so.
+
     Args:
         design: the design.
         out: a JSON file for all that was found; an earlier one is replaced.
         picture: a PNG file for the array in plan with how well each point is told from the others.
-        quality: whether to predict how good it is: :func:`studies.run.design_quality`.
+        quality: whether to predict how good it is: :func:`studies.run.design_quality`; with a picture in any case.
         display: shows what is being done.
 
     Raises:
@@ -209,9 +214,11 @@ def check_design(
     path, drawn = None if out is None else Path(out), None if picture is None else Path(picture)
     check_new_file(path, ".json")
     check_new_file(drawn, ".png")
+    if drawn is not None:
+        check_extras("what judges points", "train")
     with (display or Display()).stage("Check") as report:
         found = _judged(design, report)
-        if quality or drawn is not None:
+        if drawn is not None or (quality and is_installed("train")):
             report("how good it is", 0.9)
             found = replace(found, quality=design_quality(design))
     if path is not None:
@@ -225,9 +232,6 @@ def check_design(
 
 def _judged(design: ArrayDesign, report: Report) -> DesignCheck:
     import acoustic_fem
-    from geometry import build_parts, print_report
-    from geometry.assembly.fit import misfits
-    from geometry.assembly.model import array_model
 
     report("layout", 0.0)
     layout = lay_out(design)
@@ -238,16 +242,7 @@ def _judged(design: ArrayDesign, report: Report) -> DesignCheck:
         warnings.filterwarnings("ignore", "entrance loss of a tube|membrane: ", UserWarning)
         library = acoustic_fem.solve(design, ATTENUATION_AT, fidelity="lumped")
     levels = [(frequency, *worst_heard(library.transfer_function, frequency)) for frequency in ATTENUATION_AT]
-    report("parts", 0.3)
-    parts = build_parts(design, layout)
-    report("fit", 0.4)
-    try:
-        in_the_way = misfits(array_model(design, parts, layout))
-    except Refusal as error:  # a tube that bends into itself is no solid
-        in_the_way = (str(error),)
-    printing = print_report(
-        parts, design=design, progress=lambda part, fraction: report(f"print rules: {part}", 0.4 + 0.5 * fraction)
-    )
+    counts, in_the_way, printing = _drawn(design, layout, report) if is_installed("cad") else ({}, (), None)
     return DesignCheck(
         design=design,
         wiring=wiring_counts(len(design.microphones), [line.points for line in design.lines]),
@@ -258,12 +253,33 @@ def _judged(design: ArrayDesign, report: Report) -> DesignCheck:
         notes=schematic_notes(design, layout),
         overlaps=found,
         mend=mend_of(design) if found else "",
-        part_counts=parts.counts,
+        part_counts=counts,
         misfits=in_the_way,
         printing=printing,
         validity=model_validity(design, library.medium, levels[-1][1]),
         attenuation=tuple(levels),
     )
+
+
+def _drawn(
+    design: ArrayDesign, layout: ArrayLayout, report: Report
+) -> tuple[Mapping[str, int], tuple[str, ...], PrintReport]:
+    """Numbers of the parts, what keeps them from being put together, and what the print rules say of them."""
+    from geometry import build_parts, print_report
+    from geometry.assembly.fit import misfits
+    from geometry.assembly.model import array_model
+
+    report("parts", 0.3)
+    parts = build_parts(design, layout)
+    report("fit", 0.4)
+    try:
+        in_the_way = misfits(array_model(design, parts, layout))
+    except Refusal as error:  # a tube that bends into itself is no solid
+        in_the_way = (str(error),)
+    printing = print_report(
+        parts, design=design, progress=lambda part, fraction: report(f"print rules: {part}", 0.4 + 0.5 * fraction)
+    )
+    return parts.counts, in_the_way, printing
 
 
 def fidelity_lines(cells: int) -> tuple[str, ...]:

@@ -6,6 +6,7 @@ import os
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from geometry.system.extras import check_extras
 from geometry.system.loading import check_system_libraries
 from studies.output.display import Display
 from studies.output.folders import check_new_library
@@ -44,6 +45,7 @@ def solve_library(
     path, show = Path(out), display or Display()
     check_new_library(path, (".nc",))
     if fidelity != "lumped":
+        check_extras("what solves in 3-D", "fem")
         check_system_libraries()
     import acoustic_fem
     from acoustic_fem.library.exchange import write_library

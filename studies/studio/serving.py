@@ -6,11 +6,11 @@ import os
 import socket
 import webbrowser
 from collections.abc import Callable
-from importlib.util import find_spec
 from ipaddress import ip_address
 
 from geometry.design.array_design import ArrayDesign
 from geometry.refusal import Refusal
+from geometry.system.extras import check_extras
 
 #: Port that is taken where it is free, and how many after it are tried.
 USUAL_PORT, _PORTS = 8765, 20
@@ -41,9 +41,7 @@ def serve_studio(
     Raises:
         Refusal: what it takes is not installed, no port is free, or an address for others without a token.
     """
-    for name in ("starlette", "uvicorn", "websockets"):
-        if find_spec(name) is None:
-            raise Refusal(f"{name} is not installed: pip install 'acoustic-fem[studio]'")
+    check_extras("the server of the page", "studio")
     _check(host, token)
     for variable in _THREADS:  # of the processes that follow; this one has its limits below
         os.environ.setdefault(variable, "1")

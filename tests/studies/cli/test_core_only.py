@@ -1,0 +1,101 @@
+"""With the core alone, without CAD, 3-D, networks and plots: what works there, and the line of what does not."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+
+import pytest
+from core_only import ROOT, acoustic_fem_of_core, link_core, megabytes
+
+from geometry.system.extras import EXTRAS
+from studies.cli.app import VERBS
+from studies.cli.options import NEEDS
+
+RECORDINGS = ROOT / "docs" / "examples" / "recordings"
+pytestmark = [
+    pytest.mark.end_to_end,
+    # An interpreter without site packages finds nothing that is installed in place.
+    pytest.mark.skipif(not (ROOT / "pyproject.toml").is_file(), reason="needs a checkout"),
+]
+
+
+@pytest.fixture(scope="module")
+def core(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return link_core(tmp_path_factory.mktemp("core"))
+
+
+def test_the_core_takes_less_than_400_megabytes() -> None:
+    assert 100 < megabytes() < 400
+
+
+@pytest.mark.slow
+def test_a_design_is_checked_without_its_parts_and_says_so(core: Path, tmp_path: Path) -> None:
+    done = acoustic_fem_of_core(core, "check", "array-2x6", "--out", "found.json", folder=tmp_path)
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.startswith("array-2x6: a valid design, its parts not drawn")
+    for extra in ("cad", "train"):
+        assert f"pip install 'acoustic-fem[{extra}]'" in done.stdout
+    found = json.loads((tmp_path / "found.json").read_text(encoding="utf-8"))
+    assert found["printing"] is None
+    assert found["quality"] is None
+    assert found["coverage"] == pytest.approx(0.66, abs=0.05)
+
+
+@pytest.mark.slow
+def test_a_design_is_solved_and_its_library_converted(core: Path, tmp_path: Path) -> None:
+    words = ("solve", "array-2x6", "--fidelity", "lumped", "--frequencies", "1:200:50", "--out", "library.nc")
+    done = acoustic_fem_of_core(core, *words, folder=tmp_path)
+    assert done.returncode == 0, done.stderr
+    for kind in ("npz", "csv", "sofa"):
+        done = acoustic_fem_of_core(core, "convert", "library.nc", "--out", f"library.{kind}", folder=tmp_path)
+        assert done.returncode == 0, done.stderr
+        assert (tmp_path / f"library.{kind}").stat().st_size > 1000
+
+
+@pytest.mark.slow
+def test_touches_are_located_and_tracked(core: Path, tmp_path: Path) -> None:
+    heard = (RECORDINGS / "library.nc", RECORDINGS / "touches.wav", "--full-scale", "20")
+    done = acoustic_fem_of_core(core, "locate", *heard, "--out", "touches.jsonl", folder=tmp_path)
+    assert done.returncode == 0, done.stderr
+    assert re.search(r"\d+ touch", done.stdout + done.stderr)
+    done = acoustic_fem_of_core(core, "track", *heard, "--out", "path.csv", folder=tmp_path)
+    assert done.returncode == 0, done.stderr
+    assert (tmp_path / "path.csv").read_text(encoding="utf-8").count("\n") > 2
+
+
+@pytest.mark.parametrize(
+    ("words", "extras"),
+    [
+        ("parts array-2x6 --out parts", "cad"),
+        ("solve array-2x6 --out library.nc", "fem"),
+        ("check array-2x6 --picture array.png", "plots"),
+        ("wiring 4 36 --out wiring.png", "plots"),
+        ("train library.nc --out trained", "train"),
+        ("sweep study.toml --out results.zarr", "studies"),
+        ("run array-2x6 --out demo", "fem,train,studies"),
+        ("studio array-2x6", "fem,train,studies,studio"),
+        ("live library.nc", "live"),
+    ],
+)
+def test_what_is_not_installed_is_told_in_one_line_before_any_work(
+    core: Path, tmp_path: Path, words: str, extras: str
+) -> None:
+    (tmp_path / "library.nc").write_bytes((RECORDINGS / "library.nc").read_bytes())
+    words = words.replace("--out library.nc", "--out new.nc")
+    done = acoustic_fem_of_core(core, *words.split(), folder=tmp_path)
+    assert done.returncode == 1
+    (line,) = done.stderr.strip().splitlines()
+    assert f"is not installed: pip install 'acoustic-fem[{extras}]'" in line
+
+
+def test_help_of_a_verb_needs_nothing(core: Path, tmp_path: Path) -> None:
+    done = acoustic_fem_of_core(core, "optimize", "--help", folder=tmp_path)
+    assert done.returncode == 0
+    assert "Example" in done.stdout
+
+
+def test_what_verbs_need_are_extras_and_verbs() -> None:
+    assert set(NEEDS) <= {verb.__name__ for verb in VERBS}
+    assert {extra for needed in NEEDS.values() for extra in needed} <= set(EXTRAS)
