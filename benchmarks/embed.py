@@ -1,4 +1,4 @@
-"""What the decoder as C takes on a microcontroller. ``python benchmarks/embed.py`` writes the tables of docs/embed.md
+"""What the decoder as C takes on a microcontroller. ``python benchmarks/embed.py`` writes the tables of docs/evidence/embed.md
 anew: what fits where for all prototypes in minutes, then differences from Python and counts on the emulated board.
 
 Touches are the decoding library's own, of the generator of this project, on seeds on which nothing was chosen;
@@ -19,7 +19,7 @@ from geometry.files.writing import replace_section
 from localize.embedded import Cost, cost_of, embed
 from localize.embedded.tables import PRECISIONS, embedded_tables
 
-PAGE = Path(__file__).parents[1] / "docs" / "embed.md"
+PAGE = Path(__file__).parents[1] / "docs" / "evidence" / "embed.md"
 SEED, TAKES = 2077, 100
 #: Classes of chips: name, flash in KiB, clock in MHz.
 CHIPS = (
@@ -32,7 +32,6 @@ CHIPS = (
 )
 #: Flash for everything else, KiB, and cycles for an instruction: divisions and waits for flash.
 REST, CYCLES = 32, 1.5
-
 
 def sizes() -> None:
     """The table of what fits where."""
@@ -52,7 +51,6 @@ def sizes() -> None:
                 print(rows[-1], flush=True)
     replace_section(PAGE, "<!-- sizes: made by benchmarks/embed.py -->", "<!-- end sizes -->", rows)
 
-
 def frames() -> None:
     """The table of differences and counts."""
     rows = [
@@ -67,7 +65,6 @@ def frames() -> None:
                 print(rows[-1], flush=True)
     replace_section(PAGE, "<!-- frames: made by benchmarks/embed.py -->", "<!-- end frames -->", rows)
 
-
 def smallest(cost: Cost) -> str:
     """The smallest class of chips that has room and time for a decoder."""
     for name, flash, clock in CHIPS:
@@ -75,7 +72,6 @@ def smallest(cost: Cost) -> str:
         if fits and cost.instructions * CYCLES <= 0.016 * clock * 1e6:
             return name
     return "none"
-
 
 def measured(name: str, is_calibrated: bool, precision: str) -> str:
     """A row of the second table: on a Cortex-M4F."""
@@ -102,7 +98,6 @@ def measured(name: str, is_calibrated: bool, precision: str) -> str:
         f"{np.median(spent):.0f} | {np.quantile(spent, 0.99):.0f} | {spent.max():.0f} | "
         f"{decoder.cost.instructions / 1e3:.0f} |"
     )
-
 
 if __name__ == "__main__":
     sizes()

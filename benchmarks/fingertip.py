@@ -54,7 +54,7 @@ def main() -> None:
             verdict = "no difference"
         lines.append(f"| {title} | {spread(old)} | {spread(new)} | {verdict} ({spread(change, '+.1f')}) |")
     print("\n".join(lines))
-    page = DOCS / "optimize.md"
+    page = DOCS / "evidence" / "designs.md"
     replace_section(page, BEGIN, END, lines)
 
 

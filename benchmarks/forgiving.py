@@ -1,6 +1,6 @@
 """Whether the predicted error under scatter ranks designs as touches on made sensors do.
 
-``python benchmarks/forgiving.py --write`` writes the table of docs/metrics.md anew. Made sensors and touches are those
+``python benchmarks/forgiving.py --write`` writes the table of docs/evidence/designs.md anew. Made sensors and touches are those
 of benchmarks/tolerant.py with 5 % of bores and volumes and 10 % of membranes, of seeds of its own; some minutes of one
 core.
 """
@@ -26,7 +26,7 @@ from studies.metrics.scatter_detection import scatter_detection
 from studies.study.metric_registry import METRICS
 
 ROOT = Path(__file__).parents[1]
-PAGE = ROOT / "docs" / "metrics.md"
+PAGE = ROOT / "docs" / "evidence" / "designs.md"
 BEGIN, END = "<!-- forgiving: made by benchmarks/forgiving.py -->", "<!-- end forgiving -->"
 FIRST, SENSORS = 9400, 8
 FIELDS = ("tube.inner_diameter", "tube.length", "resonator.cavity_height", "membrane.thickness")
@@ -56,7 +56,7 @@ def main() -> None:
     warnings.filterwarnings("ignore", "entrance loss", UserWarning)
     parser = argparse.ArgumentParser()
     parser.add_argument("--sensors", type=int, default=SENSORS)
-    parser.add_argument("--write", action="store_true", help="into docs/metrics.md")
+    parser.add_argument("--write", action="store_true", help="into docs/evidence/designs.md")
     chosen = parser.parse_args()
     lines = [
         "| design | bore, tube, cavity, membrane (mm) | `scatter_detection` | nominal decoder (%) | tolerant decoder "

@@ -1,7 +1,7 @@
 """Networks trained on the nominal design and on a library of mis-made sensors, both judged on sensors never seen;
 and which designs forgive, by prediction.
 
-``python benchmarks/mis_made.py`` writes both tables of docs/tolerances.md anew, two minutes of one core per network;
+``python benchmarks/mis_made.py`` writes both tables of docs/evidence/designs.md anew, two minutes of one core per network;
 ``python benchmarks/mis_made.py forgiving`` the second one only, in two minutes.
 """
 
@@ -26,7 +26,7 @@ from studies.scatter.effects import scattered_accuracy
 from studies.scatter.perturbed_library import write_perturbed_library
 from studies.study.metric_registry import METRICS
 
-PAGE = Path(__file__).parents[1] / "docs" / "tolerances.md"
+PAGE = Path(__file__).parents[1] / "docs" / "evidence" / "designs.md"
 BEGIN, END = "<!-- mis-made: made by benchmarks/mis_made.py -->", "<!-- end -->"
 FORGIVING, FORGIVING_END = "<!-- forgiving: made by benchmarks/mis_made.py -->", "<!-- end forgiving -->"
 GRID = np.linspace(1.0, 100.0, 64)

@@ -1,7 +1,8 @@
 """Predicted top-1 accuracy against that of trained networks and of the model-based decoder, on designs and noises.
 
 ``python benchmarks/predicted_accuracy.py`` trains what docs/predicted_accuracy.json does not hold yet (about a
-quarter of a minute of one core per 12 points), predicts again, and writes the table of docs/metrics.md anew.
+quarter of a minute of one core per 12 points), predicts again, and writes the table of docs/evidence/designs.md and
+the definitions of docs/metrics.md anew.
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ from studies.study.metric_registry import METRICS
 
 DOCS = Path(__file__).parents[1] / "docs"
 RESULTS = DOCS / "predicted_accuracy.json"
-PAGE = DOCS / "metrics.md"
+PAGE, EVIDENCE = DOCS / "metrics.md", DOCS / "evidence" / "designs.md"
 BEGIN, END = "<!-- predicted accuracy: made by benchmarks/predicted_accuracy.py -->", "<!-- end -->"
 DEFINED, DEFINED_END = "<!-- definitions: made by benchmarks/predicted_accuracy.py -->", "<!-- end definitions -->"
 
@@ -67,7 +68,6 @@ SHARES = ("predicted_network", "trained", "predicted_model", "bayes")
 #: One-second touches per point in training, and touches per point in the evaluation.
 SECONDS_PER_POINT, EPOCHS, EVALUATED = 150, 16, 200
 
-
 def measure(title: str, prototype: str, values: dict[str, Any], noise: float) -> dict[str, Any]:
     """Train, and evaluate on touches that were never seen."""
     library = solved(prototype, values)
@@ -85,18 +85,15 @@ def measure(title: str, prototype: str, values: dict[str, Any], noise: float) ->
         "bayes": bayes,
     }
 
-
 def solved(prototype: str, values: dict[str, Any]) -> acoustic_fem.Library:
     """With membranes of constant loss, of which the stored networks were trained."""
     design = geometry.prototype(prototype).with_values(values).completed()
     constant = design.with_values({f"materials.{design.membrane.material}.law": "constant"})
     return acoustic_fem.solve(constant, GRID, "lumped")
 
-
 def predicted(row: dict[str, Any], listener: Listener, touches: int = 200) -> float:
     h = solved(row["prototype"], row["values"]).transfer_function.values[None]
     return float(predict_confusion(h, GRID, row["noise"], listener=listener, touches=touches).top1[0])
-
 
 def agreement(first: np.ndarray, second: np.ndarray) -> str:
     difference = 100 * (first - second)
@@ -104,7 +101,6 @@ def agreement(first: np.ndarray, second: np.ndarray) -> str:
         f"correlation {np.corrcoef(first, second)[0, 1]:.3f}, mean error {difference.mean():+.1f}, rms "
         f"{np.sqrt((difference**2).mean()):.1f}, largest {np.abs(difference).max():.1f} percentage points"
     )
-
 
 def table(rows: list[dict[str, Any]]) -> str:
     lines = [
@@ -123,14 +119,12 @@ def table(rows: list[dict[str, Any]]) -> str:
     ]
     return "\n".join(lines)
 
-
 def definitions() -> str:
     lines = ["| name | unit | better | definition |", "|---|---|---|---|"]
     for metric in METRICS.values():
         words = metric.definition.replace("|", "\\|")
         lines.append(f"| `{metric.name}` | {metric.unit} | {metric.better} | {words} |")
     return "\n".join(lines)
-
 
 def main() -> None:
     rows: list[dict[str, Any]] = json.loads(RESULTS.read_text()) if RESULTS.exists() else []
@@ -145,9 +139,8 @@ def main() -> None:
         row["predicted_network"], row["predicted_model"] = predicted(row, "network"), predicted(row, "model")
     RESULTS.write_text(json.dumps(rows, indent=1) + "\n")
     print(table(rows))
-    for begin, end, content in ((BEGIN, END, table(rows)), (DEFINED, DEFINED_END, definitions())):
-        replace_section(PAGE, begin, end, content.splitlines())
-
+    replace_section(EVIDENCE, BEGIN, END, table(rows).splitlines())
+    replace_section(PAGE, DEFINED, DEFINED_END, definitions().splitlines())
 
 if __name__ == "__main__":
     main()

@@ -1,6 +1,6 @@
 """Networks in the sound of rooms: trained in silence and in rooms, judged over levels of sound and of touches.
 
-``python benchmarks/room_networks.py`` writes the tables of docs/localizer.md, in about ten minutes of one core;
+``python benchmarks/room_networks.py`` writes the tables of docs/evidence/localizer.md, in about ten minutes of one core;
 ``louder`` behind it makes the second one alone, in less than a minute. Touches are the library's own sums of sines.
 No constant was chosen on these seeds.
 """
@@ -24,7 +24,7 @@ from localize.signals.finger_stimuli import Louder
 from localize.signals.stimulus import multi_sines
 from localize.signals.touch_generator import TouchGenerator
 
-PAGE = Path(__file__).parents[1] / "docs" / "localizer.md"
+PAGE = Path(__file__).parents[1] / "docs" / "evidence" / "localizer.md"
 BEGIN, END = "<!-- rooms: made by benchmarks/room_networks.py -->", "<!-- end rooms -->"
 SCALE_BEGIN, SCALE_END = "<!-- louder: made by benchmarks/room_networks.py -->", "<!-- end louder -->"
 FREQUENCY = np.arange(1.0, 501.0)

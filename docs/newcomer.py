@@ -1,7 +1,9 @@
-"""Do what the manual says, as printed: ``python docs/newcomer.py [PAGE ...]``, by default the pages of Start.
+"""Do what the manual says, as printed: ``python docs/newcomer.py [--guides] [PAGE ...]``, by default the pages of Start.
 
-Types the ``sh`` blocks of each page, unchanged and in order, into one shell in a fresh clone of the checkout, and ends
-with exit code 1 at the first command that fails or picture that a page promises and nobody drew. On a bare machine the
+Writes the files that a page gives (a ``toml`` block below the file's name) and types its ``sh`` blocks, unchanged and in
+order, into one shell in a fresh clone of the checkout. It ends with exit code 1 at the first command that fails, or
+picture or page that a block names and nobody drew. What takes recordings of one's own is in ``bash`` blocks: nobody types
+it. On a bare machine the
 first block installs everything; ``--venv .venv`` takes an installation that there is. What listens to a sound card or
 serves a page until it is stopped cannot be done this way.
 """
@@ -18,8 +20,13 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
 START = ("install", "first-minutes", "tutorial")
+GUIDES = (
+    *("studies/topology/README", "first-study", "studies", "optimize", "tolerances", "parts", "bending"),
+    *("calibration", "live", "embed"),
+)
 BLOCK = re.compile(r"^```sh\n(.*?)^```", re.MULTILINE | re.DOTALL)
-PICTURE = re.compile(r"--(?:picture|out)[ =](\S+\.png)\b")
+FILE = re.compile(r"`([\w-]+\.toml)`:\n\n```toml\n(.*?)^```", re.MULTILINE | re.DOTALL)
+PICTURE = re.compile(r"(?<![\w./-])[\w./-]+\.(?:png|html)\b")
 #: Fewer bytes are no picture.
 SMALLEST = 5_000
 
@@ -32,16 +39,19 @@ def blocks_of(page: Path) -> list[str]:
 def typed(page: Path) -> str:
     """A script that types the blocks of a page, stops where one fails, and looks at the pictures of each."""
     lines = ["set -eo pipefail"]
+    for name, text in FILE.findall(page.read_text(encoding="utf-8")):
+        lines += [f"cat > {name} <<'END'", text + "END"]
     for block in blocks_of(page):
         lines += [block.rstrip()]
-        lines += [f'test "$(wc -c < {name})" -gt {SMALLEST}' for name in PICTURE.findall(block)]
+        lines += [f'test "$(wc -c < {name})" -gt {SMALLEST}' for name in dict.fromkeys(PICTURE.findall(block))]
     return "\n".join(lines) + "\n"
 
 
 def main() -> int:
     """Exit code: 0 where all pages could be done."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("pages", nargs="*", default=START, metavar="PAGE")
+    parser.add_argument("pages", nargs="*", metavar="PAGE")
+    parser.add_argument("--guides", action="store_true", help="the pages of Guides, in half an hour")
     parser.add_argument("--venv", type=Path, help="an installation to use as .venv of the clone")
     asked = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
@@ -51,7 +61,7 @@ def main() -> int:
             (clone / ".venv").symlink_to(asked.venv.resolve())
             for name in ("pyproject.toml", "constraints.txt"):
                 os.utime(clone / name, (0, 0))  # older than the installation: make leaves it as it is
-        for name in asked.pages:
+        for name in asked.pages or (GUIDES if asked.guides else START):
             script = typed(clone / "docs" / f"{name}.md")
             if name != START[0]:
                 script = ". .venv/bin/activate\n" + script  # what the page says was done before

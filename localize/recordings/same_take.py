@@ -27,7 +27,7 @@ STRETCH = 4000
 LEAST_TOUCHED = 2000
 """Number of a stretch's samples that frames with a touch must cover: one tap is like many others."""
 ALIKE = 0.99
-"""Correlation from which two stretches are one; docs/localizer.md has what takes reach."""
+"""Correlation from which two stretches are one; docs/evidence/localizer.md has what takes reach."""
 _COARSE = 4
 """Samples at 1 kHz for one of the first search."""
 _COARSE_ALIKE = 0.75

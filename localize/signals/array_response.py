@@ -2,7 +2,7 @@
 
 Between the library's frequencies the complex values are interpolated by a cubic spline. Below the lowest one it runs on
 to 0 Hz, where all pressures of a sealed array are equal. A long line bends there within a fraction of a hertz: where
-taps matter, whose spectrum begins at 0 Hz, take a library in steps of 0.25 Hz (docs/localizer.md has figures).
+taps matter, whose spectrum begins at 0 Hz, take a library in steps of 0.25 Hz.
 """
 
 from __future__ import annotations

@@ -93,16 +93,20 @@ def test_a_newcomer_types_every_block_and_looks_at_the_pictures(
     monkeypatch.delitem(sys.modules, "newcomer")
     page = tmp_path / "page.md"
     page.write_text(
-        "```sh\nacoustic-fem check a --picture a.png\n```\n\n```toml\nno = 1\n```\n\n```sh\ntrue\n```\n", "utf-8"
+        "`a.toml`:\n\n```toml\nyes = 1\n```\n\n```sh\nacoustic-fem check a --picture a.png\n```\n\n"
+        "```toml\nno = 1\n```\n\n```bash\nmine\n```\n\n```sh\ntrue  # draws b/c.html\n```\n",
+        "utf-8",
     )
     script = newcomer.typed(page).splitlines()
     assert script == [
         "set -eo pipefail",
+        *("cat > a.toml <<'END'", "yes = 1", "END"),
         "acoustic-fem check a --picture a.png",
         f'test "$(wc -c < a.png)" -gt {newcomer.SMALLEST}',
-        "true",
+        "true  # draws b/c.html",
+        f'test "$(wc -c < b/c.html)" -gt {newcomer.SMALLEST}',
     ]
-    for name in newcomer.START:
+    for name in (*newcomer.START, *newcomer.GUIDES):
         assert newcomer.blocks_of(ROOT / "docs" / f"{name}.md"), name
 
 

@@ -45,7 +45,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("newcomer")
     (study,) = blocks("toml")
     (folder / "first-study.toml").write_text(study, encoding="utf-8")
-    for line in "".join(blocks("bash")).splitlines():
+    for line in "".join(blocks("sh")).splitlines():
         program, *words = shlex.split(line)
         assert program == "acoustic-fem"
         follow(folder, *words)
