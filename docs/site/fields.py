@@ -1,16 +1,26 @@
-"""Tables of the design file's fields, from the models that read it: ``{fields} SECTION`` or names of single fields."""
+"""Tables of the fields of files, from the models that read them.
+
+``{fields} SECTION``, or names of single fields, of a design file; ``{study-fields} study``, ``range`` or ``optimize``.
+"""
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from docutils import nodes
+from pydantic import BaseModel
 from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective
 
 from geometry.design.array_design import ArrayDesign
 from geometry.stated.declared import DesignField, fields_of
+from studies.optimization.problem import OptimizeFields
+from studies.study.file import RangeFields, StudyFields
 
 #: What has the fields of ``[tube]`` all over again, as the page says.
 _ALIKE = ("microphone_tube.", "lines.*.tube.", "lines.*.micro", "tube_kinds.")
+#: Models of the sections of a study file.
+_STUDY: dict[str, type[BaseModel]] = {"study": StudyFields, "range": RangeFields, "optimize": OptimizeFields}
 _HEAD = "| field | allowed | default | what it is |\n|---|---|---|---|\n"
 
 
@@ -40,9 +50,25 @@ def fields_named(words: list[str]) -> list[DesignField]:
 
 def field_table(words: list[str]) -> str:
     """Markdown table of fields: name, range with unit, default, words."""
+    return _table(fields_named(words))
+
+
+def study_table(section: str) -> str:
+    """Markdown table of the fields of a study file.
+
+    Raises:
+        ValueError: no such section.
+    """
+    if section not in _STUDY:
+        raise ValueError(f"{section!r} must be one of: {', '.join(_STUDY)}")
+    model = _STUDY[section]
+    named = {name: info.alias or name for name, info in model.model_fields.items()}
+    return _table([replace(field, name=named.get(field.name, field.name)) for field in fields_of(model)])
+
+
+def _table(fields: list[DesignField]) -> str:
     return _HEAD + "".join(
-        f"| `{field.name}` | {_allowed(field)} | {_default(field)} | {field.description} |\n"
-        for field in fields_named(words)
+        f"| `{field.name}` | {_allowed(field)} | {_default(field)} | {field.description} |\n" for field in fields
     )
 
 
@@ -55,7 +81,7 @@ def _allowed(field: DesignField) -> str:
 def _default(field: DesignField) -> str:
     if field.required:
         return "required"
-    if field.default in (None, ""):
+    if field.default in (None, "", (), {}):
         return ""
     return f"`{str(field.default).lower() if isinstance(field.default, bool) else field.default}`"
 
@@ -74,7 +100,21 @@ class Fields(SphinxDirective):
             raise self.error(str(error)) from None
 
 
+class StudyFieldsTable(SphinxDirective):
+    """The directive of study files."""
+
+    required_arguments = 1
+
+    def run(self) -> list[nodes.Node]:
+        """The table as nodes."""
+        try:
+            return self.parse_text_to_nodes(study_table(self.arguments[0]))
+        except ValueError as error:
+            raise self.error(str(error)) from None
+
+
 def setup(app: Sphinx) -> dict[str, bool]:
     """Register the directive."""
     app.add_directive("fields", Fields)
+    app.add_directive("study-fields", StudyFieldsTable)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -98,7 +98,9 @@ _Real = Annotated[float, Field(strict=True)]
 
 class _Objective(FileSection):
     metric: str = Field(description="name of a metric")
-    better: Literal["larger", "smaller"] | None = Field(default=None, description="which values are wanted")
+    better: Literal["larger", "smaller"] | None = Field(
+        default=None, description="which values are wanted, where those of the metric are not meant"
+    )
 
 
 class _Limit(FileSection):
@@ -107,11 +109,21 @@ class _Limit(FileSection):
     most: _Real | None = Field(default=None, description="largest value allowed")
 
 
-class _Optimize(FileSection):
+class OptimizeFields(FileSection):
+    """Section ``[optimize]`` of a study file."""
+
     trials: Annotated[_Whole, Field(ge=1, le=1_000_000)] = Field(default=2000, description="designs to try")
-    batch: Annotated[_Whole, Field(ge=1, le=10_000)] = Field(default=64, description="designs computed at once")
-    method: Method | None = Field(default=None, description="how the designs are proposed")
-    printable: Demand = Field(default="base", description="what the print rules demand")
+    batch: Annotated[_Whole, Field(ge=1, le=10_000)] = Field(default=64, description="designs computed in one call")
+    method: Method | None = Field(
+        default=None,
+        description="`nsga2` for several objectives, `tpe` for one, `random` to compare with, `gradient` along slopes; "
+        "by default by the number of objectives",
+    )
+    printable: Demand = Field(
+        default="base",
+        description="`least`: no print rule fails; `advised`: nothing is at risk; `base`: nothing below what is "
+        "advised, unless the base is, and then not below the base",
+    )
     objectives: tuple[_Objective, ...] = Field(min_length=1, max_length=4, description="figures to be made best")
     limits: tuple[_Limit, ...] = Field(default=(), description="bounds on figures")
 
@@ -140,14 +152,14 @@ def read_optimization(
         )
     # the optimiser proposes the cases
     study = study_of({**given, "sampling": "random", "cases": 1}, text, source, folder, base)
-    file = model_of(_Optimize, wanted, f"{source}: optimize", "study", StudyError)
+    file = model_of(OptimizeFields, wanted, f"{source}: optimize", "study", StudyError)
     try:
         return _checked(file, study, text)
     except Refusal as error:
         raise StudyError(f"{source}: {error}") from None
 
 
-def _checked(file: _Optimize, study: Study, text: str) -> Optimization:
+def _checked(file: OptimizeFields, study: Study, text: str) -> Optimization:
     objectives = []
     for wanted in file.objectives:
         (metric,) = metrics_named([wanted.metric])

@@ -33,38 +33,57 @@ class FileSection(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
 
 
-class _Range(FileSection):
+class RangeFields(FileSection):
+    """Range of a parameter in a study file."""
+
     first: Annotated[float, Field(strict=True, alias="from", description="where the range begins")]
     last: Annotated[float, Field(strict=True, alias="to", description="where the range ends")]
     count: Annotated[int, Field(strict=True, ge=2, le=100_000)] | None = Field(
-        default=None, description="values in a grid"
+        default=None, description="number of values; in a grid only"
     )
     scale: Literal["linear", "log"] = Field(default="linear", description="equal steps or equal ratios")
-    step: Annotated[float, Field(strict=True, gt=0)] | None = Field(default=None, description="of what can be bought")
+    step: Annotated[float, Field(strict=True, gt=0)] | None = Field(
+        default=None, description="between values that can be bought, from the beginning of the range"
+    )
 
 
-class _StudyFile(FileSection):
+class StudyFields(FileSection):
+    """Study file, its own fields."""
+
     name: str = Field(
         default="study",
         min_length=1,
         max_length=80,
         pattern=r"^[A-Za-z0-9][A-Za-z0-9._-]*$",
-        description="of the study",
+        description="of the study, for people",
     )
     description: str = Field(default="", description="what it asks, for people")
     base: str = Field(description="a prototype, or a design file beside the study")
-    sampling: Sampling = Field(default="grid", description="every combination, or samples")
+    sampling: Sampling = Field(default="grid", description="every combination (`grid`), or samples")
     cases: Annotated[int, Field(strict=True, ge=1, le=LARGEST)] | None = Field(
-        default=None, description="number of samples"
+        default=None, description="number of samples, a power of 2 for Sobol points; not for a grid"
     )
-    seed: Annotated[int, Field(strict=True, ge=0, le=2**53)] = Field(default=0, description="of the samples")
-    constraints: tuple[str, ...] = Field(default=(), description="conditions that a case must meet")
+    seed: Annotated[int, Field(strict=True, ge=0, le=2**53)] = Field(
+        default=0, description="of the samples: the same seed gives the same cases, everywhere"
+    )
+    constraints: tuple[str, ...] = Field(
+        default=(), description="conditions on a case; one that breaks any is left out and counted"
+    )
     fidelity: Fidelity = Field(default="navier-stokes", description="what the cells are computed with")
-    frequencies: str = Field(default="1:100:64", description="FIRST:LAST:COUNT, Hz")
-    metrics: tuple[str, ...] = Field(min_length=1, description="figures of merit")
-    transfer_functions: Annotated[bool, Field(strict=True)] = Field(default=False, description="whether they are kept")
-    parameters: dict[str, Any] = Field(default_factory=dict, description="what varies, each on its own")
-    together: tuple[dict[str, Any], ...] = Field(default=(), description="groups of parameters that vary together")
+    frequencies: str = Field(
+        default="1:100:64", description="FIRST:LAST:COUNT, Hz; they must cover the band of every metric"
+    )
+    metrics: tuple[str, ...] = Field(min_length=1, description="names of figures of merit")
+    transfer_functions: Annotated[bool, Field(strict=True)] = Field(
+        default=False, description="keep them too: 16 bytes per point, microphone and frequency of each case"
+    )
+    parameters: dict[str, Any] = Field(
+        default_factory=dict,
+        description="what varies, each on its own: dotted names of fields, with a list of values or a range",
+    )
+    together: tuple[dict[str, Any], ...] = Field(
+        default=(), description="groups of parameters that vary together, like the columns of a table"
+    )
 
 
 def load_study(path: str | os.PathLike[str]) -> Study:
@@ -112,7 +131,7 @@ def study_of(
         StudyError: not a valid study.
         DesignError: the base design is not valid.
     """
-    file = model_of(_StudyFile, given, source, "study", StudyError)
+    file = model_of(StudyFields, given, source, "study", StudyError)
     try:
         design = base or _base(file.base, folder or Path())
         frequency = _frequencies(file.frequencies)
@@ -177,7 +196,7 @@ def _frequencies(text: str) -> NDArray[np.float64]:
 
 
 # -- what varies ------------------------------------------------------------------------------------
-def _axes(file: _StudyFile, base: ArrayDesign, source: str) -> tuple[tuple[Parameter, ...], ...]:
+def _axes(file: StudyFields, base: ArrayDesign, source: str) -> tuple[tuple[Parameter, ...], ...]:
     groups = [{name: value} for name, value in _flat(file.parameters).items()] + [_flat(each) for each in file.together]
     if not any(groups):
         raise Refusal('parameters is missing: a study varies at least one field, such as "tube.length" = [10, 20]')
@@ -225,7 +244,7 @@ def _parameter(name: str, given: Any, in_grid: bool, base: ArrayDesign, source: 
         raise Refusal(
             f"parameters.{name} = {given!r} must be a list of values, or a range {{from = ..., to = ..., count = ...}}"
         )
-    limits = model_of(_Range, given, f"{source}: parameters.{name}", "study", StudyError)
+    limits = model_of(RangeFields, given, f"{source}: parameters.{name}", "study", StudyError)
     whole = kind == "a whole number"
     if kind == "a text":
         raise Refusal(f"parameters.{name} is a text: give a list of values, not a range")
@@ -261,7 +280,7 @@ def _check_design(base: ArrayDesign, name: str, value: Any, source: str) -> None
         raise StudyError(_named(source, error)) from None
 
 
-def _cases(file: _StudyFile, axes: tuple[tuple[Parameter, ...], ...]) -> int:
+def _cases(file: StudyFields, axes: tuple[tuple[Parameter, ...], ...]) -> int:
     if file.sampling == "grid":
         if file.cases is not None:
             raise Refusal(f"cases = {file.cases} must not be given for sampling = 'grid', which has every combination")

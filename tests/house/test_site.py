@@ -70,6 +70,15 @@ def test_the_design_page_has_every_field_once_with_range_unit_and_words(site) ->
         fields.fields_named(["resonators"])
 
 
+def test_the_fields_of_a_study_file_are_those_that_are_read(site) -> None:
+    fields = site("fields")
+    assert "| `cases` | whole number between 1 and 10000000 |" in fields.study_table("study")
+    assert "| `from` |" in fields.study_table("range")
+    assert "| `objectives.*.better` | text 'larger', 'smaller' |" in fields.study_table("optimize")
+    with pytest.raises(ValueError, match="'search' must be one of: study, range, optimize"):
+        fields.study_table("search")
+
+
 @pytest.mark.slow
 def test_the_gallery_says_what_check_says() -> None:
     import geometry
