@@ -1,11 +1,10 @@
-"""Do what the manual says, as printed: ``python docs/newcomer.py [--guides] [PAGE ...]``, by default the pages of Start.
+"""Do what the manual says, as printed: ``python docs/newcomer.py [--guides] [PAGE ...]``; by default Start's pages.
 
-Writes the files that a page gives (a ``toml`` block below the file's name) and types its ``sh`` blocks, unchanged and in
-order, into one shell in a fresh clone of the checkout. It ends with exit code 1 at the first command that fails, or
-picture or page that a block names and nobody drew. What takes recordings of one's own is in ``bash`` blocks: nobody types
-it. On a bare machine the
-first block installs everything; ``--venv .venv`` takes an installation that there is. What listens to a sound card or
-serves a page until it is stopped cannot be done this way.
+Writes the files that a page gives (a ``toml`` block below the file's name) and types its ``sh`` blocks, unchanged and
+in order, into one shell in a fresh clone of the checkout. It ends with exit code 1 at the first command that fails, or
+picture or page that a block names and nobody drew. What takes recordings of one's own is in ``bash`` blocks: nobody
+types it. On a bare machine the first block of Start installs everything; ``--venv .venv`` takes an installation that
+there is. What listens to a sound card or serves a page until it is stopped cannot be done this way.
 """
 
 from __future__ import annotations
