@@ -18,9 +18,11 @@ PAGE = Path(__file__).parents[1] / "docs" / "evidence" / "models.md"
 END = "<!-- end {name} -->"
 BEGIN = "<!-- {name}: made by benchmarks/effects.py -->"
 
+
 def with_smooth_bores(design: ArrayDesign) -> ArrayDesign:
     """The design with round bores without grooves in all its tubes."""
     return design.with_values(dict.fromkeys(_bores(design), "smooth"))
+
 
 def _bores(design: ArrayDesign) -> Iterator[str]:
     yield "tube.bore"
@@ -29,6 +31,7 @@ def _bores(design: ArrayDesign) -> Iterator[str]:
     for index, line in enumerate(design.lines):
         yield from (f"lines.{index}.{name}.bore" for name in ("tube", "microphone_tube") if getattr(line, name))
     yield from (f"tube_kinds.{name}.bore" for name in design.tube_kinds)
+
 
 #: Silicone that is stiff at the frequency in the middle of the band.
 SILICONE = {
@@ -40,11 +43,13 @@ SILICONE = {
     "source": "benchmarks/effects.py",
 }
 
+
 def with_oval_tubes(design: ArrayDesign, ovality: float) -> Complex:
     """Transfer functions where all tubes are oval by as much, (n_point, n_microphone, n_freq)."""
     scattered = ScatteredDesign(design, [Tolerance("ovality", ovality, "relative", "benchmarks/effects.py")])
     draws = {name: np.ones_like(values) for name, values in scattered.draws(0, 1, 0).items()}
     return made_transfer_functions(scattered, draws, GRID, design_air(design))[0]
+
 
 def effects(design: ArrayDesign) -> Iterator[tuple[str, Complex, Complex]]:
     """Name of each effect, transfer functions with it and without it."""
@@ -67,6 +72,7 @@ def effects(design: ArrayDesign) -> Iterator[tuple[str, Complex, Complex]]:
     warm = design.with_values({"air.temperature": design.air.temperature + 10})
     yield "air 10 K warmer", transfer_function(warm), stated
 
+
 def main() -> None:
     """Write the tables."""
     rows = [
@@ -80,9 +86,11 @@ def main() -> None:
         rows.append(f"| `{name}` | {largest_changes(now, before)} |")
     _replace("bores", "prototype, bore of its springs for a smooth one", rows)
 
+
 def _replace(name: str, first: str, rows: list[str]) -> None:
     lines = [line.format(first) for line in HEAD]
     replace_section(PAGE, BEGIN.format(name=name), END.format(name=name), [*lines, *rows, ""])
+
 
 if __name__ == "__main__":
     main()

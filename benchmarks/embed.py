@@ -33,6 +33,7 @@ CHIPS = (
 #: Flash for everything else, KiB, and cycles for an instruction: divisions and waits for flash.
 REST, CYCLES = 32, 1.5
 
+
 def sizes() -> None:
     """The table of what fits where."""
     rows = ["| array | library | tables | flash (KiB) | RAM (B) | stack (B) | instructions (k) | smallest chip |"]
@@ -51,6 +52,7 @@ def sizes() -> None:
                 print(rows[-1], flush=True)
     replace_section(PAGE, "<!-- sizes: made by benchmarks/embed.py -->", "<!-- end sizes -->", rows)
 
+
 def frames() -> None:
     """The table of differences and counts."""
     rows = [
@@ -65,6 +67,7 @@ def frames() -> None:
                 print(rows[-1], flush=True)
     replace_section(PAGE, "<!-- frames: made by benchmarks/embed.py -->", "<!-- end frames -->", rows)
 
+
 def smallest(cost: Cost) -> str:
     """The smallest class of chips that has room and time for a decoder."""
     for name, flash, clock in CHIPS:
@@ -72,6 +75,7 @@ def smallest(cost: Cost) -> str:
         if fits and cost.instructions * CYCLES <= 0.016 * clock * 1e6:
             return name
     return "none"
+
 
 def measured(name: str, is_calibrated: bool, precision: str) -> str:
     """A row of the second table: on a Cortex-M4F."""
@@ -98,6 +102,7 @@ def measured(name: str, is_calibrated: bool, precision: str) -> str:
         f"{np.median(spent):.0f} | {np.quantile(spent, 0.99):.0f} | {spent.max():.0f} | "
         f"{decoder.cost.instructions / 1e3:.0f} |"
     )
+
 
 if __name__ == "__main__":
     sizes()

@@ -68,6 +68,7 @@ SHARES = ("predicted_network", "trained", "predicted_model", "bayes")
 #: One-second touches per point in training, and touches per point in the evaluation.
 SECONDS_PER_POINT, EPOCHS, EVALUATED = 150, 16, 200
 
+
 def measure(title: str, prototype: str, values: dict[str, Any], noise: float) -> dict[str, Any]:
     """Train, and evaluate on touches that were never seen."""
     library = solved(prototype, values)
@@ -85,15 +86,18 @@ def measure(title: str, prototype: str, values: dict[str, Any], noise: float) ->
         "bayes": bayes,
     }
 
+
 def solved(prototype: str, values: dict[str, Any]) -> acoustic_fem.Library:
     """With membranes of constant loss, of which the stored networks were trained."""
     design = geometry.prototype(prototype).with_values(values).completed()
     constant = design.with_values({f"materials.{design.membrane.material}.law": "constant"})
     return acoustic_fem.solve(constant, GRID, "lumped")
 
+
 def predicted(row: dict[str, Any], listener: Listener, touches: int = 200) -> float:
     h = solved(row["prototype"], row["values"]).transfer_function.values[None]
     return float(predict_confusion(h, GRID, row["noise"], listener=listener, touches=touches).top1[0])
+
 
 def agreement(first: np.ndarray, second: np.ndarray) -> str:
     difference = 100 * (first - second)
@@ -101,6 +105,7 @@ def agreement(first: np.ndarray, second: np.ndarray) -> str:
         f"correlation {np.corrcoef(first, second)[0, 1]:.3f}, mean error {difference.mean():+.1f}, rms "
         f"{np.sqrt((difference**2).mean()):.1f}, largest {np.abs(difference).max():.1f} percentage points"
     )
+
 
 def table(rows: list[dict[str, Any]]) -> str:
     lines = [
@@ -119,12 +124,14 @@ def table(rows: list[dict[str, Any]]) -> str:
     ]
     return "\n".join(lines)
 
+
 def definitions() -> str:
     lines = ["| name | unit | better | definition |", "|---|---|---|---|"]
     for metric in METRICS.values():
         words = metric.definition.replace("|", "\\|")
         lines.append(f"| `{metric.name}` | {metric.unit} | {metric.better} | {words} |")
     return "\n".join(lines)
+
 
 def main() -> None:
     rows: list[dict[str, Any]] = json.loads(RESULTS.read_text()) if RESULTS.exists() else []
@@ -141,6 +148,7 @@ def main() -> None:
     print(table(rows))
     replace_section(EVIDENCE, BEGIN, END, table(rows).splitlines())
     replace_section(PAGE, DEFINED, DEFINED_END, definitions().splitlines())
+
 
 if __name__ == "__main__":
     main()

@@ -26,6 +26,7 @@ NUMBERS = [
 
 Complex = NDArray[np.complex128]
 
+
 def transfer_function(design: ArrayDesign, **law: object) -> Complex:
     """Transfer functions of a design whose membranes follow another law, (n_point, n_microphone, n_freq)."""
     name = f"materials.{design.membrane.material}"
@@ -33,6 +34,7 @@ def transfer_function(design: ArrayDesign, **law: object) -> Complex:
     with warnings.catch_warnings():
         warnings.filterwarnings("ignore", "entrance loss of a tube|membrane: ", UserWarning)
         return acoustic_fem.solve(changed, GRID, "lumped").transfer_function.values
+
 
 def largest_changes(new: Complex, old: Complex) -> str:
     """Cells of a table: of H at each point's loudest and second-loudest microphone at 10 Hz, of their ILD and IPD."""
@@ -43,6 +45,7 @@ def largest_changes(new: Complex, old: Complex) -> str:
     between = new[:, 0] / new[:, 1] / (old[:, 0] / old[:, 1])
     level, phase = np.abs(20 * np.log10(np.abs(between))).max(), np.abs(np.degrees(np.angle(between))).max()
     return f"{near:.1f} / {far:.1f} | {level:.2f} | {phase:.1f}"
+
 
 def old_and_new(design: ArrayDesign) -> str:
     """Cells of a table: levels and phase as they were, of a constant modulus and a smooth bore, and as they are."""
@@ -56,6 +59,7 @@ def old_and_new(design: ArrayDesign) -> str:
         phase = [np.degrees(np.abs(np.angle(values[:, 0] / values[:, 1]))).mean() for values in heard]
         cells += [f"{level[0][k]:.1f} → {level[1][k]:.1f}" for k in range(2)] + [f"{phase[0]:.1f} → {phase[1]:.1f}"]
     return " | ".join(cells)
+
 
 def main() -> None:
     """Write the tables."""
@@ -81,9 +85,11 @@ def main() -> None:
     ]
     _replace("frequencies", "`array-2x6`, modulus", rows)
 
+
 def _replace(name: str, first: str, rows: list[str]) -> None:
     lines = [line.format(first) for line in HEAD]
     replace_section(PAGE, BEGIN.format(name=name), END.format(name=name), [*lines, *rows, ""])
+
 
 if __name__ == "__main__":
     main()

@@ -44,6 +44,7 @@ METRICS_OF_STUDY = (
     "bandwidth", "volume", "cost", "smallest_wall",
 )  # fmt: skip
 
+
 def study_of(cases: int) -> Study:
     names = ", ".join(f'"{name}"' for name in METRICS_OF_STUDY)
     return read_study(
@@ -52,10 +53,12 @@ def study_of(cases: int) -> Study:
         '"resonator.cavity_height" = {from = 1.5, to = 5}\n'
     )
 
+
 def one_by_one(design: ArrayDesign, frequency: np.ndarray) -> list[float]:
     """What a script without the runner does for each design."""
     library = acoustic_fem.solve(design, frequency, "lumped")
     return [metric.of_library(library) for metric in metrics_named(METRICS_OF_STUDY)]
+
 
 class Clock:
     """Wall-clock and processor time of this process and of those it started, s; memory of all, bytes."""
@@ -64,6 +67,7 @@ class Clock:
     processor = 0.0
     memory = 0.0
 
+
 @contextmanager
 def clock() -> Iterator[Clock]:
     found = Clock()
@@ -71,15 +75,18 @@ def clock() -> Iterator[Clock]:
     yield found
     found.wall, found.processor = time.perf_counter() - start, _processor_time() - used
 
+
 def _processor_time() -> float:
     """Of this process, of its children that have ended, and of those that live."""
     own, ended = (resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN))
     alive = [child.cpu_times() for child in psutil.Process().children(recursive=True)]
     return own.ru_utime + own.ru_stime + ended.ru_utime + ended.ru_stime + sum(t.user + t.system for t in alive)
 
+
 def _memory() -> float:
     here = psutil.Process()
     return float(sum(process.memory_info().rss for process in (here, *here.children(recursive=True))))
+
 
 def swept(study: Study, scheduler: str | None = None, check: Callable[[Path], None] | None = None) -> Clock:
     """A sweep in this process, or on workers that run."""
@@ -98,6 +105,7 @@ def swept(study: Study, scheduler: str | None = None, check: Callable[[Path], No
             check(out)
     return found
 
+
 @contextmanager
 def started(workers: int) -> Iterator[str]:
     """Address of workers of this machine that have computed a small sweep: all modules are loaded."""
@@ -111,14 +119,17 @@ def started(workers: int) -> Iterator[str]:
         swept(study_of(128), cluster.scheduler_address)
         yield cluster.scheduler_address
 
+
 def table(first: str) -> list[str]:
     return [f"| {first} | cases | s | cases/s | CPU ms per case | memory (MB) |", "|---|---|---|---|---|---|"]
+
 
 def row(name: str, cases: int, taken: Clock) -> str:
     figures = taken.wall, cases / taken.wall, taken.processor / cases * 1e3
     line = f"| {name} | {cases} | {figures[0]:.2f} | {figures[1]:.0f} | {figures[2]:.2f} | {taken.memory / 1e6:.0f} |"
     print(line, flush=True)
     return line
+
 
 def against_others(cases: int) -> list[str]:
     study = study_of(cases)
@@ -149,8 +160,10 @@ def against_others(cases: int) -> list[str]:
         lines.append(row("`sweep`, 2 workers that have started", cases, swept(study, address)))
     return lines
 
+
 def design_of(cases: Cases, number: int) -> ArrayDesign:
     return cases.design(number)
+
 
 def scaling(cases: int) -> list[str]:
     study = study_of(cases)
@@ -161,11 +174,13 @@ def scaling(cases: int) -> list[str]:
             lines.append(row(name, cases, swept(study, address)))
     return lines
 
+
 def growth(sizes: list[int]) -> list[str]:
     lines = table("size of the study")
     with started(2) as address:
         lines += [row("2 workers that have started", cases, swept(study_of(cases), address)) for cases in sizes]
     return lines
+
 
 def overhead(tasks: int) -> list[str]:
     """What the runner adds: the start of workers, and to a task that does nothing."""
@@ -187,8 +202,10 @@ def overhead(tasks: int) -> list[str]:
         print(lines[-1], flush=True)
     return lines
 
+
 def _nothing(number: int) -> int:
     return number
+
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -209,6 +226,7 @@ def main() -> None:
     ):
         lines += ["", *part]
     replace_section(PAGE, BEGIN, END, lines)
+
 
 if __name__ == "__main__":
     main()
