@@ -64,14 +64,14 @@ def optimize(
     check_folder(folder, "search", JOURNAL)
     check_system_libraries()  # at the end of the search its best designs are drawn
     with sole_writer_of(folder, "search", Refusal), writing(folder / JOURNAL):
-        with show.stage("Search") as report:
+        with show.stage("Search", of=2) as report:
             result = search_designs(problem, folder, workers=workers, scheduler=scheduler, progress=report)
         if not result.front:
             raise Refusal(
                 f"{problem.study.name}: none of {counted(problem.trials, 'design')} keeps the limits "
                 f"({'; '.join(map(str, problem.limits)) or 'none'}): widen the parameters, or loosen them"
             )
-        with show.stage("Parts") as report:
+        with show.stage("Parts", of=2) as report:
             failed = unprintable_designs(problem, result, report)
             seal(folder, failed)  # whoever reads the search later must not take them back
             result = without(problem, result, failed)

@@ -85,11 +85,11 @@ def record_rig(
     session = session or TouchSession(TAKES, TAKE_SECONDS)
     make_folder(folder, "rig", RIG_MARK)
     points = range(1, design.point_count + 1)
-    with show.stage("Calibration"), replaced_folder(folder / CALIBRATION) as fresh:
+    with show.stage("Calibration", of=3), replaced_folder(folder / CALIBRATION) as fresh:
         calibration = rig.record(fresh, points, recorder).name
-    with show.stage("Touches"), replaced_folder(folder / TOUCHES) as fresh:
+    with show.stage("Touches", of=3), replaced_folder(folder / TOUCHES) as fresh:
         touches = record_touches(rig, fresh, points, session, recorder).name
-    with show.stage("Truth"):
+    with show.stage("Truth", of=3):
         library = _write_truth(rig, folder, recorder, session)
     manifests = folder / CALIBRATION / calibration, folder / TOUCHES / touches
     return RigSession(folder, rig, *manifests, folder / TRUTH, library, recorder.full_scale)

@@ -59,7 +59,7 @@ class Display:
             from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
             self._bars = Progress(
-                TextColumn("{task.description:<16}"),
+                TextColumn("{task.description:<20}"),
                 BarColumn(bar_width=24),
                 TimeElapsedColumn(),
                 TextColumn("{task.fields[message]}"),
@@ -89,14 +89,20 @@ class Display:
             print(text, file=self._stream, flush=True)
 
     @contextmanager
-    def stage(self, name: str) -> Iterator[Report]:
-        """Show one stage: yields the function that takes its progress."""
+    def stage(self, name: str, of: int = 1) -> Iterator[Report]:
+        """Show one stage: yields the function that takes its progress.
+
+        Args:
+            name: of the stage.
+            of: how many stages the job has; where there are several, each says which of them it is.
+        """
         started = perf_counter()
-        with self._shown(name) as report:
+        title = f"{name} ({len(self.seconds) + 1} of {of})" if of > 1 else name
+        with self._shown(title) as report:
             yield report
         self.seconds[name] = perf_counter() - started
         if self._bars is None:
-            self.note(f"{name}: {self.seconds[name]:.1f} s")
+            self.note(f"{title}: {self.seconds[name]:.1f} s")
 
     @contextmanager
     def _shown(self, name: str) -> Iterator[Report]:

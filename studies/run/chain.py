@@ -42,6 +42,8 @@ if TYPE_CHECKING:
 #: The localizer is trained for so many epochs, with so many touches of each point per epoch and at most so many in all:
 #: 25 s for 12 points and about five minutes for the largest arrays on one idle core, as many on a busy one.
 EPOCHS, TOUCHES_PER_POINT, MOST_TOUCHES = 20, 200, 300_000
+#: Stages: parts, cells, localizer, evaluation, figures.
+_STAGES = 5
 #: Pixels of the picture of one point, before it is cropped.
 POINT_PICTURE = (1600, 700)
 #: Held-out touches in all, and at least per point; their seed.
@@ -92,7 +94,7 @@ def run_design(
     training = training or training_plan(design.point_count)
     grid = stated_frequencies(LIBRARY_FREQUENCIES if frequency is None else frequency)
 
-    with show.stage("Parts") as report:
+    with show.stage("Parts", of=_STAGES) as report:
         model, files, printing, figures = _make_parts(design, layout, folder, report)
     library, lumped, limits = _solved(design, grid, fidelity, folder, show)
     distances = separability(library.transfer_function)
@@ -102,7 +104,7 @@ def run_design(
     if lumped is not None:
         same_grid = library.transfer_function.sel(frequency=lumped.frequency)
         difference = disagreement(lumped.transfer_function, same_grid)
-    with show.stage("Figures") as report:
+    with show.stage("Figures", of=_STAGES) as report:
         figures = {**figures, **_draw_figures(folder, library, lumped, distances, network, report)}
     result = RunResult(
         design=design,
@@ -227,7 +229,7 @@ def _solved(
 
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", UserWarning)
-        with show.stage("Cells") as report:
+        with show.stage("Cells", of=_STAGES) as report:
             library = acoustic_fem.solve(design, grid, fidelity=fidelity, progress=report)
             write_library(library, folder / "library.nc")
         for line in cell_lines(library):
@@ -248,14 +250,14 @@ def _judged_localizer(
     from localize.signals.array_response import response_of
     from studies.judging.headline import TOLERANT, judge_headlines
 
-    with show.stage("Localizer") as report:
+    with show.stage("Localizer", of=_STAGES) as report:
         report("training", 0.0)
         localizer = train(
             library, training, lambda p: report(f"epoch {p.epoch} of {p.epochs}: {p.accuracy:.1%}", p.epoch / p.epochs)
         )
         with replaced_folder(folder / "localizer") as fresh:
             localizer.save(fresh)
-    with show.stage("Evaluation") as report:
+    with show.stage("Evaluation", of=_STAGES) as report:
         touches = max(LEAST_TOUCHES_PER_POINT, EVALUATION_TOUCHES // library.design.point_count)
         decoder = BayesDecoder(library, training.microphone_noise)
         locators: dict[str, Locator] = {"network": localizer, "Bayes decoder": decoder}

@@ -86,13 +86,13 @@ def tolerance_study(
     store = folder / _LIBRARY
     if library and store.exists():
         raise Refusal(f"{store}: exists; a library is never overwritten")
-    with show.stage("Scatter") as report:
+    with show.stage("Scatter", of=2 if library else 1) as report:
         result = scatter_effects(
             design, grid, samples=samples, base=base, tolerances=scatter, noise=noise, seed=seed, progress=report
         )
     files = save_tolerance(result, folder)
     if library:
-        with show.stage("Library") as report:
+        with show.stage("Library", of=2) as report:
             write_perturbed_library(store, design, library, grid, tolerances=scatter, seed=seed, progress=report)
         files = (*files, store)
     return ToleranceStudy(design, result, files)
