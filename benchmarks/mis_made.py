@@ -1,8 +1,8 @@
 """Networks trained on the nominal design and on a library of mis-made sensors, both judged on sensors never seen;
 and which designs forgive, by prediction.
 
-``python benchmarks/mis_made.py`` writes both tables of docs/evidence/designs.md anew, two minutes of one core per network;
-``python benchmarks/mis_made.py forgiving`` the second one only, in two minutes.
+``python benchmarks/mis_made.py`` writes both tables of docs/evidence/designs.md anew, two minutes of one core per
+network; ``python benchmarks/mis_made.py forgiving`` the second one only, in two minutes.
 """
 
 from __future__ import annotations
