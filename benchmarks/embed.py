@@ -1,5 +1,6 @@
 """What the decoder as C takes on a microcontroller. ``python benchmarks/embed.py`` writes the tables of
-docs/evidence/embed.md anew: what fits where for all prototypes in minutes, then differences from Python and counts on the emulated board.
+docs/evidence/embed.md anew: what fits where for all prototypes in minutes, then differences from Python and counts on
+the emulated board.
 
 Touches are the decoding library's own, of the generator of this project, on seeds on which nothing was chosen;
 libraries are lumped, "calibrated" ones those of a made sensor drawn with the workshop's tolerances.

@@ -1,8 +1,8 @@
 """Whether the predicted error under scatter ranks designs as touches on made sensors do.
 
-``python benchmarks/forgiving.py --write`` writes the table of docs/evidence/designs.md anew. Made sensors and touches are
-those of benchmarks/tolerant.py with 5 % of bores and volumes and 10 % of membranes, of seeds of its own; some minutes of one
-core.
+``python benchmarks/forgiving.py --write`` writes the table of docs/evidence/designs.md anew. Made sensors and touches
+are those of benchmarks/tolerant.py with 5 % of bores and volumes and 10 % of membranes, of seeds of its own; some
+minutes of one core.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 """Networks in the sound of rooms: trained in silence and in rooms, judged over levels of sound and of touches.
 
 ``python benchmarks/room_networks.py`` writes the tables of docs/evidence/localizer.md, in about ten minutes of one
-core; ``louder`` behind it makes the second one alone, in less than a minute. Touches are the library's own sums of sines.
-No constant was chosen on these seeds.
+core; ``louder`` behind it makes the second one alone, in less than a minute. Touches are the library's own sums of
+sines. No constant was chosen on these seeds.
 """
 
 from __future__ import annotations
