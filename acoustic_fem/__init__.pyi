@@ -1,4 +1,5 @@
 from . import (
+    atlas as atlas,
     batch as batch,
     calibration as calibration,
     cavity as cavity,

@@ -1,6 +1,6 @@
 """The lumped network for many designs at once, NumPy or torch, with gradients.
 
-Stands on: cavity, duct, membrane, network, quantities.
+Stands on: atlas, cavity, duct, membrane, network, quantities.
 """
 
 import lazy_loader

@@ -69,12 +69,39 @@ class Conditions:
 
 
 class Tubes(NamedTuple):
-    """Tubes with the entrance loss of both openings: a series admittance between shunts."""
+    """Tubes with the losses of both openings: a series admittance between shunts."""
 
     series: Array
     """Admittance between both ends, (n_design, n_column, n_freq) complex128, m^3/(Pa s)."""
+    first: Array
+    """Admittance to ground at the first end, (n_design, n_column, n_freq) complex128, m^3/(Pa s)."""
+    last: Array
+    """That at the last end, (n_design, n_column, n_freq) complex128, m^3/(Pa s)."""
+
+
+class Ducts(NamedTuple):
+    """Tubes without their openings."""
+
+    series: Array
+    """Impedance of the whole length Z' L, (n_design, n_column, n_freq) complex128, Pa s/m^3."""
     shunt: Array
-    """Admittance to ground at each end, (n_design, n_column, n_freq) complex128, m^3/(Pa s)."""
+    """Admittance of the whole length Y' L, (n_design, n_column, n_freq) complex128, m^3/(Pa s)."""
+    rise: Array
+    """cosh(G L) - 1 with G^2 = Z' Y', (n_design, n_column, n_freq) complex128."""
+    ratio: Array
+    """sinh(G L) / (G L), (n_design, n_column, n_freq) complex128."""
+
+
+class Points(NamedTuple):
+    """Cavities with all that yields around them, as nodes between tubes."""
+
+    shunt: Array
+    """Admittance of the node to ground, (n_design, n_column, n_freq) complex128, m^3/(Pa s)."""
+    ratio: Array | None = None
+    """Pressure at the membrane by that of the node, (n_design, n_column, n_freq) complex128, Pa/Pa; None: the same."""
+    own: Array | None = None
+    """Impedance at the membrane while the node is at zero pressure, (n_design, n_column, n_freq) complex128, Pa s/m^3;
+    None: zero."""
 
 
 class Chambers(NamedTuple):
@@ -92,21 +119,37 @@ class Chambers(NamedTuple):
 
 def tubes(parameters: ArrayParameters, air: Conditions) -> Tubes:
     """Tubes from cavity wall to cavity wall: Zwikker-Kosten ducts between two entrance impedances."""
-    radius, length = parameters.tube_radius[..., None], parameters.tube_length[..., None]
-    wall: Array | float = 0.0
-    if _counts(parameters.sheath_compliance):
-        wall = length * parameters.sheath_compliance[..., None] * _softness("sheath", parameters, air)
-    total, across, rise, ratio = _duct(radius, length, air, wall)
-    entrance = _entrance(radius, air)
+    total, across, rise, ratio = ducts(parameters, air)
+    entrance = _entrance(parameters.tube_radius[..., None], air)
     # chain matrix [[1 + a, b], [., 1 + a]]: a = cosh - 1 + Ze Y sinh, b = Z sinh + Ze (1 + a + cosh)
     inward = entrance * across * ratio
     excess = rise + inward
     series = inverse(total * ratio + entrance * (2 + rise + excess))
-    return Tubes(series, excess * series)
+    shunt = excess * series
+    return Tubes(series, shunt, shunt)
 
 
-def points(parameters: ArrayParameters, air: Conditions) -> Array:
-    """Admittance of cavities and what yields around them, (n_design, n_point_column, n_freq) complex128, m^3/(Pa s)."""
+def ducts(parameters: ArrayParameters, air: Conditions) -> Ducts:
+    """Tubes from cavity wall to cavity wall without their openings: Zwikker-Kosten ducts."""
+    radius, length = parameters.tube_radius[..., None], parameters.tube_length[..., None]
+    wall: Array | float = 0.0
+    if _counts(parameters.sheath_compliance):
+        wall = length * parameters.sheath_compliance[..., None] * _softness("sheath", parameters, air)
+    return _duct(radius, length, air, wall)
+
+
+def points(parameters: ArrayParameters, air: Conditions) -> Points:
+    """Cavities of uniform pressure and what yields around them, (n_design, n_point_column, n_freq)."""
+    cavity, load = yielding(parameters, air)
+    return Points(cavity + load)
+
+
+def yielding(parameters: ArrayParameters, air: Conditions) -> tuple[Array, Array]:
+    """Admittances of the air of cavities and of all that yields around it.
+
+    Returns:
+        Both (n_design, n_point_column, n_freq) complex128, m^3/(Pa s).
+    """
     cavity = _cylinder(parameters.cavity_radius[..., None], parameters.cavity_height[..., None], air)
     modes = parameters.membrane_frequency
     kept = max(0, modes.shape[-1] - 3)  # the last two correct the statics
@@ -119,7 +162,8 @@ def points(parameters: ArrayParameters, air: Conditions) -> Array:
     membrane = _modes(parameters, air) * parameters.membrane_compliance[..., None]
     if _counts(parameters.floor_compliance):
         membrane = membrane + parameters.floor_compliance[..., None] * _softness("floor", parameters, air)
-    return 1j * air.omega * (cavity + membrane) + parameters.leak_conductance[..., None]
+    rate = 1j * air.omega
+    return rate * cavity, rate * membrane + parameters.leak_conductance[..., None]
 
 
 def _modes(parameters: ArrayParameters, air: Conditions) -> Array:
@@ -197,10 +241,8 @@ def chambers(parameters: ArrayParameters, air: Conditions) -> Chambers:
     return Chambers(rate * chamber + (inward + (1 + rise) * load) * opening, opening, through * opening)
 
 
-def _duct(
-    radius: Array, length: Array, air: Conditions, wall: Array | float = 0.0
-) -> tuple[Array, Array, Array, Array]:
-    """Z' L, Y' L, cosh(G L) - 1 and sinh(G L) / (G L), the wall having a compliance, m^3/Pa."""
+def _duct(radius: Array, length: Array, air: Conditions, wall: Array | float = 0.0) -> Ducts:
+    """Ducts whose wall has a compliance, m^3/Pa."""
     square = radius * radius
     section = np.pi * square
     viscous, thermal = (
@@ -208,7 +250,7 @@ def _duct(
     )
     impedance = (air.medium.density * length / section) * (1j * air.omega) / viscous
     admittance = (1j * air.omega) * (air.compliance(section * length, thermal) + wall)
-    return impedance, admittance, *hyperbolic(impedance * admittance)
+    return Ducts(impedance, admittance, *hyperbolic(impedance * admittance))
 
 
 def _entrance(radius: Array, air: Conditions) -> Array:

@@ -17,12 +17,15 @@ from typing import Any, NamedTuple
 
 from numpy.typing import ArrayLike
 
-from acoustic_fem.batch.elements import Chambers, Conditions, Tubes, chambers, points, tubes
+from acoustic_fem.batch.elements import Chambers, Conditions, Points, Tubes, chambers, points, tubes
 from acoustic_fem.batch.numpy_or_torch import Array, inverse
+from acoustic_fem.batch.openings import check_openings, open_parts, opening_columns
 from acoustic_fem.batch.parameters import ArrayParameters, MediumParameters, check_medium, check_parameters
 from acoustic_fem.batch.topology import LineWiring, Topology
 from acoustic_fem.quantities.checks import frequency_grid
+from acoustic_fem.quantities.fidelity import CLOSED_FORMS
 from acoustic_fem.quantities.medium import Medium
+from geometry.refusal import Refusal
 
 #: Values per array worked on at once (designs x points x frequencies): larger leaves the processor's cache.
 _CHUNK = 100_000
@@ -51,20 +54,28 @@ class BatchResponse:
 
 
 def batch_transfer_function(
-    parameters: ArrayParameters, topology: Topology, frequency: ArrayLike, medium: Medium | MediumParameters
+    parameters: ArrayParameters,
+    topology: Topology,
+    frequency: ArrayLike,
+    medium: Medium | MediumParameters,
+    fidelity: str = "lumped",
 ) -> Array:
     """Transfer functions of a batch of designs; arguments and errors as :func:`batch_response`.
 
     Returns:
         (n_design, n_point, n_microphone, n_freq) complex128, Pa/Pa; points line by line.
     """
-    return batch_response(parameters, topology, frequency, medium).transfer_function
+    return batch_response(parameters, topology, frequency, medium, fidelity).transfer_function
 
 
 def batch_response(
-    parameters: ArrayParameters, topology: Topology, frequency: ArrayLike, medium: Medium | MediumParameters
+    parameters: ArrayParameters,
+    topology: Topology,
+    frequency: ArrayLike,
+    medium: Medium | MediumParameters,
+    fidelity: str = "lumped",
 ) -> BatchResponse:
-    """What ``solve(design, frequency, "lumped")`` computes, for a batch of designs of one topology.
+    """What ``solve(design, frequency, fidelity)`` computes in closed form, for a batch of designs of one topology.
 
     Torch tensors give tensors and can be differentiated by every parameter and by the air (first derivatives;
     second ones are refused by torch where they pass through a cavity that is not interpolated,
@@ -77,12 +88,18 @@ def batch_response(
         topology: their wiring, with the columns the parameters have.
         frequency: (n_freq,) float64, ascending, 1e-3 to 2e3 Hz; 0 is refused: there all pressures are equal, H = 1.
         medium: the air of all, or of each design.
+        fidelity: "lumped", or "atlas" with what 3-D adds to cells of cylindrical cavities.
 
     Raises:
-        Refusal: a bad frequency grid, or parameters that do not fit the topology or are out of range.
+        Refusal: a bad frequency grid, parameters that do not fit the topology or are out of range, or a design outside
+            the atlas.
     """
     grid = frequency_grid(frequency)
+    if fidelity not in CLOSED_FORMS:
+        raise Refusal(f"fidelity = {fidelity!r} must be one of {', '.join(CLOSED_FORMS)} in a batch")
     check_parameters(parameters, topology)
+    if fidelity == "atlas":
+        check_openings(parameters, topology, grid, medium)
     xp, count = parameters.namespace, parameters.design_count
     if isinstance(medium, MediumParameters):
         count = check_medium(medium, count, xp)
@@ -92,7 +109,7 @@ def batch_response(
 
     def block(first: int) -> tuple[Array, Array, Array]:
         air = Conditions.of(omega, _rows(medium, first, step), blocks)
-        return _respond(_rows(parameters, first, step), topology, air, min(step, count - first))
+        return _respond(_rows(parameters, first, step), topology, air, min(step, count - first), fidelity)
 
     work: Callable[[int], tuple[Array, Array, Array]] = block
     if blocks * _CHUNK > _LARGEST_GRAPH and parameters.needs_gradient:
@@ -119,16 +136,23 @@ class _Chain(NamedTuple):
 
 
 def _respond(
-    parameters: ArrayParameters, topology: Topology, air: Conditions, count: int
+    parameters: ArrayParameters, topology: Topology, air: Conditions, count: int, fidelity: str
 ) -> tuple[Array, Array, Array]:
     xp = parameters.namespace
-    tube = Tubes(*(_all_designs(xp, values, count) for values in tubes(parameters, air)))
-    point = _all_designs(xp, points(parameters, air), count)
-    chamber = Chambers(*(_parts(values, topology.microphones) for values in chambers(parameters, air)))
+    if fidelity == "atlas":
+        tube, point, chamber = open_parts(parameters, topology, air)
+        topology = opening_columns(topology).topology
+    else:
+        tube, point, chamber = tubes(parameters, air), points(parameters, air), chambers(parameters, air)
+    tube = Tubes(*(_all_designs(xp, values, count) for values in tube))
+    point = Points(*(None if values is None else _all_designs(xp, values, count) for values in point))
+    chamber = Chambers(*(_parts(values, topology.microphones) for values in chamber))
     groups: dict[int, list[int]] = {}
     for number, line in enumerate(topology.lines):
         groups.setdefault(len(line.points), []).append(number)
-    chains = [(members, _fold(xp, [topology.lines[k] for k in members], tube, point)) for members in groups.values()]
+    chains = [
+        (members, _fold(xp, [topology.lines[k] for k in members], tube, point.shunt)) for members in groups.values()
+    ]
 
     grounds = [chamber.shunt[:, number] for number in range(len(topology.microphones))]
     series: dict[tuple[int, int], Array] = {}
@@ -151,6 +175,10 @@ def _respond(
         )
         at_point = chain.first * (chain.first * own + chain.last * (2 * across)) + chain.last * chain.last * opposite
         at_point = chain.own + at_point
+        if point.ratio is not None:
+            columns = [[topology.lines[k].points[place] for k in members] for place in range(at_point.shape[2])]
+            ratio, own = (xp.stack([_parts(values, each) for each in columns], 2) for values in point[1:])
+            source, at_point = ratio[:, :, :, None] * source, ratio * ratio * at_point + own
         for place, number in enumerate(members):
             sources[number], at_points[number] = source[:, place], at_point[:, place]
     diagonal = xp.eye(len(topology.microphones), dtype=xp.float64, device=air.omega.device)[..., None]
@@ -165,23 +193,23 @@ def _fold(xp: ModuleType, lines: list[LineWiring], tube: Tubes, point: Array) ->
     count = len(lines[0].points)
     tube_at = [[line.tubes[place] for line in lines] for place in range(count + 1)]
     series = [_parts(tube.series, columns) for columns in tube_at]
-    shunt = [_parts(tube.shunt, columns) for columns in tube_at]
+    first, last = ([_parts(values, columns) for columns in tube_at] for values in (tube.first, tube.last))
     load = [_parts(point, [line.points[place] for line in lines]) for place in range(count)]
 
     # what lies before each point, as a series admittance to the first end and a ground at the point; the
     # ground it leaves at the first end
-    before, grounds_before, at_first = [series[0]], [shunt[0] + load[0]], shunt[0]
+    before, grounds_before, at_first = [series[0]], [last[0] + load[0]], first[0]
     for place in range(count):
-        ground = grounds_before[place] + shunt[place + 1]
+        ground = grounds_before[place] + first[place + 1]
         through, at_next, left = _star_mesh(before[place], ground, series[place + 1])
         at_first = at_first + left
         before.append(through)
-        grounds_before.append(at_next + shunt[place + 1] + (load[place + 1] if place + 1 < count else 0))
-    after, grounds_after = [series[count]], [shunt[count]]
+        grounds_before.append(at_next + last[place + 1] + (load[place + 1] if place + 1 < count else 0))
+    after, grounds_after = [series[count]], [first[count]]
     for place in range(count - 1, 0, -1):
-        through, at_next, _ = _star_mesh(after[-1], grounds_after[-1] + load[place] + shunt[place], series[place])
+        through, at_next, _ = _star_mesh(after[-1], grounds_after[-1] + load[place] + last[place], series[place])
         after.append(through)
-        grounds_after.append(at_next + shunt[place])
+        grounds_after.append(at_next + first[place])
 
     near, far = xp.stack(before[:-1], 2), xp.stack(after[::-1], 2)
     own = inverse(near + far + xp.stack(grounds_before[:-1], 2) + xp.stack(grounds_after[::-1], 2))

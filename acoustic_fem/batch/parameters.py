@@ -39,6 +39,9 @@ class ArrayParameters:
     """Radius of the cavity, (n_design, n_point_column) float64, m."""
     cavity_height: Array
     """Height of the cavity, (n_design, n_point_column) float64, m."""
+    port_height: Array
+    """Height of the axes of the tubes above the floor of the cavity, (n_design, n_point_column) float64, m; counts at
+    fidelity ``atlas``."""
     membrane_compliance: Array
     """Static volume compliance of the membrane at its stated modulus, (n_design, n_point_column) float64, m^3/Pa."""
     membrane_loss: Array
@@ -183,7 +186,7 @@ class ArrayParameters:
 
 _PART_OF_PREFIX = {
     **dict.fromkeys(("tube", "sheath"), "tube"),
-    **dict.fromkeys(("cavity", "membrane", "leak", "floor"), "point"),
+    **dict.fromkeys(("cavity", "port", "membrane", "leak", "floor"), "point"),
 }
 
 #: Which part each parameter belongs to.
@@ -326,6 +329,7 @@ def _point(design: ArrayDesign, medium: Medium, known: KnownDiscs | None) -> dic
     return {
         "cavity_radius": metres(design.resonator.cavity_diameter) / 2,
         "cavity_height": metres(design.resonator.cavity_height),
+        "port_height": metres(design.resonator.port_axis_height),
         "membrane_compliance": float(share.sum()) * disc.opening**3 / disc.modulus,
         **_law("membrane", rubber),
         "membrane_share": share / share.sum(),

@@ -68,6 +68,16 @@ def _cell_admittances(
             {cell: lumped_admittance(cell, frequency, medium) for cell in cells},
             [{"cell": cell.label, "method": "closed form"} for cell in cells],
         )
+    if fidelity == "atlas":
+        from acoustic_fem.atlas.cell_in_atlas import atlas_admittance
+        from acoustic_fem.atlas.table import cell_atlas
+
+        atlas = cell_atlas()
+        about = {"method": f"atlas of cells, version {atlas.version}", "errors": dict(atlas.errors)}
+        return (
+            {cell: atlas_admittance(cell, frequency, medium) for cell in cells},
+            [{"cell": cell.label, **about} for cell in cells],
+        )
     from acoustic_fem.cell.design_cells import solve_cells
 
     solutions = solve_cells(

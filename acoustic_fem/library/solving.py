@@ -29,13 +29,14 @@ def solve(
     Args:
         design: the array.
         frequency: (n_freq,) ascending, 1e-3 to 2e3 Hz.
-        fidelity: "lumped" (closed forms), "helmholtz" (scalar 3-D cells, a cross-check that is wrong at openings)
-            or "navier-stokes" (3-D cells, the one to trust).
+        fidelity: "lumped" (closed forms), "atlas" (with what 3-D adds to them, from a table whose errors the library
+            states), "helmholtz" (scalar 3-D cells, a cross-check that is wrong at openings) or "navier-stokes" (3-D
+            cells, the one to trust).
         medium: the air; by default that of the design.
         progress: called with what is being done and the fraction done, 0 to 1.
 
     Raises:
-        Refusal: a bad frequency grid or an unknown fidelity.
+        Refusal: a bad frequency grid, an unknown fidelity, or a design outside the atlas.
     """
     grid = frequency_grid(frequency)
     if fidelity not in FIDELITIES:

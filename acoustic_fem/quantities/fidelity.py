@@ -6,7 +6,11 @@ from typing import Literal, get_args
 Physics = Literal["navier-stokes", "helmholtz"]
 PHYSICS: tuple[Physics, ...] = get_args(Physics)
 
+#: Fidelities whose cells are closed forms: alone, or with what 3-D adds to them from a table.
+ClosedForm = Literal["lumped", "atlas"]
+CLOSED_FORMS: tuple[ClosedForm, ...] = get_args(ClosedForm)
+
 #: What the cells of an array may be computed with, from the fastest to the one to trust.
-Fidelity = Literal["lumped", "helmholtz", "navier-stokes"]
+Fidelity = Literal["lumped", "atlas", "helmholtz", "navier-stokes"]
 #: Names of all fidelities, from closed forms to the one to trust.
 FIDELITIES: tuple[Fidelity, ...] = get_args(Fidelity)

@@ -198,8 +198,8 @@ def solve(
     fidelity: Annotated[
         Fidelity,
         typer.Option(
-            help="lumped: closed forms, at once; helmholtz: scalar 3-D cells, a cross-check; "
-            "navier-stokes: 3-D cells, the one to trust."
+            help="lumped: closed forms, at once; atlas: with what 3-D adds, from a table; helmholtz: scalar 3-D cells, "
+            "a cross-check; navier-stokes: 3-D cells, the one to trust."
         ),
     ] = _FIDELITY,
     frequencies: Frequencies = LIBRARY_FREQUENCIES,

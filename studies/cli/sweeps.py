@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from acoustic_fem.quantities.fidelity import CLOSED_FORMS
 from geometry.refusal import counted
 from studies.cli.options import Scheduler, check_workers, defaults_of, display_on_stderr
 from studies.cli.tables import show, table_of, tell
@@ -159,7 +160,7 @@ def _print_plan(plan: Plan, fidelity: str) -> None:
     if refused:
         print(f"not valid: {refused}, which will be kept as failed; of each kind the first:")
         _print_reasons(plan.refused)
-    if fidelity != "lumped":
+    if fidelity not in CLOSED_FORMS:
         print(f"distinct cells ({fidelity}): {plan.cells}, of which {plan.cells_cached} are in the cache")
     print(f"expected time: {duration(plan.seconds)} with {counted(plan.workers, 'worker')}")
     print(f"expected memory: {size(plan.memory)}")

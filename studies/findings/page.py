@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import studies
+from acoustic_fem.quantities.fidelity import CLOSED_FORMS
 from geometry import ArrayDesign
 from geometry.design.design_file import value_of, write_design
 from geometry.files.writing import write_text
@@ -182,7 +183,8 @@ def _families(table: ResultTable, best: dict[str, list[int]]) -> list[dict[str, 
 def _family(title: str, design: ArrayDesign, table: ResultTable) -> dict[str, Any]:
     import acoustic_fem
 
-    library = acoustic_fem.solve(design, table.frequency, "lumped")
+    closed_form = table.fidelity if table.fidelity in CLOSED_FORMS else "lumped"
+    library = acoustic_fem.solve(design, table.frequency, closed_form)
     response = library.transfer_function.transpose("point", "microphone", "frequency").values
     first, last = design.microphones[0], design.microphones[-1]
     count = len(response)

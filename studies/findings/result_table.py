@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from acoustic_fem.quantities.fidelity import CLOSED_FORMS
 from geometry import ArrayDesign
 from geometry.refusal import Refusal, counted
 from geometry.stated.declared import field_named
@@ -316,12 +317,12 @@ def _parameter(name: str, values: NDArray[Any], unit: str) -> Column:
 
 
 def with_base_metrics(table: ResultTable) -> ResultTable:
-    """The table with the figures of the base of a lumped sweep, which is rarely among its cases: it is solved."""
-    if table.base_metrics or table.fidelity != "lumped":
+    """The table with the figures of the base of a sweep in closed form, which is rarely one of its cases: solved."""
+    if table.base_metrics or table.fidelity not in CLOSED_FORMS:
         return table
     import acoustic_fem
 
-    library = acoustic_fem.solve(table.base, table.frequency, "lumped")
+    library = acoustic_fem.solve(table.base, table.frequency, table.fidelity)
     return replace(table, base_metrics={each.name: METRICS[each.name].of_library(library) for each in table.metrics})
 
 

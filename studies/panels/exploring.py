@@ -16,6 +16,7 @@ import numpy as np
 import tomlkit
 
 from acoustic_fem.numerics.disk_cache import cache_folder
+from acoustic_fem.quantities.fidelity import CLOSED_FORMS
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import write_design
 from geometry.files.reading import parse_toml
@@ -161,7 +162,7 @@ def run_study(design: ArrayDesign, text: str, tell: Callable[[str], None] = lamb
         from studies.findings.searching import optimize
 
         # Where cells are closed forms a search is over before processes beside this one have started.
-        workers = 1 if study.study.fidelity == "lumped" else None
+        workers = 1 if study.study.fidelity in CLOSED_FORMS else None
         optimize(study, place / "search", workers=workers, display=_Paced(tell))
     else:
         from studies.sweep.progress import Progress

@@ -6,7 +6,7 @@ import math
 import os
 import warnings
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
@@ -124,8 +124,8 @@ class DesignCheck:
 
     @property
     def fidelities(self) -> tuple[str, ...]:
-        """Lines on what each fidelity costs and how far lumped is from the default."""
-        return fidelity_lines(len(self.cells))
+        """Lines on what each fidelity costs and how far it is from the default."""
+        return fidelity_lines(self.design, [cell for cell, _ in self.cells])
 
     @property
     def failures(self) -> tuple[str, ...]:
@@ -282,21 +282,40 @@ def _drawn(
     return parts.counts, in_the_way, printing
 
 
-def fidelity_lines(cells: int) -> tuple[str, ...]:
-    """Lines on what each fidelity costs for so many distinct cells, and how far lumped was found from the default."""
+def fidelity_lines(design: ArrayDesign, cells: Sequence[Cell]) -> tuple[str, ...]:
+    """Lines on what each fidelity costs for the distinct cells of a design, and how far from the default it was."""
     from acoustic_fem.cell.design_cells import SECONDS_PER_CELL
 
     lumped, helmholtz = (
         "; ".join(f"{percent:g} % and {degrees:g} degrees on {name}" for name, percent, degrees in measured)
         for measured in (LUMPED_IS_OFF, HELMHOLTZ_IS_OFF)
     )
-    seconds = SECONDS_PER_CELL * cells
+    seconds = SECONDS_PER_CELL * len(cells)
     return (
         f"lumped: milliseconds; from navier-stokes, {BAND[0]:g} to {BAND[1]:g} Hz, it was at most {lumped}",
+        f"atlas: milliseconds; {_of_atlas(design, cells)}",
         f"helmholtz, a cross-check: as long as navier-stokes; from it at most {helmholtz}",
-        f"navier-stokes, the default: about {SECONDS_PER_CELL:g} s of one processor per distinct cell, here {cells}: "
-        f"{seconds:g} s; then from the cache",
+        f"navier-stokes, the default: about {SECONDS_PER_CELL:g} s of one processor per distinct cell, here "
+        f"{len(cells)}: {seconds:g} s; then from the cache",
     )
+
+
+def _of_atlas(design: ArrayDesign, cells: Sequence[Cell]) -> str:
+    """How far the atlas of cells is from the default, or why it has not the cells of this design."""
+    import numpy as np
+
+    from acoustic_fem.atlas.cell_in_atlas import check_cell
+    from acoustic_fem.atlas.table import OutsideAtlas, cell_atlas
+    from acoustic_fem.quantities.local_air import design_air
+
+    atlas, air = cell_atlas(), design_air(design)
+    try:
+        for cell in cells:
+            check_cell(atlas, cell, np.array(BAND), air)
+    except OutsideAtlas as error:
+        return f"not for this design: {error}"
+    off = 100 * atlas.errors["transfer function by 1 + |ln H|"]
+    return f"from navier-stokes, 1 to 200 Hz, it was at most {off:.2g} % x (1 + |ln H|) on 40 random designs"
 
 
 def cell_uses(design: ArrayDesign, layout: ArrayLayout) -> tuple[tuple[Cell, int], ...]:

@@ -6,6 +6,7 @@ import os
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from acoustic_fem.quantities.fidelity import CLOSED_FORMS
 from geometry.system.extras import check_extras
 from geometry.system.loading import check_system_libraries
 from studies.output.display import Display
@@ -44,7 +45,7 @@ def solve_library(
     """
     path, show = Path(out), display or Display()
     check_new_library(path, (".nc",))
-    if fidelity != "lumped":
+    if fidelity not in CLOSED_FORMS:
         check_extras("what solves in 3-D", "fem")
         check_system_libraries()
     import acoustic_fem

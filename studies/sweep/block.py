@@ -1,8 +1,8 @@
 """What a worker of a sweep computes: the metrics of consecutive cases, and single 3-D cells.
 
-Lumped cases of one topology are computed in one vectorised call; what a batch cannot hold, and every 3-D fidelity,
-case by case with the admittances of the cells given. A case that fails keeps its reason and stops no other; that of a
-mistake of the program says so.
+Cases of one topology whose cells are closed forms are computed in one vectorised call; what a batch cannot hold, and
+every 3-D fidelity, case by case with the admittances of the cells given. A case that fails keeps its reason and stops
+no other; that of a mistake of the program says so.
 """
 
 from __future__ import annotations
@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acoustic_fem import Medium
+from acoustic_fem.atlas.cell_in_atlas import atlas_admittance
 from acoustic_fem.batch.network import batch_response
 from acoustic_fem.batch.parameters import ArrayParameters, MediumParameters
 from acoustic_fem.batch.topology import Topology
@@ -26,6 +27,7 @@ from acoustic_fem.cell.lumped import lumped_admittance
 from acoustic_fem.cell.one_cell import CellError
 from acoustic_fem.membrane.disc import KnownDiscs, design_rubber
 from acoustic_fem.network.array_network import solve_network
+from acoustic_fem.quantities.fidelity import CLOSED_FORMS
 from acoustic_fem.quantities.local_air import design_air
 from geometry import ArrayDesign, DesignError
 from geometry.air.cells import Cell, cell_catalogue
@@ -126,7 +128,7 @@ def solve_block(
         job: what to compute.
         cases: the cases of the block.
         first: number of the first of them in the study.
-        cells: the 3-D cells of their designs; empty at the lumped fidelity.
+        cells: the 3-D cells of their designs; empty where cells are closed forms.
 
     Returns:
         The results, and the warnings that came up, each once.
@@ -172,7 +174,7 @@ def _responses(
     alone: list[int] = []
     for number, design in designs.items():
         stretched = design.membrane.stretch != 1 and not design_rubber(design).elastic
-        if job.fidelity != "lumped" or stretched:
+        if job.fidelity not in CLOSED_FORMS or stretched:
             alone.append(number)
         else:
             groups.setdefault(Topology.of(design), []).append(number)
@@ -198,7 +200,7 @@ def _responses(
 
 
 def _batch(job: Job, topology: Topology, designs: Sequence[ArrayDesign]) -> Responses:
-    """Many lumped designs in one call."""
+    """Many designs whose cells are closed forms in one call."""
     states: dict[Any, Medium] = {}
     for design in designs:
         if design.air not in states:
@@ -211,7 +213,7 @@ def _batch(job: Job, topology: Topology, designs: Sequence[ArrayDesign]) -> Resp
         for air, state in states.items()
     ]
     joined = parameters[0] if len(parameters) == 1 else _in_order(parameters, designs, list(states))
-    response = batch_response(joined, topology, job.frequency, medium)
+    response = batch_response(joined, topology, job.frequency, medium, job.fidelity)
     return Responses(
         frequency=job.frequency,
         transfer_function=response.transfer_function,
@@ -239,8 +241,9 @@ def _network(job: Job, design: ArrayDesign, cells: Mapping[CellKey, SolvedCell])
     admittances: dict[Cell, Complex] = {}
     catalogue = cell_catalogue(design, layout)
     for cell in catalogue.distinct:
-        if job.fidelity == "lumped":
-            admittances[cell] = lumped_admittance(cell, job.frequency, air)
+        if job.fidelity in CLOSED_FORMS:
+            closed_form = lumped_admittance if job.fidelity == "lumped" else atlas_admittance
+            admittances[cell] = closed_form(cell, job.frequency, air)
             continue
         solved = cells[cell, air]
         if solved.admittance is None:

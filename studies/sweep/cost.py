@@ -12,6 +12,7 @@ from acoustic_fem.membrane.disc import design_disc
 from acoustic_fem.membrane.disc_table import disc_count
 from acoustic_fem.membrane.elasticity import DiscShape
 from acoustic_fem.numerics.processors import cores
+from acoustic_fem.quantities.fidelity import CLOSED_FORMS
 from studies.study.cases import Cases
 from studies.study.study import Study
 from studies.sweep.block import FAILURES, CellKey, Job, solve_block
@@ -79,9 +80,9 @@ def _seconds_per_case(study: Study, cases: Cases, numbers: Sequence[int]) -> flo
 
 
 def _timed(study: Study, cases: Cases, chosen: Sequence[int]) -> float:
-    job = Job("lumped", study.frequency, study.metrics, False)
+    alone = study.fidelity not in CLOSED_FORMS
+    job = Job("lumped" if alone else study.fidelity, study.frequency, study.metrics, False)
     few = Cases(cases.base, cases.names, tuple(column[chosen] for column in cases.columns))
-    alone = study.fidelity != "lumped"
     start = process_time()
     for part in [few.part(k, k + 1) for k in range(len(few))] if alone else [few]:
         solve_block(job, part, 0, {})

@@ -45,6 +45,7 @@ def design_metrics(
     Raises:
         RuntimeError: one failed by a mistake of the program.
     """
+    from acoustic_fem.quantities.fidelity import CLOSED_FORMS
     from studies.study.failure_reasons import PROGRAM_ERROR
     from studies.sweep.block import Job, solve_block
 
@@ -53,9 +54,8 @@ def design_metrics(
     cases = _cases(values, study.base)
     ends = np.linspace(0, len(values), min(max(parts, 1), len(values)) + 1).round().astype(int).tolist()
     blocks = list(pairwise(ends))
-    cells = (
-        {} if study.fidelity == "lumped" else _cells(_valid(values, study) if designs is None else designs, study, team)
-    )
+    closed = study.fidelity in CLOSED_FORMS
+    cells = {} if closed else _cells(_valid(values, study) if designs is None else designs, study, team)
     table = np.full((len(values), len(names)), np.nan)
     reasons = [""] * len(values)
     tasks = ((job, cases.part(*block), block[0], cells) for block in blocks)

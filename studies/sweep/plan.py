@@ -31,7 +31,7 @@ class Plan:
     refused: dict[str, int]
     """Number of cases whose design is not valid, per kind of reason, each by its first."""
     cells: int
-    """Number of distinct 3-D cells; 0 at the lumped fidelity."""
+    """Number of distinct 3-D cells; 0 where cells are closed forms."""
     cells_cached: int
     """Number of those in the cache of this machine."""
     seconds: float

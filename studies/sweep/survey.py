@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from acoustic_fem.membrane.disc import design_shape
 from acoustic_fem.membrane.elasticity import DiscShape
+from acoustic_fem.quantities.fidelity import CLOSED_FORMS
 from geometry import ArrayDesign, DesignError
 from geometry.layout.overlaps import refuse_overlaps
 from geometry.refusal import Refusal
@@ -33,7 +34,7 @@ class Survey:
     discs: tuple[DiscShape, ...]
     """Membranes of all cases, each once; none where no parameter changes them."""
     cells: tuple[tuple[CellKey, ...], ...]
-    """3-D cells of each case; empty at the lumped fidelity."""
+    """3-D cells of each case; empty where cells are closed forms."""
 
     def cells_of(self, numbers: Iterable[int]) -> tuple[CellKey, ...]:
         """3-D cells of some cases, each once."""
@@ -52,7 +53,7 @@ def surveyed(study: Study, every: bool = False) -> Survey:
     """
     check_base(study)
     membranes = any(parameter.name.startswith(_OF_MEMBRANES) for parameter in study.parameters)
-    solid = study.fidelity != "lumped"
+    solid = study.fidelity not in CLOSED_FORMS
     known: dict[CellKey, CellKey] = {}
     discs: dict[DiscShape, None] = {}
     cells: list[tuple[CellKey, ...]] = []

@@ -42,7 +42,7 @@ def test_a_library_has_its_labelled_responses(library: acoustic_fem.Library) -> 
     assert library.transfer_function.shape == library.source_response.shape == (12, 2, 16)
     assert library.point_impedance.dims == ("point", "frequency")
     assert library.transfer_function.dtype == np.complex128
-    assert library.fidelity in acoustic_fem.FIDELITIES == ("lumped", "helmholtz", "navier-stokes")
+    assert library.fidelity in acoustic_fem.FIDELITIES == ("lumped", "atlas", "helmholtz", "navier-stokes")
 
 
 def test_a_library_is_saved_and_loaded(library: acoustic_fem.Library, tmp_path: Path) -> None:

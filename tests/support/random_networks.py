@@ -19,6 +19,7 @@ RANGES = {  # SI
     "tube_length": (2e-3, 6e-2),
     "cavity_radius": (1e-3, 5e-3),
     "cavity_height": (8e-4, 6e-3),
+    "port_height": (4e-4, 6e-4),
     "membrane_compliance": (1e-14, 1e-12),
     "membrane_loss": (0.01, 0.3),
     "membrane_slope": (0.3, 1.0),
@@ -84,7 +85,7 @@ def random_parameters(topology, seed, designs=1, modes=3):
     values = {
         field.name: draw(field.name, designs, columns[PART[field.name]])
         for field in fields(ArrayParameters)
-        if field.name not in ("membrane_share", "membrane_frequency")
+        if field.name not in ("membrane_share", "membrane_frequency", "port_height")
     }
     for part in ("membrane", "floor", "sheath"):
         for name in (f"{part}_relaxation", f"{part}_relaxation_time"):
@@ -92,6 +93,7 @@ def random_parameters(topology, seed, designs=1, modes=3):
     shape = (designs, columns["point"], modes)
     values["membrane_share"] = generator.dirichlet(np.ones(modes), shape[:2])
     values["membrane_frequency"] = np.sort(draw("membrane_frequency", *shape), axis=-1)
+    values["port_height"] = draw("port_height", designs, columns["point"])
     return ArrayParameters(**values)
 
 

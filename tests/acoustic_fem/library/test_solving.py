@@ -342,7 +342,7 @@ def test_a_bad_frequency_grid_is_refused(frequency, message):
 def test_an_unknown_fidelity_is_refused_with_the_known_ones(fidelity):
     with pytest.raises(ValueError) as error:
         acoustic_fem.solve(DESIGN, BAND, fidelity)
-    assert str(error.value) == f"fidelity = {fidelity!r} must be one of: lumped, helmholtz, navier-stokes"
+    assert str(error.value) == f"fidelity = {fidelity!r} must be one of: lumped, atlas, helmholtz, navier-stokes"
 
 
 def test_a_library_cannot_be_changed_by_accident(library):

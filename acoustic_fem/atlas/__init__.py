@@ -1,0 +1,8 @@
+"""What 3-D adds to cells in closed form, interpolated between solved ones: the fidelity ``atlas``.
+
+Stands on: cavity, duct, quantities.
+"""
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -1,0 +1,173 @@
+"""The table of the atlas: what 3-D adds to cells in closed form, within which bounds, and how well it is known.
+
+Made by ``benchmarks/atlas`` from cells solved in 3-D. Everything in it is a number without units: lengths count in
+each other, impedances of openings in mu / a^3, inertances of cavities in rho / R, compliances in a^3 / p.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from acoustic_fem.atlas.polynomial import Array, ShapePolynomial, layer_number
+from geometry.files.reading import parse_json, read_text
+from geometry.refusal import Refusal
+
+#: What a cavity belongs to: its tubes open under a membrane or into the chamber of a microphone.
+House = Literal["resonator", "microphone"]
+
+#: The table that comes with the package.
+FILE = Path(__file__).with_name("cell_atlas.json")
+
+
+class OutsideAtlas(Refusal):
+    """A cell, its air or a frequency lies outside the bounds of the atlas; the message says which and where."""
+
+
+@dataclass(frozen=True, eq=False)
+class Opening:
+    """Shapes of openings of tubes into cavities, as arrays or tensors that broadcast with each other."""
+
+    radius: Array
+    """Radius a of the bore, scalar or (n_design, 1, 1) float64, m."""
+    cavity_radius: Array
+    """Radius R of the cavity, scalar or (n_design, 1, 1) float64, m."""
+    cavity_height: Array
+    """Height of the cavity, scalar or (n_design, 1, 1) float64, m."""
+    port_height: Array
+    """Height of the bore's axis above the floor, scalar or (n_design, 1, 1) float64, m."""
+
+    @property
+    def ratios(self) -> tuple[Array, Array, Array]:
+        """A by R, by the distance to the floor, and by that to the ceiling; shape of the radius, float64."""
+        above = self.cavity_height - self.port_height
+        return self.radius / self.cavity_radius, self.radius / self.port_height, self.radius / above
+
+
+@dataclass(frozen=True, eq=False)
+class CellAtlas:
+    """The atlas: corrections by shape, bounds and errors."""
+
+    version: int
+    """Version of the table."""
+    openings: Mapping[House, ShapePolynomial]
+    """Resistance, and inertance by s^2, of an opening in mu / a^3, over a/R, the sum and the product of a by the
+    distances to floor and ceiling."""
+    storage: ShapePolynomial
+    """What an opening adds to the compliance of its cavity in a^3 / p, over a/R."""
+    passage: NDArray[np.float64]
+    """Inertance that two openings share, in rho / R, over powers 0 to 2 of R/H and 0 to 1 of the port's place,
+    (3, 2) float64."""
+    to_membrane: NDArray[np.float64]
+    """That which an opening and the membrane share, as ``passage``, (3, 2) float64."""
+    bounds: Mapping[House, Mapping[str, tuple[float, float]]]
+    """Least and greatest value of each ratio."""
+    errors: Mapping[str, float]
+    """Largest relative errors that were found on cells and designs which took no part in the making."""
+    provenance: Mapping[str, Any]
+    """How it was made: versions, meshes, seeds, date."""
+
+    def impedance(self, house: House, opening: Opening, square: Array) -> Array:
+        """Impedance of openings in series with their tubes, in mu / a^3.
+
+        Args:
+            house: what the cavity belongs to.
+            opening: their shapes, which broadcast with ``square``.
+            square: square of the shear number, a^2 w / nu, float64.
+
+        Returns:
+            Broadcast shape, complex128.
+        """
+        by_radius, by_floor, by_ceiling = opening.ratios
+        ratios = (by_radius, by_floor + by_ceiling, by_floor * by_ceiling)
+        resistance, inertance = self.openings[house](ratios, layer_number(square))
+        return resistance + 1j * (square * inertance)
+
+    def compliance(self, opening: Opening, square: Array) -> Array:
+        """What openings add to the compliance of their cavity, in a^3 / p; arguments as :meth:`impedance`.
+
+        Returns:
+            Broadcast shape, complex128.
+        """
+        real, imag = self.storage((opening.ratios[0],), layer_number(square) ** 0.5)
+        return real + 1j * imag
+
+    def inertances(self, opening: Opening) -> tuple[Array, Array]:
+        """Inertances in rho / R that two openings of a cavity share, and that an opening and the membrane share.
+
+        Of openings opposite each other; the angle between them changes little of a chain. Both float64, shape of the
+        radius of the cavity.
+        """
+        flatness = opening.cavity_radius / opening.cavity_height
+        place = opening.port_height / opening.cavity_height - 0.5
+        powers = [[flatness**m * place**n if n else flatness**m for n in range(2)] for m in range(3)]
+
+        def total(coefficients: NDArray[np.float64]) -> Array:
+            return sum(float(coefficients[m, n]) * powers[m][n] for m in range(3) for n in range(2))
+
+        return total(self.passage), total(self.to_membrane)
+
+    def check(self, house: House, opening: Opening, square: Array, where: str) -> None:
+        """Refuse openings outside the bounds.
+
+        Args:
+            house: what the cavity belongs to.
+            opening: shapes as NumPy arrays.
+            square: largest square of a shear number, a NumPy array.
+            where: what is refused, for the message.
+
+        Raises:
+            OutsideAtlas: names the ratio, its value and its range.
+        """
+        by_radius, by_floor, by_ceiling = opening.ratios
+        values = {
+            "bore by cavity diameter": by_radius,
+            "bore radius by height of its axis above the floor": by_floor,
+            "bore radius by distance of its axis from the ceiling": by_ceiling,
+            "cavity height by radius": opening.cavity_height / opening.cavity_radius,
+            "shear number a sqrt(w/nu) at the highest frequency": square**0.5,
+        }
+        for name, value in values.items():
+            low, high = self.bounds[house][name]
+            outside = np.asarray(value)[
+                (np.asarray(value) < low * (1 - 1e-9)) | (np.asarray(value) > high * (1 + 1e-9))
+            ]
+            if outside.size:
+                raise OutsideAtlas(
+                    f"{where}: {name} = {outside.flat[0]:.4g} must be {low:g} to {high:g} in the atlas of cells; "
+                    'fidelity "navier-stokes" solves it in 3-D'
+                )
+
+
+@lru_cache(maxsize=1)
+def cell_atlas() -> CellAtlas:
+    """The atlas that comes with the package, read once."""
+    return atlas_of(parse_json(read_text(FILE, "the atlas of cells", Refusal), str(FILE), Refusal))
+
+
+def atlas_of(plain: Mapping[str, Any]) -> CellAtlas:
+    """The atlas that a table of plain values states."""
+
+    def polynomial(stated: Mapping[str, Any]) -> ShapePolynomial:
+        powers = np.array(stated["powers"], dtype=np.int64)
+        return ShapePolynomial(powers, np.array(stated["real"]), np.array(stated["imag"]))
+
+    def bounds(stated: Mapping[str, Sequence[float]]) -> dict[str, tuple[float, float]]:
+        return {name: (low, high) for name, (low, high) in stated.items()}
+
+    return CellAtlas(
+        version=plain["version"],
+        openings={house: polynomial(stated) for house, stated in plain["openings"].items()},
+        storage=polynomial(plain["storage"]),
+        passage=np.array(plain["passage"]),
+        to_membrane=np.array(plain["to_membrane"]),
+        bounds={house: bounds(stated) for house, stated in plain["bounds"].items()},
+        errors=plain["errors"],
+        provenance=plain["provenance"],
+    )

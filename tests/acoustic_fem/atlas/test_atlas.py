@@ -1,0 +1,173 @@
+"""The atlas of cells: the same in every solver, differentiable, within its stated error of 3-D, refused outside."""
+
+import json
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import torch
+
+import acoustic_fem
+from acoustic_fem.atlas import OutsideAtlas, atlas_admittance, cell_atlas, opening_node, table
+from acoustic_fem.batch.network import batch_response
+from acoustic_fem.batch.parameters import ArrayParameters, MediumParameters
+from acoustic_fem.batch.topology import Topology
+from acoustic_fem.cell.design_cells import solve_cells
+from acoustic_fem.cell.lumped import lumped_admittance
+from acoustic_fem.quantities.medium import Medium
+from geometry.air.cells import cell_catalogue
+from geometry.design.design_file import prototype
+from geometry.layout.arrangement import lay_out
+from geometry.refusal import Refusal
+
+BAND = np.array([1.0, 12.0, 60.0, 200.0])
+AIR = Medium.at(20, 0.5)
+RESULTS = ("source_response", "point_impedance", "microphone_impedance", "transfer_function")
+PROTOTYPES = ["array-2x6", "fingertip-3x4", "fingertip-4x6", "glove", "large-area-64", "line-2", "line-3", "line-4"]
+
+
+@pytest.fixture(scope="module")
+def design():
+    return prototype("array-2x6")
+
+
+def cells_of(design):
+    return cell_catalogue(design, lay_out(design)).distinct
+
+
+@pytest.mark.parametrize("name", PROTOTYPES)
+def test_the_batch_gives_what_solve_gives(name):
+    design = prototype(name)
+    library = acoustic_fem.solve(design, BAND, "atlas", AIR)
+    response = batch_response(ArrayParameters.from_design(design, AIR), Topology.of(design), BAND, AIR, "atlas")
+    for result in RESULTS:
+        np.testing.assert_allclose(getattr(response, result)[0], getattr(library, result), rtol=1e-8)
+
+
+def test_ports_out_of_the_middle_and_air_of_their_own_count_in_the_batch_as_in_solve(design):
+    changed = [
+        design.with_values({"resonator.port_height": 0.6}),
+        design.with_values({"resonator.cavity_height": 4.0, "air.temperature": 35.0, "air.pressure": 8e4}),
+    ]
+    media = [Medium.at(20, 0.5), Medium.at(35, 0.5, 8e4)]
+    parameters = [ArrayParameters.from_design(each, air) for each, air in zip(changed, media, strict=True)]
+    joined = ArrayParameters(
+        **{name: np.concatenate([getattr(part, name) for part in parameters]) for name in vars(parameters[0])}
+    )
+    found = batch_response(joined, Topology.of(design), BAND, MediumParameters.from_media(media), "atlas")
+    for number, (each, air) in enumerate(zip(changed, media, strict=True)):
+        library = acoustic_fem.solve(each, BAND, "atlas", air)
+        np.testing.assert_allclose(found.transfer_function[number], library.transfer_function, rtol=1e-8)
+    centred = acoustic_fem.solve(design, BAND, "atlas").transfer_function
+    lowered = acoustic_fem.solve(changed[0], BAND, "atlas").transfer_function
+    assert np.abs(lowered / centred - 1).max() > 1e-4
+
+
+def test_a_library_says_that_it_is_of_the_atlas_and_what_its_errors_are(design):
+    library = acoustic_fem.solve(design, BAND, "atlas")
+    assert library.fidelity == "atlas"
+    for cell in library.provenance["cells"]:
+        assert cell["method"] == f"atlas of cells, version {cell_atlas().version}"
+        assert 0 < cell["errors"]["transfer function by 1 + |ln H|"] < 0.01
+
+
+def test_the_gradient_is_that_of_finite_differences(design):
+    topology, parameters = Topology.of(design), ArrayParameters.from_design(design, AIR)
+
+    def level(numbers):
+        response = batch_response(numbers, topology, BAND, AIR, "atlas").transfer_function
+        power = response.real**2 + response.imag**2
+        return (power[:, :, 0] / power[:, :, 1]).sum()
+
+    tensors = parameters.tensors(requires_grad=True)
+    level(tensors).backward()
+    for name in ("tube_radius", "cavity_radius", "cavity_height", "port_height", "chamber_radius", "chamber_height"):
+        value, step = getattr(parameters, name), 1e-5
+        up, down = (replace(parameters, **{name: value * (1 + sign * step)}) for sign in (1, -1))
+        difference = (level(up) - level(down)) / (2 * step)
+        gradient = float((getattr(tensors, name).grad * torch.as_tensor(value)).sum())
+        assert gradient == pytest.approx(difference, rel=2e-5, abs=1e-9), name
+        assert gradient != 0
+
+
+def test_a_cell_without_shared_inertance_is_a_cavity_of_uniform_pressure():
+    storage, load = 2e-9j, 1e-10 + 3e-9j
+    shunt, share, own = opening_node(storage, load, 0.0, 0.0)
+    assert (shunt, share) == (pytest.approx(storage + load), pytest.approx(1.0))
+    assert abs(own * (storage + load)) < 1e-12
+
+
+def test_the_node_of_a_cavity_is_its_impedances_with_the_membrane_eliminated():
+    storage, load, passage, through = 2e-9j, 1e-10 + 3e-9j, -4e6j, -2e6j
+    shunt, share, own = opening_node(storage, load, passage, through)
+    # two tubes and the membrane, the load beside it; a source drives the membrane and tube 2 is open to a conductance
+    impedance = np.full((3, 3), 1 / storage)
+    impedance[:2, :2] += passage
+    impedance[:2, 2] += through
+    impedance[2, :2] += through
+    ends = 5e-10
+    loads = np.diag([0.0, ends, load])
+    exact = np.linalg.solve(np.eye(3) + impedance @ loads, impedance)[:, 2]  # pressures per volume velocity
+    node = share / (shunt + ends)
+    assert node == pytest.approx(exact[1], rel=1e-9)
+    assert share * node + own == pytest.approx(exact[2], rel=1e-9)
+
+
+def test_cells_outside_are_refused_by_name(design):
+    for values, message in (
+        ({"resonator.shape": "dome"}, "has cylinders only"),
+        (
+            {"resonator.cavity_height": 7.0},
+            r"resonator 6 x 7 mm .*cavity height by radius = 2\.333 must be 0\.3 to 2\.3",
+        ),
+        ({"microphone.chamber_diameter": 8.0}, r"microphone 8 x 1\.8 mm .* bore by cavity diameter = 0\.05"),
+    ):
+        outside = design.with_values(values)
+        with pytest.raises(OutsideAtlas, match=message):
+            acoustic_fem.solve(outside, BAND, "atlas")
+    with pytest.raises(OutsideAtlas, match=r"shear number .* at the highest frequency = 6\.\d+"):
+        acoustic_fem.solve(design, [1.0, 2000.0], "atlas")
+    helium = replace(AIR, gamma=1.66)
+    with pytest.raises(OutsideAtlas, match=r"gamma must be 1\.33 to 1\.47"):
+        acoustic_fem.solve(design, BAND, "atlas", helium)
+
+
+def test_a_batch_with_a_design_outside_is_refused_by_name(design):
+    topology = Topology.of(design)
+    tall = ArrayParameters.from_designs([design, design.with_values({"resonator.cavity_height": 7.0})])
+    with pytest.raises(OutsideAtlas, match=r"tube at points of column 0: cavity height by radius = 2\.333 "):
+        batch_response(tall, topology, BAND, AIR, "atlas")
+    with pytest.raises(Refusal, match="fidelity = 'helmholtz' must be one of lumped, atlas in a batch"):
+        batch_response(tall, topology, BAND, AIR, "helmholtz")
+
+
+def test_the_table_is_small_and_says_how_it_was_made():
+    text = table.FILE.read_bytes()
+    assert len(text) < 1_000_000
+    about = json.loads(text)["provenance"]
+    assert about["samples"] >= 30
+    assert {"made", "seeds", "gmsh", "scikit-fem", "acoustic-fem", "held-out designs"} <= about.keys()
+
+
+def test_the_atlas_moves_lumped_cells_towards_the_3_d_of_the_reference(design):
+    """Resistance of an opening of a flat wide cavity: 1.5 mu/a^3 alone, more where floor and ceiling are near."""
+    cell = cells_of(design)[0]
+    low = cells_of(design.with_values({"resonator.cavity_height": 1.2, "resonator.port_height": 0.4}))[0]
+    ratios = []
+    for each in (cell, low):
+        found, lumped = (np.linalg.inv(of(each, BAND, AIR)) for of in (atlas_admittance, lumped_admittance))
+        ratios.append(((found[:, 0, 0] - found[:, 0, 1]) / (lumped[:, 0, 0] - lumped[:, 0, 1])).real[0])
+    assert 0 < 1.5 * (ratios[0] - 1) < ratios[1] - 1 < 0.05
+
+
+@pytest.mark.slow
+def test_a_cell_is_within_the_stated_error_of_3_d(design):
+    cell = cells_of(design.with_values({"resonator.cavity_height": 2.9, "tube.inner_diameter": 0.5}))[0]
+    exact = solve_cells([cell], BAND, AIR)[cell].admittance
+    size = np.sqrt(np.abs(np.einsum("fii->fi", exact)))
+
+    def off(of):
+        return (np.abs(of(cell, BAND, AIR) - exact) / (size[:, :, None] * size[:, None, :])).max()
+
+    assert off(atlas_admittance) < cell_atlas().errors["admittance of a resonator"]
+    assert off(atlas_admittance) < off(lumped_admittance) / 2
