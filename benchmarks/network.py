@@ -111,12 +111,12 @@ def dense(parameters: ArrayParameters, topology: Topology) -> np.ndarray:
     size = len(line.points) + 2
     nodal = np.zeros((len(FREQUENCY), size, size), dtype=np.complex128)
     for place, column in enumerate(line.tubes):
-        series, own = tube.series[0, column], tube.series[0, column] + tube.shunt[0, column]
+        series, own = tube.series[0, column], tube.series[0, column] + tube.first[0, column]
         nodal[:, place, place] += own
         nodal[:, place + 1, place + 1] += own
         nodal[:, place, place + 1] = nodal[:, place + 1, place] = -series
     for place, column in enumerate(line.points, 1):
-        nodal[:, place, place] += point[0, column]
+        nodal[:, place, place] += point.shunt[0, column]
     for node in (0, -1):
         nodal[:, node, node] += chamber.shunt[0, 0]
     impedance = np.linalg.inv(nodal)
