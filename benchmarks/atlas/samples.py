@@ -18,7 +18,7 @@ import numpy as np
 from scipy.stats import qmc
 
 from acoustic_fem import Medium
-from acoustic_fem.cell.condensed import AirModel, BodyFaces, condense
+from acoustic_fem.cell.condensed import AirModel, BodyFaces, CondensedBody, condense
 from acoustic_fem.cell.solid import MarkedSolid
 from acoustic_fem.fields.diffusion import diffusion_field
 from acoustic_fem.fields.element_sizes import mesh_sizes
@@ -42,9 +42,13 @@ class Sample:
     """A cell to solve, and on which meshes."""
 
     name: str
+    """Name of its file."""
     cell: Cell
+    """The cell."""
     flow_scale: float
+    """Scale of the mesh of the flow, see :func:`acoustic_fem.fields.element_sizes.mesh_sizes`."""
     heat_scale: float
+    """Scale of the mesh of the thermal field."""
 
 
 def resonators(count: int, seed: int) -> list[Cell]:
@@ -101,9 +105,10 @@ def microphones(count: int, seed: int, hole_by_height: tuple[float, float] = (0.
     return cells
 
 
-def solved(sample: Sample) -> dict[str, Any]:
-    """Admittance of a sample at all shear numbers."""
-    cell, started = sample.cell, time.process_time()
+def condensed(
+    cell: Cell, medium: Medium, band: tuple[float, float], highest: float, scales: tuple[float, float]
+) -> CondensedBody:
+    """A cell on one mesh for the flow and one for heat, of these scales at the highest frequency that counts."""
     air = air_volume(cell)
     radius = np.linspace(0, cell.opening_diameter / 2, 200)
     bowl = 1 - (radius / radius[-1]) ** 2
@@ -112,14 +117,20 @@ def solved(sample: Sample) -> dict[str, Any]:
     motions = (WallMotion(OPENING, profile, air.centre),)
     body_faces = BodyFaces(tuple(air.ports), motions, None if air.mirror is None else MIRROR)
     solid = MarkedSolid(air.solid, faces, body_faces)
+    heat_mesh = solid.mesh(mesh_sizes(scales[1], cell.smallest_extent, medium, highest)[1], lambda: None)
+    heat = diffusion_field(heat_mesh, body_faces.open, medium.thermal_diffusivity, band)
+    flow_mesh = solid.mesh(mesh_sizes(scales[0], cell.smallest_extent, medium, highest)[0], lambda: None)
+    return condense(flow_mesh, heat, body_faces, AirModel(medium, band), tolerance=3e-5)
+
+
+def solved(sample: Sample) -> dict[str, Any]:
+    """Admittance of a sample at all shear numbers."""
+    started = time.process_time()
     band = (float(FREQUENCY[0]), float(FREQUENCY[-1]))
-    heat_mesh = solid.mesh(mesh_sizes(sample.heat_scale, cell.smallest_extent, MEDIUM, HIGHEST)[1], lambda: None)
-    heat = diffusion_field(heat_mesh, body_faces.open, MEDIUM.thermal_diffusivity, band)
-    flow_mesh = solid.mesh(mesh_sizes(sample.flow_scale, cell.smallest_extent, MEDIUM, HIGHEST)[0], lambda: None)
-    body = condense(flow_mesh, heat, body_faces, AirModel(MEDIUM, band), tolerance=3e-5)
+    body = condensed(sample.cell, MEDIUM, band, HIGHEST, (sample.flow_scale, sample.heat_scale))
     admittance = body.nodal_admittance(FREQUENCY)
     return {
-        "cell": asdict(cell),
+        "cell": asdict(sample.cell),
         "flow_scale": sample.flow_scale,
         "heat_scale": sample.heat_scale,
         "unknowns": body.unknowns,
