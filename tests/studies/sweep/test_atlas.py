@@ -1,0 +1,57 @@
+"""Sweeps at fidelity atlas: what solve gives case by case, and cases outside the atlas fail by name."""
+
+import numpy as np
+import pytest
+
+import acoustic_fem
+from studies.findings.result_table import table_of_sweep, with_base_metrics
+from studies.study.file import read_study
+from studies.study.metric_registry import METRICS
+from studies.sweep.plan import plan_sweep
+from studies.sweep.run import run_sweep
+from studies.sweep.store import open_sweep
+
+STUDY = """
+base = "array-2x6"
+fidelity = "atlas"
+metrics = ["ild_smallest"]
+frequencies = "1:100:5"
+transfer_functions = true
+
+[parameters]
+"resonator.cavity_height" = [2.0, 3.0, 7.2]
+"air.temperature" = [10.0, 30.0]
+"""
+
+
+@pytest.fixture(scope="module")
+def sweep(tmp_path_factory):
+    store = tmp_path_factory.mktemp("atlas") / "results.zarr"
+    run_sweep(read_study(STUDY), store, workers=1)
+    return open_sweep(store)
+
+
+def test_cases_are_what_solve_gives(sweep):
+    data, frequency = sweep.dataset, read_study(STUDY).frequency
+    kept = data["transfer_function_real"].values + 1j * data["transfer_function_imag"].values
+    assert sweep.done.sum() == 4
+    for number in np.flatnonzero(sweep.done):
+        library = acoustic_fem.solve(sweep.design(int(number)), frequency, "atlas")
+        np.testing.assert_allclose(kept[number], library.transfer_function.values, rtol=1e-8)
+        assert METRICS["ild_smallest"].of_library(library) == pytest.approx(data["ild_smallest"].values[number])
+
+
+def test_cases_outside_fail_by_name(sweep):
+    reasons = sweep.dataset["reason"].values[sweep.failed]
+    assert len(reasons) == 2
+    assert all("cavity height by radius = 2.4 must be 0.3 to 2.3 in the atlas of cells" in why for why in reasons)
+
+
+def test_it_asks_for_no_cell_in_3_d():
+    assert plan_sweep(read_study(STUDY)).cells == 0
+
+
+def test_the_base_beside_its_cases_is_of_the_atlas_too(sweep):
+    table = with_base_metrics(table_of_sweep(sweep))
+    library = acoustic_fem.solve(sweep.base, read_study(STUDY).frequency, "atlas")
+    assert table.base_metrics["ild_smallest"] == pytest.approx(METRICS["ild_smallest"].of_library(library))
