@@ -41,21 +41,22 @@ def atlas_admittance(cell: Cell, frequency: NDArray[np.float64], medium: Medium)
     check_cell(atlas, cell, frequency, medium)
     omega, radius = 2 * np.pi * frequency, metres(cell.diameter) / 2
     compliance = closed_cylinder_compliance(radius, metres(cell.height), frequency, medium)
+    ducts: dict[tuple[float, ...], NDArray[np.complex128]] = {}
     necks = []
-    for opening in _openings(cell):
-        a = opening.radius
+    for opening, port in zip(_openings(cell), cell.ports, strict=True):
+        a, length = opening.radius, metres(cell.bore_of(port))
         square = omega * a**2 / medium.kinematic_viscosity
         compliance = compliance + atlas.compliance(opening, square) * (a**3 / medium.pressure)
-        necks.append(medium.viscosity / a**3 * atlas.impedance(cell.kind, opening, square))
+        alike = (a, length, opening.port_height)
+        if alike not in ducts:
+            impedance = medium.viscosity / a**3 * atlas.impedance(cell.kind, opening, square)
+            ducts[alike] = _neck(a, length, impedance, frequency, medium)
+        necks.append(ducts[alike])
     storage = 1j * omega * compliance
-    ducts = [
-        _neck(opening.radius, metres(cell.bore_of(port)), impedance, frequency, medium)
-        for opening, port, impedance in zip(_openings(cell), cell.ports, necks, strict=True)
-    ]
     if cell.kind == "microphone":
-        return _behind_sound_hole(cell, _around_node(ducts, storage, 0.0, 0.0), frequency, medium)
+        return _behind_sound_hole(cell, _around_node(necks, storage, 0.0, 0.0), frequency, medium)
     passage, through = (1j * omega * medium.density / radius * part for part in atlas.inertances(_openings(cell)[0]))
-    return _around_node(ducts, storage, passage, through)
+    return _around_node(necks, storage, passage, through)
 
 
 def opening_node(storage: Array, load: Array, passage: Array, through: Array) -> tuple[Array, Array, Array]:

@@ -238,16 +238,14 @@ def library_from_arrays(
     if deviation is not None:
         rows["transfer_function_deviation"] = deviation
     described = {**VARIABLES, "transfer_function_deviation": DEVIATION}
-    arrays = {}
-    for name, row in rows.items():
-        dimensions, units, description = described[name]
-        arrays[name] = xr.DataArray(
-            row,
-            dims=dimensions,
-            coords={key: value for key, value in coordinates.items() if value[0] in dimensions},
-            name=name,
-            attrs={"units": units, "long_name": description},
-        )
+    variables = {
+        name: (dimensions, rows[name], {"units": units, "long_name": description})
+        for name, (dimensions, units, description) in described.items()
+        if name in rows
+    }
+    # one data set, since its coordinates are made once
+    dataset = xr.Dataset(variables, coords=coordinates)
+    arrays = {name: dataset[name] for name in variables}
     return Library(**arrays, design=design, fidelity=fidelity, medium=medium, provenance=dict(provenance))
 
 
