@@ -1,8 +1,8 @@
 """Self-calibration of virtual rigs from unlabelled touches: what it does to decoding, and what it refuses.
 
-``python benchmarks/self_calibration.py sines`` and ``fingers`` write the two tables of docs/calibration.md anew, each in
-about half an hour of one core; with more arguments, such as ``sines 3 "2 x 36, modulus x 0.85"`` or ``fingers 2 line-2``,
-they print one row of so many rigs.
+``python benchmarks/self_calibration.py sines`` and ``fingers`` write the two tables of docs/calibration.md anew, in a
+quarter and half an hour of one core; with more arguments, such as ``sines 3 "2 x 36, modulus x 0.85"`` or
+``fingers 2 line-2``, they print one row of so many rigs.
 """
 
 from __future__ import annotations
