@@ -20,7 +20,7 @@ export function sized(canvas: HTMLCanvasElement, width: number, height: number):
     canvas.style.width = `${width}px`;
     canvas.style.height = `${height}px`;
   }
-  canvas.getContext("2d")!.reset();
+  canvas.getContext("2d", { willReadFrequently: true })!.reset(); // drawn by the processor: see the curves
 }
 
 const LEFT = 58, RIGHT = 10, TOP = 8;
