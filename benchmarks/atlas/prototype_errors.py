@@ -11,7 +11,7 @@ import warnings
 import geometry
 from benchmarks.atlas.certify import errors
 
-NAMES = ("array-2x6", "line-3", "fingertip-3x4", "large-area-64", "glove")
+NAMES = ("array-2x6", "fingertip-3x4", "line-3", "line-4", "large-area-64", "glove")
 
 
 def main(names: list[str]) -> None:
