@@ -44,8 +44,9 @@ def test_a_design_is_checked_without_its_parts_and_says_so(core: Path, tmp_path:
 
 
 @pytest.mark.slow
-def test_a_design_is_solved_and_its_library_converted(core: Path, tmp_path: Path) -> None:
-    words = ("solve", "array-2x6", "--fidelity", "lumped", "--frequencies", "1:200:50", "--out", "library.nc")
+@pytest.mark.parametrize("fidelity", ["lumped", "atlas"])
+def test_a_design_is_solved_and_its_library_converted(core: Path, tmp_path: Path, fidelity: str) -> None:
+    words = ("solve", "array-2x6", "--fidelity", fidelity, "--frequencies", "1:200:50", "--out", "library.nc")
     done = acoustic_fem_of_core(core, *words, folder=tmp_path)
     assert done.returncode == 0, done.stderr
     for kind in ("npz", "csv", "sofa"):
