@@ -34,6 +34,7 @@ from .listening.embedding import EmbeddedFiles as EmbeddedFiles, embed_decoder a
 from .listening.exporting import ExportedDecoder as ExportedDecoder, export_decoder as export_decoder
 from .listening.live import LiveInput as LiveInput, LiveSummary as LiveSummary, listen as listen
 from .listening.opening import Decoding as Decoding
+from .listening.pulse_reading import RecordedPulse as RecordedPulse, read_pulse as read_pulse
 from .listening.recognized import (
     RecognizedTouch as RecognizedTouch,
     recognize_recording as recognize_recording,

@@ -76,6 +76,7 @@ VERBS = (
     locating.locate,
     locating.recognize,
     locating.track,
+    locating.pulse,
     live.live,
     designs.run,
     bending.bend,

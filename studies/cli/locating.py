@@ -1,4 +1,4 @@
-"""Verbs that put a localizer or a recognizer to work: onnx, embed, locate, recognize, track."""
+"""Verbs that put a localizer or a recognizer to work: onnx, embed, locate, recognize, track, pulse."""
 
 from __future__ import annotations
 
@@ -14,12 +14,14 @@ from studies.cli.tables import show, table_of, tell
 from studies.listening.embedding import PRECISION, embed_decoder
 from studies.listening.exporting import export_decoder
 from studies.listening.opening import Decoding
+from studies.listening.pulse_reading import read_pulse
 from studies.listening.recognized import recognize_recording
 from studies.listening.recorded import locate_recording
 from studies.listening.tracked import track_recording
 
 if TYPE_CHECKING:
     from localize.live.events import State
+    from studies.listening.pulse_reading import RecordedPulse
     from studies.listening.recorded import LocatedTouches
     from studies.listening.tracked import TrackedRecording
 
@@ -319,6 +321,60 @@ def track(
     tell(f"assumed is {found.assumes}")
     if not found.force_is_known:
         tell(f"forces are by the membranes of the design {found.design}, which nobody measured on this sensor")
+
+
+def pulse(
+    library: LibraryFile,
+    recording: Annotated[
+        Path,
+        typer.Argument(
+            metavar="RECORDING", help="Of the array's microphones, as for locate; at least 3 s.", show_default=False
+        ),
+    ],
+    out: Annotated[Path | None, typer.Option(help="Write the waveform here, .csv.", show_default=False)] = None,
+    picture: Annotated[
+        Path | None, typer.Option(metavar="FILE.png", help="Draw the waveform and its waves.", show_default=False)
+    ] = None,
+    point: Annotated[
+        int | None,
+        typer.Option(help="The point under which it is felt.", show_default="the one that the decoder names"),
+    ] = None,
+    full_scale: Annotated[
+        float | None, typer.Option(help="Pa: of WAV files the pressure at full scale.", show_default="1 Pa")
+    ] = None,
+    noise: DecoderNoise = None,
+    pressure: Pressure = None,
+    altitude: Altitude = None,
+    temperature: Temperature = None,
+) -> None:
+    """The pulse under a finger that rests on the array: where it is felt, its rate, the waves of each beat.
+
+    Example: [bold]acoustic-fem pulse library.nc recording.wav --picture pulse.png[/bold]
+    """
+    from acoustic_fem.quantities.local_air import LocalAir
+
+    with named(full_scale="--full-scale", microphone_noise="--noise", point="--point", **AIR_OPTIONS):
+        decoding = Decoding(noise=noise, air=LocalAir(pressure, altitude, temperature))
+        found = read_pulse(
+            library, recording, out, picture=picture, point=point, full_scale=full_scale, decoding=decoding
+        )
+    _show_pulse(found)
+    tell(f"{recording}: {found.seconds:.1f} s; points are those of the design {found.design}")
+    tell(f"assumed is {found.assumes}")
+    if not found.force_is_known:
+        tell(f"forces are by the membranes of the design {found.design}, which nobody measured on this sensor")
+
+
+def _show_pulse(found: RecordedPulse) -> None:
+    reading = found.reading
+    table = table_of("beat", *(f"{name} (s)" for name in reading.waves), numbers=(0, 1, 2, 3))
+    for number, times in enumerate(zip(*reading.waves.values(), strict=True), 1):
+        table.add_row(str(number), *("" if each != each else f"{each:.3f}" for each in times))
+    show(table)
+    tell(
+        f"point {reading.point + 1} ({100 * reading.probability:.1f} %), {reading.rate:.1f} beats a minute, "
+        f"+- {reading.rate_deviation:.1f}"
+    )
 
 
 def _show_paths(found: TrackedRecording) -> None:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import csv
 import io
 import os
-from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -13,7 +12,7 @@ from typing import TYPE_CHECKING
 from geometry.files.writing import write_text
 from localize.contacts.radii import MOVING
 from studies.listening.opening import Decoding, open_stream, open_tracker
-from studies.output.folders import check_new_file
+from studies.output.folders import check_new_file, is_own_table
 
 if TYPE_CHECKING:
     from localize import Gesture, Track
@@ -68,8 +67,7 @@ def track_recording(
     """
     source, given = Path(library), decoding or Decoding()
     table, drawn = (None if each is None else Path(each) for each in (out, picture))
-    # Recordings may be CSV as well.
-    kept = None if table is None or _is_replaceable(table) else "a table that is none of paths"
+    kept = None if table is None or is_own_table(table, COLUMNS) else "a table that is none of paths"
     check_new_file(table, ".csv", reads=(library, recording), kept=kept)
     check_new_file(drawn, ".png", reads=(library, recording), option="picture")
     from acoustic_fem.library.result import MEASURED
@@ -88,16 +86,6 @@ def track_recording(
     return TrackedRecording(
         tracks, tuple(map(gesture_of, tracks)), heard.seconds, decoder.design, not measured, decoder.assumes
     )
-
-
-def _is_replaceable(path: Path) -> bool:
-    """Whether a file is not there, or is a table that this module wrote."""
-    if not path.is_file():
-        return True
-    header = ",".join(COLUMNS).encode() + b"\n"
-    with suppress(OSError), path.open("rb") as file:
-        return file.read(len(header)) == header
-    return False
 
 
 def _rows(tracks: tuple[Track, ...]) -> str:

@@ -14,7 +14,7 @@ import os
 import shutil
 import tempfile
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
@@ -109,6 +109,21 @@ def check_new_file(
     if not path.parent.is_dir():
         raise Refusal(f"{path}: `{option}` must lie in a folder that exists; there is no {path.parent}")
     _check_writable(path, path.parent, option)
+
+
+def is_own_table(path: Path, columns: Sequence[str]) -> bool:
+    """Whether a CSV file is not there, or has the header of a table of ours: recordings may be CSV as well.
+
+    Args:
+        path: of the file.
+        columns: of the table.
+    """
+    if not path.is_file():
+        return True
+    header = ",".join(columns).encode() + b"\n"
+    with suppress(OSError), path.open("rb") as file:
+        return file.read(len(header)) == header
+    return False
 
 
 def check_new_library(path: Path, formats: Sequence[str], reads: Files = ()) -> None:

@@ -42,6 +42,7 @@ FILES = {
     "locate": ("library.nc take.wav", ".jsonl"),
     "recognize": ("localizer library.nc take.wav", ".jsonl"),
     "track": ("library.nc take.wav", ".csv"),
+    "pulse": ("library.nc take.wav", ".csv"),
     "live": ("library.nc --replay take.wav", ".jsonl"),
     "report": ("results.zarr", ".html"),
     "best": ("results.zarr 0", ".toml"),
