@@ -79,6 +79,7 @@ NEEDS = {
     "evaluate": ("train",),
     "onnx": ("train",),
     "recognize": ("train",),
+    "pulse": ("train",),
     "run": ("fem", "train", "studies"),
     "bend": ("fem",),
     "sweep": ("studies",),

@@ -74,6 +74,7 @@ def test_touches_are_located_and_tracked(core: Path, tmp_path: Path) -> None:
         ("check array-2x6 --picture array.png", "plots"),
         ("wiring 4 36 --out wiring.png", "plots"),
         ("train library.nc --out trained", "train"),
+        ("pulse library.nc recording.wav", "train"),
         ("sweep study.toml --out results.zarr", "studies"),
         ("run array-2x6 --out demo", "fem,train,studies"),
         ("studio array-2x6", "fem,train,studies,studio"),
