@@ -69,7 +69,7 @@ def test_what_is_assumed_of_a_sensor_is_said_of_every_kind_of_model(tmp_path) ->
         path.unlink()  # a measured one is not overwritten
         return found
 
-    assert said(replace(library, fidelity=MEASURED)) == "that the sensor is as its library has it"
+    assert said(replace(library, fidelity=MEASURED)) == "that the sensor is as its library has it, in air of 101.3 kPa"
     without = said(replace(library, design=dome))
     assert "tolerances of manufacturing are not reckoned with (resonator.shape = 'dome' must be" in without
     assert "within the tolerances" in said(library)
