@@ -73,6 +73,11 @@ class CellAtlas:
     provenance: Mapping[str, Any]
     """How it was made: versions, meshes, seeds, date."""
 
+    @property
+    def known_up_to(self) -> float:
+        """Frequency up to which the errors were found, Hz."""
+        return float(self.provenance["held-out designs"]["highest"])
+
     def impedance(self, house: House, opening: Opening, square: Array) -> Array:
         """Impedance of openings in series with their tubes, in mu / a^3.
 

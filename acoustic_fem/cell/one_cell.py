@@ -148,6 +148,28 @@ def _stated(description: dict[str, Any]) -> dict[str, Any]:
     return plain
 
 
+def marked_solid(cell: Cell) -> MarkedSolid:
+    """The air of a cell with its faces, and the shape in which its membrane, or a microphone's diaphragm, moves.
+
+    Args:
+        cell: lengths in mm.
+
+    Raises:
+        Refusal: its air cannot be made.
+    """
+    from acoustic_fem.cell.condensed import BodyFaces
+    from acoustic_fem.fields.navier_stokes import WallMotion
+    from geometry.air.volume import MIRROR, OPENING, air_volume
+
+    air = air_volume(cell)
+    radius = np.linspace(0, cell.opening_diameter / 2, 200)
+    bowl = 1 - (radius / radius[-1]) ** 2
+    profile = np.column_stack([radius, bowl**2 if cell.opening_length == 0 else bowl])
+    faces = {**air.ports, OPENING: air.opening, **({} if air.mirror is None else {MIRROR: air.mirror})}
+    motions = (WallMotion(OPENING, profile, air.centre),)
+    return MarkedSolid(air.solid, faces, BodyFaces(tuple(air.ports), motions, None if air.mirror is None else MIRROR))
+
+
 def solve_task(task: CellTask, report: Callable[[float], None]) -> CellRecord:
     """Solve one cell.
 
@@ -157,21 +179,14 @@ def solve_task(task: CellTask, report: Callable[[float], None]) -> CellRecord:
     """
     from OCP.Standard import Standard_Failure
 
-    from acoustic_fem.cell.condensed import AirModel, BodyFaces
-    from acoustic_fem.fields.navier_stokes import WallMotion
-    from geometry.air.volume import MIRROR, OPENING, air_volume
+    from acoustic_fem.cell.condensed import AirModel
 
     cell = task.cell
     try:
-        air = air_volume(cell)
-        radius = np.linspace(0, cell.opening_diameter / 2, 200)
-        bowl = 1 - (radius / radius[-1]) ** 2
-        profile = np.column_stack([radius, bowl**2 if cell.opening_length == 0 else bowl])
-        faces = {**air.ports, OPENING: air.opening, **({} if air.mirror is None else {MIRROR: air.mirror})}
-        motions = (WallMotion(OPENING, profile, air.centre),)
+        solid = marked_solid(cell)
         checked_band = (task.band[0], task.band[1] if task.band[1] > DESIGN_BAND[1] else CHECKED_UP_TO)
         solved = converge(
-            MarkedSolid(air.solid, faces, BodyFaces(tuple(air.ports), motions, None if air.mirror is None else MIRROR)),
+            solid,
             AirModel(task.medium, task.band, checked_physics(task.fidelity)),
             MeshGoal(DESIGN_ACCURACY, cell.smallest_extent, checked_band, _FIRST_SCALE),
             report,

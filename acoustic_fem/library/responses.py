@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Callable
 from typing import Any
 
@@ -73,7 +74,16 @@ def _cell_admittances(
         from acoustic_fem.atlas.table import cell_atlas
 
         atlas = cell_atlas()
-        about = {"method": f"atlas of cells, version {atlas.version}", "errors": dict(atlas.errors)}
+        if frequency[-1] > atlas.known_up_to:
+            warnings.warn(
+                f"atlas of cells: its errors were found up to {atlas.known_up_to:g} Hz; above they are not known",
+                stacklevel=2,
+            )
+        about = {
+            "method": f"atlas of cells, version {atlas.version}",
+            "errors": dict(atlas.errors),
+            "errors_up_to_hz": atlas.known_up_to,
+        }
         return (
             {cell: atlas_admittance(cell, frequency, medium) for cell in cells},
             [{"cell": cell.label, **about} for cell in cells],

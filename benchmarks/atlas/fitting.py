@@ -75,7 +75,7 @@ class Solved:
     def excess(self) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
         """What 3-D adds to the closed form: to the impedances beside the common one, and to the whole admittance."""
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
+            warnings.filterwarnings("ignore", "entrance loss of a tube|membrane: ", UserWarning)
             lumped = lumped_admittance(self.cell, FREQUENCY, MEDIUM)
         (apart, sums), (lumped_apart, lumped_sums) = _split(self.admittance), _split(lumped)
         return apart - lumped_apart, sums - lumped_sums

@@ -100,7 +100,7 @@ def main() -> None:
         design = random_design(seed)
         cells = cell_catalogue(design, lay_out(design)).distinct
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
+            warnings.filterwarnings("ignore", "entrance loss of a tube|membrane: ", UserWarning)
             try:
                 solved = solve_cells(cells, FREQUENCY, design_air(design))
             except Refusal as error:

@@ -194,7 +194,7 @@ def locate(
     seconds = found.seconds_by_state
     others = "".join(f", {what} for {seconds[state]:.1f} s" for state, what in told.items() if state in seconds)
     tell(f"{recording}: {counted(len(found.touches), 'touch')} in {found.seconds:.1f} s{others}")
-    for fault in found.faults:
+    for fault in found.first_faults:
         of = "" if fault.channel is None else f" of microphone {fault.channel}"
         tell(f"warning: {fault.kind}{of}, from {fault.time:.1f} s on")
     told_of = f" and {library}" if library is not None else ""

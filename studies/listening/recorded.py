@@ -58,11 +58,15 @@ class LocatedTouches:
         return {state: count * HOP / SAMPLE_RATE for state, count in states.items()}
 
     @property
-    def faults(self) -> tuple[Fault, ...]:
-        """Faults of the recording, each where it began."""
+    def first_faults(self) -> tuple[Fault, ...]:
+        """Faults of the recording: the first of each kind at each microphone."""
         from localize.live.events import Fault
 
-        return tuple(event for event in self.events if isinstance(event, Fault))
+        first: dict[tuple[str, str | None], Fault] = {}
+        for event in self.events:
+            if isinstance(event, Fault):
+                first.setdefault((event.kind, event.channel), event)
+        return tuple(first.values())
 
 
 def locate_recording(

@@ -315,7 +315,8 @@ def _of_atlas(design: ArrayDesign, cells: Sequence[Cell]) -> str:
     except OutsideAtlas as error:
         return f"not for this design: {error}"
     off = 100 * atlas.errors["transfer function by 1 + |ln H|"]
-    return f"from navier-stokes, 1 to 200 Hz, it was at most {off:.2g} % x (1 + |ln H|) on 40 random designs"
+    band = f"1 to {atlas.known_up_to:g} Hz"
+    return f"from navier-stokes, {band}, it was at most {off:.2g} % x (1 + |ln H|) on 40 random designs"
 
 
 def cell_uses(design: ArrayDesign, layout: ArrayLayout) -> tuple[tuple[Cell, int], ...]:
