@@ -16,25 +16,21 @@ from benchmarks.verification.report import Check, Level, Study, Subject, Table
 from geometry.air.mesh import InvertedElementsError, MeshSizes, mesh_solid
 from tests.support.reference_data import AIR, column, rows
 
-CELL_TEXT = """The reference cell: a cylinder of 6 x 2.5 mm, rigid all round, with two tubes of 0.5 x 6.25 mm opposite
-each other at mid height; 1 to 100 Hz. The vendored rows of another program (tests/reference/acoustics.json) are good
-to 5e-4 themselves. The study refines everything at once, the sizes of `acoustic_fem.fields.mesh_sizes` times a
-scale, with 1 mm of each tube in the mesh of half the cell and exact ducts for the rest, against the finest mesh; the
-error of Y is relative to |Y₁₁|, that of the sum to itself. Two things compete: the thermal layer, which makes the sum
-converge with 3 to 4, and the re-entrant edge of the mouth, where the pressure is singular: on a mesh that is not graded
-towards it, admittances converge with 1.1 (twice the exponent 0.544 of Stokes flow round 270°; Moffatt 1964). Grading
-makes that part small but leaves its order. The checks solve the whole solid, tubes included, by the public call at
+CELL_TEXT = """A rigid cylinder of 6 x 2.5 mm with two tubes of 0.5 x 6.25 mm opposite each other at mid height; 1 to
+100 Hz. The vendored rows of another program (tests/reference/acoustics.json) are good to 5e-4. The study scales the
+sizes of `acoustic_fem.fields.mesh_sizes` in half the cell, with 1 mm of each tube in the mesh; errors of Y are
+relative to |Y₁₁|, that of the sum to itself. The thermal layer makes the sum converge with 3 to 4; at the mouth's
+re-entrant edge the pressure is singular, and without grading admittances would converge with 1.1 (twice the exponent
+0.544 of Stokes flow round 270°; Moffatt 1964). The checks solve the whole solid by the public call at
 `accuracy=1e-3`."""
 
-OPENING_TEXT = """A tube of bore radius a = 0.25 mm that opens into the end wall of a duct of radius 5 a or 50 a, by
-3-D Navier-Stokes on one half; the tube is 1 mm long in the mesh. The exact ducts are taken off the two-port, what is
-left in series is the opening, Z a³/μ, against the vendored rows (axisymmetric Navier-Stokes of another program, good
-to 2e-3). Half of Sampson's orifice is 1.5. The error levels off at the accuracy of the rows and no order is
-fitted."""
+OPENING_TEXT = """A tube of bore radius a = 0.25 mm, 1 mm long in the mesh, opens into the end wall of a duct of
+radius 5 a or 50 a. The exact ducts are taken off the two-port; left in series is the opening, Z a³/μ, against
+axisymmetric Navier-Stokes of another program, good to 2e-3. Half of Sampson's orifice is 1.5. The error levels off
+there, so no order is fitted."""
 
-ARRAY_TEXT = """Three cells with membranes, their tubes and both ends in one 3-D mesh, against the same array put
-together from cells and plane waves between them: transfer functions of all three points to both microphones at 1, 10
-and 100 Hz (the model of `benchmarks/one_mesh.py`)."""
+ARRAY_TEXT = """Three cells with membranes, their tubes and both ends in one 3-D mesh (`benchmarks/one_mesh.py`)
+against cells joined by plane waves: three points, two microphones, 1, 10 and 100 Hz."""
 
 _FREQUENCY = column("resonator_cell", "frequency")
 
@@ -83,6 +79,7 @@ def cell(_: bool) -> Subject:
             (f"scale {scale:g}", str(unknowns), *(f"{error:.1e}" for error in _against_rows(y)))
             for scale, unknowns, y in found
         ),
+        detail=True,
     )
     whole = cq.Workplane().cylinder(2.5, 3).union(cq.Workplane("YZ").circle(0.25).extrude(9.25, both=True))
     solved = solve_solid(whole, {"a": (9.25, 0, 0), "b": (-9.25, 0, 0)}, (1.0, 100.0), AIR, accuracy=1e-3)
@@ -162,7 +159,7 @@ def openings(quick: bool) -> Subject:
         ]
     return Subject(
         "openings", "Openings", OPENING_TEXT, tuple(studies), tuple(checks),
-        (Table("Z a³/μ on the finest mesh", ("duct", "frequency", "3-D", "reference row"), tuple(table)),),
+        (Table("Z a³/μ on the finest mesh", ("duct", "frequency", "3-D", "reference row"), tuple(table), detail=True),),
     )  # fmt: skip
 
 

@@ -19,15 +19,12 @@ from benchmarks.verification.report import Check, Level, Study, Subject, Table
 from tests.support.reference_data import AIR
 
 SECTION_TEXT = """⟨Ψ⟩ of meshed sections, quadratic elements on curved second-order triangles, against the closed
-forms: circle (Bessel functions), rectangle 2:1 (series), equilateral triangle. ⟨Ψ⟩ is an energy, so its error falls
-with twice the order of the field, 4. At d²ω/ν = 100 (d: diameter, longer or only side) a layer along the wall must be
-resolved first. The rectangle's closed form is checked against its series of 30 digits, the slit against a rectangle a
-thousand times wider than high."""
+forms. ⟨Ψ⟩ is an energy: its error falls with twice the order of the field, 4. At d²ω/ν = 100 (d: diameter, longer or
+only side) a layer along the wall must be resolved first."""
 
-TAPER_TEXT = """Two-ports of ducts whose section varies: elements of degree p in one dimension converge with 2p
-against the exponential horn, whose equation with constant Z'S and Y'/S is solved by exponentials. A lossy cone has no
-such solution: a staircase of exact cylinders, which converges with order 2, is compared with the elements at 1, 100
-and 1000 Hz."""
+TAPER_TEXT = """Elements of degree p in one dimension converge with 2p against the exponential horn, which is solved
+by exponentials. A lossy cone has no such solution: a staircase of exact cylinders, of order 2, is compared with the
+elements at 1, 100 and 1000 Hz."""
 
 _RATES = {"slow": 1e-3, "fast": 100.0}
 
@@ -177,8 +174,8 @@ def _cone(quick: bool) -> tuple[Study, tuple[Check, ...]]:
 
 # -- the ribbed bore of a spring -----------------------------------------------------------------------------
 
-SPRING_TEXT = """Axisymmetric Navier-Stokes in half a pitch of a close-wound spring ([theory](theory.md#tubes)): the
-error of the effective bore, quadratic elements on curved quadrilaterals, against a mesh of 24 columns."""
+SPRING_TEXT = """The effective bore by axisymmetric Navier-Stokes in half a pitch ([theory](theory.md#tubes)),
+quadratic elements on curved quadrilaterals, against a mesh of 24 columns."""
 
 
 def springs(quick: bool) -> Subject:

@@ -11,11 +11,10 @@ from acoustic_fem.membrane.elasticity import DiscShape, ElasticDisc, solve_dimen
 from benchmarks.verification.report import Check, Level, Study, Subject, Table
 from tests.support.reference_data import rows
 
-TEXT = """Axisymmetric mixed displacement-pressure elasticity, quadratic-linear quadrilaterals. Compliance and first
-eigenvalue against the finest mesh (refinement {finest}; the default is 4): steps of h/n, energies of order 4 where
-the solution is smooth. At the edge of the clamp the stress is singular; the steps there fall as 4⁻ⁿ, which costs a
-part of the order. A thin plate (Kirchhoff) is the limit of small h/a. The vendored rows are another program's, good
-to 5e-4."""
+TEXT = """Compliance and first eigenvalue against the finest mesh (refinement {finest}; the default is 4), steps of
+h/n. Energies are of order 4 where the solution is smooth; the singular stress at the edge of the clamp, where steps
+fall as 4⁻ⁿ, costs a part of it. Kirchhoff's plate is the limit of small h/a. The vendored rows are another program's,
+good to 5e-4."""
 
 _POISSON = 0.49
 _FINEST = 7

@@ -15,11 +15,11 @@ _WIDTH = 120
 _COLOURS = ("#1f5fa8", "#c8501e", "#2e8b57", "#8a4fa3", "#b08a00", "#555555")
 _MARKERS = "osD^vP"
 
-_INTRO = """Every table and every plot of this page is written by `{command}`, and none of it by hand; the same
-numbers are in [verification.json](verification.json). A test of the default suite runs the coarse meshes of the
-studies again (`--quick`) and compares. Equations and sources are on the [theory page](theory.md). Errors are relative
-unless a unit is given. An order is the least-squares slope of log(error) over
-log(size) on all meshes of a table, or on those fine enough where a limit is given; dashed lines are the fits."""
+_INTRO = """Written by `{command}`; every mesh, and more values, are in [verification.json](verification.json). A test
+of the default suite runs the coarse meshes again (`--quick`) and compares. Equations and sources are on the [theory
+page](theory.md). Errors are relative unless a unit is given, and are those of the coarsest and the finest mesh. An
+order is the least-squares slope of log(error) over log(size), dashed in the figures, on all meshes or on those fine
+enough where a limit is given. What is not as expected, or misses its target, is marked in bold."""
 
 
 def figure_name(subject: Subject) -> str:
@@ -35,10 +35,9 @@ def render(report: Report) -> str:
         if subject.studies:
             parts.append(f"![{subject.title}: error against size](images/{figure_name(subject)})")
             parts.append(_orders(subject.studies))
-            parts.append(_levels(subject.studies))
         if subject.checks:
             parts.append(_checks(subject.checks))
-        parts += [_table(table) for table in subject.tables]
+        parts += [_table(table) for table in subject.tables if not table.detail]
     return "\n\n".join(parts) + "\n"
 
 
@@ -114,43 +113,22 @@ def _summary(report: Report) -> str:
     if missed:
         counts += " **Missed:** " + "; ".join(missed) + "."
     versions = ", ".join(f"{name} {version}" for name, version in report.versions.items())
-    times = ", ".join(f"{subject.title} {subject.seconds:.0f}" for subject in report.subjects)
-    made = (
-        f"Made with {versions}; sparse solver {report.solver}; one thread; {report.seconds:.0f} s of processor time "
-        f"({times})."
-    )
+    made = f"Made with {versions}; sparse solver {report.solver}; one thread; {report.seconds:.0f} s of processor time."
     return f"{_wrapped(counts)}\n\n{_wrapped(made)}"
 
 
 def _orders(studies: Sequence[Study]) -> str:
     rows = []
     for study in studies:
-        if study.expected is None:
-            fitted, expected, verdict = "", "none claimed", ""
-        else:
+        fitted = expected = ""
+        if study.expected is not None:
             fitted, expected = f"{study.order:.2f}", f"{study.expected:g} ± {study.spread:g}"
-            verdict = "as expected" if study.as_expected else "**not as expected**"
+        verdict = "" if study.as_expected else "**not as expected**"
         resolved = "" if study.resolved is None else f"meshes up to {study.resolved:.2g} {study.unit}"
         note = "; ".join(part for part in (verdict, resolved, study.note) if part)
-        rows.append((study.title, study.against, fitted, expected, note))
-    return _markdown(("study", "against", "fitted order", "expected", ""), rows)
-
-
-def _levels(studies: Sequence[Study]) -> str:
-    """One table per set of meshes: studies on the same meshes share it."""
-    tables = []
-    groups: dict[tuple[tuple[str, float, int], ...], list[Study]] = {}
-    for study in studies:
-        groups.setdefault(tuple((level.label, level.size, level.unknowns) for level in study.levels), []).append(study)
-    for meshes, group in groups.items():
-        counted = any(unknowns for _, _, unknowns in meshes)
-        header = ["refinement", group[0].unit, *(["unknowns"] if counted else []), *(study.title for study in group)]
-        rows = []
-        for k, (label, size, unknowns) in enumerate(meshes):
-            errors = [f"{study.levels[k].error:.1e}" for study in group]
-            rows.append([label, f"{size:.3g}", *([str(unknowns)] if counted else []), *errors])
-        tables.append(_markdown(header, rows))
-    return "\n\n".join(tables)
+        errors = f"{study.levels[0].error:.1e}, {study.levels[-1].error:.1e}"
+        rows.append((study.title, study.against, fitted, expected, errors, note))
+    return _against(("study", "against", "order", "expected", "error", ""), rows)
 
 
 def _checks(checks: Sequence[Check]) -> str:
@@ -160,8 +138,16 @@ def _checks(checks: Sequence[Check]) -> str:
             f"{value:.1e}{check.unit and ' ' + check.unit}" if value else "0"
             for value in (check.measured, check.target)
         )
-        rows.append((check.what, check.against, measured, target, "met" if check.met else "**missed**", check.note))
-    return _markdown(("what", "against", "measured", "target", "", "where"), rows)
+        rows.append((check.what, check.against, measured, target, "" if check.met else "**missed**", check.note))
+    return _against(("what", "against", "measured", "target", "", "where"), rows)
+
+
+def _against(header: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+    """A table; what all rows are compared with stands in its head once."""
+    if len({row[1] for row in rows}) == 1 < len(rows):
+        header = (f"{header[0]}, against {rows[0][1]}", *header[2:])
+        rows = [(row[0], *row[2:]) for row in rows]
+    return _markdown(header, rows)
 
 
 def _table(table: Table) -> str:

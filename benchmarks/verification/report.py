@@ -98,11 +98,12 @@ class Check:
 
 @dataclass(frozen=True)
 class Table:
-    """Values to be read, cells already formatted."""
+    """Values to be read, cells already formatted; details stand in the JSON alone."""
 
     title: str
     header: tuple[str, ...]
     rows: tuple[tuple[str, ...], ...]
+    detail: bool = False
 
 
 @dataclass(frozen=True)
@@ -196,7 +197,7 @@ def from_json(values: dict[str, Any]) -> Report:
             given = {name: value for name, value in entry.items() if name not in ("order", "levels")}
             studies.append(Study(**given, levels=tuple(Level(**level) for level in entry["levels"])))
         tables = [
-            Table(entry["title"], tuple(entry["header"]), tuple(tuple(row) for row in entry["rows"]))
+            Table(entry["title"], tuple(entry["header"]), tuple(tuple(row) for row in entry["rows"]), entry["detail"])
             for entry in plain["tables"]
         ]
         subjects.append(
