@@ -1,8 +1,7 @@
 """Predicted top-1 accuracy against that of trained networks and of the model-based decoder, on designs and noises.
 
 ``python benchmarks/predicted_accuracy.py`` trains what docs/predicted_accuracy.json does not hold yet (about a
-quarter of a minute of one core per 12 points), predicts again, and writes the table of docs/evidence/designs.md and
-the definitions of docs/metrics.md anew.
+quarter of a minute of one core per 12 points), predicts again, and writes the table of docs/evidence/designs.md anew.
 """
 
 from __future__ import annotations
@@ -19,13 +18,11 @@ import geometry
 import localize
 from geometry.files.writing import replace_section
 from studies.metrics.confusion import Listener, predict_confusion
-from studies.study.metric_registry import METRICS
 
 DOCS = Path(__file__).parents[1] / "docs"
 RESULTS = DOCS / "predicted_accuracy.json"
-PAGE, EVIDENCE = DOCS / "metrics.md", DOCS / "evidence" / "designs.md"
+PAGE = DOCS / "evidence" / "designs.md"
 BEGIN, END = "<!-- predicted accuracy: made by benchmarks/predicted_accuracy.py -->", "<!-- end -->"
-DEFINED, DEFINED_END = "<!-- definitions: made by benchmarks/predicted_accuracy.py -->", "<!-- end definitions -->"
 
 #: What it is called, the prototype, what is changed in it, and the microphone noise, Pa rms over 0 to 500 Hz.
 CASES: list[tuple[str, str, dict[str, Any], float]] = [
@@ -125,14 +122,6 @@ def table(rows: list[dict[str, Any]]) -> str:
     return "\n".join(lines)
 
 
-def definitions() -> str:
-    lines = ["| name | unit | better | definition |", "|---|---|---|---|"]
-    for metric in METRICS.values():
-        words = metric.definition.replace("|", "\\|")
-        lines.append(f"| `{metric.name}` | {metric.unit} | {metric.better} | {words} |")
-    return "\n".join(lines)
-
-
 def main() -> None:
     rows: list[dict[str, Any]] = json.loads(RESULTS.read_text()) if RESULTS.exists() else []
     keys = ("title", "prototype", "values", "noise")
@@ -146,8 +135,7 @@ def main() -> None:
         row["predicted_network"], row["predicted_model"] = predicted(row, "network"), predicted(row, "model")
     RESULTS.write_text(json.dumps(rows, indent=1) + "\n")
     print(table(rows))
-    replace_section(EVIDENCE, BEGIN, END, table(rows).splitlines())
-    replace_section(PAGE, DEFINED, DEFINED_END, definitions().splitlines())
+    replace_section(PAGE, BEGIN, END, table(rows).splitlines())
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
-"""Tables of the fields of files, from the models that read them.
+"""Tables of the fields of files, from the models that read them, and of the metrics.
 
-``{fields} SECTION``, or names of single fields, of a design file; ``{study-fields} study``, ``range`` or ``optimize``.
+``{fields} SECTION``, or names of single fields, of a design file; ``{study-fields} study``, ``range`` or ``optimize``;
+``{metrics}``.
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ from geometry.design.array_design import ArrayDesign
 from geometry.stated.declared import DesignField, fields_of
 from studies.optimization.problem import OptimizeFields
 from studies.study.file import RangeFields, StudyFields
+from studies.study.metric_registry import METRICS
 
 #: What has the fields of ``[tube]`` all over again, as the page says.
 _ALIKE = ("microphone_tube.", "lines.*.tube.", "lines.*.micro", "tube_kinds.")
@@ -66,6 +68,14 @@ def study_table(section: str) -> str:
     return _table([replace(field, name=named.get(field.name, field.name)) for field in fields_of(model)])
 
 
+def metric_table() -> str:
+    """Markdown table of all metrics: name, unit, what is wanted, definition."""
+    return "| name | unit | better | definition |\n|---|---|---|---|\n" + "".join(
+        "| `{}` | {} | {} | {} |\n".format(*(text.replace("|", "\\|") for text in row))
+        for row in ((metric.name, metric.unit, metric.better, metric.definition) for metric in METRICS.values())
+    )
+
+
 def _table(fields: list[DesignField]) -> str:
     return _HEAD + "".join(
         f"| `{field.name}` | {_allowed(field)} | {_default(field)} | {field.description} |\n" for field in fields
@@ -113,8 +123,17 @@ class StudyFieldsTable(SphinxDirective):
             raise self.error(str(error)) from None
 
 
+class Metrics(SphinxDirective):
+    """The directive of metrics."""
+
+    def run(self) -> list[nodes.Node]:
+        """The table as nodes."""
+        return self.parse_text_to_nodes(metric_table())
+
+
 def setup(app: Sphinx) -> dict[str, bool]:
-    """Register the directive."""
+    """Register the directives."""
     app.add_directive("fields", Fields)
+    app.add_directive("metrics", Metrics)
     app.add_directive("study-fields", StudyFieldsTable)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

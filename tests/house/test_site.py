@@ -12,6 +12,8 @@ from types import ModuleType
 import pytest
 from imports import PACKAGES
 
+from studies.study import METRICS
+
 ROOT = Path(__file__).parents[2]
 
 
@@ -77,6 +79,13 @@ def test_the_fields_of_a_study_file_are_those_that_are_read(site) -> None:
     assert "| `objectives.*.better` | text 'larger', 'smaller' |" in fields.study_table("optimize")
     with pytest.raises(ValueError, match="'search' must be one of: study, range, optimize"):
         fields.study_table("search")
+
+
+def test_the_page_of_metrics_has_them_all(site) -> None:
+    table = site("fields").metric_table()
+    assert "| `volume` | mm^3 | smaller | Shells, housings, boards, membranes and tubes, without their air. |" in table
+    assert [line.split("`")[1] for line in table.splitlines()[2:]] == list(METRICS)
+    assert "```{metrics}" in (ROOT / "docs" / "metrics.md").read_text(encoding="utf-8")
 
 
 @pytest.mark.slow
