@@ -1,7 +1,7 @@
 """The errors of the atlas on designs that took no part in its making, and on a sweep; written into its table.
 
-``python -m benchmarks.atlas.certify`` solves what the cache of cells lacks, prints tables of docs/evidence/models.md and
-writes the errors into acoustic_fem/atlas/cell_atlas.json.
+``python -m benchmarks.atlas.certify`` solves what the cache of cells lacks, prints tables of docs/evidence/models.md
+and writes the errors into acoustic_fem/atlas/cell_atlas.json.
 """
 
 from __future__ import annotations
