@@ -28,6 +28,9 @@ Send = Callable[[str | bytes], Awaitable[None]]
 #: Stages beside the curves, each shown by a panel, with the pause before they begin, s.
 STAGES = {"points": 0.0, "surface": 0.0, "mis_made": 0.5, "model": 0.1, "check": 1.0}
 
+#: Files that a page can still fetch: a browser may ask for one after the next one was made.
+MOST_FILES = 4
+
 
 class Session:
     """Session of one page: its design, with undo and redo, and one job queue a stage.
@@ -42,7 +45,7 @@ class Session:
         self.page: Any = None
         self.state = DesignState(design)
         self.pinned: ArrayDesign | None = None
-        self.files: dict[str, Any] = {}
+        self.files: dict[str, tuple[Path, str]] = {}
         self.exploration = Exploration(workplace, self._say)
         self._workplace = workplace
         self._quantity = "level"
@@ -307,7 +310,9 @@ class Session:
 
     async def _hand_out(self, path: Path, name: str) -> None:
         key = secrets.token_urlsafe(16)
-        self.files = {key: (path, name)}
+        self.files[key] = (path, name)
+        for old in [*self.files][:-MOST_FILES]:
+            self._workplace.remove(self.files.pop(old)[0])
         await self._say({"type": "file", "name": name, "file": f"/files/{self.id}/{key}"})
 
     async def _say(self, message: dict[str, Any] | bytes) -> None:

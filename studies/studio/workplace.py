@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from pathlib import Path
+from shutil import rmtree
 from tempfile import TemporaryDirectory, mkdtemp
 from typing import TYPE_CHECKING, Any
 
@@ -206,6 +207,10 @@ class Workplace:
             return path
 
         return await self.in_thread("export", work)
+
+    def remove(self, path: Path) -> None:
+        """Remove a file that was made here, with what lies beside it."""
+        rmtree(path.parent, ignore_errors=True)
 
     def stop(self, task: object) -> None:
         """Say that nobody waits for a task any more."""

@@ -132,3 +132,11 @@ def lit(picture: bytes) -> Any:
     """Which pixels of a picture have the colour that lights a part: strongly red, little blue; (height, width) bool."""
     pixels = np.asarray(Image.open(io.BytesIO(picture)).convert("RGB"), int)
     return (pixels[..., 0] > 180) & (pixels[..., 2] < 90)
+
+
+def until_lit(place: Any, pixels: float, seconds: float = 120.0) -> None:
+    """Wait until more than so many pixels of a place are lit."""
+    end = time.monotonic() + seconds
+    while (found := int(lit(place.screenshot()).sum())) <= pixels:
+        if time.monotonic() > end:
+            pytest.fail(f"{found} pixels are lit, not more than {pixels:g}, after {seconds:g} s")

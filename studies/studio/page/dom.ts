@@ -32,10 +32,18 @@ export function words(value: number, digits = 4): string {
 
 export function shownUnit(unit: string): string { return unit.replace("um", "µm").replace("^3", "³"); }
 
-export function hand(content: Blob, name: string): void {
-  const place = make("a", { href: URL.createObjectURL(content), download: name });
+/** Hand out what lies at an address of this page or of the studio. */
+export function download(address: string, name = ""): void {
+  const place = make("a", { href: address, download: name, hidden: "" });
+  document.body.append(place); // some browsers follow no link outside the page
   place.click();
-  setTimeout(() => URL.revokeObjectURL(place.href), 10000);
+  place.remove();
+}
+
+export function hand(content: Blob, name: string): void {
+  const address = URL.createObjectURL(content);
+  download(address, name);
+  setTimeout(() => URL.revokeObjectURL(address), 60000); // no browser says when it has taken it
 }
 
 export function csv(rows: (string | number)[][], name: string): void {

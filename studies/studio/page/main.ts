@@ -6,7 +6,7 @@ import { CheckPanel } from "./check";
 import { ComparePanel } from "./compare";
 import { CurvesPanel, unpack } from "./curves";
 import { tablePicture } from "./chart";
-import { button, byId, csv, forgetColours, make } from "./dom";
+import { button, byId, csv, download, forgetColours, make } from "./dom";
 import { Form } from "./form";
 import { addressOf, designInAddress, forget, keep, keptInTab, keptUnsaved } from "./kept";
 import { PointsPanel, type Word } from "./points";
@@ -100,7 +100,7 @@ function take(message: any): void {
       return;
     case "file":
       exported("");
-      make("a", { href: message.file, download: "" }).click();
+      download(message.file);
       return;
     case "heard":
       if (listening()) touch.hearLive(message.event);

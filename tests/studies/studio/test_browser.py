@@ -6,12 +6,14 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from browser import PAINTED, ROOT, Studio, field, give, lit, opened, studio, until
+from browser import PAINTED, ROOT, Studio, field, give, lit, opened, studio, until, until_lit
 
 from geometry import load_design, prototype
 from studies.panels.points import point_figures
 
 pytestmark = pytest.mark.slow
+#: Whether this page has kept the design with a length of the tubes.
+KEPT = "JSON.parse(sessionStorage.getItem('acoustic-fem-studio')).stated.tube.length === {}"
 SCRIPT = "<img src=x onerror=\"document.title='broken'\"><script>document.title='broken'</script>"
 
 
@@ -47,8 +49,7 @@ def test_every_panel_shows_a_design_and_a_click_lights_its_point(browser: Any, r
     before = page.locator("#space canvas").screenshot()
     page.locator("tr[data-point='3']").click()
     assert page.locator("#point").input_value() == "3"
-    page.wait_for_timeout(500)
-    assert lit_pixels(page.locator("#space canvas").screenshot()) > lit_pixels(before) + 100
+    until_lit(page.locator("#space canvas"), lit_pixels(before) + 100)
     assert page.problems == []
     context.close()
 
@@ -119,7 +120,7 @@ def test_two_browsers_keep_two_designs_and_a_reloaded_page_its_own(browser: Any,
     for page, value in zip(pages, ("13", "14"), strict=True):
         give(page, "tube.length", value)
         until(page, "document.documentElement.dataset.revision === '1'")
-    pages[0].wait_for_timeout(300)
+    until(pages[0], KEPT.format(13))  # a moment after the last change
     pages[0].reload()
     until(pages[0], f"document.documentElement.dataset.painted && {PAINTED}")
     assert [length(page) for page in pages] == ["13", "14"]
@@ -148,7 +149,7 @@ def test_a_studio_that_was_killed_loses_no_design_and_says_what_happened(browser
         page = opened(context, first)
         give(page, "tube.length", "15")
         until(page, "document.documentElement.dataset.revision === '1'")
-        page.wait_for_timeout(300)
+        until(page, KEPT.format(15))
         first.kill()
         until(page, "document.getElementById('lost').textContent.includes('does not answer')")
     with studio(port=first.port) as second:

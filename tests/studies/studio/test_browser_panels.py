@@ -10,7 +10,7 @@ from zipfile import ZipFile
 import numpy as np
 import pytest
 import sofar
-from browser import PAINTED, ROOT, Studio, downloaded, field, give, lit, opened, until
+from browser import PAINTED, ROOT, Studio, downloaded, field, give, lit, opened, until, until_lit
 from scipy.io import wavfile
 
 from geometry import prototype, save_design
@@ -27,6 +27,13 @@ pytestmark = pytest.mark.slow
 #: Four points: their parts are drawn and checked in a few seconds.
 ARRAY = prototype("array-2x6").with_values({"lines": [{"between": ["A", "B"], "points": 4}], "layout.columns": 2})
 LONGER = ARRAY.with_values({"tube.length": 14.0})
+#: Gathers what the page says of its link, whenever it is lost.
+LOSSES = """() => {
+  const said = document.getElementById("lost");
+  window.losses = [];
+  const watch = () => { if (said.textContent) window.losses.push(said.textContent); };
+  new MutationObserver(watch).observe(said, { childList: true });
+}"""
 
 
 def table(page: Any, button: str, folder: Path) -> list[list[str]]:
@@ -114,7 +121,6 @@ def test_a_study_is_run_and_a_click_on_its_front_loads_that_design(page: Any, tm
     page.select_option("#study-add", "tube.length")
     page.select_option("#study-metrics select >> nth=0", "distance_smallest")
     page.fill("#study-designs", "16")
-    page.click("#study-file")
     with ZipFile(downloaded(page, lambda: page.click("#study-file"), tmp_path)) as archive:
         archive.extractall(tmp_path)
     study = load_study(tmp_path / "study.toml")
@@ -215,8 +221,7 @@ def test_a_finding_lights_its_part_and_a_recording_is_replayed(page: Any, tmp_pa
     page.locator("#print-title").scroll_into_view_if_needed()
     until(page, f"{ROOT}.shown_check === '0' && {ROOT}.shown_model === '0'")
     page.locator("#findings .finding").first.click()
-    page.wait_for_timeout(800)  # the array is scrolled into sight
-    assert lit(page.locator("#space canvas").screenshot()).sum() > 100
+    until_lit(page.locator("#space canvas"), 100)
 
 
 def test_a_dropped_and_a_half_open_link_lose_no_change(browser: Any, running: Studio) -> None:
@@ -232,15 +237,17 @@ def test_a_dropped_and_a_half_open_link_lose_no_change(browser: Any, running: St
 
     context.route_web_socket("**/session", join)
     page = opened(context, running)
+    page.evaluate(LOSSES)  # one may be over before somebody asks
     give(page, "tube.length", "13")
     until(page, f"{ROOT}.revision === '1'")
     links[-1].close()
-    until(page, "!document.getElementById('lost').hidden")
-    assert "The design is kept" in page.locator("#lost").inner_text()
+    until(page, "window.losses.length")
+    assert "The design is kept" in page.evaluate("window.losses[0]")
     until(page, f"document.getElementById('lost').hidden && {ROOT}.revision === '1'")
+    before = page.evaluate("window.losses.length")
     silent = True
     give(page, "tube.length", "16")
-    until(page, "!document.getElementById('lost').hidden", 30)
+    until(page, f"window.losses.length > {before}")
     silent = False
     until(page, f"{ROOT}.revision === '2' && {PAINTED}")
     assert field(page, "tube.length").input_value() == "16"

@@ -13,7 +13,7 @@ import pytest
 
 from geometry import Refusal, prototype
 from studies.panels.curves import curves_of, lumped_library
-from studies.studio.session import Session
+from studies.studio.session import MOST_FILES, Session
 from studies.studio.sessions import MOST_SESSIONS, Sessions
 from studies.studio.stage import Job, Stage
 from studies.studio.workplace import Workplace
@@ -211,6 +211,21 @@ def test_a_cad_process_that_crashes_and_a_full_disk_are_told_and_the_design_is_k
         assert session.state.design.tube.length == 14.0
 
     asyncio.run(play())
+
+
+def test_the_last_files_that_were_handed_out_can_be_fetched_and_older_ones_are_removed(workplace: Workplace) -> None:
+    async def play() -> list[bool]:
+        page, session = Page(), Session(ARRAY, workplace)
+        await session.join(page.send)
+        paths = []
+        for _ in range(MOST_FILES + 2):
+            page.texts.clear()
+            await session.take({"do": "export", "name": "design.toml"})
+            told = await page.until("file")
+            paths.append(session.files[told["file"].rsplit("/", 1)[1]][0])
+        return [path.exists() for path in paths]
+
+    assert asyncio.run(play()) == [False] * 2 + [True] * MOST_FILES
 
 
 def test_a_page_whose_link_was_cut_unnoticed_takes_up_its_session_again(workplace: Workplace) -> None:
