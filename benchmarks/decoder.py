@@ -1,7 +1,7 @@
 """The decoders that need no training: accuracy and calibration on 36, 108 and 216 points.
 
-``python benchmarks/decoder.py`` writes the tables of docs/decoder.md anew, with the 3-D cells of the default fidelity;
-some minutes of one core the first time.
+``python benchmarks/decoder.py`` writes the table of docs/evidence/decoder.md anew, with the 3-D cells of the default
+fidelity; some minutes of one core the first time.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from localize.signals.finger_stimuli import friction, taps
 from localize.signals.stimulus import StimulusSource, multi_sines
 from localize.signals.touch_generator import TouchGenerator
 
-PAGE = Path(__file__).parents[1] / "docs" / "decoder.md"
+PAGE = Path(__file__).parents[1] / "docs" / "evidence" / "decoder.md"
 BEGIN, END = "<!-- decoder: made by benchmarks/decoder.py -->", "<!-- end decoder -->"
 # Taps reach down to 0 Hz, where long lines bend within a fraction of a hertz.
 FREQUENCY = np.concatenate([np.arange(0.25, 20.0, 0.25), np.arange(20.0, 501.0)])
@@ -71,11 +71,11 @@ def column(name: str) -> list[str]:
         right = probability.argmax(1) == point
         ratio = baseline.locate(frames) == point
         cells.append(
-            f"{100 * right.mean():.2f} / {100 * ratio.mean():.1f} / {calibration_gap(probability.max(1), right):.3f}"
+            f"{100 * right.mean():.2f}/{100 * ratio.mean():.1f}/{calibration_gap(probability.max(1), right):.3f}"
         )
         if noise == ASSUMED:
             judged = judge(who, test, frames, false_alarm=0.01)
-            cells[-1] += f" / {100 * (~judged.explained).mean():.1f}"
+            cells[-1] += f"/{100 * (~judged.explained).mean():.1f}"
     return cells
 
 

@@ -1,4 +1,7 @@
-"""What no parameters of a fit explain: ``python benchmarks/discrepancy.py`` writes a table of docs/calibration.md."""
+"""What no parameters of a fit explain.
+
+``python benchmarks/discrepancy.py`` writes a table of docs/evidence/calibration.md anew.
+"""
 
 from __future__ import annotations
 
@@ -15,7 +18,7 @@ from geometry.files.writing import replace_section
 from studies.made_sensor.rig import HiddenScatter, Rig
 from studies.made_sensor.rig_parameters import hidden_parameters
 
-PAGE = Path(__file__).parents[1] / "docs" / "calibration.md"
+PAGE = Path(__file__).parents[1] / "docs" / "evidence" / "calibration.md"
 BEGIN, END = "<!-- discrepancy: made by benchmarks/discrepancy.py -->", "<!-- end of discrepancy -->"
 GRID = np.geomspace(1, 100, 32)
 SEEDS = range(9000, 9024)
@@ -45,11 +48,11 @@ def parts(name: str) -> list[float]:
 
 def main() -> None:
     """Write the table."""
-    head = ["", "| rms (%) | shared by all | of a microphone | own | together |", "|---|---|---|---|---|"]
+    head = ["| rms (%) | shared by all | of a microphone | own | together |", "|---|---|---|---|---|"]
     rows = [(f"`{name}`", parts(name)) for name in DESIGNS]
     rows.append(("trusted to", [100 * each for each in (COMMON, OF_MICROPHONE, OWN, TOTAL)]))
     lines = [f"| {name} | " + " | ".join(f"{each:.1f}" for each in values) + " |" for name, values in rows]
-    replace_section(PAGE, BEGIN, END, [*head, *lines, ""])
+    replace_section(PAGE, BEGIN, END, [*head, *lines])
 
 
 if __name__ == "__main__":

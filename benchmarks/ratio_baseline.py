@@ -1,4 +1,4 @@
-"""The simple baseline of docs/decoder.md: which point's transfer functions line up with the microphones' spectra.
+"""The simple baseline of docs/evidence/decoder.md: which point's responses line up with the microphones' spectra.
 
 Each microphone's frame is Fourier transformed under a Hann window. At one frequency the microphones' amplitudes X are,
 if point i is touched, its transfer functions h_i times one unknown source amplitude, plus noise of power s per

@@ -1,8 +1,8 @@
-"""Reconstructed waveforms: signal over error against window and latency, point by point.
+"""Reconstructed waveforms: signal over error against window and latency.
 
-``python benchmarks/reconstruction.py`` writes the tables of docs/decoder.md anew: about a minute of one core. Signals
-are exact steady states of multi-sines with microphone noise; the error holds the whole band of the stimulus, its noise
-up to 500 Hz included.
+``python benchmarks/reconstruction.py`` writes the table of docs/evidence/decoder.md anew: about a minute of one core.
+Signals are exact steady states of multi-sines with microphone noise; the error holds the whole band of the stimulus,
+its noise up to 500 Hz included.
 """
 
 from __future__ import annotations
@@ -20,12 +20,12 @@ from localize.signals.array_response import response_of
 from localize.signals.stimulus import multi_sines, time_signal
 from localize.signals.touch_generator import TouchGenerator
 
-PAGE = Path(__file__).parents[1] / "docs" / "decoder.md"
+PAGE = Path(__file__).parents[1] / "docs" / "evidence" / "decoder.md"
 BEGIN, END = "<!-- reconstruction: made by benchmarks/reconstruction.py -->", "<!-- end reconstruction -->"
 FREQUENCY = np.arange(1.0, 501.0)
 NOISE, TOUCHES = 1e-3, 20
 INSIDE = slice(500, 850)
-FILTERS = ((250, 0), (250, 4), (250, 16), (250, 64), (64, 16), (125, 16), (500, 16))
+FILTERS = ((250, 0), (250, 4), (250, 16), (250, 64), (64, 16))
 SHORT = (32, 64, 256)
 
 
@@ -75,15 +75,10 @@ def main() -> None:
     titles += [f"short windows of {window}, hop {window // 2}" for window in SHORT]
     lines = ["| filter | " + " | ".join(names) + " |", "|---" * (len(names) + 1) + "|"]
     for row, title in enumerate(titles):
-        cells = [f"{columns[name][row].min():.1f} / {columns[name][row].mean():.1f}" for name in names]
+        cells = [f"{columns[name][row].min():.1f}/{columns[name][row].mean():.1f}" for name in names]
         lines.append(f"| {title} | " + " | ".join(cells) + " |")
-    cells = [f"{1e3 * deviations[name]:.1f} mPa" for name in names]
-    lines.append("| largest posterior deviation, window 250, latency 16 ms | " + " | ".join(cells) + " |")
-    first = columns[names[0]]
-    lines += ["", "Point by point, `line-2` with 12 points (dB):", "", "| point | "
-              + " | ".join(str(k + 1) for k in range(12)) + " |", "|---" * 13 + "|"]  # fmt: skip
-    for row in (0, 2, len(FILTERS)):
-        lines.append(f"| {titles[row]} | " + " | ".join(f"{value:.0f}" for value in first[row]) + " |")
+    cells = [f"{1e3 * deviations[name]:.1f}" for name in names]
+    lines.append("| largest posterior deviation (mPa), window 250, latency 16 ms | " + " | ".join(cells) + " |")
     print("\n".join(lines))
     replace_section(PAGE, BEGIN, END, lines)
 

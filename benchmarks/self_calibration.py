@@ -1,7 +1,7 @@
 """Self-calibration of virtual rigs from unlabelled touches: what it does to decoding, and what it refuses.
 
-``python benchmarks/self_calibration.py sines`` and ``fingers`` write the two tables of docs/calibration.md anew, in a
-quarter and half an hour of one core; with more arguments, such as ``sines 3 "2 x 36, modulus x 0.85"`` or
+``python benchmarks/self_calibration.py sines`` and ``fingers`` write the two tables of docs/evidence/calibration.md
+anew, in a quarter and half an hour of one core; with more arguments, such as ``sines 3 "2x36, soft"`` or
 ``fingers 2 line-2``, they print one row of so many rigs.
 """
 
@@ -42,10 +42,10 @@ class Kind:
 
 
 KINDS = {
-    "2 x 6, modulus x 0.85": Kind("2 x 6", 0.85),
-    "2 x 36, modulus x 0.85": Kind("2 x 36", 0.85),
-    "2 x 36, bores of 0.8 mm, modulus x 0.85": Kind("2 x 36, bores of 0.8 mm", 0.85),
-    "2 x 36, bores of 0.8 mm, drifted": Kind("2 x 36, bores of 0.8 mm", drift=True),
+    "2x6, soft": Kind("2x6", 0.85),
+    "2x36, soft": Kind("2x36", 0.85),
+    "2x36 wide, soft": Kind("2x36 wide", 0.85),
+    "2x36 wide, drifted": Kind("2x36 wide", drift=True),
 }
 
 
@@ -68,10 +68,10 @@ class Fingers:
 
 
 FINGERS = {
-    "2 x 6: 10 modulus x 0.85, 5 steep rubber, 5 neither": Fingers(
+    "2x6: 10 soft, 5 steep, 5 neither": Fingers(
         "array-2x6", NATURAL, 300, (SOFT,) * 10 + (STEEP,) * 5 + (HiddenScatter(),) * 5
     ),
-    "2 x 6, steep rubber": Fingers("array-2x6", SINES, 300, (STEEP,) * 20),
+    "2x6, steep": Fingers("array-2x6", SINES, 300, (STEEP,) * 20),
     "line-2": Fingers("line-2", NATURAL, 1000, (SOFT, STEEP)),
 }
 
@@ -120,13 +120,13 @@ def row(name: str, rigs: int) -> str:
         worse += found.accepted and shares[-1][1] < shares[-1][0]
         print(name, seed, np.round(100 * np.array(shares[-1]), 1), figures(found), found.objection, file=sys.stderr)
     table = 100 * np.array(shares)
-    cells = (f"{mean:.1f} ({worst:.1f})" for mean, worst in zip(table.mean(0), table.min(0), strict=True))
-    return "| " + " | ".join((name, *cells, f"{refused} of {rigs}", f"{worse}", f"{seconds:.0f}")) + " |"
+    cells = (f"{mean:.1f}/{worst:.1f}" for mean, worst in zip(table.mean(0), table.min(0), strict=True))
+    return "| " + " | ".join((name, *cells, f"{refused}/{rigs}", f"{worse}", f"{seconds:.0f}")) + " |"
 
 
 def table(rigs: int, names: tuple[str, ...]) -> str:
     head = ["sensors", "before", "self-calibrated", "known exactly", "refused"]
-    head += ["accepted and worse than before", "slowest (s)"]
+    head += ["made worse", "slowest (s)"]
     lines = ["| " + " | ".join(head) + " |", "|---" * len(head) + "|"]
     return "\n".join([*lines, *(row(name, rigs) for name in names)])
 
@@ -160,12 +160,11 @@ def finger_row(name: str, rigs: int | None = None) -> str:
             name, seed, np.round(shares[-1], 1).tolist(), figures(found), found.objection, file=sys.stderr, flush=True
         )
     table = np.array(shares)
-    cells = [
-        " / ".join(f"{mean:.1f} ({least:.1f})" for mean, least in zip(each.mean(0), each.min(0), strict=True))
-        for each in np.moveaxis(table, 1, 0)
-    ]
-    rest = (f"{refused} of {len(shares)}", f"{worse}", f"{seconds:.0f}")
-    return "| " + " | ".join((name, f"{row.count}, {row.touches}", *cells, *rest)) + " |"
+    means, least = (["/".join(f"{x:.1f}" for x in each) for each in pick(0)] for pick in (table.mean, table.min))
+    cells = (f"{mean} ({worst})" for mean, worst in zip(means, least, strict=True))
+    rest = (f"{refused}/{len(shares)}", f"{worse}", f"{seconds:.0f}")
+    touches = "fingers" if row.touches == NATURAL else row.touches
+    return "| " + " | ".join((name, f"{row.count} {touches}", *cells, *rest)) + " |"
 
 
 def figures(found: SelfCalibration) -> str:
@@ -178,7 +177,7 @@ def figures(found: SelfCalibration) -> str:
 
 def finger_table(rigs: int | None, names: tuple[str, ...]) -> str:
     head = ["sensors", "touches", "before", "self-calibrated", "known exactly", "refused"]
-    head += ["accepted and worse than before", "slowest (s)"]
+    head += ["made worse", "slowest (s)"]
     lines = ["| " + " | ".join(head) + " |", "|---" * len(head) + "|"]
     return "\n".join([*lines, *(finger_row(name, rigs) for name in names)])
 

@@ -1,8 +1,8 @@
 """Whether ``locate`` notices a library of another array, and a microphone that is far off its level.
 
-``python benchmarks/sensor_fit.py`` writes the table of docs/realtime.md anew, in some minutes of one core. Signals are
-taps and friction that virtual rigs record, eight points each, of seeds from ``FIRST`` on, of which no constant was
-chosen; libraries are those of the designs, and nobody calibrated.
+``python benchmarks/sensor_fit.py`` writes the table of docs/evidence/streams.md anew, in some minutes of one core.
+Signals are taps and friction that virtual rigs record, six points each, of seeds from ``FIRST`` on, of which no
+constant was chosen; libraries are those of the designs, and nobody calibrated.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from localize.live.front_end import Listening
 from studies.made_sensor.rig import HiddenScatter, Recorder, Rig
 from studies.made_sensor.rig_touches import TouchSession, record_touches
 
-PAGE = Path(__file__).parents[1] / "docs" / "realtime.md"
+PAGE = Path(__file__).parents[1] / "docs" / "evidence" / "streams.md"
 BEGIN, END = "<!-- sensor fit: made by benchmarks/sensor_fit.py -->", "<!-- end of sensor fit -->"
 FIRST, SENSORS, POINTS = 9210, 3, 6
 DESIGNS = ("array-2x6", "line-2", "fingertip-4x6", "glove", "line-3", "large-area-64")
@@ -97,14 +97,14 @@ def main() -> None:
                 factor[channel] = 10 ** (level / 20)
                 fit = fitted(decoders[name], heard, factor)
                 print(name, seed, microphones[channel], level, fit, flush=True)
-                what = f"a microphone {abs(level):g} dB too {'loud' if level > 0 else 'quiet'}: found to 2 dB"
+                what = f"a microphone {level:+g} dB off: found"
                 rows[what, count].append(is_found(fit, microphones[channel], level))
     counts = sorted({count for _, count in rows})
     head = " | ".join(f"{count} microphones" for count in counts)
     lines = [f"| cases | {head} |", "|---|" + "---|" * len(counts)]
     for what in dict.fromkeys(what for what, _ in rows):
         found = [rows.get((what, count), []) for count in counts]
-        cells = " | ".join(f"{sum(each)} of {len(each)}" if each else "-" for each in found)
+        cells = " | ".join(f"{sum(each)}/{len(each)}" if each else "-" for each in found)
         lines.append(f"| {what} | {cells} |")
     replace_section(PAGE, BEGIN, END, lines)
     print("\n".join(lines))

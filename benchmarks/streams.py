@@ -1,13 +1,12 @@
-"""Streams that can be lived with, before and after. ``python benchmarks/streams.py`` writes the table of
-docs/realtime.md anew, in half an hour of one core; ``python benchmarks/streams.py touches`` its rows of touches alone.
+"""Streams that can be lived with, with the defaults of ``locate`` and ``live``. ``python benchmarks/streams.py`` prints
+what is told with nobody touching and writes the table of docs/evidence/streams.md anew, in a quarter of an hour of one
+core; ``python benchmarks/streams.py touches`` does the table alone.
 
 Signals are not those of the decoder's generator: long records from the transfer functions of a made sensor (the
 workshop's tolerances, its microphones' gains by 5 %), computed at every line of a period of 16.7 s, 0.06 Hz apart, for
 sound of 60 s. Shapes of taps, presses and pulses are this file's. Nothing is told of noise, hum or sound. "Calibrated"
-is a library of the made sensor's own transfer functions, "not calibrated" that of its design. Before: the whole
-contents of a frame, no tests, the design's noise, the library as it is; after: the defaults, which of the library of a
-design expect the tolerances of manufacturing. The seeds are not those that constants were
-chosen on (those were 101 to 109).
+is a library of the made sensor's own transfer functions, "not calibrated" that of its design, of which the
+tolerances of manufacturing are expected. The seeds are not those that constants were chosen on (those were 101 to 109).
 """
 
 from __future__ import annotations
@@ -29,10 +28,9 @@ from acoustic_fem.library.result import Library
 from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.scatter.tolerances import ScatteredDesign, Tolerance
 from geometry.files.writing import replace_section
-from localize.live import AS_IT_COMES
 from localize.signals.array_response import ArrayResponse, response_of
 
-PAGE = Path(__file__).parents[1] / "docs" / "realtime.md"
+PAGE = Path(__file__).parents[1] / "docs" / "evidence" / "streams.md"
 BEGIN, END = "<!-- streams: made by benchmarks/streams.py -->", "<!-- end streams -->"
 FREQUENCY = np.concatenate([np.arange(0.25, 20.0, 0.25), np.arange(20.0, 501.0)])
 RATE, PERIOD, MINUTE = 1000, 16_667, 60_000
@@ -194,14 +192,11 @@ class Told:
     """The same as they were told while they happened."""
 
 
-def told(known: Library | ArrayResponse, signals: Array, after: bool) -> Told:
+def told(known: Library | ArrayResponse, signals: Array) -> Told:
     """What a stream tells of a recording, by the library of a design or the transfer functions of its sensor."""
     response = response_of(known)
-    decoder = decoder_of(known if after else response)
-    if after:
-        stream = localize.TouchStream(decoder, sound_test=localize.SoundTest(response, "design"))
-    else:
-        stream = localize.TouchStream(decoder, listening=AS_IT_COMES)
+    decoder = decoder_of(known)
+    stream = localize.TouchStream(decoder, sound_test=localize.SoundTest(response, "design"))
     events = stream.push(signals)
     tracker = localize.TouchTracker(decoder, stream.delay)
     return Told(
@@ -219,7 +214,7 @@ def decoder_of(known: Library | ArrayResponse) -> localize.BayesDecoder:
     return localize.BayesDecoder(known, "design")
 
 
-def false_touches(sensor: Sensor, after: bool) -> dict[str, tuple[float, float]]:
+def false_touches(sensor: Sensor) -> dict[str, tuple[float, float]]:
     """Touches in a minute with nobody touching, and the share of it in which a point is named, %."""
     result: dict[str, tuple[float, float]] = {}
     for title, kind, size in (
@@ -238,16 +233,14 @@ def false_touches(sensor: Sensor, after: bool) -> dict[str, tuple[float, float]]
             turn = random.uniform(0, 2 * np.pi, (2, len(signals), 1))
             wave = np.sin(2 * np.pi * mains * time + turn[0]) + np.sin(6 * np.pi * mains * time + turn[1]) / 3
             signals += size * wave
-        found = told(sensor.library, signals, after)
+        found = told(sensor.library, signals)
         # One touch may last the whole minute: what counts then is how long.
         lit = sum(decision.state == "touch" for decision in found.decisions) / len(found.decisions)
         result[title] = len(found.touches), 100 * lit
     return result
 
 
-def of_touches(
-    sensor: Sensor, kind: str, known: Library | ArrayResponse, after: bool
-) -> tuple[Array, list[float]]:  # fmt: skip
+def of_touches(sensor: Sensor, kind: str, known: Library | ArrayResponse) -> tuple[Array, list[float]]:
     """Number of touches, of those kept (told within 0.35 s), kept and right, told once, wrong frames and phantoms; and,
     in ms, how long after its beginning a touch was told while it happened.
     """
@@ -255,7 +248,7 @@ def of_touches(
     for record in range(3):
         random = np.random.default_rng([sensor.seed, 77, record, len(kind)])
         made = session(kind, sensor.design.point_count, random)
-        found = told(known, sensor.heard(made) + sensor.own_noise(PERIOD, random), after)
+        found = told(known, sensor.heard(made) + sensor.own_noise(PERIOD, random))
         edges = [touch.begin for touch, _ in made] + [PERIOD]
         for index, (touch, _) in enumerate(made):
             here = [t for t in found.touches if edges[index] <= 1000 * t.start < edges[index + 1]]
@@ -283,51 +276,44 @@ def sensors(name: str) -> list[Sensor]:
     return [Sensor(library, number) for number in range(SENSORS)]
 
 
-def rows_of_nobody(made: list[Sensor]) -> list[str]:
-    """Lines of the table in which nobody touches."""
-    lines = []
-    name = made[0].design.name
-    alone = [[false_touches(sensor, after) for sensor in made] for after in (False, True)]
-    for title in alone[0][0]:
-        means = [np.mean([each[title] for each in both], axis=0) for both in alone]
-        lines.append(f"{name}: {title} | {means[0][0]:.1f} / {means[0][1]:.1f} | {means[1][0]:.1f} / {means[1][1]:.1f}")
-        print(lines[-1], flush=True)
-    return lines
+def print_nobody(made: list[Sensor]) -> None:
+    """Touches a minute and the share of the time in which a point is named, %, with nobody touching."""
+    found = [false_touches(sensor) for sensor in made]
+    for title in found[0]:
+        count, share = np.mean([each[title] for each in found], axis=0)
+        print(f"{made[0].design.name}: {title}: {count:.1f} / {share:.1f}", flush=True)
 
 
-def rows_of_touches(made: list[Sensor]) -> list[str]:
-    """Lines of the table of touches."""
-    lines = []
+def rows_of(made: list[Sensor]) -> list[str]:
+    """Rows of the table of touches."""
+    rows = []
     name = made[0].design.name
     for kind in ("tap", "press", "pulse"):
-        for title, known in (("calibrated", "calibrated"), ("not calibrated", "library")):
-            cells = []
-            for after in (False, True):
-                found = [of_touches(sensor, kind, getattr(sensor, known), after) for sensor in made]
-                sums = np.sum([counts for counts, _ in found], axis=0)
-                count = sums[0]
-                share = 100 * sums / count
-                usual, most = np.percentile(np.concatenate([late for _, late in found]), (50, 95))
-                cells.append(
-                    f"{share[1]:.1f} / {share[2]:.1f} / {share[3]:.1f} / {sums[4] / count:.1f} / {sums[5] / count:.2f}"
-                    f" / {usual:.0f}, {most:.0f}"
-                )
-            lines.append(f"{name}, {title}: {kind} | " + " | ".join(cells))
-            print(lines[-1], flush=True)
-    return lines
+        sides = []
+        for known in ("calibrated", "library"):
+            found = [of_touches(sensor, kind, getattr(sensor, known)) for sensor in made]
+            sums = np.sum([counts for counts, _ in found], axis=0)
+            count = sums[0]
+            share = 100 * sums / count
+            usual, most = np.percentile(np.concatenate([late for _, late in found]), (50, 95))
+            shares = (*(f"{value:.1f}" for value in share[1:4]), f"{sums[4] / count:.1f}", f"{sums[5] / count:.2f}")
+            sides.append((*shares, f"{usual:.0f}", f"{most:.0f}"))
+        cells = ("/".join(both) for both in zip(*sides, strict=True))
+        rows.append(f"| {name}, {kind} | {' | '.join(cells)} |")
+        print(rows[-1], flush=True)
+    return rows
 
 
 def main() -> None:
-    lines = ["what | before | after", "---|---|---"]
-    section = PAGE.read_text(encoding="utf-8").partition(BEGIN)[2].partition(END)[0]
+    titles = ("touches", "told within 0.35 s (%)", "with the right point (%)", "exactly once (%)")
+    titles += ("wrong frames", "wrong touches", "median (ms)", "95 % (ms)")
+    lines = [f"| {' | '.join(titles)} |", "|---" * len(titles) + "|"]
     for name in DESIGNS:
         made = sensors(name)
-        if sys.argv[1:] == ["touches"]:
-            lines += [row[2:-2] for row in section.splitlines() if row.startswith(f"| {name}: ")]
-        else:
-            lines += rows_of_nobody(made)
-        lines += rows_of_touches(made)
-    replace_section(PAGE, BEGIN, END, [f"| {line} |" for line in lines])
+        if sys.argv[1:] != ["touches"]:
+            print_nobody(made)
+        lines += rows_of(made)
+    replace_section(PAGE, BEGIN, END, lines)
 
 
 if __name__ == "__main__":

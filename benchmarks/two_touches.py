@@ -1,8 +1,8 @@
 """What two touches at once resolve into, by distance along the line and by level.
 
-``python benchmarks/two_touches.py`` writes the table of docs/decoder.md anew: some minutes of one core, 2 GB of memory.
-Each pair has a level of its own, but no stimulus: signals are the exact steady states of two multi-sines of different
-seeds, the second scaled to its level below the first, plus microphone noise.
+``python benchmarks/two_touches.py`` writes the table of docs/evidence/decoder.md anew: some minutes of one core, 2 GB
+of memory. Each pair has a level of its own, but no stimulus: signals are the exact steady states of two multi-sines of
+different seeds, the second scaled to its level below the first, plus microphone noise.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from localize.signals.array_response import response_of
 from localize.signals.stimulus import multi_sines, time_signal
 from localize.signals.touch_generator import TouchGenerator
 
-PAGE = Path(__file__).parents[1] / "docs" / "decoder.md"
+PAGE = Path(__file__).parents[1] / "docs" / "evidence" / "decoder.md"
 BEGIN, END = "<!-- two touches: made by benchmarks/two_touches.py -->", "<!-- end two touches -->"
 FREQUENCY = np.arange(1.0, 501.0)
 NOISE, FRAME, PER_CELL = 1e-3, 250, 60
@@ -100,38 +100,31 @@ def rows(microphones: int, rng: np.random.Generator) -> list[str]:
         f"touches: top-1 {100 * (single.point == truth).mean():.1f} %, called two {100 * single.is_two.mean():.2f} %, "
         f"gain 99 % {np.quantile(single.gain, 0.99):.2f}, 99.9 % {np.quantile(single.gain, 0.999):.2f}"
     )
-    result = []
+    cells: dict[float, list[str]] = {level: [] for level in LEVELS}
     for low, high in (*DISTANCES, (0, 0)):
         choice = pairs_at(response, low, high)
-        if not choice:
-            continue
-        cells = []
         for level in LEVELS:
+            if not choice:
+                cells[level].append("-")
+                continue
             true = np.array(choice)[rng.integers(len(choice), size=PER_CELL)]
             a, b = pick(true[:, 0]), pick(true[:, 1])
             scale = 10 ** (-level / 20) * first.rms[a] / second.rms[b]
             found = decoder.locate(noisy(first.signals[a] + scale[:, None, None] * second.signals[b]))
             right = (found.pair == np.sort(true, 1)).all(1)
-            cells.append(
-                f"{100 * right.mean():.0f} / {100 * near(response, found.pair, true).mean():.0f} / "
+            cells[level].append(
+                f"{100 * right.mean():.0f}/{100 * near(response, found.pair, true).mean():.0f}/"
                 f"{100 * found.is_two.mean():.0f}"
             )
-        where = "other line" if low == 0 else f"{low}" if low == high else f"{low} to {high}"
-        result.append(f"| {microphones} x {points} | {where} | " + " | ".join(cells) + " |")
-        print(result[-1], flush=True)
-    result.append(
-        f"| {microphones} x {points} | one touch only | called two: {100 * single.is_two.mean():.1f} % of "
-        f"{len(truth)} | | |"
-    )
+    result = [f"| {microphones} x {points} | {level:.0f} | {' | '.join(each)} |" for level, each in cells.items()]
+    print("\n".join(result), flush=True)
     return result
 
 
 def main() -> None:
     rng = np.random.default_rng(0)
-    lines = [
-        "| microphones x points | places apart | equal levels | 10 dB apart | 20 dB apart |",
-        "|---|---|---|---|---|",
-    ]
+    places = (*(f"{low}" if low == high else f"{low} to {high}" for low, high in DISTANCES), "other line")
+    lines = [f"| microphones x points | dB apart | {' | '.join(places)} |", "|---" * (2 + len(places)) + "|"]
     for microphones in LINES:
         lines += rows(microphones, rng)
     replace_section(PAGE, BEGIN, END, lines)

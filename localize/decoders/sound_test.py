@@ -34,7 +34,7 @@ GAIN = 0.15
 frame."""
 MISMATCH = 0.06
 """Share of a frame, in amplitude, that sound may leave beside its directions on a mis-made sensor, gains apart; see
-docs/decoder.md for how many sensors that holds of."""
+docs/evidence/decoder.md for how many sensors that holds of."""
 LEAK = 1e-2
 """Share of the noise's variance that the loudest sound may have in a direction that is left to the noise."""
 
