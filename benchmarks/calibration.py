@@ -1,8 +1,8 @@
 """A virtual rig calibrated from its recordings: coverage of what is stated, and what decoding gains.
 
 ``python benchmarks/calibration.py`` writes the tables of docs/evidence/calibration.md anew; ``python
-benchmarks/calibration.py 3 2x6`` prints them for three rigs of one kind. Every sensor is recorded to WAV files and read back
-from them, and fitted as the verb does with the tolerances of the rig.
+benchmarks/calibration.py 3 2x6`` prints them for three rigs of one kind. Every sensor is recorded to WAV files and
+read back from them, and fitted as the verb does with the tolerances of the rig.
 """
 
 from __future__ import annotations
