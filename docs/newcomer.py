@@ -20,7 +20,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 START = ("install", "first-minutes", "tutorial")
 GUIDES = (
-    *("studies/topology/README", "first-study", "studies", "optimize", "tolerances", "parts", "bending"),
+    *("studies/topology/README", "first-study", "studies", "optimize", "tolerances", "parts", "assemble", "bending"),
     *("calibration", "live", "embed"),
 )
 BLOCK = re.compile(r"^```sh\n(.*?)^```", re.MULTILINE | re.DOTALL)
