@@ -31,10 +31,10 @@ BASES = {"2 x 6": "array-2x6", "line of 36": "line-2"}
 COLOURS = {"2 x 6": "#1f5f8b", "line of 36": "#b5651d"}
 #: What is tabled: metric, heading, digits behind the point of its number.
 COLUMNS = (
-    ("distance_smallest_low", "smallest distance, 1 to 20 Hz", ".3f"),
-    ("distance_smallest", "smallest distance, 1 to 100 Hz", ".3f"),
+    ("distance_smallest_low", "distance, 1 to 20 Hz", ".3f"),
+    ("distance_smallest", "1 to 100 Hz", ".3f"),
     ("predicted_top1", "top-1, quiet (%)", ".1f"),
-    ("predicted_top1_loud", "top-1, 0.05 Pa (%)", ".1f"),
+    ("predicted_top1_loud", "0.05 Pa (%)", ".1f"),
     ("sensitivity_force", "sensitivity (Pa/N)", ".3g"),
 )
 #: A rank correlation beyond this is called a rise or a fall.
@@ -122,8 +122,8 @@ def verdict(rule: Rule, curves: dict[str, Curve]) -> str:
     """Whether distances and accuracies follow the claim, from the rank correlations alone."""
     parts = []
     for metric, called in (
-        ("distance_smallest_low", "smallest distance below 20 Hz"),
-        ("distance_smallest", "smallest distance up to 100 Hz"),
+        ("distance_smallest_low", "distance below 20 Hz"),
+        ("distance_smallest", "up to 100 Hz"),
         ("predicted_top1", "accuracy in quiet"),
         ("predicted_top1_loud", "accuracy in noise"),
     ):
@@ -134,7 +134,7 @@ def verdict(rule: Rule, curves: dict[str, Curve]) -> str:
             parts.append(f"{called}: **the opposite**")
         else:
             each = ", ".join(f"{title} {rule.grows * value:+.2f}" for title, value in told.items())
-            parts.append(f"{called}: no common trend (rank correlation {each})")
+            parts.append(f"{called}: no common trend ({each})")
     return f"Claim: {rule.claim}. " + "; ".join(parts) + "."
 
 
@@ -154,8 +154,8 @@ def at_navier_stokes(rule: Rule) -> str:
         worst = max(worst, *(abs(a / b - 1) for a, b in zip(lumped, solved, strict=True)))
         ends.append(solved[0])
     return (
-        f"At navier-stokes the smallest distance below 20 Hz of the 2 x 6 array goes from {ends[0]:.3f} to "
-        f"{ends[1]:.3f}; lumped distances at both ends are within {100 * worst:.1f} % of it."
+        f"At navier-stokes the first distance of 2 x 6 goes from {ends[0]:.3f} to {ends[1]:.3f}; "
+        f"lumped ones are within {100 * worst:.1f} %."
     )
 
 

@@ -31,20 +31,19 @@ design.toml -> ArrayDesign -> CAD parts -------------------------> STL / 3MF / S
                    study = many of these, in parallel, resumable -> table of figures, plots, report
 ```
 
-An array of 216 points has two or three *distinct* cells. Each is solved once in 3-D, condensed to its ports, kept on
-disk under the hash of what it depends on, and the network of ports is solved for all points, microphones and
-frequencies at once. A change of tube length, membrane material or wiring needs no new 3-D solve.
+An array of 216 points has two or three *distinct* cells. Each is solved once in 3-D, condensed to its ports and kept
+on disk; the network of ports is solved for all points, microphones and frequencies at once. A change of tube length,
+membrane or wiring needs no new 3-D solve.
 
 Four packages, each of which may import from those before it: `geometry` (what the sensor is, in mm), `acoustic_fem`
 (what it does, in SI), `localize` (what the signals say), `studies` (what the designer asks). Each is a house of
-rooms: folders of at most twelve modules with one subject. A room has a face, its `__init__.py` with a stub beside it,
-which says what lives there and lists its public names; a name is imported when it is first used. Within a package a
-room may import only from the rooms it stands on, also inside functions and for types alone, and no imports run in a
-circle. `geometry.refusal` belongs to no room: every error that the project raises on purpose derives from its
+rooms: folders of at most twelve modules with one subject. A room's face, its `__init__.py` with a stub beside it,
+says what lives there, lists its public names, imported when first used, and names the rooms it stands on: within a
+package its modules import from these alone, also inside functions and for types, and never in a circle. Below, a room
+stands on rooms above it. `geometry.refusal` belongs to no room: every error raised on purpose derives from its
 `Refusal`.
 
-What is public: the names of the packages' and the rooms' faces. Everything else may move without notice. What each
-module of a room is about stands in its first sentence; the site (`make docs`) lists them on the page of the room.
+Public are the names of the faces; everything else may move without notice. The site has a page of every room.
 """
 
 
@@ -113,9 +112,8 @@ def architecture_page(rooms: tuple[Room, ...]) -> str:
     text = [_HEAD]
     for package in PACKAGES:
         own = [room for room in rooms if room.package == package]
-        text.append(f"\n## {package}\n\n| room | what lives there | stands on |\n|---|---|---|")
-        for room in own:
-            text.append(f"| `{room.name}` | {room.purpose} | {', '.join(room.stands_on) or '-'} |")
+        text.append(f"\n## {package}\n\n| room | what lives there |\n|---|---|")
+        text += [f"| `{room.name}` | {room.purpose} |" for room in own]
     return "\n".join(text) + "\n"
 
 

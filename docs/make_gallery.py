@@ -24,11 +24,12 @@ MADE = {
 FOUND = ("fingertip-12", "graded-line-36", "line-36", "ring-3x12")
 _HEAD = """# Gallery
 
-Every prototype, and designs of ours. The figures are those of `acoustic-fem check`: predicted at fidelity lumped, for
-sums of sines and the noise of the design's microphone, of a localizer trained on the nominal design. *Mis-made* is the
-mean of 64 sensors (fewer of more than 24 points) with a workshop's assumed [scatter](tolerances.md), and the worst of
-them, not calibrated; [calibration](calibration.md) brings most of it back. Cost is of the materials of one array at
-assumed prices, molds left out. In the pictures each point has the colour of its own share; the hardest pair is ringed.
+Every prototype, and designs of ours. Figures of `acoustic-fem check`: predicted at fidelity lumped, for sums of sines
+and the noise of the design's microphone, of a localizer trained on the nominal design. *Mis-made*: mean and worst of
+64 sensors (fewer of more than 24 points) with assumed [scatter](tolerances.md), not calibrated;
+[calibration](calibration.md) brings most of it back. Cost: materials of one array at assumed prices, no molds. In the
+pictures each point has the colour of its own share; the hardest pair is ringed. `acoustic-fem parts NAME --out parts`
+makes the parts, of ours with the file's path in place of the name.
 
 <!-- made by python docs/make_gallery.py -->
 """
@@ -59,14 +60,10 @@ def gallery_page(prototypes: dict[str, geometry.ArrayDesign], ours: dict[str, ge
             f"| {made} | {quality.hardest[0]}, {quality.hardest[1]}: {quality.level:.2g} dB, {quality.phase:.2g}° "
             f"| {quality.cost:.2f} |"
         )
-        file = f"[{name}.toml](examples/{name}.toml)" if name in ours else f"`acoustic-fem prototypes {name}`"
         words = design.description.rstrip(".")
+        file = f": [{name}.toml](examples/{name}.toml)" if name in ours else ""
         link = picture.relative_to(DOCS).as_posix()
-        blocks.append(
-            f"### {name}\n\n{words}. The file: {file}; the parts: `acoustic-fem parts "
-            f"{f'docs/examples/{name}.toml' if name in ours else name} --out {name}`.\n\n"
-            f"![{name} in plan: {words}]({link})\n"
-        )
+        blocks.append(f"### {name}\n\n{words}{file}.\n\n![{name} in plan]({link})\n")
         print(rows[-1], flush=True)
     head = (
         "| design | points | microphones | named right, nominal (%) | mis-made: mean (worst) (%) | hardest pair "
