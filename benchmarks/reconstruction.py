@@ -25,8 +25,8 @@ BEGIN, END = "<!-- reconstruction: made by benchmarks/reconstruction.py -->", "<
 FREQUENCY = np.arange(1.0, 501.0)
 NOISE, TOUCHES = 1e-3, 20
 INSIDE = slice(500, 850)
-FILTERS = ((250, 0), (250, 4), (250, 16), (250, 64), (64, 16))
-SHORT = (32, 64, 256)
+FILTERS = ((250, 0), (250, 4), (250, 16), (250, 64))
+SHORT = (32, 256)
 
 
 def array(name: str) -> ArrayResponse:

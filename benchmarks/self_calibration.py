@@ -121,12 +121,12 @@ def row(name: str, rigs: int) -> str:
         print(name, seed, np.round(100 * np.array(shares[-1]), 1), figures(found), found.objection, file=sys.stderr)
     table = 100 * np.array(shares)
     cells = (f"{mean:.1f}/{worst:.1f}" for mean, worst in zip(table.mean(0), table.min(0), strict=True))
-    return "| " + " | ".join((name, *cells, f"{refused}/{rigs}", f"{worse}", f"{seconds:.0f}")) + " |"
+    print(f"{name}: refused {refused} of {rigs}, accepted and worse than before {worse}, slowest {seconds:.0f} s")
+    return f"| {name} | {' | '.join(cells)} |"
 
 
 def table(rigs: int, names: tuple[str, ...]) -> str:
-    head = ["sensors", "before", "self-calibrated", "known exactly", "refused"]
-    head += ["made worse", "slowest (s)"]
+    head = ["sensors", "before", "self-calibrated", "known exactly"]
     lines = ["| " + " | ".join(head) + " |", "|---" * len(head) + "|"]
     return "\n".join([*lines, *(row(name, rigs) for name in names)])
 
@@ -162,9 +162,9 @@ def finger_row(name: str, rigs: int | None = None) -> str:
     table = np.array(shares)
     means, least = (["/".join(f"{x:.1f}" for x in each) for each in pick(0)] for pick in (table.mean, table.min))
     cells = (f"{mean} ({worst})" for mean, worst in zip(means, least, strict=True))
-    rest = (f"{refused}/{len(shares)}", f"{worse}", f"{seconds:.0f}")
+    print(f"{name}: refused {refused} of {len(shares)}, accepted and worse {worse}, slowest {seconds:.0f} s")
     touches = "fingers" if row.touches == NATURAL else row.touches
-    return "| " + " | ".join((name, f"{row.count} {touches}", *cells, *rest)) + " |"
+    return "| " + " | ".join((name, f"{row.count} {touches}", *cells)) + " |"
 
 
 def figures(found: SelfCalibration) -> str:
@@ -176,8 +176,7 @@ def figures(found: SelfCalibration) -> str:
 
 
 def finger_table(rigs: int | None, names: tuple[str, ...]) -> str:
-    head = ["sensors", "touches", "before", "self-calibrated", "known exactly", "refused"]
-    head += ["made worse", "slowest (s)"]
+    head = ["sensors", "touches", "before", "self-calibrated", "known exactly"]
     lines = ["| " + " | ".join(head) + " |", "|---" * len(head) + "|"]
     return "\n".join([*lines, *(finger_row(name, rigs) for name in names)])
 

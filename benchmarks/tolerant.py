@@ -99,7 +99,7 @@ TRUTHS = (
     Truth("modulus +34 %", replace(NONE, modulus=1.34)),
 )
 #: In the table of the page; the file has all.
-SHOWN = ("as designed", "mis-made everything", "2000 m, not told", "2000 m, told", "modulus -20 %", "modulus +34 %")
+SHOWN = ("as designed", "mis-made everything", "2000 m, not told", "modulus -20 %")
 
 
 def frame_time(decoder: localize.BayesDecoder, response: ArrayResponse) -> float:
