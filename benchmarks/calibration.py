@@ -1,8 +1,8 @@
 """A virtual rig calibrated from its recordings: coverage of what is stated, and what decoding gains.
 
-``python benchmarks/calibration.py`` writes the tables of docs/evidence/calibration.md anew; ``python
-benchmarks/calibration.py 3 2x6`` prints them for three rigs of one kind. Every sensor is recorded to WAV files and
-read back from them, and fitted as the verb does with the tolerances of the rig.
+``python benchmarks/calibration.py`` writes the table of docs/evidence/calibration.md anew and prints
+the rest; ``python benchmarks/calibration.py 3 2x6`` is for three rigs of one kind. Every sensor is recorded to WAV
+files and read back from them, and fitted as the verb does with the tolerances of the rig.
 """
 
 from __future__ import annotations
@@ -123,7 +123,7 @@ def row(name: str, design: ArrayDesign, modulus: float, rigs: int) -> tuple[str,
     rest = (f"{100 * np.mean(kept.estimates):.1f}",)
     stated = [f"{100 * np.mean(kept.parameters[part]):.0f}" for part in STATED]
     stated.append(f"{100 * np.mean(kept.responses):.0f}/{100 * min(kept.responses):.0f}")
-    return "| " + " | ".join((label, *cells, *rest)) + " |", "| " + " | ".join((label, *stated)) + " |"
+    return "| " + " | ".join((label, *cells, *rest)) + " |", " | ".join((label, *stated))
 
 
 def accuracy(known: localize.signals.ArrayResponse, touched: localize.signals.ArrayResponse) -> float:
@@ -134,10 +134,9 @@ def table(rigs: int, names: tuple[str, ...]) -> str:
     head = "| sensors | nominal | known exactly | all measured | one point | two | three | in the 95 % band (%) |"
     stated = ("sensors", *STATED.values(), "responses/worst fit")
     rows = [row(name, DESIGNS[name], modulus, rigs) for name in names for modulus in (1.0, 0.85)]
-    first = [head, "|---" * 8 + "|", *(of_decoding for of_decoding, _ in rows)]
-    second = ["| " + " | ".join(stated) + " |", "|---" * len(stated) + "|", *(of_parts for _, of_parts in rows)]
-    caption = "Fits to one, two and three points together: true values in their stated 95 % bands (%):"
-    return "\n".join([*first, "", caption, "", *second])
+    print("Fits to one, two and three points together: true values in their stated 95 % bands (%)")
+    print("\n".join([" | ".join(stated), *(of_parts for _, of_parts in rows)]))
+    return "\n".join([head, "|---" * 8 + "|", *(of_decoding for of_decoding, _ in rows)])
 
 
 def main() -> None:
