@@ -1,11 +1,12 @@
 """Draw pictures of the pages: top view, exploded view and mold section of every prototype that was made (parts.md), and
-waveforms of kinds of touch (kinds.md), and a finger's path with its signals (touches.md).
+waveforms of kinds of touch (kinds.md), a finger's path with its signals (touches.md), and flash of decoders (embed.md).
 
 python docs/make_pictures.py [NAME ...]
 """
 
 from __future__ import annotations
 
+import re
 import sys
 from pathlib import Path
 
@@ -20,6 +21,9 @@ from studies.output.figure_style import WIDTH, figure_in_style, save_figure
 IMAGES = Path(__file__).parent / "images"
 #: The prototypes that were made; the others are simulated studies.
 MADE = ("array-2x6", "fingertip-3x4", "fingertip-4x6", "glove", "large-area-64")
+
+#: Flash for everything but the decoder, KiB.
+REST = 32
 
 
 def draw(name: str) -> list[Path]:
@@ -100,8 +104,28 @@ def draw_letters() -> list[Path]:
         return [save_figure(figure, IMAGES / "letters-written.png")]
 
 
+def draw_chips() -> list[Path]:
+    """Flash that the decoder of every prototype takes, as the evidence tells it, beside what chips have."""
+    page = (IMAGES.parent / "evidence" / "embed.md").read_text(encoding="utf-8")
+    rows = re.findall(r"^\| ([\w-]+ \(\d+, \d\)) \| (\d+), (\d+) \|", page, re.MULTILINE)
+    places = np.arange(len(rows))
+    with figure_in_style((WIDTH, 2.8)) as figure:
+        axes = figure.subplots()
+        for k, label in enumerate(("float32", "int16")):
+            axes.barh(places + 0.4 * k, [int(row[1 + k]) for row in rows], 0.38, label=label)
+        for flash in (256, 512, 1024, 2048):
+            axes.axvline(flash - REST, color="gray", linestyle=":", linewidth=0.8)
+        axes.set_xscale("log", base=2)
+        axes.set_xticks([256, 512, 1024, 2048, 8192], ["256 KiB", "512 KiB", "1 MiB", "2 MiB", "8 MiB"])
+        axes.set_yticks(places + 0.2, [row[0] for row in rows])
+        axes.invert_yaxis()
+        axes.set_xlabel(f"flash; dotted: a chip's, less {REST} KiB for other code")
+        axes.legend()
+        return [save_figure(figure, IMAGES / "chips.png")]
+
+
 #: Pictures that are of no prototype.
-OTHERS = {"kinds": draw_kinds, "letters": draw_letters, "touches": draw_touches}
+OTHERS = {"chips": draw_chips, "kinds": draw_kinds, "letters": draw_letters, "touches": draw_touches}
 
 
 def main() -> None:

@@ -103,6 +103,31 @@ def test_the_gallery_says_what_check_says() -> None:
     assert made == f"{100 * quality.mis_made:.1f} ({100 * quality.worst:.1f})"
 
 
+#: What a designer does -> the guide to it.
+JOBS = {
+    "design a sensor": "tutorial",
+    "choose its wiring": "studies/topology/README",
+    "sweep": "studies",
+    "print and cast": "parts",
+    "assemble": "assemble",
+    "calibrate": "calibration",
+    "listen": "live",
+    "train kinds of one's own": "kinds",
+    "bring a cavity": "own-cavity",
+    "put it on a chip": "embed",
+}
+
+
+@pytest.mark.parametrize("job", JOBS)
+def test_every_job_has_a_guide_that_is_found_and_shows_a_picture(job: str) -> None:
+    page = JOBS[job]
+    index, text = ((ROOT / "docs" / f"{name}.md").read_text(encoding="utf-8") for name in ("index", page))
+    start, guides = re.findall(r"^:caption: (?:Start|Guides)\n:hidden:\n\n(.*?)^```", index, re.MULTILINE | re.DOTALL)
+    assert page in (start + guides).splitlines()
+    assert f"]({page}.md)" in index
+    assert re.search(r"^!\[[^\]]+\]\(\S+\.png\)$", text, re.MULTILINE), "no picture"
+
+
 def test_a_newcomer_types_every_block_and_looks_at_the_pictures(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
