@@ -131,7 +131,7 @@ def accuracy(known: localize.signals.ArrayResponse, touched: localize.signals.Ar
 
 
 def table(rigs: int, names: tuple[str, ...]) -> str:
-    head = "| sensors | nominal | known exactly | all measured | one point | two | three | in the 95 % band (%) |"
+    head = "| sensors | nominal | known exactly | all measured | one point | two | three | in band (%) |"
     stated = ("sensors", *STATED.values(), "responses/worst fit")
     rows = [row(name, DESIGNS[name], modulus, rigs) for name in names for modulus in (1.0, 0.85)]
     print("Fits to one, two and three points together: true values in their stated 95 % bands (%)")

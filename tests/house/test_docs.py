@@ -167,6 +167,13 @@ def test_the_links_of_a_page_lead_to_files(page: Path) -> None:
             assert (page.parent / target).exists(), target
 
 
+@pytest.mark.parametrize("page", PAGES, ids=page_name)
+def test_no_line_of_a_page_is_a_comment_of_the_site(page: Path) -> None:
+    """What begins with % is shown by the forge and left out by MyST: a percentage that was wrapped."""
+    prose = re.sub(r"^```.*?^```", "", page.read_text(encoding="utf-8"), flags=re.MULTILINE | re.DOTALL)
+    assert re.findall(r"^%.*", prose, re.MULTILINE) == []
+
+
 FILE = re.compile(rf"(?<![\w./-])(?:tests|benchmarks|docs|{'|'.join(PACKAGES)})/[\w/-]+\.(?:py|md|toml|json|html)\b")
 
 
