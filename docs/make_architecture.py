@@ -1,8 +1,8 @@
-"""Write docs/architecture.md from the faces of the rooms: ``python docs/make_architecture.py``.
+"""Write docs/architecture.md and print the tables of its rooms: ``python docs/make_architecture.py``.
 
 The face of a room, its ``__init__.py``, says in one sentence what lives there and on which rooms of its package it
-stands. These sentences are the one table of the house: the page is written from them, and tests/house holds the
-imports of all modules against them.
+stands. These sentences are the one table of the house: the site shows them, and tests/house holds the imports of all
+modules against them.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ PAGE = ROOT / "docs" / "architecture.md"
 
 _HEAD = """# Architecture
 
-<!-- Written by `python docs/make_architecture.py` from the faces of the rooms; a test compares. Edit the faces. -->
+<!-- `python docs/make_architecture.py` writes this page and prints its tables, which the site makes from the faces. -->
 
 One design file in; trusted transfer functions, a trained localizer and printable parts out:
 
@@ -107,16 +107,22 @@ def _first_sentence(path: Path) -> str:
     return " ".join(text.split("\n\n")[0].split())
 
 
-def architecture_page(rooms: tuple[Room, ...]) -> str:
-    """The page as Markdown: a table of rooms per package; the site has what each module is about."""
-    text = [_HEAD]
-    for package in PACKAGES:
-        own = [room for room in rooms if room.package == package]
-        text.append(f"\n## {package}\n\n| room | what lives there |\n|---|---|")
-        text += [f"| `{room.name}` | {room.purpose} |" for room in own]
-    return "\n".join(text) + "\n"
+def architecture_page() -> str:
+    """The page as Markdown, in which the site puts a table of rooms per package."""
+    return _HEAD + "".join(f"\n## {package}\n\n```{{rooms}} {package}\n```\n" for package in PACKAGES)
+
+
+def room_table(rooms: tuple[Room, ...], package: str) -> str:
+    """Markdown table of the rooms of a package: name, what lives there, on which rooms it stands."""
+    rows = (
+        f"| `{room.name}` | {room.purpose} | {', '.join(room.stands_on) or '-'} |\n"
+        for room in rooms
+        if room.package == package
+    )
+    return "| room | what lives there | stands on |\n|---|---|---|\n" + "".join(rows)
 
 
 if __name__ == "__main__":
-    PAGE.write_text(architecture_page(read_rooms()), encoding="utf-8")
-    print(PAGE)
+    PAGE.write_text(architecture_page(), encoding="utf-8")
+    for name in PACKAGES:
+        print(f"{name}\n\n{room_table(read_rooms(), name)}")

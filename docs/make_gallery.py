@@ -63,7 +63,7 @@ def gallery_page(prototypes: dict[str, geometry.ArrayDesign], ours: dict[str, ge
         words = design.description.rstrip(".")
         file = f": [{name}.toml](examples/{name}.toml)" if name in ours else ""
         link = picture.relative_to(DOCS).as_posix()
-        blocks.append(f"### {name}\n\n{words}{file}.\n\n![{name} in plan]({link})\n")
+        blocks.append(f"### {name}\n\n{words}{file}.\n\n![In plan]({link})\n")
         print(rows[-1], flush=True)
     head = (
         "| design | points | microphones | named right, nominal (%) | mis-made: mean (worst) (%) | hardest pair "

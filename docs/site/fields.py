@@ -1,7 +1,7 @@
-"""Tables of the fields of files, from the models that read them, and of the metrics.
+"""Tables of the fields of files, from the models that read them, of the metrics and of the rooms.
 
 ``{fields} SECTION``, or names of single fields, of a design file; ``{study-fields} study``, ``range`` or ``optimize``;
-``{metrics}``.
+``{metrics}``; ``{rooms} PACKAGE``.
 """
 
 from __future__ import annotations
@@ -9,6 +9,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from docutils import nodes
+from make_architecture import read_rooms, room_table
 from pydantic import BaseModel
 from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective
@@ -131,9 +132,20 @@ class Metrics(SphinxDirective):
         return self.parse_text_to_nodes(metric_table())
 
 
+class Rooms(SphinxDirective):
+    """The directive of the rooms of a package."""
+
+    required_arguments = 1
+
+    def run(self) -> list[nodes.Node]:
+        """The table as nodes."""
+        return self.parse_text_to_nodes(room_table(read_rooms(), self.arguments[0]))
+
+
 def setup(app: Sphinx) -> dict[str, bool]:
     """Register the directives."""
     app.add_directive("fields", Fields)
     app.add_directive("metrics", Metrics)
+    app.add_directive("rooms", Rooms)
     app.add_directive("study-fields", StudyFieldsTable)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -30,7 +30,10 @@ def test_the_house_keeps_the_rule(rule: Rule) -> None:
 def test_the_page_is_that_of_the_faces() -> None:
     architecture = house_rules.architecture()
     page = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
-    assert page == architecture.architecture_page(architecture.read_rooms()), "python docs/make_architecture.py"
+    assert page == architecture.architecture_page(), "python docs/make_architecture.py"
+    table = architecture.room_table(architecture.read_rooms(), "geometry")
+    assert "| `files` | Files in, checked before they are read" in table
+    assert "| `layout` | Where every shell" in table
 
 
 # -- a house with one fault each ----------------------------------------------------------------------

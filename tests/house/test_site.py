@@ -20,13 +20,14 @@ ROOT = Path(__file__).parents[2]
 @pytest.fixture
 def site(monkeypatch: pytest.MonkeyPatch):
     """Import a module of docs/site."""
+    monkeypatch.syspath_prepend(str(ROOT / "docs"))
     monkeypatch.syspath_prepend(str(ROOT / "docs" / "site"))
 
     def load(name: str) -> ModuleType:
         return importlib.import_module(name)
 
     yield load
-    for name in ("public_names", "built", "accessible", "fields"):
+    for name in ("public_names", "built", "accessible", "fields", "make_architecture"):
         sys.modules.pop(name, None)
 
 
