@@ -17,17 +17,14 @@ from geometry.air.mesh import InvertedElementsError, MeshSizes, mesh_solid
 from tests.support.reference_data import AIR, column, rows
 
 CELL_TEXT = """A rigid cylinder of 6 x 2.5 mm with two tubes of 0.5 x 6.25 mm opposite each other at mid height; 1 to
-100 Hz. The vendored rows of another program (tests/reference/acoustics.json) are good to 5e-4. The study scales the
-sizes of `acoustic_fem.fields.mesh_sizes` in half the cell, with 1 mm of each tube in the mesh; errors of Y are
-relative to |Y₁₁|, that of the sum to itself. The thermal layer makes the sum converge with 3 to 4; at the mouth's
-re-entrant edge the pressure is singular, and without grading admittances would converge with 1.1 (twice the exponent
-0.544 of Stokes flow round 270°; Moffatt 1964). The checks solve the whole solid by the public call at
-`accuracy=1e-3`."""
+100 Hz. Rows of another program (tests/reference/acoustics.json) are good to 5e-4. The study scales the sizes of
+`acoustic_fem.fields.mesh_sizes`; errors are relative to |Y₁₁|, that of the sum to itself. The thermal layer makes the
+sum converge with 3 to 4; without grading, the singular pressure at the mouth's edge would leave admittances 1.1
+(twice the exponent 0.544 of Stokes flow round 270°; Moffatt 1964). Checks: the public call at `accuracy=1e-3`."""
 
-OPENING_TEXT = """A tube of bore radius a = 0.25 mm, 1 mm long in the mesh, opens into the end wall of a duct of
-radius 5 a or 50 a. The exact ducts are taken off the two-port; left in series is the opening, Z a³/μ, against
-axisymmetric Navier-Stokes of another program, good to 2e-3. Half of Sampson's orifice is 1.5. The error levels off
-there, so no order is fitted."""
+OPENING_TEXT = """A tube of radius a = 0.25 mm, 1 mm long in the mesh, opens into the end of a duct of 5 a or 50 a.
+Without the exact ducts the opening is left, Z a³/μ, against axisymmetric Navier-Stokes of another program, good to
+2e-3, where the error levels off."""
 
 ARRAY_TEXT = """Three cells with membranes, their tubes and both ends in one 3-D mesh (`benchmarks/one_mesh.py`)
 against cells joined by plane waves: three points, two microphones, 1, 10 and 100 Hz."""

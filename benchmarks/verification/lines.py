@@ -18,13 +18,12 @@ from acoustic_fem.quantities.medium import Medium
 from benchmarks.verification.report import Check, Level, Study, Subject, Table
 from tests.support.reference_data import AIR
 
-SECTION_TEXT = """⟨Ψ⟩ of meshed sections, quadratic elements on curved second-order triangles, against the closed
-forms. ⟨Ψ⟩ is an energy: its error falls with twice the order of the field, 4. At d²ω/ν = 100 (d: diameter, longer or
-only side) a layer along the wall must be resolved first."""
+SECTION_TEXT = """⟨Ψ⟩ of meshed sections, quadratic elements on curved triangles. An energy: its error falls with
+twice the order of the field, 4, once the layer along the wall is resolved (d²ω/ν = 100; d: diameter, longer or only
+side)."""
 
-TAPER_TEXT = """Elements of degree p in one dimension converge with 2p against the exponential horn, which is solved
-by exponentials. A lossy cone has no such solution: a staircase of exact cylinders, of order 2, is compared with the
-elements at 1, 100 and 1000 Hz."""
+TAPER_TEXT = """Elements of degree p in one dimension converge with 2p against the exponential horn. A lossy cone has
+no exact solution: a staircase of cylinders, of order 2, stands beside the elements at 1, 100 and 1000 Hz."""
 
 _RATES = {"slow": 1e-3, "fast": 100.0}
 

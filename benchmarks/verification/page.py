@@ -16,10 +16,10 @@ _COLOURS = ("#1f5fa8", "#c8501e", "#2e8b57", "#8a4fa3", "#b08a00", "#555555")
 _MARKERS = "osD^vP"
 
 _INTRO = """Written by `{command}`; every mesh, and more values, are in [verification.json](verification.json). A test
-of the default suite runs the coarse meshes again (`--quick`) and compares. Equations and sources are on the [theory
-page](theory.md). Errors are relative unless a unit is given, and are those of the coarsest and the finest mesh. An
-order is the least-squares slope of log(error) over log(size), dashed in the figures, on all meshes or on those fine
-enough where a limit is given. What is not as expected, or misses its target, is marked in bold."""
+runs the coarse meshes again (`--quick`). Sources are on the [theory page](theory.md). Errors are relative unless a
+unit is given, those of the coarsest and the finest mesh. An order is the least-squares slope of log(error) over
+log(size), dashed in the figures, on all meshes or those up to a limit. What is not as expected, or misses its target,
+is in bold."""
 
 
 def figure_name(subject: Subject) -> str:
