@@ -106,13 +106,13 @@ def agreement(first: np.ndarray, second: np.ndarray) -> str:
 
 def table(rows: list[dict[str, Any]]) -> str:
     lines = [
-        "| design | points | microphones | noise (Pa) | predicted, `network` (%) | trained network (%) "
+        "| design (points, microphones) | noise (Pa) | predicted, `network` (%) | trained network (%) "
         "| predicted, `model` (%) | Bayes decoder (%) |",
-        "|---|---|---|---|---|---|---|---|",
+        "|---|---|---|---|---|---|",
     ]
     for row in rows:
         shares = " | ".join(f"{100 * row[name]:.1f}" for name in SHARES)
-        lines.append(f"| {row['title']} | {row['points']} | {row['microphones']} | {row['noise']:g} | {shares} |")
+        lines.append(f"| {row['title']} ({row['points']}, {row['microphones']}) | {row['noise']:g} | {shares} |")
     at = {name: np.array([row[name] for row in rows]) for name in SHARES}
     lines += [
         "",
