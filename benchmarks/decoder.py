@@ -83,7 +83,7 @@ def main() -> None:
     names = ("line-2", "line-3", "line-4")
     titles = ["points", *(case[0] for case in CASES)]
     columns = [column(name) for name in names]
-    lines = ["| | " + " | ".join(names) + " |", "|---" * (len(names) + 1) + "|"]
+    lines = ["| touches | " + " | ".join(names) + " |", "|---" * (len(names) + 1) + "|"]
     lines += [f"| {' | '.join(row)} |" for row in zip(titles, *columns, strict=True)]
     print("\n".join(lines))
     replace_section(PAGE, BEGIN, END, lines)

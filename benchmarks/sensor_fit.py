@@ -88,7 +88,7 @@ def main() -> None:
             for other, decoder in decoders.items():
                 if decoder.microphones == microphones:
                     fit = fitted(decoder, heard, unchanged)
-                    what = "its own library: no doubt" if other == name else "a library of another array: told"
+                    what = "no doubt of its own library" if other == name else "another's told"
                     rows[what, count].append((fit.doubt is None) == (other == name) and fit.off_level is None)
                     print(name, seed, other, fit, flush=True)
             for level in LEVELS:
@@ -97,15 +97,14 @@ def main() -> None:
                 factor[channel] = 10 ** (level / 20)
                 fit = fitted(decoders[name], heard, factor)
                 print(name, seed, microphones[channel], level, fit, flush=True)
-                what = f"a microphone {level:+g} dB off: found"
+                what = f"{level:+g} dB found"
                 rows[what, count].append(is_found(fit, microphones[channel], level))
-    counts = sorted({count for _, count in rows})
-    head = " | ".join(f"{count} microphones" for count in counts)
-    lines = [f"| cases | {head} |", "|---|" + "---|" * len(counts)]
-    for what in dict.fromkeys(what for what, _ in rows):
-        found = [rows.get((what, count), []) for count in counts]
+    cases = list(dict.fromkeys(what for what, _ in rows))
+    lines = [f"| microphones | {' | '.join(cases)} |", "|---" * (1 + len(cases)) + "|"]
+    for count in sorted({count for _, count in rows}):
+        found = [rows.get((what, count), []) for what in cases]
         cells = " | ".join(f"{sum(each)}/{len(each)}" if each else "-" for each in found)
-        lines.append(f"| {what} | {cells} |")
+        lines.append(f"| {count} | {cells} |")
     replace_section(PAGE, BEGIN, END, lines)
     print("\n".join(lines))
 
