@@ -1,6 +1,6 @@
 """Kinds of touch on the glove: events and textures, nominal and mis-made. ``python benchmarks/kinds.py`` trains both
-recognizers, prints the tables of docs/kinds.md and writes them there, in a quarter of an hour of one core; ``kinds`` or
-``slides`` makes one of them.
+recognizers, prints the tables of docs/evidence/moving-touches.md and writes them there, in a quarter of an hour of one
+core; ``kinds`` or ``slides`` makes one of them.
 
 Lumped fidelity, the noise of the design's microphone, hum and drift of a recorder. Made sensors are the virtual rig's,
 with effects that no library has; their waveforms are made with the nominal library. No constant was chosen on these
@@ -34,7 +34,7 @@ from localize.tracking import straight_slide
 from studies.output.figures import draw_confusion
 
 ROOT = Path(__file__).parents[1]
-PAGE, IMAGES = ROOT / "docs" / "kinds.md", ROOT / "docs" / "images"
+PAGE, IMAGES = ROOT / "docs" / "evidence" / "moving-touches.md", ROOT / "docs" / "images"
 BEGIN, END = "<!-- kinds: made by benchmarks/kinds.py -->", "<!-- end kinds -->"
 SLIDES_BEGIN, SLIDES_END = "<!-- slides: made by benchmarks/kinds.py -->", "<!-- end slides -->"
 DESIGN, SEED, SENSORS, TAKES = "glove", 41, range(300, 312), 60

@@ -1,5 +1,6 @@
 """Letters A to Z written on arrays. ``python benchmarks/letters.py`` trains a recognizer for each array, prints the
-table of docs/letters.md and writes it there, in half an hour of one core; names of arrays make those columns anew.
+table of docs/evidence/moving-touches.md and writes it there, in half an hour of one core; names of arrays make those
+columns anew.
 
 Simulated handwriting, the noise of the design's microphone, lumped fidelity. Made sensors are the virtual rig's, read
 with the nominal library, with their own, and with those that `calibrate` makes of recordings. No constant was chosen on
@@ -28,7 +29,7 @@ from localize.signals.array_response import ArrayResponse, response_of
 from studies.output.figures import draw_confusion
 
 ROOT = Path(__file__).parents[1]
-PAGE, PICTURE = ROOT / "docs" / "letters.md", ROOT / "docs" / "images" / "letters-confusion.png"
+PAGE, PICTURE = ROOT / "docs" / "evidence" / "moving-touches.md", ROOT / "docs" / "images" / "letters-confusion.png"
 BEGIN, END = "<!-- letters: made by benchmarks/letters.py -->", "<!-- end letters -->"
 DESIGNS, SEED, SENSORS = ("large-area-64", "fingertip-4x6", "array-2x6"), 7421, range(7420, 7426)
 OF_EACH, OF_TARGETS = 6, 12

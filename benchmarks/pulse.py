@@ -1,5 +1,5 @@
 """The pulse under a finger: its point, waveform, waves and rate. ``python benchmarks/pulse.py`` prints the table of
-docs/pulse.md and writes it there, in some minutes of one core.
+docs/evidence/moving-touches.md and writes it there, in some minutes of one core.
 
 Contacts of :func:`localize.contacts.pulse_wave`, a finger on the middle of one point, 50 to 100 beats a minute, 10 s,
 the noise of the design's microphone, lumped fidelity. Made sensors are the virtual rig's, read with the nominal library
@@ -28,7 +28,7 @@ from localize.signals.array_response import ArrayResponse, response_of
 from studies.output.figure_style import WIDTH, figure_in_style, save_figure
 
 ROOT = Path(__file__).parents[1]
-PAGE, PICTURE = ROOT / "docs" / "pulse.md", ROOT / "docs" / "images" / "pulse-waveform.png"
+PAGE, PICTURE = ROOT / "docs" / "evidence" / "moving-touches.md", ROOT / "docs" / "images" / "pulse-waveform.png"
 BEGIN, END = "<!-- pulse: made by benchmarks/pulse.py -->", "<!-- end pulse -->"
 DESIGNS, SEED, PULSES, SECONDS, SENSORS = ("array-2x6", "glove"), 63, 60, 10.0, range(360, 372)
 FREQUENCY = np.concatenate([np.arange(0.25, 20.0, 0.25), np.arange(20.0, 501.0)])

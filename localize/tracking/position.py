@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from geometry.refusal import Refusal
 from localize.decoders.bayes import Ambient, BayesDecoder
 from localize.decoders.frame_covariance import SAMPLES, touch_covariances
 from localize.decoders.likelihood import Screen, tables_of
@@ -159,6 +160,27 @@ class PositionDecoder(BayesDecoder):
         assert self._response.position is not None
         nearest = np.linalg.norm(place[:, None] - self._response.position, axis=-1).argmin(1)
         return Positions(place, np.stack([spread for _, spread in each]), nearest)
+
+    @one_thread()
+    def log_likelihood_of(self, signals: ArrayLike | Tensor, place: ArrayLike) -> Array:
+        """Log-likelihood of places that one knows a contact to be at one of, such as those along a line.
+
+        Args:
+            signals: as of :meth:`localize.BayesDecoder.locate`; frames of one signal count together.
+            place: (n_place, 2) mm, at least two.
+
+        Returns:
+            (n, n_place) float64, nats, up to a constant per signal.
+
+        Raises:
+            Refusal: as :meth:`localize.BayesDecoder.locate`; places of another shape.
+        """
+        asked = np.asarray(place, dtype=np.float64)
+        if asked.ndim != 2 or asked.shape[0] < 2 or asked.shape[1] != 2 or not np.isfinite(asked).all():
+            raise Refusal(f"place has shape {asked.shape}: it must be (n, 2), finite, with n at least 2")
+        batch, _ = checked_signals(signals, self.microphones)
+        quiet = (self._quieted(frames, 0.0).reshape(len(frames), -1) for frames in cut_frames(batch))
+        return np.stack([self._scores_at(asked, flat) for flat in quiet])
 
     def _position(self, frames: Array) -> tuple[Array, Array]:
         """Most likely place and its covariance from the frames of one signal, (n_frame, n_microphone, 250)."""

@@ -49,6 +49,20 @@ def test_taps_between_two_points_are_told_where(array: ArrayResponse, decoder: l
     assert found.point.tolist() == np.linalg.norm(places[:, None] - array.position, axis=-1).argmin(1).tolist()
 
 
+def test_on_a_line_that_is_known_a_tap_is_told_to_a_hundredth(
+    array: ArrayResponse, decoder: localize.PositionDecoder
+) -> None:
+    assert array.position is not None
+    first, second = array.position[:2]
+    share = np.linspace(0, 1, 101)[:, None]
+    signals = tapped(array, first + np.array([[0.3], [0.7]]) * (second - first), 3.5)
+    found = decoder.log_likelihood_of(signals, first + share * (second - first))
+    assert found.shape == (2, 101)
+    assert np.allclose(share[found.argmax(1), 0], [0.3, 0.7], atol=0.02)
+    with pytest.raises(Refusal, match=r"place has shape \(1, 2\)"):
+        decoder.log_likelihood_of(signals, [first])
+
+
 def test_points_are_named_by_the_places_around_them(array: ArrayResponse, decoder: localize.PositionDecoder) -> None:
     assert array.position is not None
     probability = decoder.locate(tapped(array, array.position, 3.5))
