@@ -58,6 +58,7 @@ def test_errors_of_designs_are_such_lines_too() -> None:
         (0, "point", "0 points"),
         (3, "body", "3 bodies"),
         (2, "array", "2 arrays"),
+        (20, "epoch", "20 epochs"),
         (1, "more problem", "1 more problem"),
     ],
 )
