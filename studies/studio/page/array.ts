@@ -1,4 +1,5 @@
-// The Array panel: the project's own glTF, drawn when something changes and at no other time.
+// The Array panel: the project's own glTF, drawn when something changes and at no other time. What is shown is a copy
+// on a flat canvas: a renderer in software would put together one in three dimensions anew for every picture of the page.
 import {
   AmbientLight, Box3, BufferGeometry, CanvasTexture, Color, DirectionalLight, Group, HemisphereLight, LineBasicMaterial, LineSegments,
   Material, Mesh, MeshBasicMaterial, MeshStandardMaterial, Object3D, PerspectiveCamera, Plane, Raycaster, Scene, SphereGeometry, Sprite,
@@ -31,6 +32,10 @@ export class ArrayPanel {
   private fittedTo = 0;
   private cut = new Plane(new Vector3(0, 0, -1), 0);
   private lit: (part: Part) => boolean = () => false;
+  private sheet = make("canvas", { tabindex: "0", role: "img", "aria-label": "the array in three dimensions; arrow keys turn it, plus and minus zoom" });
+  /** What was drawn last, without what is touched: fetched from a renderer in software it takes a tenth of a second. */
+  private still = make("canvas");
+  private touched: number | null = null;
   private asked = false;
   private inSight = false;
   private owed = false;
@@ -38,15 +43,12 @@ export class ArrayPanel {
 
   constructor(private place: HTMLElement, private choose: (point: number | null) => void) {
     try {
-      this.renderer = new WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
+      this.renderer = new WebGLRenderer({ antialias: true });
     } catch {
       place.append(make("p", { class: "problem" }, "This browser draws nothing in three dimensions (WebGL is off)."));
       return;
     }
-    const canvas = this.renderer.domElement;
-    canvas.tabIndex = 0;
-    canvas.setAttribute("role", "img");
-    canvas.setAttribute("aria-label", "the array in three dimensions; arrow keys turn it, plus and minus zoom");
+    const canvas = this.sheet;
     place.append(canvas);
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.renderer.localClippingEnabled = true;
@@ -115,9 +117,16 @@ export class ArrayPanel {
     this.arrange();
   }
 
+  /** A membrane is touched, or none: coloured on the picture that is there, within one picture of the page. */
+  touch(point: number | null): void {
+    this.touched = point;
+    if (!this.inSight) this.owed = true;
+    else if (!this.asked && this.renderer) this.copy();
+  }
+
   picture(name: string): void {
     this.draw();
-    this.renderer?.domElement.toBlob((blob) => blob && hand(blob, `${name}-array.png`));
+    this.sheet.toBlob((blob) => blob && hand(blob, `${name}-array.png`));
   }
 
   restyle(): void { if (this.home.size) this.arrange(); else this.ask(); }
@@ -195,7 +204,10 @@ export class ArrayPanel {
   private fit(): void {
     const width = this.place.clientWidth, height = Math.max(Math.min(Math.round(width * 0.5), 460), 240);
     if (!this.renderer || width === 0) return;
-    this.renderer.setSize(width, height);
+    this.renderer.setSize(width, height, false);
+    const { width: wide, height: tall } = this.renderer.domElement;
+    for (const each of [this.sheet, this.still]) Object.assign(each, { width: wide, height: tall });
+    Object.assign(this.sheet.style, { width: `${width}px`, height: `${height}px` });
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
     this.see();
@@ -212,11 +224,43 @@ export class ArrayPanel {
     if (!this.renderer) return;
     this.renderer.setClearColor(new Color(colour("--card")));
     this.renderer.render(this.scene, this.camera);
+    flat(this.still).drawImage(this.renderer.domElement, 0, 0);
+    this.copy();
     document.documentElement.dataset.drawn = String(Number(document.documentElement.dataset.drawn ?? 0) + 1);
   }
 
+  private copy(): void {
+    const c = flat(this.sheet);
+    c.drawImage(this.still, 0, 0);
+    for (const [node] of this.home) {
+      const part = this.parts.get(node.name)!;
+      if (part.kind === "membrane" && node.visible && part.group === `point ${this.touched}`) this.fill(c, node);
+    }
+  }
+
+  /** Colour a part as the eye sees it, without what hides it. */
+  private fill(c: CanvasRenderingContext2D, part: Object3D): void {
+    c.beginPath();
+    part.traverse((each) => {
+      if (!(each instanceof Mesh)) return;
+      const { index, attributes: { position } } = each.geometry as BufferGeometry, corners = index?.count ?? position.count;
+      for (let k = 0; k < corners; k += 3) {
+        const at = [0, 1, 2].map((n) => new Vector3().fromBufferAttribute(position, index ? index.getX(k + n) : k + n).applyMatrix4(each.matrixWorld));
+        if (at.some((corner) => this.cut.distanceToPoint(corner) < 0)) continue;
+        const seen = at.map((corner) => corner.project(this.camera)).map(({ x, y }) => [(0.5 + 0.5 * x) * this.sheet.width, (0.5 - 0.5 * y) * this.sheet.height]);
+        const [[x0, y0], [x1, y1], [x2, y2]] = seen; // all the same way round: the far side of the part makes no holes
+        if ((x1 - x0) * (y2 - y0) < (x2 - x0) * (y1 - y0)) seen.reverse();
+        c.moveTo(seen[0][0], seen[0][1]);
+        c.lineTo(seen[1][0], seen[1][1]);
+        c.lineTo(seen[2][0], seen[2][1]);
+      }
+    });
+    c.fillStyle = colour("--accent");
+    c.fill();
+  }
+
   private under(event: MouseEvent): Part | null {
-    const frame = this.renderer!.domElement.getBoundingClientRect();
+    const frame = this.sheet.getBoundingClientRect();
     const at = new Vector2((2 * (event.clientX - frame.left)) / frame.width - 1, 1 - (2 * (event.clientY - frame.top)) / frame.height);
     const ray = new Raycaster();
     ray.setFromCamera(at, this.camera);
@@ -262,6 +306,9 @@ export class ArrayPanel {
     this.marks = [];
   }
 }
+
+/** Drawn by the processor: see the curves. */
+function flat(canvas: HTMLCanvasElement): CanvasRenderingContext2D { return canvas.getContext("2d", { willReadFrequently: true })!; }
 
 /** A text that faces the eye, so wide, m. */
 function sprite(text: string, ink: string, wide: number): Sprite {

@@ -47,7 +47,7 @@ const check = new CheckPanel((part, place) => {
 const compare = new ComparePanel(() => figureWords, () => table.figures);
 const touch = new TouchPanel(
   (message) => { document.querySelector("[data-problem='touch']")!.textContent = ""; link?.send(message); },
-  (point) => array.light((part: Part) => part.kind === "membrane" && part.group === `point ${point}`),
+  (point) => array.touch(point),
 );
 const study = new StudyPanel(
   (message) => { document.querySelector("[data-problem='study']")!.textContent = ""; link?.send(message); },
