@@ -31,7 +31,11 @@ import numpy as np
 
 FULL_SCALE = 500.0  # Pa, of the taps that are replayed
 TOKEN = "theBenchmarksOwnToken"
-ARGUMENTS = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"]
+#: Three dimensions by a renderer in software, pages put together by the processor: a machine without a graphics card.
+ARGUMENTS = [
+    *("--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"),
+    *("--ignore-gpu-blocklist", "--disable-gpu-compositing"),
+]
 DRAG = """async (count) => {
   const root = document.documentElement, slider = document.querySelector("[data-name='tube.length'] .slider");
   const times = [];
@@ -184,11 +188,19 @@ async def memory(port: int, process: int, changes: int) -> tuple[float, float]:
         for change in range(changes):
             value = 10 + (change % 997) * 0.01
             await socket.send(json.dumps({"do": "set", "name": "tube.length", "value": value, "gesture": "drag"}))
-            while not isinstance(await socket.recv(), bytes):
+            while revision(await socket.recv()) != change + 1:  # of changes that come at once the last has curves
                 pass
             if change == changes // 10:
                 early = resident(process)
     return early, resident(process)
+
+
+def revision(message: str | bytes) -> int | None:
+    """Of which change some curves are; None of all other messages."""
+    if isinstance(message, str):
+        return None
+    found: int = json.loads(message[4 : 4 + int.from_bytes(message[:4], "little")])["revision"]
+    return found
 
 
 def resident(process: int) -> float:

@@ -20,8 +20,11 @@ import pytest
 from PIL import Image
 
 TOKEN = "theStudiosOwnTestToken"
-#: A renderer in software, which a machine without a graphics card has too.
-ARGUMENTS = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"]
+#: A renderer in software for three dimensions, and pages put together by the processor, as without a graphics card.
+ARGUMENTS = [
+    *("--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"),
+    *("--ignore-gpu-blocklist", "--disable-gpu-compositing"),
+]
 
 
 ROOT = "document.documentElement.dataset"

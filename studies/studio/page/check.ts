@@ -1,5 +1,5 @@
 // The Print panel: what the check of a design finds; a click on a finding lights its part and the place.
-import { button, byId, make, words } from "./dom";
+import { button, byId, make, shownUnit, words } from "./dom";
 
 interface Finding { part: string; rule: string; value: number; limit: number; unit: string; verdict: "ok" | "warn" | "fail"; reason: string; place: number[] | null; relation: string; }
 interface Validity { assumption: string; value: number; relation: string; limit: number; unit: string; meaning: string; holds: boolean; }
@@ -26,7 +26,7 @@ export class CheckPanel {
     byId("in-order").replaceChildren(...findings.filter((each) => each.verdict === "ok").map((each) => this.row(each)));
     byId("validity").replaceChildren(...found.validity.map((each) => make("li", { class: each.holds ? "ok" : "fail" },
       make("span", { class: "sign" }, each.holds ? SIGNS.ok : SIGNS.fail),
-      make("span", {}, `${each.assumption}: ${words(each.value)} ${each.unit}, ${each.relation} ${words(each.limit)} ${each.unit}; ${each.meaning}`))));
+      make("span", {}, `${each.assumption}: ${words(each.value)} ${shownUnit(each.unit)}, ${each.relation} ${words(each.limit)} ${shownUnit(each.unit)}; ${each.meaning}`))));
   }
 
   /** All findings and assumptions as a table, its first row as head. */
@@ -38,7 +38,7 @@ export class CheckPanel {
   }
 
   private row(each: Finding): HTMLElement {
-    const text = `${each.part}: ${each.rule} ${words(each.value, 3)} ${each.unit}, ${each.relation} ${words(each.limit, 3)} ${each.unit}`;
+    const text = `${each.part}: ${each.rule} ${words(each.value, 3)} ${shownUnit(each.unit)}, ${each.relation} ${words(each.limit, 3)} ${shownUnit(each.unit)}`;
     const act = button(text, () => this.light(each.part, each.place), { class: "finding", title: each.reason });
     return make("li", { class: each.verdict }, make("span", { class: "sign", title: each.verdict }, SIGNS[each.verdict]), act);
   }

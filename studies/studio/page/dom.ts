@@ -30,7 +30,7 @@ export function words(value: number, digits = 4): string {
   return String(Number(value.toPrecision(digits))).replace("-", "−");
 }
 
-export function shownUnit(unit: string): string { return unit.replace("um", "µm").replace("^3", "³"); }
+export function shownUnit(unit: string): string { return unit.replace("um", "µm").replace("^2", "²").replace("^3", "³"); }
 
 /** Hand out what lies at an address of this page or of the studio. */
 export function download(address: string, name = ""): void {
@@ -50,6 +50,17 @@ export function csv(rows: (string | number)[][], name: string): void {
   const quoted = (cell: string | number) =>
     typeof cell === "string" && /[",\n]/.test(cell) ? `"${cell.replaceAll('"', '""')}"` : String(cell);
   hand(new Blob([rows.map((row) => row.map(quoted).join(",")).join("\n") + "\n"], { type: "text/csv" }), name);
+}
+
+const greying = new Map<HTMLElement, number>();
+
+/** Grey, once that lasts: what is grey for a moment alone would be drawn twice more for nothing. */
+export function grey(place: HTMLElement, on: boolean): void {
+  if (on && greying.has(place)) return;
+  clearTimeout(greying.get(place));
+  greying.delete(place);
+  if (on) greying.set(place, window.setTimeout(() => place.classList.add("stale"), 250));
+  else place.classList.remove("stale");
 }
 
 const colours = new Map<string, string>();

@@ -6,7 +6,7 @@ import { CheckPanel } from "./check";
 import { ComparePanel } from "./compare";
 import { CurvesPanel, unpack } from "./curves";
 import { tablePicture } from "./chart";
-import { button, byId, csv, download, forgetColours, make } from "./dom";
+import { button, byId, csv, download, forgetColours, grey, make } from "./dom";
 import { Form } from "./form";
 import { addressOf, designInAddress, forget, keep, keptInTab, keptUnsaved } from "./kept";
 import { PointsPanel, type Word } from "./points";
@@ -245,9 +245,9 @@ function points(fields: any[] | null): void {
 
 /** What is shown of an earlier design is grey. */
 function stale(): void {
-  byId("plots").classList.toggle("stale", curves.revision !== revision);
+  grey(byId("plots"), curves.revision !== revision);
   for (const [stage, place] of [["model", "space"], ["points", "points-shown"], ["mis_made", "mis-made-shown"], ["check", "print-shown"], ["surface", "touch-shown"]]) {
-    byId(place).classList.toggle("stale", shownRevision[stage] !== revision);
+    grey(byId(place), shownRevision[stage] !== revision);
   }
 }
 
