@@ -38,7 +38,7 @@ _FIRST_SCALE = 1.2
 
 
 #: Part of the cache key: raise it when the mesh or the equations of a cell change.
-CELL_MODEL_VERSION = 8
+CELL_MODEL_VERSION = 9
 
 
 _MODELS = ("heat", "viscous", "flow")
