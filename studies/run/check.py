@@ -39,7 +39,7 @@ ATTENUATION_AT = (1.0, 10.0, 100.0)
 #: Weakest sinusoid of the paper's stimuli, Pa, and length of the localizer's frames, s.
 WEAKEST_SINUSOID, FRAME_SECONDS = 0.02, 0.25
 #: Largest difference of lumped from Navier-Stokes transfer functions as `run` measured it: percent, degrees.
-LUMPED_IS_OFF = (("array-2x6", 0.3, 0.2), ("large-area-64", 0.8, 0.3))
+LUMPED_IS_OFF = (("array-2x6", 0.3, 0.2), ("line-3", 1.7, 0.6))
 #: The same for the scalar model, which is wrong where a tube opens into a cavity.
 HELMHOLTZ_IS_OFF = (("array-2x6", 6.2, 1.2), ("fingertip-3x4", 9.8, 2.0))
 
