@@ -91,5 +91,28 @@ def is_cached(cell: Cell, frequency: ArrayLike, medium: Medium, fidelity: str = 
     return disk_cache.holds(CellTask(cell, medium, _band(frequency_grid(frequency)), fidelity).key)
 
 
+def kept_cell(
+    cell: Cell, frequency: ArrayLike, medium: Medium, fidelity: str = "navier-stokes"
+) -> tuple[CellSolution, CellRecord] | None:
+    """Solution of a cell that the cache of this machine holds, and its record; None where there is none.
+
+    Args:
+        cell: the cell.
+        frequency: (n_freq,) Hz, as of :func:`solve_cells`.
+        medium: the gas.
+        fidelity: ``"navier-stokes"`` or ``"helmholtz"``.
+    """
+    grid = frequency_grid(frequency)
+    task = CellTask(cell, medium, _band(grid), fidelity)
+    record = disk_cache.fetch(task.key)
+    return None if record is None else (rebuilt(task, record, grid, cached=True), record)
+
+
+def keep_cell(cell: Cell, frequency: ArrayLike, medium: Medium, fidelity: str, record: CellRecord) -> None:
+    """Keep a cell that was solved on another machine; arguments as of :func:`kept_cell`, and its record."""
+    if not is_cached(cell, frequency, medium, fidelity):
+        disk_cache.store(CellTask(cell, medium, _band(frequency_grid(frequency)), fidelity).key, *record)
+
+
 def _band(grid: NDArray[np.float64]) -> tuple[float, float]:
     return min(DESIGN_BAND[0], float(grid[0])), max(DESIGN_BAND[1], float(grid[-1]))

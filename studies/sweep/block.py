@@ -22,9 +22,9 @@ from acoustic_fem.atlas.cell_in_atlas import atlas_admittance
 from acoustic_fem.batch.network import batch_response
 from acoustic_fem.batch.parameters import ArrayParameters, MediumParameters
 from acoustic_fem.batch.topology import Topology
-from acoustic_fem.cell.design_cells import solve_cells
+from acoustic_fem.cell.design_cells import kept_cell, solve_cells
 from acoustic_fem.cell.lumped import lumped_admittance
-from acoustic_fem.cell.one_cell import CellError
+from acoustic_fem.cell.one_cell import CellError, CellRecord
 from acoustic_fem.membrane.disc import KnownDiscs, design_rubber
 from acoustic_fem.network.array_network import solve_network
 from acoustic_fem.quantities.fidelity import CLOSED_FORMS
@@ -80,6 +80,8 @@ class SolvedCell:
     """Processor time that its solution took when it was made, s."""
     cached: bool = False
     """Whether it came from the cache."""
+    record: CellRecord | None = None
+    """What the cache keeps of it, for the cache of another machine."""
 
 
 def solve_cell(key: CellKey, frequency: NDArray[np.float64], fidelity: str) -> SolvedCell:
@@ -95,7 +97,8 @@ def solve_cell(key: CellKey, frequency: NDArray[np.float64], fidelity: str) -> S
         solution = solve_cells([cell], frequency, medium, fidelity, apart=True)[cell]
     except (*FAILURES, *_MISTAKES) as error:
         return SolvedCell(None, _reason(error))
-    return SolvedCell(solution.admittance, "", solution.seconds, solution.cached)
+    kept = kept_cell(cell, frequency, medium, fidelity)
+    return SolvedCell(solution.admittance, "", solution.seconds, solution.cached, None if kept is None else kept[1])
 
 
 def cells_of(design: ArrayDesign) -> tuple[CellKey, ...]:

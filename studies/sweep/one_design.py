@@ -89,8 +89,8 @@ def _valid(values: Sequence[Mapping[str, Any]], study: Study) -> Iterator[ArrayD
 
 def _cells(designs: Iterable[ArrayDesign], study: Study, team: Workers) -> dict[Any, Any]:
     """Every distinct 3-D cell of the designs, solved once."""
-    from studies.sweep.block import cells_of, solve_cell
+    from studies.sweep.block import cells_of
+    from studies.sweep.retries import solved_cells
 
     keys = list(dict.fromkeys(key for design in designs for key in cells_of(design)))
-    tasks = ((key, study.frequency, study.fidelity) for key in keys)
-    return {keys[number]: cell for number, cell in team.run(solve_cell, tasks)}
+    return dict(solved_cells(team, keys, study.frequency, study.fidelity))

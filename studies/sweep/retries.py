@@ -1,4 +1,7 @@
-"""Blocks of a sweep on its workers, also those that end the processes that compute them.
+"""Cells and blocks of a sweep on its workers, also those that end the processes that compute them.
+
+A cell is solved once for all workers: what one has solved goes into the cache of the process that asks, which looks
+there first, so that neither another worker nor the next run solves it again.
 
 A block that ends several workers is halved until the cases that do it are alone: they fail, with that for a reason,
 and the others are computed.
@@ -6,14 +9,17 @@ and the others are computed.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
+from acoustic_fem.cell.design_cells import keep_cell, kept_cell
 from studies.study.cases import Cases
 from studies.study.metric_registry import metrics_named
-from studies.sweep.block import CellKey, Job, SolvedCell, solve_block
+from studies.sweep.block import CellKey, Job, SolvedCell, solve_block, solve_cell
 from studies.sweep.store import FAILED, BlockResult
 from studies.sweep.workers import Workers
 
@@ -21,6 +27,32 @@ from studies.sweep.workers import Workers
 ENDED_WORKERS = "ended the processes that computed it, which may lack memory"
 Block = tuple[int, int]
 Solved = tuple[BlockResult, tuple[str, ...]]
+
+
+def solved_cells(
+    team: Workers, keys: Sequence[CellKey], frequency: NDArray[np.float64], fidelity: str
+) -> Iterator[tuple[CellKey, SolvedCell]]:
+    """Distinct 3-D cells, each solved once or taken from the cache, as they come.
+
+    Args:
+        team: who computes.
+        keys: the cells, each once.
+        frequency: (n_freq,) float64, Hz.
+        fidelity: "helmholtz" or "navier-stokes".
+    """
+    missing = []
+    for key in keys:
+        kept = kept_cell(key[0], frequency, key[1], fidelity)
+        if kept is None:
+            missing.append(key)
+        else:
+            yield key, SolvedCell(kept[0].admittance, seconds=kept[0].seconds, cached=True)
+    tasks = ((key, frequency, fidelity) for key in missing)
+    for number, solved in team.run(solve_cell, tasks, lost=lambda *_: SolvedCell(None, ENDED_WORKERS)):
+        key = missing[number]
+        if solved.record is not None:
+            keep_cell(key[0], frequency, key[1], fidelity, solved.record)
+        yield key, replace(solved, record=None)
 
 
 def solved_blocks(

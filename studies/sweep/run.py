@@ -25,13 +25,14 @@ from studies.study.cases import Cases
 from studies.study.failure_reasons import PROGRAM_ERROR
 from studies.study.metric_registry import metrics_named
 from studies.study.study import Study
-from studies.sweep.block import CellKey, Job, SolvedCell, solve_cell
+from studies.sweep.block import CellKey, Job, SolvedCell
+from studies.sweep.cluster import WorkersLost
 from studies.sweep.cost import seconds_of, team_size
 from studies.sweep.progress import Progress, shown_on
-from studies.sweep.retries import ENDED_WORKERS, solved_blocks
+from studies.sweep.retries import solved_blocks, solved_cells
 from studies.sweep.store import DONE, FAILED, SweepStore, check_store, sole_writer
 from studies.sweep.survey import surveyed, try_metrics
-from studies.sweep.workers import Workers, WorkersLost, open_workers
+from studies.sweep.workers import Workers, open_workers
 
 
 class SweepError(Refusal):
@@ -201,9 +202,8 @@ def _solve_cells(
     """Every distinct cell once."""
     solved: dict[CellKey, SolvedCell] = {}
     started, failed = perf_counter(), 0
-    tasks = ((key, job.frequency, job.fidelity) for key in keys)
-    for number, cell in team.run(solve_cell, tasks, lost=lambda *_: SolvedCell(None, ENDED_WORKERS)):
-        solved[keys[number]] = cell
+    for key, cell in solved_cells(team, keys, job.frequency, job.fidelity):
+        solved[key] = cell
         failed += cell.admittance is None
         if progress is not None:
             progress(_progress("cells", len(solved), len(keys), failed, len(solved), perf_counter() - started))
@@ -231,7 +231,10 @@ def _solve_blocks(
 
     for result, warned in solved_blocks(team, job, cases, waiting, needed, cells):
         store.write(result)
-        notes |= dict.fromkeys(warned)
+        for note in team.notes:
+            if note not in notes:
+                write_line(log, {"event": "note", "note": note})
+        notes |= dict.fromkeys((*warned, *team.notes))
         count = len(result.state)
         done, computed = done + count, computed + count
         failed += int((result.state == FAILED).sum())

@@ -2,29 +2,27 @@
 
 from __future__ import annotations
 
-import queue
-import sys
+import logging
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from typing import Any, Protocol
 
 from acoustic_fem.numerics.processors import cores
-from geometry.refusal import Refusal, counted, said_by
+from geometry.refusal import Refusal, said_by
+from studies.sweep.cluster import Cluster, WorkersLost, in_one_thread
 
-#: Tasks handed out per worker thread: one is computed while the next waits beside it.
-_AHEAD = 2
-#: Seconds to wait for a scheduler, which runs already, for its first worker, and between looks at whether any is left.
+#: Seconds to wait for a scheduler, which runs already, and for processes of this machine, which may be busy.
 _ANSWER = 15.0
-_PATIENCE = 60.0
-_WATCH = 5.0
-
-
-class WorkersLost(Refusal):
-    """Refusal to go on: workers or their scheduler are gone."""
+_PATIENCE = 600.0
+_LOGGERS = ("distributed", "tornado")
 
 
 class Workers(Protocol):
     """Workers: whatever runs tasks."""
+
+    @property
+    def notes(self) -> Iterable[str]:
+        """Notes on the workers that their user should know, each once."""
 
     def run(
         self, function: Callable[..., Any], tasks: Iterable[tuple[Any, ...]], lost: Callable[..., Any] | None = None
@@ -80,104 +78,17 @@ def open_workers(count: int | None, scheduler: str | None) -> Iterator[Workers]:
 class _Here:
     """This process, which no task can end without ending the sweep."""
 
+    notes: Iterable[str] = ()
+
     def run(
         self, function: Callable[..., Any], tasks: Iterable[tuple[Any, ...]], lost: Callable[..., Any] | None = None
     ) -> Iterator[tuple[int, Any]]:
         for number, task in enumerate(tasks):
-            yield number, _in_one_thread(function, *task)
-
-
-class _Dask:
-    """The workers of a dask client. A task whose worker dies is given to another one."""
-
-    def __init__(self, client: Any) -> None:
-        self._client = client
-
-    def run(
-        self, function: Callable[..., Any], tasks: Iterable[tuple[Any, ...]], lost: Callable[..., Any] | None = None
-    ) -> Iterator[tuple[int, Any]]:
-        from distributed import KilledWorker
-
-        waiting = enumerate(tasks)
-        running: dict[Any, tuple[int, tuple[Any, ...]]] = {}
-        finished: queue.SimpleQueue[Any] = queue.SimpleQueue()
-        ended = 0
-
-        def hand_out() -> None:
-            for number, task in waiting:
-                future = self._client.submit(_by_a_worker, function, *task, pure=False)
-                running[future] = number, task
-                future.add_done_callback(finished.put)
-                return
-
-        for _ in range(_AHEAD * max(1, self._threads())):
-            hand_out()
-        while running:
-            future = self._next(finished)
-            number, task = running.pop(future)
-            if future.status == "cancelled":
-                raise WorkersLost("the connection to the scheduler was lost")
-            if future.status == "error":
-                error = future.exception()
-                if not isinstance(error, KilledWorker):
-                    raise error
-                if lost is None:
-                    ended += 1
-                else:
-                    yield number, lost(*task)
-            else:
-                result = future.result()
-                if isinstance(result, Refusal):
-                    raise result
-                yield number, result
-            future.release()
-            hand_out()
-        if ended:
-            raise WorkersLost(f"{counted(ended, 'task')} ended several workers each, which may lack memory")
-
-    def _next(self, finished: queue.SimpleQueue[Any]) -> Any:
-        """The next future that is done, while there is anybody to work on it."""
-        alone = 0.0
-        while True:
-            try:
-                return finished.get(timeout=_WATCH)
-            except queue.Empty:
-                if self._client.status != "running":
-                    raise WorkersLost("the connection to the scheduler was lost") from None
-                alone = 0.0 if self._threads() else alone + _WATCH
-                if alone >= _PATIENCE:
-                    raise WorkersLost(f"there have been no workers for {alone:.0f} s") from None
-
-    def _threads(self) -> int:
-        return sum(self._client.nthreads().values())
-
-
-#: What BLAS and OpenMP libraries are loaded, and how many modules there were when they were looked for.
-_libraries: tuple[int, Any] = (0, None)
-
-
-def _in_one_thread(function: Callable[..., Any], *task: Any) -> Any:
-    """Run a task with one thread in BLAS: the workers share the processors among themselves."""
-    global _libraries
-    from threadpoolctl import ThreadpoolController
-
-    if _libraries[0] != len(sys.modules):  # looking for them takes ten milliseconds
-        controller = ThreadpoolController()
-        _libraries = len(sys.modules), controller
-    with _libraries[1].limit(limits=1):
-        return function(*task)
-
-
-def _by_a_worker(function: Callable[..., Any], *task: Any) -> Any:
-    """Result of a task; what it refuses is handed back, for a worker that raises it shows a traceback as well."""
-    try:
-        return _in_one_thread(function, *task)
-    except Refusal as refusal:
-        return refusal
+            yield number, in_one_thread(function, *task)
 
 
 @contextmanager
-def _local(count: int) -> Iterator[_Dask]:
+def _local(count: int) -> Iterator[Cluster]:
     """A cluster of processes on this machine, which end with this one."""
     import dask
     from distributed import Client, LocalCluster
@@ -196,21 +107,32 @@ def _local(count: int) -> Iterator[_Dask]:
                      silence_logs=40) as cluster,
         Client(cluster, set_as_default=False) as client,
     ):  # fmt: skip
-        yield _Dask(client)
+        yield Cluster(client, "the scheduler of this machine", own=True, patience=_PATIENCE)
 
 
 @contextmanager
-def _connected(address: str) -> Iterator[_Dask]:
+def _connected(address: str) -> Iterator[Cluster]:
     """The workers of a scheduler that runs already."""
     from distributed import Client
 
-    try:
-        client = Client(address, timeout=_ANSWER, set_as_default=False)
-    except (OSError, TimeoutError, ValueError) as error:
-        raise WorkersLost(f"no scheduler answers at {address}: {said_by(error)}") from None
-    with client:
+    with _without_tracebacks():
         try:
-            client.wait_for_workers(1, timeout=_PATIENCE)
-        except TimeoutError:
-            raise WorkersLost(f"the scheduler at {address} has no workers") from None
-        yield _Dask(client)
+            client = Client(address, timeout=_ANSWER, set_as_default=False)
+        except (OSError, TimeoutError, ValueError) as error:
+            raise WorkersLost(f"no scheduler answers at {address}: {said_by(error)}") from None
+        with client:
+            yield Cluster(client, f"the scheduler at {address}", own=False)
+
+
+@contextmanager
+def _without_tracebacks() -> Iterator[None]:
+    """Dask's own loggers kept from telling of a lost connection: the refusal does."""
+    loggers = [logging.getLogger(name) for name in list(logging.root.manager.loggerDict) if name.startswith(_LOGGERS)]
+    levels = [logger.level for logger in loggers]
+    for logger in loggers:
+        logger.setLevel(logging.CRITICAL)
+    try:
+        yield
+    finally:
+        for logger, level in zip(loggers, levels, strict=True):
+            logger.setLevel(level)

@@ -184,7 +184,7 @@ def test_the_files_that_a_page_names_exist(page: Path) -> None:
 
 
 def test_the_cluster_of_the_page_is_the_one_whose_scheduler_is_forwarded() -> None:
-    page = (ROOT / "docs" / "studies.md").read_text(encoding="utf-8")
+    page = (ROOT / "docs" / "cluster.md").read_text(encoding="utf-8")
     (cluster,) = (yaml.safe_load(text) for text in re.findall(r"^```yaml\n(.*?)^```", page, re.MULTILINE | re.DOTALL))
     name, service = cluster["metadata"]["name"], cluster["spec"]["scheduler"]["service"]
     assert service["selector"]["dask.org/cluster-name"] == name

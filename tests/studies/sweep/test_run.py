@@ -405,6 +405,8 @@ def test_failures_of_one_kind_are_told_in_one_line(finished: tuple[Path, Summary
 class _Fragile:
     """Workers that end over blocks with certain cases in them, as a dask cluster tells it."""
 
+    notes: Iterable[str] = ()
+
     def __init__(self, deadly: set[int]) -> None:
         self.deadly = deadly
 
