@@ -107,7 +107,7 @@ class Cluster:
         self._answers: queue.SimpleQueue[tuple[_Attempt, Any, BaseException | None]] = queue.SimpleQueue()
         self._news: tuple[float, dict[str, Any]] = monotonic(), {}
         self._read = -1.0
-        self._manned = monotonic()
+        self._looked = self._back = self._manned = monotonic()
         self._refused = ""
         #: What is to be known of the workers, each once.
         self.notes: dict[str, None] = {}
@@ -246,9 +246,12 @@ class Cluster:
         """
         when, known = self._news
         now = monotonic()
+        if now - self._looked > SILENCE / 2:
+            self._return(now)
+        self._looked = now
         if self._client.status != "running":
             raise WorkersLost("the connection to the scheduler was lost")
-        if now - when > SCHEDULER_SILENCE:
+        if now - max(when, self._back) > SCHEDULER_SILENCE:
             raise WorkersLost(f"{self._name} has not answered for {SCHEDULER_SILENCE:g} s")
         if when != self._read:
             self._read = when
@@ -265,6 +268,14 @@ class Cluster:
         elif now - self._manned > self._patience:
             why = f": {self._refused}" if self._refused else ""
             raise WorkersLost(f"there have been no workers for {self._patience:.0f} s{why}")
+
+    def _return(self, now: float) -> None:
+        """Take nobody to have been silent while this process was away: stopped by its user, or long at its store."""
+        self._back = self._manned = now
+        for worker in self._crew.values():
+            worker.heard = now
+            for attempt in worker.given:
+                attempt.finished = None
 
     def _is_late(self, attempt: _Attempt, now: float) -> bool:
         """Whether it is time that another worker takes a task over; true once."""
