@@ -23,7 +23,7 @@ import geometry
 import localize
 from geometry.files.writing import replace_section
 from geometry.refusal import Refusal
-from localize.contacts import Contact, ContactRecorder
+from localize.contacts import Contact, ContactRecorder, double_tap, press, tap
 from localize.decoders.reconstruct import Reconstructor
 from localize.evaluation.accuracy import wilson_interval
 from localize.recognition import PROFILES, SPEED, SUBJECTS, TakeMaker, texture_force
@@ -42,9 +42,10 @@ FREQUENCY = np.arange(0.5, 500.5, 0.5)
 SLIDES, OF_SPEED = 64, 24
 """Number of slides in a cell, and of those whose speed is compared."""
 SILENCE = 1500
-"""Samples of silence before and behind a slide."""
+"""Samples of silence before and behind a slide, or another touch."""
 FINGERS = ((0, 1, 2), (5, 4, 3), (6, 7, 8), (11, 10, 9))
 """Points of each finger of the glove, from its root."""
+GESTURES = (tap, double_tap, press)
 SPEEDS = {"± 1 %": (0.99, 1.01), "± 15 %": (0.85, 1.15), "x 1.5": (1.4999, 1.5001)}
 
 
@@ -91,11 +92,40 @@ class Judge:
             kinds.append(int(self.recognizer.recognize(window).argmax()) == kind)
         return cell(np.array(points)), cell(np.array(kinds))
 
+    def fingers(self, sensors: tuple[ArrayResponse, ...]) -> NDArray[np.bool_]:
+        """Which taps, double taps and presses of fingers, of which no event was made, are told, their points known."""
+        recorders = [ContactRecorder(each, microphone_noise="design", seed=SEED) for each in sensors]
+        ear, nobody = Ear(self.response, self.recognizer), localize.BayesDecoder(self.response, 1e-3)
+        right = []
+        for number in range(len(GESTURES) * TAKES):
+            random = np.random.default_rng((SEED, number))
+            point = int(random.integers(self.response.point_count))
+            assert self.response.position is not None
+            x, y = self.response.position[point] + random.uniform(-1, 1, 2)
+            touch = GESTURES[number % len(GESTURES)]((x, y), seed=SEED, sample=number)
+            signals = recorders[number % len(recorders)].take(_among_silence(touch), number).signals
+            told = ear.touches(signals, point, None, nobody)
+            right.append([self.recognizer.labels[each.probability.argmax()] for each in told] == [touch.label])
+        return np.array(right)
+
     def picture(self, sensors: tuple[ArrayResponse, ...]) -> None:
         named, kind = self.told(sensors)
         confusion = np.zeros((len(self.recognizer.labels),) * 2, np.int64)
         np.add.at(confusion, (kind, named), 1)
         draw_confusion(confusion, self.recognizer.labels, IMAGES / f"kinds-{self.subject}.png", "kind")
+
+
+def _among_silence(touch: Contact) -> Contact:
+    """A contact with silence before and behind it."""
+    before, behind = SILENCE / 1000, touch.time[-1] + 2 * SILENCE / 1000
+    return Contact(
+        np.concatenate([[0.0], touch.time + before, [behind]]),
+        touch.path[[0, *range(len(touch.path)), -1]],
+        np.concatenate([[0.0], touch.force, [0.0]]),
+        touch.radius,
+        touch.roughness,
+        touch.label,
+    )
 
 
 def milliseconds(judge: Judge) -> list[str]:
@@ -206,6 +236,8 @@ def kinds() -> None:
 
     row("events", events)
     row("events, a finger 1.5 times as blunt", events, blunter=1.5)
+    fingers = " | ".join(cell(events.fingers(each)) for each in sensors.values())
+    lines.append(f"| taps, double taps and presses of fingers | {fingers} |")
     locators = {"nominal": localize.BayesDecoder(response, 1e-3), "mis-made": None}
     library = acoustic_fem.solve(geometry.prototype(DESIGN), np.arange(1.0, 501.0), "lumped")
     locators["mis-made"] = localize.TolerantDecoder(library, microphone_noise=1e-3)

@@ -1,7 +1,8 @@
 """Twelve kinds of events, as the pressure that each makes in the cavity of one point.
 
 The paper tells twelve events and does not say which; these are ours, and so are the ranges of their parameters, which
-are drawn anew for each take. The pulse is that of :func:`localize.contacts.pulse_wave`.
+are drawn anew for each take. Taps, presses and the pulse are those of :mod:`localize.contacts`: what is told of events
+must hold for its fingers too.
 """
 
 from __future__ import annotations
@@ -11,7 +12,8 @@ from collections.abc import Callable, Mapping
 import numpy as np
 from numpy.typing import NDArray
 
-from localize.contacts.gestures import pulse_wave
+from localize.contacts.bodies import FINGER
+from localize.contacts.gestures import DOUBLE_TAP_SECONDS, HOLD_SECONDS, PRESS_SECONDS, TAP_SECONDS, pulse_wave
 from localize.recognition.power_maps import WINDOW
 from localize.signals.stimulus import SAMPLE_RATE
 
@@ -39,6 +41,11 @@ def _step(time: Array, begin: float, length: float) -> Array:
     return np.asarray(np.sin(0.5 * np.pi * np.clip((time - begin) / length, 0, 1)) ** 2)
 
 
+def _by_hand(count: int, random: Draw) -> Array:
+    """The force of a hand that means to keep it."""
+    return 1 + random.uniform(0, FINGER.unsteadiness) * band_noise(count, 0.5, 8.0, random)
+
+
 def band_noise(count: int, low: float, high: float, random: Draw) -> Array:
     """Gaussian noise of a band.
 
@@ -59,23 +66,28 @@ def band_noise(count: int, low: float, high: float, random: Draw) -> Array:
 
 
 def _tap(count: int, random: Draw) -> Array:
-    return _bump(_time(count), random.uniform(0.05, 0.5), _log(random, 0.02, 0.07))
+    return _bump(_time(count), random.uniform(0.05, 0.5), _log(random, *TAP_SECONDS))
 
 
 def _double_tap(count: int, random: Draw) -> Array:
-    time, begin, length = _time(count), random.uniform(0.05, 0.4), _log(random, 0.02, 0.07)
-    second = begin + random.uniform(0.14, 0.32)
-    return _bump(time, begin, length) + random.uniform(0.6, 1.3) * _bump(
+    time, begin, length = _time(count), random.uniform(0.05, 0.4), _log(random, *TAP_SECONDS)
+    second = begin + random.uniform(*DOUBLE_TAP_SECONDS)
+    return _bump(time, begin, length) + random.uniform(0.6, 1.4) * _bump(
         time, second, length * random.uniform(0.8, 1.25)
     )
 
 
 def _press(count: int, random: Draw) -> Array:
-    return _step(_time(count), random.uniform(0.1, 0.5), _log(random, 0.03, 0.12))
+    """A finger that comes down and stays; where it leaves again within the window, that is part of the press."""
+    time, begin, rise = _time(count), random.uniform(0.05, 0.5), _log(random, *PRESS_SECONDS)
+    leaves = begin + rise + random.uniform(*HOLD_SECONDS)
+    held = _step(time, begin, rise) - _step(time, leaves, _log(random, *PRESS_SECONDS))
+    return held * _by_hand(count, random)
 
 
 def _release(count: int, random: Draw) -> Array:
-    return 1.0 - _step(_time(count), random.uniform(0.1, 0.5), _log(random, 0.03, 0.12))
+    held = 1.0 - _step(_time(count), random.uniform(0.05, 0.5), _log(random, *PRESS_SECONDS))
+    return held * _by_hand(count, random)
 
 
 def _rub(count: int, random: Draw) -> Array:

@@ -109,7 +109,8 @@ def cut(waveform: Array, stretch: Stretch, before: tuple[float, ...] = BEFORE[1:
     first, last = begin + np.searchsorted(energy, np.array(WITHIN) * energy[-1])
     starts = [first - round(time * SAMPLE_RATE) for time in before]
     if last - first > WINDOW - before[0] * SAMPLE_RATE:
-        starts = list(range(first, max(first, last - WINDOW) + 1, HOP))
+        begins = first - round(BEFORE[1] * SAMPLE_RATE)
+        starts = list(range(begins, max(begins, last - WINDOW) + 1, HOP))
     places = np.unique(np.clip(starts, least, most))
     return waveform[places[:, None] + np.arange(WINDOW)]
 

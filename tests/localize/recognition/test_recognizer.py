@@ -120,6 +120,14 @@ def test_stretches_part_where_it_is_silent_for_long_and_windows_hold_the_touch()
     assert cut(wave[:1000], Stretch(300, 400)).shape == (0, 1024)
 
 
+def test_the_first_window_of_a_long_touch_shows_how_it_begins() -> None:
+    wave = np.zeros(6000)
+    wave[2000:4000] = 1.0
+    windows = cut(wave, Stretch(2000, 4000))
+    assert len(windows) == 5  # a quarter of a window apart
+    assert not windows[0, :175].any() and windows[0, 200:].all()
+
+
 # -- recordings ----------------------------------------------------------------------------------------
 def recorded(folder: Path, takes: int = 3, labels: tuple[str, ...] = ("knock", "rub")) -> Path:
     """Three touches with silence between in each recording."""
