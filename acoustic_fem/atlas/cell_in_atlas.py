@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 from acoustic_fem.atlas.polynomial import Array
 from acoustic_fem.atlas.table import CellAtlas, Opening, OutsideAtlas, cell_atlas
 from acoustic_fem.cavity.closed_forms import closed_cylinder_compliance
+from acoustic_fem.duct.known_bores import known_port_admittance
 from acoustic_fem.duct.opening import entrance_impedance
-from acoustic_fem.duct.plane_wave import port_admittance
 from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.units import metres
 from geometry.air.cells import Cell
@@ -41,17 +41,17 @@ def atlas_admittance(cell: Cell, frequency: NDArray[np.float64], medium: Medium)
     check_cell(atlas, cell, frequency, medium)
     omega, radius = 2 * np.pi * frequency, metres(cell.diameter) / 2
     compliance = closed_cylinder_compliance(radius, metres(cell.height), frequency, medium)
-    ducts: dict[tuple[float, ...], NDArray[np.complex128]] = {}
+    known: dict[tuple[float, float], tuple[NDArray[np.complex128], NDArray[np.complex128]]] = {}
     necks = []
     for opening, port in zip(_openings(cell), cell.ports, strict=True):
-        a, length = opening.radius, metres(cell.bore_of(port))
-        square = omega * a**2 / medium.kinematic_viscosity
-        compliance = compliance + atlas.compliance(opening, square) * (a**3 / medium.pressure)
-        alike = (a, length, opening.port_height)
-        if alike not in ducts:
+        a, alike = opening.radius, (port.bore_diameter, cell.height_of(port))
+        if alike not in known:
+            square = omega * a**2 / medium.kinematic_viscosity
             impedance = medium.viscosity / a**3 * atlas.impedance(cell.kind, opening, square)
-            ducts[alike] = _neck(a, length, impedance, frequency, medium)
-        necks.append(ducts[alike])
+            neck = _neck(a, metres(cell.bore_of(port)), impedance, frequency, medium)
+            known[alike] = neck, atlas.compliance(opening, square) * (a**3 / medium.pressure)
+        necks.append(known[alike][0])
+        compliance = compliance + known[alike][1]
     storage = 1j * omega * compliance
     if cell.kind == "microphone":
         return _behind_sound_hole(cell, _around_node(necks, storage, 0.0, 0.0), frequency, medium)
@@ -91,7 +91,7 @@ def check_cell(atlas: CellAtlas, cell: Cell, frequency: NDArray[np.float64], med
             f'{cell.label}: the atlas of cells has cylinders only; fidelity "navier-stokes" solves it in 3-D'
         )
     check_gas(medium)
-    for opening in _openings(cell):
+    for opening in {(opening.radius, opening.port_height): opening for opening in _openings(cell)}.values():
         square = np.array(2 * np.pi * float(np.max(frequency)) * opening.radius**2 / medium.kinematic_viscosity)
         atlas.check(cell.kind, opening, square, cell.label)
 
@@ -133,7 +133,7 @@ def _neck(
     medium: Medium,
 ) -> NDArray[np.complex128]:
     """Two-port of a duct whose second end opens into a cavity."""
-    duct = port_admittance(radius, length, frequency, medium)
+    duct = known_port_admittance(radius, length, frequency, medium)
     own, transfer = duct[:, 0, 0], duct[:, 0, 1]
     held = 1 / (1 + opening * own)
     neck = np.empty_like(duct)

@@ -96,18 +96,27 @@ def _cylinder_mean(radius: float, height: float, rate: NDArray[np.complex128]) -
     count = int(np.ceil(max(64.0, 4 * radius * largest / np.pi, 40 * radius / (np.pi * height))))
     scaled = np.asarray(rate[..., None] * radius**2, dtype=np.complex128)
     zeros = bessel_zeros(count)
-    wave = np.asarray(np.sqrt(zeros**2 + scaled) * (height / (2 * radius)), dtype=np.complex128)
-    terms = 4 / zeros**2 * scaled / (zeros**2 + scaled) * _one_minus_tanh_over(wave)
+    square = zeros**2 + scaled
+    wave = np.asarray(np.sqrt(square) * (height / (2 * radius)), dtype=np.complex128)
+    # Real parts of the wave are at least those of its zeros; above 20 the tangent is 1 in double precision.
+    curved = int(np.searchsorted(zeros * (height / (2 * radius)), 20.0))
+    field = 1 - 1 / wave
+    field[..., :curved] = _one_minus_tanh_over(wave[..., :curved])
+    sr2, aspect = scaled[..., 0], 2 * radius / height
+    four, five, six, seven, eight, nine = _tails(count)
+    rest = four - sr2 * six + sr2**2 * eight - aspect * (five - 1.5 * sr2 * seven + 1.875 * sr2**2 * nine)
+    return np.asarray(4 * sr2 * ((field / square) @ zeros**-2.0 + rest), dtype=np.complex128)
+
+
+@lru_cache(maxsize=64)
+def _tails(count: int) -> tuple[float, ...]:
+    """Sums of l^-4 to l^-9 over the zeros l of J0 beyond the first so many."""
 
     def tail(power: int) -> float:
         inner = float(zeta(power, count + 0.75)) / np.pi**power
         return inner - power / 8 * float(zeta(power + 2, count + 0.75)) / np.pi ** (power + 2)
 
-    sr2, aspect = scaled[..., 0], 2 * radius / height
-    rest = 4 * sr2 * (tail(4) - sr2 * tail(6) + sr2**2 * tail(8)) - 4 * sr2 * aspect * (
-        tail(5) - 1.5 * sr2 * tail(7) + 1.875 * sr2**2 * tail(9)
-    )
-    return np.asarray(terms.sum(-1) + rest, dtype=np.complex128)
+    return tuple(tail(power) for power in range(4, 10))
 
 
 def bessel_zeros(count: int) -> NDArray[np.float64]:

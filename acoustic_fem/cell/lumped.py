@@ -7,8 +7,8 @@ from numpy.typing import NDArray
 
 from acoustic_fem.cavity.closed_forms import closed_cylinder_compliance
 from acoustic_fem.cavity.shaped import shaped_cavity_compliance
+from acoustic_fem.duct.known_bores import known_port_admittance
 from acoustic_fem.duct.opening import entrance_impedance
-from acoustic_fem.duct.plane_wave import port_admittance
 from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.units import metres
 from geometry.air.cells import Cell
@@ -45,8 +45,9 @@ def lumped_admittance(cell: Cell, frequency: NDArray[np.float64], medium: Medium
     size = len(necks) + 1  # the cavity is the last node
     nodal = np.zeros((len(frequency), size, size), dtype=np.complex128)
     nodal[:, -1, -1] = 2j * np.pi * frequency * cavity
-    for node, (diameter, length) in enumerate(necks):
-        two_port = _neck(metres(diameter) / 2, metres(length), frequency, medium)
+    two_ports = {neck: _neck(metres(neck[0]) / 2, metres(neck[1]), frequency, medium) for neck in dict.fromkeys(necks)}
+    for node, neck in enumerate(necks):
+        two_port = two_ports[neck]
         nodal[:, node, node] = two_port[:, 0, 0]
         nodal[:, node, -1] = nodal[:, -1, node] = two_port[:, 0, 1]
         nodal[:, -1, -1] += two_port[:, 1, 1]
@@ -58,14 +59,12 @@ def lumped_admittance(cell: Cell, frequency: NDArray[np.float64], medium: Medium
 
 def _neck(radius: float, length: float, frequency: NDArray[np.float64], medium: Medium) -> NDArray[np.complex128]:
     """Two-port of a duct whose second end opens into a cavity."""
-    duct = port_admittance(radius, length, frequency, medium)
+    duct = known_port_admittance(radius, length, frequency, medium)
     own, transfer = duct[:, 0, 0], duct[:, 0, 1]
     opening = 1 / entrance_impedance(radius, frequency, medium)
     between = own + opening
-    return np.stack(
-        [
-            np.stack([own - transfer**2 / between, transfer * opening / between], -1),
-            np.stack([transfer * opening / between, own * opening / between], -1),
-        ],
-        -2,
-    )
+    neck = np.empty_like(duct)
+    neck[:, 0, 0] = own - transfer**2 / between
+    neck[:, 0, 1] = neck[:, 1, 0] = transfer * opening / between
+    neck[:, 1, 1] = own * opening / between
+    return neck

@@ -19,6 +19,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
+from numpy.polynomial.polynomial import polyval
 from numpy.typing import ArrayLike, NDArray
 from scipy.special import jve, zeta
 
@@ -311,13 +312,35 @@ def round_mean(dimension: int, radius: ArrayLike, rate: NDArray[np.complex128]) 
         Broadcast shape, complex128.
     """
     scaled = np.asarray(np.asarray(radius) ** 2 * rate, dtype=np.complex128)
-    small = np.abs(scaled) < 1
     order = dimension / 2 - 1
-    quarter = np.asarray(np.where(small, scaled, 0) / 4, dtype=np.complex128)
-    series = quarter / ((order + 1) * (order + 2)) * _hypergeometric(order + 3, quarter)
-    series = series / _hypergeometric(order + 1, quarter)
-    argument = np.sqrt(-np.where(small, 1j, scaled))
-    return np.where(small, series, -jve(order + 2, argument) / jve(order, argument))
+
+    def series(square: NDArray[np.complex128]) -> NDArray[np.complex128]:
+        quarter = square / 4
+        first = quarter / ((order + 1) * (order + 2)) * _hypergeometric(order + 3, quarter)
+        return first / _hypergeometric(order + 1, quarter)
+
+    def bessel(square: NDArray[np.complex128]) -> NDArray[np.complex128]:
+        argument = np.sqrt(-square)
+        return np.asarray(-jve(order + 2, argument) / jve(order, argument))
+
+    return _by_size(scaled, 1.0, series, bessel)
+
+
+def _by_size(
+    square: NDArray[np.complex128],
+    limit: float,
+    below: Callable[[NDArray[np.complex128]], NDArray[np.complex128]],
+    above: Callable[[NDArray[np.complex128]], NDArray[np.complex128]],
+) -> NDArray[np.complex128]:
+    """One function where the modulus is below a limit, another elsewhere, each only where it is wanted."""
+    small = np.abs(square) < limit
+    if small.all():
+        return below(square)
+    if not small.any():
+        return above(square)
+    values = np.empty_like(square)
+    values[small], values[~small] = below(square[small]), above(square[~small])
+    return values
 
 
 def _hypergeometric(parameter: float, y: NDArray[np.complex128]) -> NDArray[np.complex128]:
@@ -348,19 +371,26 @@ _COTH = np.concatenate([[1.0], -2 * zeta(2.0 * _ORDERS) * (-1 / np.pi**2) ** _OR
 _CSCH = np.concatenate([[1.0], 2 * zeta(2.0 * _ORDERS) * (1 - 2.0 ** (1 - 2 * _ORDERS)) * (-1 / np.pi**2) ** _ORDERS])
 
 
+def _polynomial(coefficients: NDArray[np.float64]) -> Callable[[NDArray[np.complex128]], NDArray[np.complex128]]:
+    return lambda square: np.asarray(polyval(square, coefficients), dtype=np.complex128)
+
+
 def _x_coth_x(square: NDArray[np.complex128]) -> NDArray[np.complex128]:
     """The function x coth(x) of x^2: 1 + x^2/3 - ..."""
-    short = np.abs(square) < _SHORT
-    x = np.sqrt(np.where(short, 1.0, square))
-    shrink = -np.expm1(-2 * x)
-    return np.where(
-        short, np.polynomial.polynomial.polyval(np.where(short, square, 0), _COTH), x * (2 - shrink) / shrink
-    )
+
+    def long(square: NDArray[np.complex128]) -> NDArray[np.complex128]:
+        x = np.sqrt(square)
+        shrink = -np.expm1(-2 * x)
+        return np.asarray(x * (2 - shrink) / shrink)
+
+    return _by_size(square, _SHORT, _polynomial(_COTH), long)
 
 
 def _x_over_sinh_x(square: NDArray[np.complex128]) -> NDArray[np.complex128]:
     """The function x / sinh(x) of x^2: 1 - x^2/6 + ..."""
-    short = np.abs(square) < _SHORT
-    x = np.sqrt(np.where(short, 1.0, square))
-    long = 2 * x * np.exp(-x) / -np.expm1(-2 * x)
-    return np.where(short, np.polynomial.polynomial.polyval(np.where(short, square, 0), _CSCH), long)
+
+    def long(square: NDArray[np.complex128]) -> NDArray[np.complex128]:
+        x = np.sqrt(square)
+        return np.asarray(2 * x * np.exp(-x) / -np.expm1(-2 * x))
+
+    return _by_size(square, _SHORT, _polynomial(_CSCH), long)

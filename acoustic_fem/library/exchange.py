@@ -43,7 +43,7 @@ from geometry.files.reading import parse_json
 from geometry.files.replacing import check_own_kind
 from geometry.files.tables import read_csv
 from geometry.files.writing import whole_file
-from geometry.layout.arrangement import lay_out
+from geometry.layout.arrangement import place_housings
 from geometry.layout.placement import point_places
 from geometry.refusal import Refusal, counted
 
@@ -217,7 +217,7 @@ def _write_sofa(library: Library, path: Path) -> None:
 
 def _places(design: ArrayDesign) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """(n_point, 3) and (n_microphone, 3), m."""
-    layout = lay_out(design)
+    layout = place_housings(design)
     points = [layout.frame(point).origin for point in layout.points]
     by_name = {microphone.name: layout.frame(microphone).origin for microphone in layout.microphones}
     microphones = [by_name[name] for name in design.microphones]

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from acoustic_fem.quantities.medium import Medium
 from geometry.air.cells import Cell, cell_catalogue
 from geometry.design.array_design import ArrayDesign
-from geometry.layout.arrangement import lay_out
+from geometry.layout.arrangement import place_housings
 
 #: Called with what is being done and the fraction done, 0 to 1.
 Report = Callable[[str, float], None]
@@ -38,7 +38,7 @@ def array_responses(
         Arrays by the names, shapes and units of :data:`acoustic_fem.library.result.VARIABLES`, and a summary of each
         cell as JSON can hold it.
     """
-    layout = lay_out(design)
+    layout = place_housings(design)
     catalogue = cell_catalogue(design, layout)
     admittances, solved = _cell_admittances(catalogue.distinct, frequency, fidelity, medium, report)
 

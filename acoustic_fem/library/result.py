@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping, Sequence, Sized
 from dataclasses import asdict, astuple, dataclass
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -225,28 +226,46 @@ def library_from_arrays(
         provenance: what made the values.
         deviation: (n_point, n_microphone, n_freq) float64, Pa/Pa, that of the transfer function, where it was measured.
     """
-    lines, places = zip(*point_places(design), strict=True)
-    coordinates = {
-        "point": ("point", list(range(1, len(lines) + 1)), {"long_name": "sensing point, from 1"}),
-        "line": ("point", list(lines), {"long_name": "index of its line, from 0"}),
-        "place": ("point", list(places), {"long_name": "index along its line, from 0"}),
-        "microphone": ("microphone", list(design.microphones), {"long_name": "microphone"}),
-        "microphone_2": ("microphone_2", list(design.microphones), {"long_name": "second microphone"}),
-        "frequency": ("frequency", frequency, {"units": "Hz", "long_name": "frequency"}),
-    }
     rows: dict[str, NDArray[Any]] = {name: values[name] for name in VARIABLES if name in values or name not in OPTIONAL}
     if deviation is not None:
         rows["transfer_function_deviation"] = deviation
-    described = {**VARIABLES, "transfer_function_deviation": DEVIATION}
-    variables = {
-        name: (dimensions, rows[name], {"units": units, "long_name": description})
-        for name, (dimensions, units, description) in described.items()
-        if name in rows
-    }
-    # one data set, since its coordinates are made once
-    dataset = xr.Dataset(variables, coords=coordinates)
-    arrays = {name: dataset[name] for name in variables}
+    grid = np.asarray(frequency, dtype=np.float64).tobytes()
+    labels = _labels(point_places(design), design.microphones, grid, tuple(rows))
+    dataset = labels.copy(deep=True, data=rows)
+    arrays = {name: dataset[name] for name in rows}
     return Library(**arrays, design=design, fidelity=fidelity, medium=medium, provenance=dict(provenance))
+
+
+@lru_cache(maxsize=4)  # coordinates and attributes of xarray cost more than a network of twelve points
+def _labels(
+    points: tuple[tuple[int, int], ...], microphones: tuple[str, ...], grid: bytes, names: tuple[str, ...]
+) -> xr.Dataset:
+    """Variables of a library with their coordinates and attributes and without their values.
+
+    Args:
+        points: line and place of each.
+        microphones: names.
+        grid: frequencies, Hz, as bytes of float64.
+        names: of the variables.
+    """
+    frequency = np.frombuffer(grid)
+    lines, places = zip(*points, strict=True)
+    coordinates: dict[str, tuple[str, Sized, dict[str, str]]] = {
+        "point": ("point", list(range(1, len(lines) + 1)), {"long_name": "sensing point, from 1"}),
+        "line": ("point", list(lines), {"long_name": "index of its line, from 0"}),
+        "place": ("point", list(places), {"long_name": "index along its line, from 0"}),
+        "microphone": ("microphone", list(microphones), {"long_name": "microphone"}),
+        "microphone_2": ("microphone_2", list(microphones), {"long_name": "second microphone"}),
+        "frequency": ("frequency", frequency, {"units": "Hz", "long_name": "frequency"}),
+    }
+    sizes = {name: len(values) for name, (dimension, values, _) in coordinates.items() if name == dimension}
+    described = {**VARIABLES, "transfer_function_deviation": DEVIATION}
+    variables = {}
+    for name in names:
+        dimensions, units, description = described[name]
+        empty = np.broadcast_to(0.0, [sizes[dimension] for dimension in dimensions])
+        variables[name] = (dimensions, empty, {"units": units, "long_name": description})
+    return xr.Dataset(variables, coords=coordinates)
 
 
 def measured_library(

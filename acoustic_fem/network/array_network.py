@@ -1,33 +1,32 @@
 """The whole array as a network of port admittances: cells, ducts, membranes, leaks, microphones.
 
-Every line is a chain of two-ports. From both of its ends the chain is condensed point by point, all
-frequencies at once; what remains is one small dense system of the microphone chambers. The cost is
-proportional to the number of points.
+Every line is condensed to a two-port (:mod:`acoustic_fem.network.chain`); what remains is one small dense system of the
+microphone chambers. The cost is proportional to the number of points.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import NamedTuple
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
-from acoustic_fem.duct.plane_wave import CompliantWall, Line, port_admittance, two_port
+from acoustic_fem.duct.known_bores import known_port_admittance
+from acoustic_fem.duct.plane_wave import CompliantWall, Line, two_port
 from acoustic_fem.duct.sections import CircularSection
 from acoustic_fem.membrane.disc import KnownDiscs, design_compliance
+from acoustic_fem.network.chain import Array, PointCell, TwoPort, chains_of, join
 from acoustic_fem.network.microphone import load_admittance
 from acoustic_fem.network.yielding import beside_air, sheath_compliance, soft_rubber
 from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.units import metres
 from geometry.air.cells import Cell, CellCatalogue, CellUse
 from geometry.design.array_design import ArrayDesign
-from geometry.layout.placement import ArrayLayout
+from geometry.layout.placement import Housings
 from geometry.refusal import Refusal
 from geometry.stated.parts import Tube
-
-Array = NDArray[np.complex128]
 
 #: A tube that is nothing but its two stubs still gets a duct this much of its length, so that its ends
 #: stay two nodes.
@@ -48,30 +47,9 @@ class NetworkResponse:
     """
 
 
-class TwoPort(NamedTuple):
-    """A reciprocal two-port: volume velocities into its ends per pressure there."""
-
-    first: Array
-    """Y11, (n_freq,) complex128, m^3/(Pa s)."""
-    transfer: Array
-    """Y12 = Y21, (n_freq,) complex128, m^3/(Pa s)."""
-    last: Array
-    """Y22, (n_freq,) complex128, m^3/(Pa s)."""
-
-
-def join(left: TwoPort, right: TwoPort) -> TwoPort:
-    """Two two-ports in series, their common node eliminated."""
-    between = left.last + right.first
-    return TwoPort(
-        left.first - left.transfer**2 / between,
-        -left.transfer * right.transfer / between,
-        right.last - right.transfer**2 / between,
-    )
-
-
 def solve_network(
     design: ArrayDesign,
-    layout: ArrayLayout,
+    layout: Housings,
     catalogue: CellCatalogue,
     admittances: Mapping[Cell, Array],
     frequency: NDArray[np.float64],
@@ -82,7 +60,7 @@ def solve_network(
 
     Args:
         design: the array.
-        layout: its layout, from :func:`geometry.layout.arrangement.lay_out`.
+        layout: where its parts lie, from :func:`geometry.layout.arrangement.place_housings`.
         catalogue: its cells, from :func:`geometry.air.cells.cell_catalogue`.
         admittances: for every distinct cell its symmetric nodal admittance, (n_freq, k + 1, k + 1) complex128, m^3/(Pa
             s): the outer ends of its k stubs in the order of ``cell.ports``, then the opening.
@@ -96,72 +74,64 @@ def solve_network(
     kinds = [design.of_kind(kind) for kind in design.kinds]
     beside = np.stack(
         [beside_air(kind, design_compliance(kind, frequency, known), frequency, medium) for kind in kinds]
-    )[list(design.kind_of_point)]
-    ducts: dict[Tube, TwoPort] = {}
-    lines = []
-    for index, line in enumerate(design.lines):
-        tubes = design.tubes_of(line)
-        for tube in tubes:
-            if tube not in ducts:
-                ducts[tube] = _duct_between_stubs(design, tube, frequency, medium)
-        points = [point for point, where in enumerate(layout.points) if where.line == index]
-        points.sort(key=lambda point: layout.points[point].place)
-        cells = np.stack([_at_place(catalogue.points[point], admittances, frequency) for point in points])
-        cells[:, :, 2, 2] += beside[[layout.points[point].number - 1 for point in points]]
-        lines.append((points, _Chain(cells, [ducts[tube] for tube in tubes])))
-
+    )
+    loaded, cell_of_point = _loaded_cells(design, catalogue.points, admittances, beside, frequency)
+    ducts, duct_at = _ducts(design, frequency, medium)
+    first_point = np.cumsum([0, *(line.points for line in design.lines)])
+    points_of = [slice(start, stop) for start, stop in pairwise(first_point)]
+    chains = chains_of(
+        loaded, ducts, [(cell_of_point[points], at) for points, at in zip(points_of, duct_at, strict=True)]
+    )
     impedance, ends, openings = _microphones(
-        design, layout, catalogue.microphones, admittances, [chain.whole for _, chain in lines], frequency, medium
+        design, layout, catalogue.microphones, admittances, [chain.whole for chain in chains], frequency, medium
     )
     source_response = np.empty((len(layout.points), len(openings), len(frequency)), dtype=np.complex128)
     point_impedance = np.empty((len(layout.points), len(frequency)), dtype=np.complex128)
-    for index, (points, chain) in enumerate(lines):
-        at_ends = [ends[index, 0], ends[index, 1]]
-        own, share = chain.own, chain.share
-        outer = impedance[:, at_ends]
-        point_impedance[points] = own + np.einsum("pfa,fab,pfb->pf", share, outer[:, :, at_ends], share)
-        source_response[points] = np.einsum("pfa,fam->pmf", share, outer[:, :, openings])
-    at_microphones = np.moveaxis(impedance[:, openings][:, :, openings], 0, -1)
-    return NetworkResponse(source_response, point_impedance, at_microphones)
+    for index, (points, chain) in enumerate(zip(points_of, chains, strict=True)):
+        near, far = ends[index, 0], ends[index, 1]
+        first, second = chain.share
+        at_near, at_far = (first * impedance[near, end] + second * impedance[far, end] for end in (near, far))
+        point_impedance[points] = chain.own + first * at_near + second * at_far
+        source_response[points] = first[:, None] * impedance[near, openings]
+        source_response[points] += second[:, None] * impedance[far, openings]
+    return NetworkResponse(source_response, point_impedance, impedance[openings][:, openings])
 
 
-class _Chain:
-    """A line between its two microphone chambers, membranes included.
+def _loaded_cells(
+    design: ArrayDesign,
+    uses: tuple[CellUse, ...],
+    admittances: Mapping[Cell, Array],
+    beside: Array,
+    frequency: NDArray[np.float64],
+) -> tuple[PointCell, list[int]]:
+    """The points' cells that differ, (n, n_freq), with what yields beside their air, and which of them each point has.
 
-    ``whole`` is the line as a two-port; ``own`` (n_point, n_freq) the impedance at each membrane while both ends are
-    held at zero pressure; ``share`` (n_point, n_freq, 2) the cavity pressure per pressure at either end, by reciprocity
-    also the volume velocity out of either end, held at zero pressure, per volume velocity injected.
+    Uses that are the same object are one; equal ones that are not cost time alone.
     """
+    alike: dict[tuple[int, int], int] = {}
+    which = [
+        alike.setdefault((id(use), kind), len(alike)) for use, kind in zip(uses, design.kind_of_point, strict=True)
+    ]
+    first_use = [which.index(cell) for cell in range(len(alike))]
+    nodal = np.stack([_at_place(uses[point], admittances, frequency) for point in first_use])
+    nodal[..., 2, 2] += beside[[design.kind_of_point[point] for point in first_use]]
+    pairs = ((0, 0), (0, 1), (1, 1), (0, 2), (1, 2), (2, 2))
+    return PointCell(*(nodal[..., row, column] for row, column in pairs)), which
 
-    def __init__(self, cells: Array, ducts: list[TwoPort]) -> None:
-        count = len(cells)
-        inner = cells[..., :2, 2]
-        condensed = cells[..., :2, :2] - inner[..., :, None] * inner[..., None, :] / cells[..., 2:, 2:]
-        passes = [TwoPort(cell[:, 0, 0], cell[:, 0, 1], cell[:, 1, 1]) for cell in condensed]
-        before = [ducts[0]]
-        for place in range(count - 1):
-            before.append(join(join(before[place], passes[place]), ducts[place + 1]))
-        after = [ducts[count]]
-        for place in range(count - 1, 0, -1):
-            after.append(join(join(ducts[place], passes[place]), after[-1]))
-        after.reverse()
-        self.whole = join(join(before[-1], passes[-1]), after[-1])
 
-        local = cells.copy()
-        local[..., 0, 0] += np.stack([part.last for part in before])
-        local[..., 1, 1] += np.stack([part.first for part in after])
-        at_opening = np.linalg.inv(local)[..., 2]
-        self.own = at_opening[..., 2]
-        self.share = -at_opening[..., :2] * np.stack(
-            [np.stack([part.transfer for part in before]), np.stack([part.transfer for part in after])], -1
-        )
+def _ducts(design: ArrayDesign, frequency: NDArray[np.float64], medium: Medium) -> tuple[TwoPort, list[list[int]]]:
+    """The ducts that differ, (n, n_freq), and per line which of them lie along it."""
+    alike: dict[Tube, int] = {}
+    at = [[alike.setdefault(tube, len(alike)) for tube in design.tubes_of(line)] for line in design.lines]
+    parts = [_duct_between_stubs(design, tube, frequency, medium) for tube in alike]
+    return TwoPort(*(np.stack(entry) for entry in zip(*parts, strict=True))), at
 
 
 def _duct_between_stubs(design: ArrayDesign, tube: Tube, frequency: NDArray[np.float64], medium: Medium) -> TwoPort:
     length, radius = tube.acoustic_length(design.printing.port_lip), metres(tube.acoustic_diameter) / 2
     if tube.sheath_material is None:
         between = max(length - 2 * tube.stub_length, _SHORTEST_DUCT * tube.length)
-        return _as_two_port(port_admittance(radius, metres(between), frequency, medium))
+        return _as_two_port(known_port_admittance(radius, metres(between), frequency, medium))
     rigid = CircularSection(radius)
     compliance = sheath_compliance(design, tube) / soft_rubber(design, tube.sheath_material).ratio(frequency)
     soft = _line(CompliantWall(rigid, compliance), metres(length), frequency, medium)
@@ -194,7 +164,7 @@ def _at_place(use: CellUse, admittances: Mapping[Cell, Array], frequency: NDArra
 
 def _microphones(
     design: ArrayDesign,
-    layout: ArrayLayout,
+    layout: Housings,
     uses: tuple[CellUse, ...],
     admittances: Mapping[Cell, Array],
     lines: list[TwoPort],
@@ -204,7 +174,7 @@ def _microphones(
     """The chambers joined by the condensed lines.
 
     Returns:
-        Impedance between their nodes (n_freq, n, n); node of each (line, end); node of each microphone's
+        Impedance between their nodes (n, n, n_freq); node of each (line, end); node of each microphone's
         opening, in the order of ``design.microphones``.
     """
     size = sum(len(use.order) + 1 for use in uses)
@@ -227,5 +197,5 @@ def _microphones(
         nodal[:, last, last] += whole.last
         nodal[:, first, last] += whole.transfer
         nodal[:, last, first] += whole.transfer
-    impedance = np.asarray(np.linalg.inv(nodal), dtype=np.complex128)
+    impedance = np.ascontiguousarray(np.moveaxis(np.linalg.inv(nodal), 0, -1))
     return impedance, ends, [opening_of[name] for name in design.microphones]

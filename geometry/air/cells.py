@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 from geometry.design.array_design import ArrayDesign
-from geometry.layout.placement import ArrayLayout, microphone_tubes, point_ports, point_tubes
+from geometry.layout.placement import Housings, microphone_tubes, point_ports
 from geometry.stated.cavity_shapes import Box, Dome, wall_distance
 from geometry.stated.parts import Resonator
 from geometry.stated.ports import ANGLE_STEP, CellPort, Port, in_common_rotation, port_rank
@@ -157,18 +157,20 @@ def resonator_cell(resonator: Resonator, ports: Sequence[Port], bores: Sequence[
     return CellUse(cell, order)
 
 
-def cell_catalogue(design: ArrayDesign, layout: ArrayLayout) -> CellCatalogue:
+def cell_catalogue(design: ArrayDesign, layout: Housings) -> CellCatalogue:
     """Distinct cells of a design whose parts lie as the layout says."""
     microphone = design.microphone
     known: dict[object, CellUse] = {}
+    tubes_of = [design.tubes_of(line) for line in design.lines]
     points = []
     for placement in layout.points:
-        ports = point_ports(design, placement)
-        bores = tuple(tube.acoustic_diameter for tube in point_tubes(design, placement))
-        resonator = design.resonator_at(design.lines[placement.line], placement.place)
-        if (resonator, ports, bores) not in known:
-            known[resonator, ports, bores] = resonator_cell(resonator, ports, bores)
-        points.append(known[resonator, ports, bores])
+        line, place = design.lines[placement.line], placement.place
+        tubes = tubes_of[placement.line][place : place + 2]
+        what = (design.kind_at(line, place), placement.port_angles, tubes)
+        if what not in known:
+            bores = [tube.acoustic_diameter for tube in tubes]
+            known[what] = resonator_cell(design.resonator_at(line, place), point_ports(design, placement), bores)
+        points.append(known[what])
     microphones = []
     for housing in layout.microphones:
         canonical, order = canonical_ports(

@@ -1,4 +1,4 @@
-from .arrangement import lay_out as lay_out
+from .arrangement import lay_out as lay_out, place_housings as place_housings
 from .cutting import (
     Cut as Cut,
     cut_lengths as cut_lengths,
@@ -14,6 +14,7 @@ from .overlaps import (
 )
 from .placement import (
     ArrayLayout as ArrayLayout,
+    Housings as Housings,
     MicrophonePlacement as MicrophonePlacement,
     PointPlacement as PointPlacement,
     TubePlacement as TubePlacement,

@@ -3,13 +3,21 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
 from geometry.design.array_design import ArrayDesign
 from geometry.layout.lines_in_plan import End, Run, area_runs, hand_runs, ring_runs, serpentine_runs
-from geometry.layout.placement import ArrayLayout, MicrophonePlacement, MicrophonePort, PointPlacement, TubePlacement
+from geometry.layout.placement import (
+    ArrayLayout,
+    Housings,
+    MicrophonePlacement,
+    MicrophonePort,
+    PointPlacement,
+    TubePlacement,
+)
 from geometry.plan.cylinder import Cylinder, Plane, surface_of
 from geometry.plan.routing import bearing, bow_angle, bowed_path, drawn_path, tidy, unit
 
@@ -38,6 +46,18 @@ def lay_out(design: ArrayDesign) -> ArrayLayout:
 
     What of it could not be built as drawn says :func:`geometry.layout.overlaps.buildability_notes`.
     """
+    housings, runs, bows = _housed(design)
+    tubes = _tubes(design, runs, bows, housings)
+    return ArrayLayout(housings.points, housings.microphones, housings.surface, tuple(tubes))
+
+
+def place_housings(design: ArrayDesign) -> Housings:
+    """Where shells and microphones lie as in :func:`lay_out`, without the ways of the tubes between them."""
+    return _housed(design)[0]
+
+
+def _housed(design: ArrayDesign) -> tuple[Housings, list[Run], list[list[float]]]:
+    """The housings, the lines they lie on, and how far each tube between the points of a line bows, degrees."""
     builders = {
         "serpentine": serpentine_runs,
         "cylinder": serpentine_runs,
@@ -49,8 +69,11 @@ def lay_out(design: ArrayDesign) -> ArrayLayout:
     runs = builders[design.layout.kind](design, surface)
     ends = [end for run in runs for end in run.ends]
     microphones = _microphones(design, ends, np.vstack([run.positions for run in runs]))
-    points, tubes = _points_and_tubes(design, runs, {m.name: m for m in microphones}, surface)
-    return ArrayLayout(tuple(points), tuple(microphones), tuple(tubes), surface)
+    bows = [_bows(design, index, run, surface) for index, run in enumerate(runs)]
+    points: list[PointPlacement] = []
+    for index, run in enumerate(runs):
+        points += _points(index, run, bows[index], len(points))
+    return Housings(tuple(points), tuple(microphones), surface), runs, bows
 
 
 # -- microphones --------------------------------------------------------------------------------------
@@ -111,35 +134,54 @@ def _equally_spaced(bearings: list[float]) -> list[float]:
     return best[1]
 
 
-# -- points and tubes ---------------------------------------------------------------------------------
-def _points_and_tubes(
-    design: ArrayDesign, runs: list[Run], microphones: dict[str, MicrophonePlacement], surface: Plane | Cylinder
-) -> tuple[list[PointPlacement], list[TubePlacement]]:
+# -- points -------------------------------------------------------------------------------------------
+def _bows(design: ArrayDesign, line: int, run: Run, surface: Plane | Cylinder) -> list[float]:
+    """Angles by which the tubes between the points of a line bow, degrees."""
+    # On a cylinder the points lie where unbowed tubes put them.
+    if not isinstance(surface, Plane):
+        return [0.0] * len(run.sides)
     cavity, outer = design.resonator.cavity_diameter / 2, design.resonator.outer_diameter / 2
-    points: list[PointPlacement] = []
-    tubes: list[TubePlacement] = []
+    distances = np.linalg.norm(np.diff(run.positions, axis=0), axis=1).tolist()
+    tubes = design.segments_of(design.lines[line])
+    known: dict[tuple[float, float], float] = {}
+    for tube, distance in zip(tubes, distances, strict=True):
+        if (tube.length, distance) not in known:
+            known[tube.length, distance] = bow_angle(tube.length, distance, cavity, outer)
+    return [known[tube.length, distance] for tube, distance in zip(tubes, distances, strict=True)]
+
+
+def _points(line: int, run: Run, bows: list[float], before: int) -> Iterator[PointPlacement]:
+    """The points of a line, that many being before them in the array."""
+    places = run.positions.tolist()
+    first, last = run.ends
+    backward, forward = [first.direction], []
+    for start, end, side, bow in zip(places[:-1], places[1:], run.sides, bows, strict=True):
+        direction = bearing(start, end)
+        forward.append(direction + side * bow)
+        backward.append(direction + 180 - side * bow)
+    forward.append(last.direction)
+    for place, position in enumerate(places):
+        angles = (tidy(backward[place]), tidy(forward[place]))
+        yield PointPlacement(before + place + 1, line, place, _pair(position), angles)
+
+
+# -- tubes --------------------------------------------------------------------------------------------
+def _tubes(
+    design: ArrayDesign, runs: list[Run], bows: list[list[float]], housings: Housings
+) -> Iterator[TubePlacement]:
+    cavity, outer = design.resonator.cavity_diameter / 2, design.resonator.outer_diameter / 2
+    microphones, surface = {each.name: each for each in housings.microphones}, housings.surface
     for index, (line, run) in enumerate(zip(design.lines, runs, strict=True)):
-        tubes_between, first, last = design.segments_of(line), *run.ends
-        backward, forward = [first.direction], []
-        placed: list[TubePlacement] = []
-        for start, end, side, tube in zip(run.positions[:-1], run.positions[1:], run.sides, tubes_between, strict=True):
-            # On a cylinder the points lie where unbowed tubes put them.
-            distance = float(np.linalg.norm(end - start))
-            bow = bow_angle(tube.length, distance, cavity, outer) if isinstance(surface, Plane) else 0.0
-            direction = bearing(start, end)
-            forward.append(direction + side * bow)
-            backward.append(direction + 180 - side * bow)
+        first, last = run.ends
+        yield _microphone_tube(design, first, microphones[first.microphone], runs, surface)
+        between = zip(
+            run.positions[:-1], run.positions[1:], run.sides, design.segments_of(line), bows[index], strict=True
+        )
+        for segment, (start, end, side, tube, bow) in enumerate(between, start=1):
             path = _at_port_height(design, bowed_path(start, end, bow, side, cavity, outer))
             course = _course(surface, path, (start, end), (cavity, cavity), (outer, outer))
-            placed.append(TubePlacement(index, len(placed) + 1, tube, path, course))
-        forward.append(last.direction)
-        for place_, position in enumerate(run.positions):
-            angles = (tidy(backward[place_]), tidy(forward[place_]))
-            points.append(PointPlacement(len(points) + 1, index, place_, _pair(position), angles))
-        tubes.append(_microphone_tube(design, first, microphones[first.microphone], runs, surface))
-        tubes += placed
-        tubes.append(_microphone_tube(design, last, microphones[last.microphone], runs, surface))
-    return points, tubes
+            yield TubePlacement(index, segment, tube, path, course)
+        yield _microphone_tube(design, last, microphones[last.microphone], runs, surface)
 
 
 def _microphone_tube(
@@ -204,5 +246,5 @@ def _at_port_height(design: ArrayDesign, plan: NDArray[np.float64]) -> NDArray[n
     return np.column_stack([plan, np.full(len(plan), design.resonator.port_axis_height)])
 
 
-def _pair(position: NDArray[np.float64]) -> tuple[float, float]:
+def _pair(position: Sequence[float] | NDArray[np.float64]) -> tuple[float, float]:
     return (round(float(position[0]), 9) + 0.0, round(float(position[1]), 9) + 0.0)

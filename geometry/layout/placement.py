@@ -86,21 +86,27 @@ class TubePlacement:
 
 
 @dataclass(frozen=True)
-class ArrayLayout:
-    """Where all of an array lies."""
+class Housings:
+    """Where the shells and the microphones of an array lie, and which way their ports point."""
 
     points: tuple[PointPlacement, ...]
     """Every sensing point, in the order of the numbers."""
     microphones: tuple[MicrophonePlacement, ...]
     """Every microphone, in the order of the design."""
-    tubes: tuple[TubePlacement, ...]
-    """Every tube."""
     surface: Plane | Cylinder
     """What the shells stand on."""
 
     def frame(self, placement: PointPlacement | MicrophonePlacement) -> Frame:
         """Place of a point or a microphone in space; the floors of resonators' cavities lie at its z = 0."""
         return self.surface.frame(*placement.position)
+
+
+@dataclass(frozen=True)
+class ArrayLayout(Housings):
+    """Where all of an array lies."""
+
+    tubes: tuple[TubePlacement, ...]
+    """Every tube."""
 
 
 def point_tubes(design: ArrayDesign, placed: PointPlacement) -> tuple[Tube, Tube]:

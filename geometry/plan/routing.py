@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -130,8 +131,8 @@ def unit(angle: float) -> NDArray[np.float64]:
     return np.array([math.cos(math.radians(angle)), math.sin(math.radians(angle))])
 
 
-def bearing(start: NDArray[np.float64], end: NDArray[np.float64]) -> float:
-    """Direction in plan from one point (2,) float64 to another, degrees in [0, 360)."""
+def bearing(start: Sequence[float] | NDArray[np.float64], end: Sequence[float] | NDArray[np.float64]) -> float:
+    """Direction in plan from one point (x, y) to another, degrees in [0, 360)."""
     return tidy(math.degrees(math.atan2(end[1] - start[1], end[0] - start[0])))
 
 

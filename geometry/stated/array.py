@@ -207,6 +207,8 @@ class StatedArray(Section):
 
     def segments_of(self, line: Line) -> tuple[Tube, ...]:
         """Tubes between the points of a line, in its order: one less than points."""
+        if line.pattern is None or line.pattern.tubes is None:
+            return (self.tube_of(line),) * (line.points - 1)
         return tuple(self.tube_at(line, segment) for segment in range(1, line.points))
 
     def segment_counts_of(self, line: Line) -> tuple[tuple[Tube, int], ...]:
@@ -230,7 +232,8 @@ class StatedArray(Section):
 
     def tubes_of(self, line: Line) -> tuple[Tube, ...]:
         """Tubes of a line from its first microphone to its second: one more than points."""
-        return tuple(self.tube_at(line, segment) for segment in range(line.points + 1))
+        outer = self.microphone_tube_of(line)
+        return (outer, *self.segments_of(line), outer)
 
     def tube_fields_of(self, number: int) -> tuple[str, ...]:
         """Dotted names of where the design states the tubes of a line, by its index, as :meth:`tubes_of` has them."""

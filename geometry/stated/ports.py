@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, replace
 from itertools import product
 
 from geometry.stated.cavity_shapes import web
@@ -108,8 +108,7 @@ def in_common_rotation(ports: Sequence[Port], step: float) -> tuple[tuple[Port, 
 
 def port_rank(port: Port | CellPort) -> tuple[float, ...]:
     """Key that ports are sorted by; those without a height of their own come first."""
-    sizes = [getattr(port, field.name) for field in fields(port)]
-    return tuple(-1.0 if size is None else size for size in sizes)
+    return tuple(-1.0 if size is None else size for size in vars(port).values())
 
 
 def largest_gap(angles: Sequence[float]) -> tuple[float, float]:

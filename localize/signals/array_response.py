@@ -333,7 +333,7 @@ def response_of(library: Library | ArrayResponse) -> ArrayResponse:
         return library
     from acoustic_fem.network.microphone import vent_ratio
     from geometry.design.design_file import write_design
-    from geometry.layout.arrangement import lay_out
+    from geometry.layout.arrangement import place_housings
 
     radius = [library.design.of_kind(kind).resonator.cavity_diameter / 2 for kind in library.design.kinds]
     h = library.transfer_function.transpose("point", "microphone", "frequency")
@@ -356,6 +356,6 @@ def response_of(library: Library | ArrayResponse) -> ArrayResponse:
         sealed=True,
         vent_ratio=vent_ratio(library.design.microphone, library.frequency, library.medium),
         cavity_response=np.asarray(library.cavity_response.values, np.complex128),
-        position=np.array([placed.position for placed in lay_out(library.design).points]),
+        position=np.array([placed.position for placed in place_housings(library.design).points]),
         membrane_radius=np.array(radius)[list(library.design.kind_of_point)],
     )

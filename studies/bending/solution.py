@@ -19,7 +19,7 @@ from acoustic_fem.cell.bent_bore import BentBore, check_bent_bore, solve_bent_bo
 from acoustic_fem.cell.solid import Progress, checked_physics
 from acoustic_fem.duct import plane_wave
 from acoustic_fem.library.provenance import versions
-from acoustic_fem.network.array_network import TwoPort, join
+from acoustic_fem.network.chain import TwoPort, join
 from acoustic_fem.network.microphone import load_admittance
 from acoustic_fem.quantities.checks import frequency_grid
 from acoustic_fem.quantities.local_air import design_air

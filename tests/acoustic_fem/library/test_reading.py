@@ -11,7 +11,7 @@ import pytest
 import acoustic_fem
 import geometry
 from acoustic_fem.library.exchange import export, load
-from geometry.layout.arrangement import lay_out
+from geometry.layout.arrangement import lay_out, place_housings
 from geometry.layout.overlaps import overlaps
 from geometry.layout.placement import point_places
 
@@ -30,7 +30,8 @@ def test_a_library_is_read_without_a_layout_and_solved_with_one(
     laid_out, measured = [], []
     for module in ("library.responses", "library.exchange"):
         monkeypatch.setattr(
-            f"acoustic_fem.{module}.lay_out", lambda design: (laid_out.append(design.name), lay_out(design))[1]
+            f"acoustic_fem.{module}.place_housings",
+            lambda design: (laid_out.append(design.name), place_housings(design))[1],
         )
     monkeypatch.setattr("geometry.layout.overlaps.overlaps", lambda *given: (measured.append(1), overlaps(*given))[1])
     library = acoustic_fem.solve(geometry.prototype("line-2"), [1.0, 10.0], "lumped")

@@ -366,3 +366,16 @@ assert not heavy, heavy
 def test_an_unknown_name_is_an_attribute_error():
     with pytest.raises(AttributeError, match="acoustic_fem attribute nonsense"):
         _ = acoustic_fem.nonsense
+
+
+def test_what_is_done_to_the_labels_of_one_library_does_not_show_in_the_next():
+    def labels(library):
+        array = library.source_response
+        return array.attrs, {name: (each.values.tolist(), each.attrs) for name, each in array.coords.items()}
+
+    first = acoustic_fem.solve(DESIGN, BAND, "lumped")
+    told = labels(acoustic_fem.solve(DESIGN, BAND, "lumped"))
+    first.source_response.attrs["units"] = "none"
+    first.source_response["line"].values[:] = -1
+    first.source_response["line"].attrs["long_name"] = "none"
+    assert labels(acoustic_fem.solve(DESIGN, BAND, "lumped")) == told

@@ -11,7 +11,7 @@ from rings import rectangle
 
 import geometry
 from geometry.air.cells import cell_catalogue
-from geometry.layout.arrangement import lay_out
+from geometry.layout.arrangement import lay_out, place_housings
 from geometry.layout.overlaps import buildability_notes
 from geometry.plan.cylinder import wound_length, wound_radius, wound_turn
 from geometry.plan.ring import corner_angles, corners
@@ -129,6 +129,14 @@ def test_lines_that_meet_enter_a_microphone_at_equal_angles():
 def test_array_2x6_needs_three_air_cells():
     design = geometry.prototype("array-2x6")
     assert len(cell_catalogue(design, lay_out(design)).distinct) == 3
+
+
+@pytest.mark.parametrize("name", geometry.prototype_names())
+def test_housings_lie_without_the_tubes_as_with_them(name):
+    design = geometry.prototype(name)
+    housings, layout = place_housings(design), lay_out(design)
+    assert (housings.points, housings.microphones) == (layout.points, layout.microphones)
+    assert housings.frame(housings.points[-1]) == layout.frame(layout.points[-1])
 
 
 def ring(points, **values):
