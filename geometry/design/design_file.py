@@ -22,6 +22,7 @@ from geometry.design.changes import as_lists, keys_of
 from geometry.files.reading import parse_toml, read_text
 from geometry.files.replacing import check_own_kind
 from geometry.files.writing import write_text
+from geometry.stated.array import StatedArray
 from geometry.stated.declared import fields_of
 from geometry.stated.fields import DesignError, UnknownField, nearest
 from geometry.stated.materials import MATERIALS
@@ -162,6 +163,15 @@ def prototype(name: str) -> ArrayDesign:
         DesignError: no prototype of that name.
     """
     return read_design(prototype_text(name), f"{name}.toml")
+
+
+def stated_prototype(name: str) -> StatedArray:
+    """The fields of a prototype without the rules between them, which hold of all prototypes: for lists of them.
+
+    Raises:
+        DesignError: no prototype of that name.
+    """
+    return StatedArray.model_validate(parse_toml(prototype_text(name), f"{name}.toml", DesignError))
 
 
 def resolve_design(argument: str | os.PathLike[str]) -> ArrayDesign:

@@ -6,7 +6,6 @@ import math
 from collections.abc import Iterator
 
 import numpy as np
-from scipy.spatial import cKDTree
 
 from geometry.design.array_design import ArrayDesign
 from geometry.layout.arrangement import lay_out
@@ -102,6 +101,8 @@ class _Bodies:
     """Bodies by number: their names, the prisms they consist of, and a tree of where these stand."""
 
     def __init__(self, design: ArrayDesign, layout: ArrayLayout) -> None:
+        from scipy.spatial import cKDTree
+
         self.names = [f"shell {p.number}" for p in layout.points] + [f"microphone {m.name}" for m in layout.microphones]
         self.point_at = {(p.line, p.place): k for k, p in enumerate(layout.points)}
         self.microphone_at = {m.name: len(layout.points) + k for k, m in enumerate(layout.microphones)}
@@ -196,6 +197,8 @@ def _least_gap(prism: Prism, points: Array, radius: float, step: float) -> float
 def _tubes_in_tubes(tubes: list[_Tube]) -> Iterator[str]:
     if len(tubes) < 2:
         return
+    from scipy.spatial import cKDTree
+
     owner = np.repeat(np.arange(len(tubes)), [len(tube.points) - 1 for tube in tubes])
     starts = np.vstack([tube.points[:-1] for tube in tubes])
     ways = np.vstack([np.diff(tube.points, axis=0) for tube in tubes])

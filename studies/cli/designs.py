@@ -44,14 +44,14 @@ def prototypes(
 
     Example: [bold]acoustic-fem prototypes array-2x6 --out mine.toml[/bold]
     """
-    from geometry.design.design_file import prototype, prototype_names, prototype_text
+    from geometry.design.design_file import prototype_names, prototype_text, stated_prototype
 
     if name is None and out is not None:
         raise typer.BadParameter("--out needs the NAME of a prototype")
     if name is None:
         table = table_of("prototype", "microphones", "points", "description", numbers=(1, 2))
         for known in prototype_names():
-            design = prototype(known)
+            design = stated_prototype(known)
             table.add_row(known, str(len(design.microphones)), str(design.point_count), design.description)
         show(table)
     elif out is None:

@@ -231,27 +231,27 @@ def table_of_sweep(sweep: Sweep) -> ResultTable:
     Raises:
         Refusal: no case is done, or nothing was computed.
     """
-    data = sweep.dataset
-    columns = {name: np.asarray(data[name].values, np.float64) for name in sweep.metrics}
-    finite = np.all([np.isfinite(values) for values in columns.values()], axis=0)
+    values, about = sweep.values, sweep.attributes[""]
+    columns = {name: np.asarray(values[name], np.float64) for name in sweep.metrics}
+    finite = np.all([np.isfinite(column) for column in columns.values()], axis=0)
     rows = np.flatnonzero(sweep.done & finite)
     if not len(rows):
-        raise Refusal(f"{data.attrs['title']}: none of {counted(data.sizes['case'], 'case')} is done")
-    reasons = [(int(number), str(data["reason"].values[number])) for number in np.flatnonzero(sweep.failed)]
+        raise Refusal(f"{about['title']}: none of {counted(len(values['case']), 'case')} is done")
+    reasons = [(int(number), str(values["reason"][number])) for number in np.flatnonzero(sweep.failed)]
     reasons += [(int(number), "a metric is not finite") for number in np.flatnonzero(sweep.done & ~finite)]
     return ResultTable(
-        title=str(data.attrs["title"]),
-        description=str(data.attrs["description"]),
+        title=str(about["title"]),
+        description=str(about["description"]),
         source="sweep",
-        fidelity=str(data.attrs["fidelity"]),
-        frequency=np.asarray(data["frequency"].values, np.float64),
+        fidelity=str(about["fidelity"]),
+        frequency=np.asarray(values["frequency"], np.float64),
         base=sweep.base,
         number=rows.astype(np.int64),
         parameters=tuple(
-            _parameter(name, data[name].values[rows], str(data[name].attrs.get("units", "")))
+            _parameter(name, values[name][rows], str(sweep.attributes[name].get("units", "")))
             for name in sweep.parameters
         ),
-        metrics=tuple(_metric(name, values[rows]) for name, values in columns.items()),
+        metrics=tuple(_metric(name, column[rows]) for name, column in columns.items()),
         failures=tuple((reason, len(numbers)) for reason, numbers in by_kind(reasons).items()),
         waiting=int((~sweep.done & ~sweep.failed).sum()),
         base_metrics={},

@@ -10,7 +10,6 @@ import math
 from collections import Counter
 from collections.abc import Iterator
 
-from geometry.assembly.bill import Prices
 from geometry.design.array_design import ArrayDesign
 from geometry.stated.parts import BOARD_SEAL, SEAT_SLOT, Microphone, Tube
 
@@ -36,6 +35,8 @@ def mass(design: ArrayDesign) -> float:
 
 def cost(design: ArrayDesign) -> float:
     """Cost of one array, as :func:`geometry.bill_of_materials` has it, molds left out, at its assumed prices, USD."""
+    from geometry.assembly.bill import Prices
+
     volumes, prices, tubes, microphones = _volumes(design), Prices(), list(_tubes(design)), len(design.microphones)
     resin = sum(volumes[name][0] for name in ("shells", "housings"))
     # As if no spring were bent: the bends are not worth a layout.

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial import ConvexHull
 
 from acoustic_fem.quantities.checks import in_range
 from geometry.design.array_design import ArrayDesign
@@ -48,6 +47,8 @@ def coverage(design: ArrayDesign, radius: float = FINGER, layout: ArrayLayout | 
 
 def _hull(place: Array, radius: Array) -> tuple[Array, Array, Array]:
     """Lines across the hull of discs, their height y and the ends of them inside it, each (n_line,) mm."""
+    from scipy.spatial import ConvexHull
+
     turn = np.linspace(0, 2 * np.pi, _CORNERS, endpoint=False)
     edge = place[:, None] + radius[:, None, None] * np.stack([np.cos(turn), np.sin(turn)], -1)
     rim = edge.reshape(-1, 2)

@@ -11,13 +11,17 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from itertools import combinations
+from typing import TYPE_CHECKING
 
 import numpy as np
-import xarray as xr
 from numpy.typing import NDArray
 
-from acoustic_fem import Library
 from geometry.refusal import Refusal
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from acoustic_fem import Library
 
 #: Band of the paper's sensors and of the localizer's features, Hz.
 BAND = (1.0, 100.0)

@@ -8,9 +8,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from acoustic_fem.library.noise import combined_snr, gas_temperature, port_noise
-from acoustic_fem.library.touch import injected_flow, membranes_in_vacuo
-from acoustic_fem.network.microphone import noise_density
 from geometry.refusal import Refusal
 from studies.metrics.pairs import BAND, trapezoidal_weights
 from studies.metrics.responses import Complex, Responses, known
@@ -36,6 +33,8 @@ def touch_response(responses: Responses, touch: str) -> Complex:
     Returns:
         (n_design, n_point, n_microphone, n_freq) complex128, Pa per unit of the touch.
     """
+    from acoustic_fem.library.touch import injected_flow
+
     injected = injected_flow(touch, responses.frequency, _in_vacuo(responses), known(responses.point_impedance))
     return np.asarray(known(responses.source_response) * injected[:, :, None])
 
@@ -66,6 +65,9 @@ def noise_equivalent_force(responses: Responses, response: Complex) -> Array:
         responses: of the designs.
         response: (n_design, n_point, n_microphone, n_freq) complex128, Pa/N, that of :func:`touch_response`.
     """
+    from acoustic_fem.library.noise import combined_snr, gas_temperature, port_noise
+    from acoustic_fem.network.microphone import noise_density
+
     inside, _ = _band(responses)
     frequency = responses.frequency[inside]
     mutual = np.moveaxis(known(responses.microphone_impedance)[..., inside], -1, 1)
@@ -113,6 +115,7 @@ def bandwidth(responses: Responses, response: Complex) -> Array:
 
 def _in_vacuo(responses: Responses) -> DiscResponse:
     """What the membranes of each design do in vacuo, arrays (n_design, n_point, n_freq)."""
+    from acoustic_fem.library.touch import membranes_in_vacuo
     from acoustic_fem.membrane.disc import DiscResponse, design_disc, design_rubber
 
     found: dict[tuple[object, ...], DiscResponse] = {}

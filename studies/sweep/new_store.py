@@ -8,7 +8,7 @@ import shutil
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,8 +19,10 @@ from geometry.design.design_file import write_design
 from geometry.stated.declared import field_named
 from studies.output.checked_store import add_checksums, create_checked
 from studies.output.seals import SEALS, create_seals
-from studies.study.cases import Cases
 from studies.study.study import Study
+
+if TYPE_CHECKING:
+    from studies.study.cases import Cases
 
 #: Attribute that marks a store, and the layout of the store that it states; from 2 on there are checksums, from 3
 #: on seals.

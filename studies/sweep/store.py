@@ -11,17 +11,16 @@ from __future__ import annotations
 
 import os
 import shutil
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import cached_property, partial
 from pathlib import Path
 from typing import IO, TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict, Json, PositiveInt
-from xarray.backends import BackendArray
-from xarray.core.indexing import ExplicitIndexer, IndexingSupport, LazilyIndexedArray, explicit_indexing_adapter
 
 from geometry import ArrayDesign
 from geometry.design.design_file import read_stored_design
@@ -31,7 +30,6 @@ from studies.output.checked_store import METADATA, CheckedStore, read_store, tak
 from studies.output.folders import check_folder
 from studies.output.seals import SEALS, Seals
 from studies.output.sole_writer import hold
-from studies.study.cases import Cases
 from studies.study.differences import first_difference
 from studies.study.failure_reasons import by_kind
 from studies.study.metric_registry import METRICS
@@ -49,6 +47,8 @@ from studies.sweep.new_store import (
 
 if TYPE_CHECKING:
     import xarray as xr
+
+    from studies.study.cases import Cases
 
 #: Values of ``state`` beside :data:`WAITING`.
 DONE, FAILED = 1, 2
@@ -292,8 +292,13 @@ def sole_writer(path: Path) -> Iterator[IO[str]]:
 class Sweep:
     """Results of a study, finished or not."""
 
-    dataset: xr.Dataset
-    """Variables along ``case``; what is waiting or failed is NaN."""
+    values: Mapping[str, NDArray[Any]]
+    """Values of all variables but the transfer functions, those of ``frequency``, ``microphone`` and ``point`` along
+    themselves, others (n_case,); metrics of what is waiting or failed are NaN."""
+    attributes: Mapping[str, Mapping[str, Any]]
+    """Attributes of each variable, and under an empty name of all."""
+    open_dataset: Callable[[], xr.Dataset]
+    """Maker of :attr:`dataset`."""
     base: ArrayDesign
     """Design that was varied."""
     parameters: tuple[str, ...]
@@ -301,19 +306,24 @@ class Sweep:
     metrics: tuple[str, ...]
     """Names of the variables that were computed."""
 
+    @cached_property  # without it a sweep is listed in a third of the time: xarray is not needed
+    def dataset(self) -> xr.Dataset:
+        """Variables along ``case``, transfer functions too, which are read when they are used."""
+        return self.open_dataset()
+
     @property
     def done(self) -> NDArray[np.bool_]:
         """Whether a case was computed without failure; (n_case,) bool."""
-        return np.asarray(self.dataset["state"].values == DONE)
+        return np.asarray(self.values["state"] == DONE)
 
     @property
     def failed(self) -> NDArray[np.bool_]:
-        """Whether a case failed, why is in ``dataset["reason"]``; (n_case,) bool."""
-        return np.asarray(self.dataset["state"].values == FAILED)
+        """Whether a case failed, why is in ``values["reason"]``; (n_case,) bool."""
+        return np.asarray(self.values["state"] == FAILED)
 
     def case(self, number: int) -> dict[str, Any]:
         """Values of the parameters of one case."""
-        values = {name: self.dataset[name].values[number] for name in self.parameters}
+        values = {name: self.values[name][number] for name in self.parameters}
         return {name: value.item() if hasattr(value, "item") else str(value) for name, value in values.items()}
 
     def design(self, number: int) -> ArrayDesign:
@@ -331,8 +341,6 @@ def open_sweep(path: str | os.PathLike[str]) -> Sweep:
     Raises:
         StudyError: the folder is not the store of a sweep, or is damaged; names the member, and what to do.
     """
-    import xarray as xr
-
     path = Path(path)
     stored, about = _stored(path)
     unknown = [name for name in about.metric_names if name not in METRICS]
@@ -351,19 +359,35 @@ def open_sweep(path: str | os.PathLike[str]) -> Sweep:
         waiting = ~np.isin(np.arange(len(variables["state"][1])) // about.block, done)
         for name in (*about.metric_names, "reason"):  # also where a block is being written
             variables[name][1][waiting] = "" if name == "reason" else np.nan
-        if about.study_content.get("transfer_functions"):
-            for name in TRANSFER_FUNCTIONS:
-                lazy = LazilyIndexedArray(_Part(stored, about, name, waiting))
-                variables[name] = (("case", "point", "microphone", "frequency"), lazy)
     except StudyError as error:
         raise StudyError(f"{error}; run the same sweep again, which computes again what is damaged") from None
-    attributes = {name: dict(stored.array(name).attrs) for name in variables}
-    with library_reads(path, "the results of a sweep", StudyError):
-        dataset = xr.Dataset(
-            {name: (*row, attributes[name]) for name, row in variables.items()}, attrs=stored.attributes
-        )
+    lazy = TRANSFER_FUNCTIONS if about.study_content.get("transfer_functions") else ()
+    attributes = {name: dict(stored.array(name).attrs) for name in (*variables, *lazy)} | {"": stored.attributes}
+    values = {name: each for name, (_, each) in variables.items()}
+    make = partial(_dataset, stored, about, variables, lazy, waiting, attributes)
     base = read_stored_design(about.base_design, f"{path}: base design").completed()
-    return Sweep(dataset, base, tuple(about.parameter_names), tuple(about.metric_names))
+    return Sweep(values, attributes, make, base, tuple(about.parameter_names), tuple(about.metric_names))
+
+
+def _dataset(
+    stored: CheckedStore,
+    about: _About,
+    variables: Mapping[str, Any],
+    lazy: Sequence[str],
+    waiting: NDArray[np.bool_],
+    attributes: Mapping[str, Mapping[str, Any]],
+) -> xr.Dataset:
+    """Everything as xarray has it; ``lazy`` names the transfer functions, where they are kept."""
+    import xarray as xr
+    from xarray.core.indexing import LazilyIndexedArray
+
+    from studies.output.lazy_part import LazyPart
+
+    dimensions = ("case", "point", "microphone", "frequency")
+    with library_reads(stored.path, "the results of a sweep", StudyError):
+        parts = {name: LazyPart(stored, name, list(about.filled()), about.block, waiting) for name in lazy}
+        rows = {**variables, **{name: (dimensions, LazilyIndexedArray(part)) for name, part in parts.items()}}
+        return xr.Dataset({name: (*row, attributes[name]) for name, row in rows.items()}, attrs=dict(attributes[""]))
 
 
 def _cuts(variables: Mapping[str, Any], about: _About) -> range:
@@ -383,32 +407,3 @@ def _check_blocks(stored: CheckedStore, about: _About, variables: Mapping[str, A
     for block in sorted(done) if stored.identity else ():
         part = slice(block * about.block, (block + 1) * about.block)
         seals.check(block, {name: variables[name][1][part] for name in filled if name in variables}, rows[block])
-
-
-class _Part(BackendArray):
-    """Transfer functions that are read where they are used, and refused where they are damaged or of another place.
-
-    Args:
-        stored: the store.
-        about: what it says of itself.
-        name: of the array.
-        waiting: whether each case waits, (n_case,) bool; it is NaN whatever lies there.
-    """
-
-    def __init__(self, stored: CheckedStore, about: _About, name: str, waiting: NDArray[np.bool_]) -> None:
-        self._stored, self._name, self._array = stored, name, stored.array(name)
-        self._seals, self._size, self._waiting = Seals(stored, list(about.filled())), about.block, waiting
-        self.shape, self.dtype = self._array.shape, self._array.dtype
-
-    def __getitem__(self, key: ExplicitIndexer) -> NDArray[Any]:
-        return np.asarray(explicit_indexing_adapter(key, self.shape, IndexingSupport.BASIC, self._read))
-
-    def _read(self, part: tuple[Any, ...]) -> NDArray[Any]:
-        wanted = np.arange(len(self._waiting))[part[0]]
-        computed = np.atleast_1d(wanted)[~np.atleast_1d(self._waiting[wanted])]
-        for block in np.unique(computed // self._size).tolist():
-            rows = slice(block * self._size, (block + 1) * self._size)
-            self._seals.check(block, {self._name: self._stored.part(self._array, self._name, rows)})
-        values = np.array(self._stored.part(self._array, self._name, part))
-        values[self._waiting[wanted]] = np.nan
-        return values

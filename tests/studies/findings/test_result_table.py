@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
 from collections.abc import Callable
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -11,6 +14,9 @@ from geometry import prototype
 from studies.findings.page import design_of
 from studies.findings.result_table import Column, ResultTable, effect, fast_front, pair_map, unit_of
 from studies.optimization.search import pareto_front
+from studies.study.file import load_study
+from studies.sweep.run import run_sweep
+from studies.sweep.store import open_sweep
 
 
 def made_up(metric: Callable[[np.ndarray, np.ndarray], np.ndarray], count: int = 4000) -> tuple[Column, Column, Column]:
@@ -57,3 +63,36 @@ def test_whole_numbers_of_a_design_stay_whole() -> None:
     table = ResultTable(*about, (points, length), (), (), 0, {})
     assert table.values(0) == {"lines.0.points": 5, "tube.length": 5.0}
     assert design_of(table, 0).lines[0].points == 5
+
+
+STUDY = """
+name = "two"
+base = "array-2x6"
+fidelity = "lumped"
+frequencies = "1:100:16"
+sampling = "grid"
+metrics = ["distance_smallest", "mass"]
+transfer_functions = true
+
+[parameters]
+"tube.inner_diameter" = [0.4, 0.5]
+"""
+
+
+def test_the_best_of_a_sweep_are_listed_without_what_computes_them(tmp_path: Path) -> None:
+    (tmp_path / "study.toml").write_text(STUDY)
+    run_sweep(load_study(tmp_path / "study.toml"), tmp_path / "results.zarr", workers=1)
+    code = (
+        "import sys\n"
+        "from studies.findings.reporting import best_designs\n"
+        f"best = best_designs({str(tmp_path / 'results.zarr')!r}, 'mass')\n"
+        "print(best.rows)\n"
+        "print([round(value, 3) for value in best.metric.values.tolist()])\n"
+        "print(sorted({'dask', 'pandas', 'scipy', 'skfem', 'torch', 'xarray'} & set(sys.modules)))"
+    )
+    told = subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, encoding="utf-8")
+    sweep = open_sweep(tmp_path / "results.zarr")
+    mass = [round(value, 3) for value in sweep.dataset["mass"].values.tolist()]
+    assert told.stdout.splitlines() == [str(tuple(np.argsort(mass).tolist())), str(mass), "[]"]
+    assert sweep.dataset["transfer_function_real"].shape == (2, 12, 2, 16)
+    assert sweep.dataset.sizes["case"] == len(sweep.values["case"]) == 2
