@@ -17,6 +17,9 @@ from scipy.special import jn_zeros, jve, zeta
 from acoustic_fem.quantities.checks import positive
 from acoustic_fem.quantities.medium import Medium
 
+#: What is worked out at longer grids is not kept.
+_LONGEST_GRID = 1024
+
 
 def closed_cylinder_compliance(
     radius: float, height: float, frequency: ArrayLike, medium: Medium
@@ -38,7 +41,11 @@ def closed_cylinder_compliance(
     positive("radius", radius, "m")
     positive("height", height, "m")
     rate = _rate(frequency, medium)
-    return _compliance(np.pi * radius**2 * height, _cylinder_mean(radius, height, rate), medium)
+    if rate.size > _LONGEST_GRID:
+        mean = _cylinder_mean(radius, height, rate)
+    else:
+        mean = _known_cylinder_mean(float(radius), float(height), rate.tobytes()).reshape(rate.shape)
+    return _compliance(np.pi * radius**2 * height, mean, medium)
 
 
 def closed_sphere_compliance(radius: float, frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
@@ -117,6 +124,11 @@ def _tails(count: int) -> tuple[float, ...]:
         return inner - power / 8 * float(zeta(power + 2, count + 0.75)) / np.pi ** (power + 2)
 
     return tuple(tail(power) for power in range(4, 10))
+
+
+@lru_cache(maxsize=32)  # an array has cells of one height and diameter that differ in their ports
+def _known_cylinder_mean(radius: float, height: float, rate: bytes) -> NDArray[np.complex128]:
+    return _cylinder_mean(radius, height, np.frombuffer(rate, dtype=np.complex128))
 
 
 def bessel_zeros(count: int) -> NDArray[np.float64]:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from typing import Literal
 
 from geometry.design.array_design import ArrayDesign
@@ -109,6 +110,11 @@ def canonical_ports(
     Returns:
         The canonical ports, and for each given port its place among them.
     """
+    return _canonical(tuple(ports), shape)
+
+
+@lru_cache(maxsize=256)  # designs of a study have the same few angles
+def _canonical(ports: tuple[CellPort, ...], shape: Box | Dome | None) -> tuple[tuple[CellPort, ...], tuple[int, ...]]:
     turns = [port.angle for port in ports]
     if isinstance(shape, Box):
         turns = [0.0, 90.0, 180.0, 270.0] if shape.length == shape.width else [0.0, 180.0]
