@@ -19,36 +19,25 @@ designs are compared by what differs in them. docs/metrics.md compares predictio
 
 from __future__ import annotations
 
-import math
+from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import lru_cache
-from typing import TYPE_CHECKING, Literal, get_args
+from functools import reduce
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from geometry.refusal import Refusal
+from studies.metrics.filtered_touches import BAND, Listener, ear_of, noise_of_filters, standard_noise
 
 if TYPE_CHECKING:
     from localize.signals.noise import NoiseSpectrum
 
-FRAME = 250
-"""Length of a frame, samples, as the localizer takes them."""
-SAMPLE_RATE = 1000.0
-"""Sample rate of the signals, Hz."""
-BAND = (1.0, 100.0)
-"""Band of the touches and of the source that the decoder assumes, Hz."""
-SOURCE_RMS = 0.25
-"""Level of the assumed touch at g = 1, Pa rms."""
 POWERS = 10.0 ** np.arange(-4.0, 2.1)
 """Values of g that are tried."""
-NOISE_LINES = 500
-"""Number of values that give a noise: its mean square in the hertz around 0, 1, ..., 499 Hz."""
-_MEMORY = 40_000_000
-"""Bytes of simulated frames at once."""
+_MEMORY = 4_000_000
+"""Bytes of simulated frames and what they score at once: what the processor keeps near."""
 
-#: Who decides: the trained network, or the decoder that needs no training.
-Listener = Literal["network", "model"]
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
@@ -98,208 +87,170 @@ def predict_confusion(
         Refusal: shapes that do not agree, fewer than two points or microphones, a grid that does not cover the
             band, an unknown listener, or noise that is not finite and above zero.
     """
+    return predict_confusions(
+        transfer_function, frequency, [noise], listener=listener, assumed=assumed, touches=touches, seed=seed
+    )[0]
+
+
+def predict_confusions(
+    transfer_function: ArrayLike,
+    frequency: ArrayLike,
+    noises: Sequence[float | NoiseSpectrum | ArrayLike],
+    *,
+    listener: Listener = "network",
+    assumed: ArrayLike | None = None,
+    touches: int = 64,
+    seed: int = 0,
+) -> tuple[PredictedConfusion, ...]:
+    """Confusions under several noises, of the same touches, which are simulated once; arguments and errors as
+    :func:`predict_confusion`.
+    """
     h, grid = np.asarray(transfer_function, np.complex128), np.asarray(frequency, np.float64)
     _check(h, grid, touches)
     designs, points, microphones, _ = h.shape
-    of_filters = noise_of_filters(noise, designs, listener)
-    ear = _ear(grid.tobytes(), listener, touches, seed)
-    standard = _standard_noise(points, microphones, listener, touches, seed)
-    hypotheses = None
-    if assumed is not None:
+    powers = [noise_of_filters(noise, designs, listener) for noise in noises]
+    ear = ear_of(grid.tobytes(), listener, touches, seed)
+    standard = standard_noise(points, microphones, listener, touches, seed)
+    if assumed is None:
+        hypotheses = ear.covariance(h)[None]
+    else:
         known = np.asarray(assumed, np.complex128)
         if known.ndim != 4 or known.shape[1:] != h.shape[1:] or not len(known) or not np.all(np.isfinite(known)):
             raise Refusal(
                 f"assumed has shape {known.shape}; it must be (n, {', '.join(map(str, h.shape[1:]))}), all finite"
             )
-        hypotheses = ear.covariance(known)
-    confusion, pairwise = np.zeros((2, designs, points, points))
-    size = 16 * points * touches * (microphones * of_filters.shape[1] * 2 + points * len(POWERS))
-    step = max(1, _MEMORY // size)
-    for first in range(0, designs, step):
-        part = slice(first, first + step)
-        power = of_filters[part if len(of_filters) > 1 else slice(None)]
-        signal = ear.frames(h[part]) / np.sqrt(power)[:, None, None, None, :] + standard
-        level = power[:, None, :, None, None]
-        if hypotheses is None:
-            score = _scores(signal, ear.covariance(h[part]) / level)
-        else:
-            score = _scores(signal, hypotheses[:1] / level)
-            for one in hypotheses[1:]:
-                score = np.logaddexp(score, _scores(signal, one / level))
-        confusion[part], pairwise[part] = _counted(score)
-    return PredictedConfusion(confusion, pairwise, touches)
+        hypotheses = ear.covariance(known)[:, None]
+    shape = designs, points, points
+    found = [PredictedConfusion(np.zeros(shape), np.zeros(shape), touches) for _ in powers]
+    numbers, matrix = ear.factors(h)
+    room = _Room(points, microphones, ear.shape, designs)
+    for first in range(0, designs, room.step):
+        part = slice(first, first + room.step)
+        frames = room.frames[: len(numbers[part])]
+        rows = frames.reshape(-1, matrix.shape[1])
+        np.matmul(numbers[part].reshape(len(rows), -1), matrix, out=rows)
+        assumptions = [one[part if len(one) > 1 else slice(None)] for one in hypotheses]
+        for result, power in zip(found, powers, strict=True):
+            own = power[part if len(power) > 1 else slice(None)]
+            observed = room.products(frames, 1 / np.sqrt(own), standard)
+            scores = [room.scores(observed, one / own[:, None, None, None]) for one in assumptions]
+            result.confusion[part], result.pairwise[part] = _counted(reduce(np.logaddexp, scores))
+    return tuple(found)
 
 
-def noise_of_filters(noise: float | NoiseSpectrum | ArrayLike, designs: int, listener: Listener) -> Array:
-    """Mean square of the noise behind each filter of a listener.
+class _Room:
+    """Arrays of a few designs at a time that are written over and over: fresh memory would cost more than the sums."""
 
-    Args:
-        noise: of every microphone, as for :func:`predict_confusion`: a number, a spectrum, or (n_design, 500), Pa^2.
-        designs: how many.
-        listener: "network" or "model".
+    def __init__(self, points: int, microphones: int, shape: Sequence[int], designs: int) -> None:
+        _, filters, touches = shape
+        size = 8 * points * touches * (microphones * (4 + microphones) * filters + points * len(POWERS))
+        #: how many designs at a time
+        self.step = min(max(1, _MEMORY // size), designs)
+        self.frames = np.empty((self.step, points, microphones, 2, filters, touches))
+        self._signal = np.empty_like(self.frames)
+        self._products = np.empty((self.step, points, microphones**2, filters, touches))
+        self._other = np.empty((self.step, points, filters, touches))
+        self._scores = np.empty((self.step, points, len(POWERS) * points, touches))
 
-    Returns:
-        (1, n_filter) or (n_design, n_filter) float64, Pa^2.
+    def products(self, frames: Array, scale: Array, noise: Array) -> Array:
+        """What likelihoods are linear in: products of the microphones' signals, |x_a|^2 and parts of conj(x_a) x_b.
 
-    Raises:
-        Refusal: a wrong shape, a value that is not finite and above zero, or an unknown listener.
-    """
-    power = np.asarray(getattr(noise, "power", noise), np.float64)
-    if power.ndim == 0:
-        power = np.full(NOISE_LINES, power * abs(float(power)) / NOISE_LINES)
-    power = np.atleast_2d(power)
-    if power.shape[1] != NOISE_LINES or len(power) not in (1, designs):
-        raise Refusal(
-            f"noise has shape {power.shape}; it must be one value, ({NOISE_LINES},) or ({designs}, {NOISE_LINES})"
-        )
-    if not np.all(np.isfinite(power)) or np.any(power < 0) or np.any(power.sum(axis=1) <= 0):
-        raise Refusal("noise must be finite and above 0")
-    forth, back = _filtered(np.arange(NOISE_LINES, dtype=np.float64), listener)
-    return np.asarray(power @ (np.abs(forth) ** 2 + np.abs(back) ** 2) / 2)
+        Args:
+            frames: (n_design, n_point, n_microphone, 2, n_filter, n_touch).
+            scale: of each filter, (n_design, n_filter) or (1, n_filter).
+            noise: what is added to scaled frames, shaped as those of one design.
 
+        Returns:
+            (n_design, n_point, n_microphone^2 n_filter, n_touch), in the order of :func:`_pairs`.
+        """
+        count, points, microphones, _, _, touches = frames.shape
+        signal, products, other = (each[:count] for each in (self._signal, self._products, self._other))
+        np.multiply(frames, scale[:, None, None, None, :, None], out=signal)
+        signal += noise
+        real, imaginary = signal[:, :, :, 0], signal[:, :, :, 1]
+        for number, (a, b) in enumerate(_pairs(microphones)):
+            own = products[:, :, number]
+            if a <= b:
+                np.multiply(real[:, :, a], real[:, :, b], out=own)
+                own += np.multiply(imaginary[:, :, a], imaginary[:, :, b], out=other)
+            else:  # the imaginary part of the pair b, a
+                np.multiply(real[:, :, b], imaginary[:, :, a], out=own)
+                own -= np.multiply(imaginary[:, :, b], real[:, :, a], out=other)
+        return products.reshape(count, points, -1, touches)
 
-class _Ear:
-    """What lies between transfer functions on one grid and the filtered frames of the simulated touches; linear."""
+    def scores(self, observed: Array, covariance: Complex) -> Array:
+        """Log-likelihoods up to a constant per touch, maximised over g; noise of variance 1.
 
-    def __init__(self, grid: Array, listener: Listener, touches: int, seed: int) -> None:
-        from localize.signals import stimulus
-        from localize.signals.array_response import interpolation
+        Args:
+            observed: (n_design, n_point, n_microphone^2 n_filter, n_touch), those of :meth:`products`.
+            covariance: (n_design, n_point, n_microphone, n_microphone, n_filter).
 
-        lines = stimulus.lines_within(BAND)
-        spectrum = stimulus.multi_sines(seed, "evaluation", 0, touches, BAND).spectrum[:, lines].numpy()
-        spectrum = spectrum.astype(np.complex128)
-        at = stimulus.line_frequencies()[lines]
-        forth, back = _filtered(at, listener)
-        real, imaginary = interpolation(grid, at)
-        one, other = spectrum[:, :, None] * forth, spectrum.conj()[:, :, None] * back  # (touch, line, filter)
-        self._shape = touches, forth.shape[1]
-        of_real = np.tensordot(real, one + other, (0, 1)).reshape(len(grid), -1)
-        of_imaginary = np.tensordot(imaginary, 1j * (one - other), (0, 1)).reshape(len(grid), -1)
-        # real numbers throughout: real and imaginary parts of transfer functions to those of frames
-        self._matrix = np.concatenate([of_real, of_imaginary]).view(np.float64)
-        source = np.arange(BAND[0], BAND[1] + 1e-9, 1.0)
-        self._to_source = interpolation(grid, source)
-        forth, back = _filtered(source, listener)
-        # mean square of the source per hertz, half of it at the negative frequency
-        density = SOURCE_RMS**2 / len(source) / 2
-        self._weight = density * np.abs(forth) ** 2, density * np.abs(back) ** 2
-
-    def frames(self, h: Complex) -> Complex:
-        """(n_design, n_point, n_microphone, n_touch, n_filter)."""
-        parts = np.concatenate([h.real, h.imag], axis=-1).reshape(-1, len(self._matrix))
-        return (parts @ self._matrix).view(np.complex128).reshape(*h.shape[:3], *self._shape)
-
-    def covariance(self, h: Complex) -> Complex:
-        """C of every point at g = 1: (n_design, n_point, n_filter, n_microphone, n_microphone)."""
-        real, imaginary = self._to_source
-        at = h.real @ real.T + 1j * (h.imag @ imaginary.T)
-        cross = at[:, :, :, None] * at[:, :, None].conj()
-        seen = np.asarray(cross @ self._weight[0] + cross.conj() @ self._weight[1], np.complex128)
-        return np.moveaxis(seen, -1, 2)
+        Returns:
+            (n_design, n_point, n_point, n_touch), the first point the touched one, the second the hypothesis.
+        """
+        weights, cost = _weights(covariance)
+        score = np.matmul(weights[:, None], observed, out=self._scores[: len(observed)])
+        score -= cost[:, None, :, None]
+        designs, points, _, touches = score.shape
+        return np.asarray(score.reshape(designs, points, len(POWERS), -1, touches).max(axis=2))
 
 
-@lru_cache(maxsize=4)
-def _ear(grid: bytes, listener: Listener, touches: int, seed: int) -> _Ear:
-    return _Ear(np.frombuffer(grid, np.float64), listener, touches, seed)
+def _pairs(microphones: int) -> list[tuple[int, int]]:
+    """Pairs a, b of microphones: a = b for a power, a < b for a real part, a > b for an imaginary one."""
+    return [(a, b) for a in range(microphones) for b in range(microphones)]
 
 
-def _scores(signal: Complex, covariance: Complex) -> Array:
-    """Log-likelihoods up to a constant per touch; noise of variance 1.
+def _weights(covariance: Complex) -> tuple[Array, Array]:
+    """Weights of the products in I - (I + g C)^-1 for all g, and log det (I + g C) summed over the filters.
 
     Args:
-        signal: (n_design, n_point, n_microphone, n_touch, n_filter).
-        covariance: (n_design, n_point, n_filter, n_microphone, n_microphone).
+        covariance: C, (n_design, n_point, n_microphone, n_microphone, n_filter).
 
     Returns:
-        (n_design, n_point, n_touch, n_point), the last over hypotheses.
+        (n_design, n_power n_point, n_microphone^2 n_filter) and (n_design, n_power n_point).
     """
-    designs, points, microphones, touches, _ = signal.shape
-    values, vectors = np.linalg.eigh(covariance)
-    gain = np.clip(values, 0, None)[..., None] * POWERS  # (design, hypothesis, filter, microphone, power)
-    cost = np.log1p(gain).sum(axis=(2, 3))
-    share = gain / (1 + gain)
-    # x^H (1 - S^-1) x is linear in the products of microphones
-    observed, weights = [], []
-    for a in range(microphones):
-        for b in range(a, microphones):
-            factor = vectors[..., a, :] * vectors[..., b, :].conj()
-            weight = (factor[..., None, :] @ share)[..., 0, :]  # (design, hypothesis, filter, power)
-            if a == b:
-                observed.append(signal[:, :, a].real ** 2 + signal[:, :, a].imag ** 2)
-                weights.append(weight.real)
-            else:
-                # conj(x_a) M_ab x_b and its mirror image: twice the real part
-                product = signal[:, :, a].conj() * signal[:, :, b]
-                observed += [2 * product.real, -2 * product.imag]
-                weights += [weight.real, weight.imag]
-    left = np.concatenate(observed, axis=-1).reshape(designs, points * touches, -1)
-    right = np.moveaxis(np.concatenate(weights, axis=2), 2, 1)  # (design, feature, hypothesis, power)
-    score = left @ right.reshape(len(right), right.shape[1], -1)
-    score = score.reshape(designs, points * touches, points, len(POWERS)) - cost[:, None]
-    return np.asarray(score.max(axis=-1).reshape(designs, points, touches, points))
+    designs, points, microphones, _, filters = covariance.shape
+    gain = POWERS[:, None, None]
+    # Of the Hermitian matrix what is on the diagonal and above; (design, power, point, filter) each.
+    entry: dict[tuple[int, int], Complex | Array] = {}
+    for a, b in _pairs(microphones):
+        if a == b:
+            entry[a, a] = 1 + gain * covariance[:, None, :, a, a].real
+        elif a < b:
+            entry[a, b] = gain * covariance[:, None, :, a, b]
+    # The sweep operator (Goodnight, The American Statistician 33 (1979) 149) leaves the negative inverse.
+    determinant: Array = np.ones(())
+    for k in range(microphones):
+        pivot = entry[k, k].real
+        determinant, inverse = np.asarray(determinant * pivot), 1 / pivot
+        column = {a: entry[a, k] if a < k else entry[k, a].conj() for a in range(microphones) if a != k}
+        for a, own in column.items():
+            entry[a, a] = entry[a, a] - (own.real**2 + own.imag**2) * inverse
+            for b, other in column.items():
+                if a < b:
+                    entry[a, b] = entry[a, b] - own * other.conj() * inverse
+        for a in column:
+            entry[min(a, k), max(a, k)] = entry[min(a, k), max(a, k)] * inverse
+        entry[k, k] = -inverse
+    weights = np.empty((designs, len(POWERS), points, microphones**2, filters))
+    for number, (a, b) in enumerate(_pairs(microphones)):
+        if a == b:
+            weights[:, :, :, number] = 1 + entry[a, a]
+        else:  # conj(x_a) S_ab x_b and its mirror image: twice the real part
+            weights[:, :, :, number] = 2 * entry[a, b].real if a < b else -2 * entry[b, a].imag
+    cost = np.log(determinant).sum(axis=-1)
+    return weights.reshape(designs, len(POWERS) * points, -1), cost.reshape(designs, -1)
 
 
 def _counted(score: Array) -> tuple[Array, Array]:
     """Shares named, and shares where the wrong one of two is the likelier; a tie counts half."""
-    points = score.shape[1]
-    named = score.argmax(axis=-1)
-    confusion = (named[..., None] == np.arange(points)).mean(axis=2)
-    own = np.einsum("dpnp->dpn", score)[..., None]
-    wrong = ((score > own) + 0.5 * (score == own)).mean(axis=2)
+    _, points, _, touches = score.shape
+    named = score.argmax(axis=2)
+    confusion = np.count_nonzero(named[:, :, None] == np.arange(points)[:, None], axis=-1) / touches
+    own = np.einsum("dppn->dpn", score)[:, :, None]
+    wrong = (np.count_nonzero(score > own, axis=-1) + 0.5 * np.count_nonzero(score == own, axis=-1)) / touches
     wrong[:, np.arange(points), np.arange(points)] = 0.0
     return confusion, (wrong + wrong.swapaxes(1, 2)) / 2
-
-
-@lru_cache(maxsize=4)
-def _standard_noise(points: int, microphones: int, listener: Listener, touches: int, seed: int) -> Complex:
-    """Filtered white noise of one frame per point and touch, of variance 1 behind each filter.
-
-    (n_point, n_microphone, n_touch, n_filter); filters that overlap share noise, as they do.
-    """
-    random = np.random.default_rng(np.random.SeedSequence(seed, spawn_key=(1,)))
-    white = random.standard_normal((points, microphones, touches, FRAME))
-    return np.asarray(white @ _filters(listener).T / np.linalg.norm(_filters(listener), axis=1))
-
-
-@lru_cache(maxsize=2)
-def _filters(listener: Listener) -> Complex:
-    """(n_filter, FRAME) complex128."""
-    if listener not in get_args(Listener):
-        raise Refusal(f"listener = {listener!r} must be one of: {', '.join(get_args(Listener))}")
-    if listener == "model":
-        time = np.arange(FRAME)
-        taper = math.sqrt(2) * np.sin(np.pi * (time + 0.5) / FRAME)
-        bins = np.arange(math.floor(BAND[1] * FRAME / SAMPLE_RATE) + 2)
-        return np.asarray(taper * np.exp(-2j * np.pi * bins[:, None] * time / FRAME) / FRAME)
-    return _wavelets()
-
-
-def _wavelets() -> Complex:
-    """The wavelets of the features at the end of a frame, continued by its last sample."""
-    from localize.learned.features import BANDWIDTH, CONTINUATION, GRID, TAIL
-
-    rows = []
-    spread = 1 / (2 * math.pi * BANDWIDTH)  # standard deviation in frequency, per frequency
-    count = math.floor(math.log(BAND[1] / BAND[0]) / math.log1p(spread)) + 1
-    spectrum_at = np.fft.fftfreq(GRID, 1 / SAMPLE_RATE)
-    for centre in BAND[0] * (1 + spread) ** np.arange(count):
-        shape = np.exp(-0.5 * ((spectrum_at / centre - 1) / spread) ** 2)
-        kernel = np.fft.ifft(np.where(spectrum_at > 0, shape, 0.0))
-        times = max(1, round(TAIL / SAMPLE_RATE * centre / BANDWIDTH))
-        middle = FRAME - (TAIL + 1) / 2
-        moments = [middle] if times == 1 else np.linspace(FRAME - TAIL, FRAME - 1, times)
-        for moment in np.round(moments).astype(int):
-            row = kernel[(moment - np.arange(FRAME + CONTINUATION)) % GRID]
-            row[FRAME - 1] += row[FRAME:].sum()
-            rows.append(row[:FRAME] / np.linalg.norm(row[:FRAME]))
-    return np.array(rows)
-
-
-def _filtered(frequency: Array, listener: Listener) -> tuple[Complex, Complex]:
-    """What the filters make of exp(j w t) and of its conjugate: (n, n_filter) each."""
-    wave = np.exp(2j * np.pi * frequency[:, None] * np.arange(FRAME) / SAMPLE_RATE)
-    filters = _filters(listener).T
-    return wave @ filters, wave.conj() @ filters
 
 
 def _check(h: Complex, grid: Array, touches: int) -> None:

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 import numpy as np
 from numpy.typing import NDArray
 
 from geometry.layout.size import array_size
-from studies.metrics.confusion import PredictedConfusion, predict_confusion
+from studies.metrics.confusion import PredictedConfusion, predict_confusions
 from studies.metrics.responses import Complex, Responses, known
 from studies.metrics.separation import PairDistances, pair_distances
 from studies.metrics.touch import touch_response
@@ -19,10 +21,13 @@ class SharedFigures:
 
     Args:
         responses: of the batch.
+        levels: of the noise of all confusions that will be asked for, as for :meth:`confusion`; they are predicted
+            together.
     """
 
-    def __init__(self, responses: Responses) -> None:
+    def __init__(self, responses: Responses, levels: Iterable[float | None] = ()) -> None:
         self.responses = responses
+        self._levels = tuple(dict.fromkeys(levels))
         self._distances: dict[tuple[float, float], PairDistances] = {}
         self._confusion: dict[float | None, PredictedConfusion] = {}
         self._touches: dict[str, Complex] = {}
@@ -42,8 +47,10 @@ class SharedFigures:
         """
         if level not in self._confusion:
             own = self.responses
-            noise = _design_noise(own) if level is None else level
-            self._confusion[level] = predict_confusion(own.transfer_function, own.frequency, noise)
+            levels = self._levels if level in self._levels else (level,)
+            noises = [_design_noise(own) if each is None else each for each in levels]
+            found = predict_confusions(own.transfer_function, own.frequency, noises)
+            self._confusion |= zip(levels, found, strict=True)
         return self._confusion[level]
 
     def touch_response(self, touch: str) -> Complex:

@@ -52,6 +52,9 @@ class Metric:
     slopes: Callable[[ArrayDesign, Sequence[str], KnownDiscs | None], tuple[float, Values]] | None = None
     """Function of a design, dotted names of its fields and membranes that need not be solved: the logarithm of the
     value, and its derivatives by the logarithms of the fields, (n_name,) float64. None where there is none."""
+    noise_levels: tuple[float | None, ...] = ()
+    """Levels of the noise of the confusions that it is made of, as :meth:`studies.metrics.SharedFigures.confusion`
+    takes them."""
     caution: str = ""
     """Caution to whoever ranks designs by it alone, one sentence; empty where there is none."""
 
@@ -191,6 +194,7 @@ def _predicted() -> Iterable[Metric]:
             compute=partial(_top1, level),
             needs=needs,
             band=BAND,
+            noise_levels=(level,),
         )
         yield Metric(
             name=f"confused_pair{suffix}",
@@ -202,6 +206,7 @@ def _predicted() -> Iterable[Metric]:
             needs=needs,
             better="smaller",
             band=BAND,
+            noise_levels=(level,),
         )
 
 

@@ -308,7 +308,7 @@ def _one(responses: Responses, number: int) -> Responses:
 
 # -- metrics ----------------------------------------------------------------------------------------
 def _measure(numbers: Sequence[int], responses: Responses, metrics: Sequence[Metric], block: _Block) -> None:
-    figures = SharedFigures(responses)
+    figures = SharedFigures(responses, (level for metric in metrics for level in metric.noise_levels))
     for metric in metrics:
         values = block.values[metric.name]
         try:

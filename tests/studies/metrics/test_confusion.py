@@ -10,8 +10,9 @@ from rc_line import rc_line
 import localize
 from localize.signals import stimulus
 from localize.signals.propagation import microphone_signals
-from studies.metrics import confusion
-from studies.metrics.confusion import noise_of_filters, predict_confusion
+from studies.metrics import filtered_touches
+from studies.metrics.confusion import POWERS, predict_confusion, predict_confusions
+from studies.metrics.filtered_touches import noise_of_filters
 
 GRID = np.linspace(1.0, 100.0, 40)
 
@@ -54,6 +55,36 @@ def test_a_design_has_the_same_prediction_in_any_batch() -> None:
         assert np.array_equal(predict_confusion(batch[k : k + 1], GRID, 0.02).confusion[0], together[k])
 
 
+def test_noises_predicted_together_are_those_of_each_alone() -> None:
+    batch = np.concatenate([line(5, spread) for spread in (0.5, 1.0, 2.0)])
+    noises = 0.003, np.full((3, 500), 0.05**2 / 500), 0.2
+    for noise, found in zip(noises, predict_confusions(batch, GRID, noises), strict=True):
+        alone = predict_confusion(batch, GRID, noise)
+        assert np.array_equal(found.confusion, alone.confusion)
+        assert np.array_equal(found.pairwise, alone.pairwise)
+
+
+def test_three_microphones_are_scored_by_their_likelihood() -> None:
+    """Against determinants and inverses of each covariance, touch by touch."""
+    late = line(4) ** 1.7
+    h = np.concatenate([line(4), late[:, :, :1]], axis=2)
+    noise, touches = 0.3, 8
+    found = predict_confusion(h, GRID, noise, touches=touches)
+    ear = filtered_touches.ear_of(GRID.tobytes(), "network", touches, 0)
+    scale = np.sqrt(noise_of_filters(noise, 1, "network")[0])
+    parts = ear.frames(h)[0] / scale[:, None] + filtered_touches.standard_noise(4, 3, "network", touches, 0)
+    x = np.moveaxis(parts[:, :, 0] + 1j * parts[:, :, 1], 1, -1)  # (point, filter, touch, microphone)
+    own = np.moveaxis(ear.covariance(h)[0], -1, 1) / scale[:, None, None] ** 2
+    score = np.full((4, touches, 4), -np.inf)
+    for power in POWERS:
+        s = np.eye(3) + power * own  # (hypothesis, filter, microphone, microphone)
+        solved = np.einsum("pfta,hfab,pftb->pth", x.conj(), np.linalg.inv(s), x).real
+        score = np.maximum(score, -solved - np.linalg.slogdet(s)[1].sum(axis=1))
+    named = score.argmax(axis=-1)
+    assert 0.3 < found.top1[0] < 1
+    assert np.array_equal(found.confusion[0], (named[:, :, None] == np.arange(4)).mean(axis=1))
+
+
 def test_more_noise_is_never_better() -> None:
     shares = [float(predict_confusion(line(8), GRID, noise).top1[0]) for noise in (0.003, 0.01, 0.03, 0.1, 0.3)]
     assert shares == sorted(shares, reverse=True)
@@ -63,28 +94,29 @@ def test_more_noise_is_never_better() -> None:
 @pytest.mark.parametrize("listener", ["network", "model"])
 def test_simulated_frames_are_the_filtered_signals_of_the_localizer(listener: str) -> None:
     response = rc_line(3, GRID)
-    ear = confusion._ear(GRID.tobytes(), listener, 5, 7)
-    frames = ear.frames(response.transfer_function[None])[0]
+    ear = filtered_touches.ear_of(GRID.tobytes(), listener, 5, 7)
+    parts = ear.frames(response.transfer_function[None])[0]
+    frames = (parts[:, :, 0] + 1j * parts[:, :, 1]).swapaxes(-1, -2)
     lines = stimulus.lines_within((1.0, 100.0))
     spectrum = stimulus.multi_sines(7, "evaluation", 0, 5, (1.0, 100.0)).spectrum[:, : lines.stop]
     for point in range(3):
         h = np.zeros((2, lines.stop), np.complex64)
         h[:, lines] = response.at(stimulus.line_frequencies()[lines])[point]
         signal = microphone_signals(spectrum, torch.from_numpy(h)[None].expand(5, -1, -1), 250).double().numpy()
-        expected = np.moveaxis(signal @ confusion._filters(listener).T, 0, 1)
+        expected = np.moveaxis(signal @ filtered_touches.filters_of(listener).T, 0, 1)
         assert np.abs(frames[point] - expected).max() < 1e-5 * np.abs(expected).max()
 
 
 def test_white_noise_behind_a_filter_is_its_energy() -> None:
     power = noise_of_filters(0.2, 1, "model")[0]
-    energy = (np.abs(confusion._filters("model")) ** 2).sum(axis=1)
+    energy = (np.abs(filtered_touches.filters_of("model")) ** 2).sum(axis=1)
     assert power[2:] == pytest.approx(0.2**2 * energy[2:], rel=0.01, abs=0)
 
 
 def test_the_covariance_is_that_of_many_flat_touches() -> None:
     """Against simulated sources of flat spectrum, seen through one microphone pair."""
     h = rc_line(2, GRID).transfer_function[None]
-    covariance = confusion._ear(GRID.tobytes(), "model", 4, 0).covariance(h)[0, 0]
+    covariance = np.moveaxis(filtered_touches.ear_of(GRID.tobytes(), "model", 4, 0).covariance(h)[0, 0], -1, 0)
     random = np.random.default_rng(0)
     frequency = np.arange(1.0, 100.01, 0.25)
     at = rc_line(2, GRID).at(frequency)[0]
@@ -93,7 +125,7 @@ def test_the_covariance_is_that_of_many_flat_touches() -> None:
     amplitude = 0.25 * np.sqrt(1 / len(frequency) / 2)
     wave = np.exp(2j * np.pi * frequency[:, None] * np.arange(250) / 1000)
     signal = 2 * amplitude * np.einsum("nl,ml,lt->nmt", phase, at, wave, optimize=True).real
-    x = signal @ confusion._filters("model").T
+    x = signal @ filtered_touches.filters_of("model").T
     expected = np.einsum("nak,nbk->kab", x, x.conj()) / count
     middle = slice(3, 22)
     assert np.abs(covariance[middle] / expected[middle] - 1).max() < 0.12
