@@ -19,25 +19,34 @@ from __future__ import annotations
 import torch
 from torch import Tensor
 
-from localize.signals.stimulus import PERIOD, SAMPLE_LENGTH, time_signal
+from localize.signals.stimulus import PERIOD, SAMPLE_LENGTH, TOGETHER, time_signal
 
 WINDOW, HOP = 32, 16
 """Window and hop of the short-window transform, samples: those that the paper states for reconstruction. For its data
 it states none; that they are the same is our assumption."""
 
 
-def microphone_signals(spectrum: Tensor, transfer_function: Tensor, sample_count: int = SAMPLE_LENGTH) -> Tensor:
+def microphone_signals(
+    spectrum: Tensor, transfer_function: Tensor, sample_count: int = SAMPLE_LENGTH, rows: Tensor | None = None
+) -> Tensor:
     """Exact steady state at the microphones; for stimuli of one second and silence also the exact convolution.
 
     Args:
         spectrum: (n, n_line) complex amplitudes of the cavity pressure on the lowest spectral lines, Pa.
         transfer_function: (n, n_microphone, n_line) complex, on the same lines, Pa/Pa.
         sample_count: at most ``stimulus.PERIOD``.
+        rows: index (n,) of the transfer function of each spectrum; by default one each, in their order.
 
     Returns:
         (n, n_microphone, sample_count) real, Pa.
     """
-    return time_signal(spectrum[:, None, :] * transfer_function, sample_count)
+    several = TOGETHER if spectrum.device.type == "cpu" else max(len(spectrum), 1)
+    signals = []
+    for first in range(0, len(spectrum), several):
+        part = slice(first, first + several)
+        heard = transfer_function[part if rows is None else rows[part]]
+        signals.append(time_signal(spectrum[part, None, :] * heard, sample_count))
+    return torch.cat(signals)
 
 
 def impulse_response(transfer_function: Tensor) -> Tensor:

@@ -37,6 +37,8 @@ LINE_COUNT = PERIOD // 2
 """Number of lines below half the sample rate; line k lies at k LINE_SPACING, line 0 stays empty."""
 SAMPLE_LENGTH = 1000
 """Length of one stimulus, samples: one second."""
+TOGETHER = 32
+"""Number of signals that are made together, so that they stay in the processor's cache."""
 COMPONENT_INTERVALS = ((1, 4), (4, 20), (20, 40), (40, 60), (60, 80), (80, 100), (1, 101))
 """Half-open intervals of the number of sinusoids."""
 AMPLITUDE = (0.02, 0.1)
@@ -141,7 +143,12 @@ def time_signal(spectrum: Tensor, sample_count: int = SAMPLE_LENGTH) -> Tensor:
     """
     import torch
 
-    return torch.fft.irfft(spectrum, n=PERIOD, norm="forward")[..., :sample_count]
+    # what is left out of the period is not kept
+    several = TOGETHER if spectrum.ndim > 1 and spectrum.device.type == "cpu" else max(len(spectrum), 1)
+    if len(spectrum) <= several:
+        return torch.fft.irfft(spectrum, n=PERIOD, norm="forward")[..., :sample_count]
+    parts = [torch.fft.irfft(part, n=PERIOD, norm="forward")[..., :sample_count] for part in spectrum.split(several)]
+    return torch.cat(parts)
 
 
 def white_noise(

@@ -149,7 +149,7 @@ class TouchGenerator:
         """(count, n_microphone, n_line) of consecutive samples."""
         points = self.response.point_count
         if self._source is None:
-            return self._on_lines[torch.arange(start, start + count, device=self.device) % points]
+            return self._on_lines[self._points(start, count)]
         turn = np.arange(start, start + count) // points % len(self._sensors)
         runs = np.split(np.unique(turn), np.flatnonzero(np.diff(np.unique(turn)) > 1) + 1)
         first = self._sensors.start
@@ -157,26 +157,33 @@ class TouchGenerator:
         place = np.searchsorted(np.unique(turn), turn)
         return self._touched(read)[place, np.arange(start, start + count) % points]
 
+    def _points(self, start: int, count: int) -> Tensor:
+        """Indices of the points that consecutive samples touch, (count,) int64."""
+        return torch.arange(start, start + count, device=self.device) % self.response.point_count
+
     @one_thread()
     def samples(self, start: int, count: int) -> TouchSignals:
         """Signals of samples ``start`` to ``start + count - 1``, the same whatever was asked for before."""
         sample = (self.seed, self.purpose, start, count)
         stimuli = self.stimuli(*sample, self._band, self.device)
         channels = len(self.response.microphones)
-        transfer_function = self._transfer_function(start, count)
+        spectrum, point = stimuli.spectrum[:, : self._stop], self._points(start, count)
         recorded = None
-        if self.mismatch is not None:
-            recorded = self.mismatch.factors(*sample, channels, self._vent_on_lines)
-            transfer_function = transfer_function * recorded
-        through = microphone_signals if self.method == "exact" else short_window_signals
-        signals = through(stimuli.spectrum[:, : self._stop], transfer_function)
+        if self._source is None and self.mismatch is None and self.method == "exact":
+            signals = microphone_signals(spectrum, self._on_lines, rows=point)
+        else:
+            transfer_function = self._transfer_function(start, count)
+            if self.mismatch is not None:
+                recorded = self.mismatch.factors(*sample, channels, self._vent_on_lines)
+                transfer_function = transfer_function * recorded
+            through = microphone_signals if self.method == "exact" else short_window_signals
+            signals = through(spectrum, transfer_function)
         if self.ambient is not None:
             signals = signals + self._sound(sample, self.ambient, recorded)
         if isinstance(self.microphone_noise, NoiseSpectrum):
             signals = signals + stimulus.coloured_noise(*sample, channels, self.microphone_noise.power, self.device)
         elif self.microphone_noise:
             signals = signals + stimulus.white_noise(*sample, channels, self.microphone_noise, self.device)
-        point = torch.arange(start, start + count, device=self.device) % self.response.point_count
         return TouchSignals(signals=signals, point=point, interval=stimuli.interval)
 
     def _sound(
