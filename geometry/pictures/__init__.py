@@ -1,6 +1,6 @@
 """PNG views and the offline viewer.
 
-Stands on: assembly, design, files, molds, plan, solids.
+Stands on: assembly, design, files, molds, plan, solids, system.
 """
 
 import lazy_loader

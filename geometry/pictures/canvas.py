@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from geometry.files.writing import whole_file
 from geometry.solids.measure import tessellate
+from geometry.system.loading import load_before_renderer
 
 #: Facets for the eye: within this distance (mm) and angle (rad).
 _DEVIATION, _FACET_ANGLE = 0.05, 0.2
@@ -23,6 +24,7 @@ Direction = tuple[float, float, float]
 
 def open_plotter(size: tuple[int, int]) -> pv.Plotter:
     """A plotter off screen, of that size in pixels."""
+    load_before_renderer()
     # Without a display VTK warns that it looks for another way to render, and finds one.
     with pv.vtk_verbosity("error"):
         plotter = pv.Plotter(off_screen=True, window_size=list(size), lighting="three lights")

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import importlib
 import sys
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from importlib.abc import Loader, MetaPathFinder
 from importlib.machinery import ModuleSpec, PathFinder
+from importlib.util import find_spec
 from types import ModuleType
 
 from geometry.refusal import Refusal
@@ -33,6 +35,17 @@ def check_system_libraries() -> None:
     """
     if missing := missing_libraries():
         raise MissingLibrary(what_is_missing(f"{missing[0]}: cannot open shared object file"))
+
+
+def load_before_renderer() -> None:
+    """Load the compiler of PyTorch, where it is installed, before the renderer.
+
+    Where there is no graphics card the renderer loads Mesa's LLVM. Triton brings an LLVM of its own: loaded second, as
+    the first optimiser of PyTorch does, it ends the program with a segmentation fault (Debian 12, torch 2.13 for
+    CUDA); loaded first, both work.
+    """
+    if find_spec("triton") is not None:
+        importlib.import_module("triton")
 
 
 def tell_what_is_missing() -> None:

@@ -132,3 +132,25 @@ def test_a_module_keeps_its_own_loader(tmp_path: Path, monkeypatch: pytest.Monke
     assert isinstance(module.__loader__, SourceFileLoader)
     assert module.__spec__ is not None
     assert module.__spec__.loader is module.__loader__
+
+
+@pytest.mark.slow
+def test_the_renderer_starts_after_the_compiler_of_pytorch(tmp_path: Path) -> None:
+    """A second LLVM beside that of Mesa would end the program: a stand-in writes when it was loaded."""
+    (tmp_path / "triton.py").write_text("print('triton')\n", "utf-8")
+    ask = (
+        "import pyvista\nstart = pyvista.Plotter\n"
+        "def plotter(*given, **named):\n    print('renderer')\n    return start(*given, **named)\n"
+        "pyvista.Plotter = plotter\n"
+        "from geometry.pictures.canvas import open_plotter\nopen_plotter((64, 64)).close()\n"
+    )
+    path = os.pathsep.join([str(tmp_path), str(ROOT)])
+    done = subprocess.run(
+        [sys.executable, "-c", ask],
+        env={**os.environ, "PYTHONPATH": path},
+        capture_output=True,
+        encoding="utf-8",
+        check=False,
+        timeout=300,
+    )
+    assert done.stdout.split() == ["triton", "renderer"], done.stderr
