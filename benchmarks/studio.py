@@ -74,18 +74,25 @@ def main() -> None:
 
 
 def measure(design: str, changes: int) -> None:
+    line = [sys.executable, "-c", "from studies.cli.app import main; main()", "studio", design]
+    line += ["--port", "0", "--no-browser", "--token", TOKEN]
+    with subprocess.Popen(line, stdout=subprocess.PIPE, text=True) as server:
+        try:
+            assert server.stdout is not None
+            port = int(server.stdout.readline().split(":")[-1].split("/")[0])
+            time.sleep(10)  # the processes have started
+            in_browser(design, port, changes)
+            early, late = asyncio.run(memory(port, server.pid, 10 * changes))
+            print(f"  memory of the server: {early:.0f} MB after {changes} changes, {late:.0f} MB after {10 * changes}")
+        finally:
+            server.terminate()
+
+
+def in_browser(design: str, port: int, changes: int) -> None:
+    """What is seen of the studio."""
     from playwright.sync_api import sync_playwright
 
-    line = [sys.executable, "-c", "from studies.cli.app import main; main()", "studio", design]
-    with (
-        subprocess.Popen(
-            [*line, "--port", "0", "--no-browser", "--token", TOKEN], stdout=subprocess.PIPE, text=True
-        ) as server,
-        sync_playwright() as playwright,
-    ):
-        assert server.stdout is not None
-        port = int(server.stdout.readline().split(":")[-1].split("/")[0])
-        time.sleep(10)  # the processes have started
+    with sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=shutil.which("chromium"), args=ARGUMENTS)
         page = browser.new_page(viewport={"width": 1440, "height": 900})
         received: list[int] = []
@@ -106,9 +113,6 @@ def measure(design: str, changes: int) -> None:
         print(f"  slider to painted curves, ms: p50 {p50:.0f}, p95 {p95:.0f} (at most {bound}), most {times.max():.0f}")
         print(f"  bytes a change: {sum(received) / changes / 1000:.1f} kB (at most 20)")
         browser.close()
-        early, late = asyncio.run(memory(port, server.pid, 10 * changes))
-        print(f"  memory of the server: {early:.0f} MB after {changes} changes, {late:.0f} MB after {10 * changes}")
-        server.terminate()
 
 
 def again(page: Any, design: str, changes: int = 3) -> None:

@@ -35,7 +35,7 @@ def no_meshing(monkeypatch):
         raise AssertionError("work has begun")
 
     monkeypatch.setattr("geometry.air.mesh._run_gmsh", refuse)
-    monkeypatch.setattr("acoustic_fem.library.responses.lay_out", refuse)
+    monkeypatch.setattr("acoustic_fem.library.responses.place_housings", refuse)
 
 
 # -- frequencies ------------------------------------------------------------------------------------------
