@@ -18,7 +18,7 @@ from typing import Any, NamedTuple
 from numpy.typing import ArrayLike
 
 from acoustic_fem.batch.elements import Chambers, Conditions, Points, Tubes, chambers, points, tubes
-from acoustic_fem.batch.numpy_or_torch import Array, inverse
+from acoustic_fem.batch.numpy_or_torch import Array, inverse, namespace
 from acoustic_fem.batch.openings import check_openings, open_parts, opening_columns
 from acoustic_fem.batch.parameters import ArrayParameters, MediumParameters, check_medium, check_parameters
 from acoustic_fem.batch.topology import LineWiring, Topology
@@ -138,12 +138,26 @@ class _Chain(NamedTuple):
 def _respond(
     parameters: ArrayParameters, topology: Topology, air: Conditions, count: int, fidelity: str
 ) -> tuple[Array, Array, Array]:
-    xp = parameters.namespace
     if fidelity == "atlas":
         tube, point, chamber = open_parts(parameters, topology, air)
         topology = opening_columns(topology).topology
     else:
         tube, point, chamber = tubes(parameters, air), points(parameters, air), chambers(parameters, air)
+    found = join_parts(topology, tube, point, chamber, count)
+    return found.source_response, found.point_impedance, found.microphone_impedance
+
+
+def join_parts(topology: Topology, tube: Tubes, point: Points, chamber: Chambers, count: int) -> BatchResponse:
+    """Responses of arrays whose parts are known.
+
+    Args:
+        topology: the wiring, with the columns the parts have.
+        tube: the tubes, (n_design, n_tube_column, n_freq) or with one row for all designs.
+        point: the cavities and what yields around them, in columns of points.
+        chamber: the chambers, in columns of microphones.
+        count: number of designs.
+    """
+    xp = namespace(tube.series)
     tube = Tubes(*(_all_designs(xp, values, count) for values in tube))
     point = Points(*(None if values is None else _all_designs(xp, values, count) for values in point))
     chamber = Chambers(*(_parts(values, topology.microphones) for values in chamber))
@@ -181,9 +195,9 @@ def _respond(
             source, at_point = ratio[:, :, :, None] * source, ratio * ratio * at_point + own
         for place, number in enumerate(members):
             sources[number], at_points[number] = source[:, place], at_point[:, place]
-    diagonal = xp.eye(len(topology.microphones), dtype=xp.float64, device=air.omega.device)[..., None]
+    diagonal = xp.eye(len(topology.microphones), dtype=xp.float64, device=tube.series.device)[..., None]
     at_microphones = received * chamber.ratio[:, :, None] + diagonal * chamber.own[:, None]
-    return _joined(xp, sources, 1), _joined(xp, at_points, 1), at_microphones
+    return BatchResponse(_joined(xp, sources, 1), _joined(xp, at_points, 1), at_microphones)
 
 
 def _fold(xp: ModuleType, lines: list[LineWiring], tube: Tubes, point: Array) -> _Chain:

@@ -2,11 +2,11 @@
 
 A sensor that nobody calibrated differs from its library by the deviations of its parts. To first order these move the
 logarithms of the ratios of microphones by a Gaussian with covariance S = J J^T + noise; J is had from differences, one
-design with one part off for each column, all in one call of the lumped batch. Two points i and j differ by D_ij, the
-logarithm of the ratio of their ratios. A decoder that goes by the nominal design weighs each frequency and pair of
-microphones by the pressures that it has there, |H_a|^2 |H_b|^2 over the sum of all |H|^2, which is what is left of a
-frame besides the direction of its own point. Its score falls short of the decision by half of D.W.D, with the standard
-deviation sqrt(W D.S.W D), so that j is the likelier with probability
+sensor with one part off for each column, whose parts are computed once for all of them. Two points i and j differ by
+D_ij, the logarithm of the ratio of their ratios. A decoder that goes by the nominal design weighs each frequency and
+pair of microphones by the pressures that it has there, |H_a|^2 |H_b|^2 over the sum of all |H|^2, which is what is left
+of a frame besides the direction of its own point. Its score falls short of the decision by half of D.W.D, with the
+standard deviation sqrt(W D.S.W D), so that j is the likelier with probability
 
     e_ij = erfc(d / sqrt 8) / 2,    d = D.W.D / sqrt(W D.S.W D).
 
@@ -15,16 +15,17 @@ All pairs count: neighbours alone make arrays in which points far apart are take
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
-from dataclasses import fields, replace
-from typing import TYPE_CHECKING
+from dataclasses import fields
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from acoustic_fem.batch.network import batch_transfer_function
-from acoustic_fem.batch.parameters import ArrayParameters
+from acoustic_fem.batch.elements import Chambers, Conditions, Points, Tubes, chambers, points, tubes
+from acoustic_fem.batch.network import join_parts
+from acoustic_fem.batch.numpy_or_torch import namespace
+from acoustic_fem.batch.parameters import PART, ArrayParameters
 from acoustic_fem.batch.topology import Topology
 from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.scatter.tolerances import UNCALIBRATED
@@ -34,11 +35,13 @@ from geometry.refusal import Refusal
 from geometry.stated.fields import DesignError
 
 if TYPE_CHECKING:
-    from torch import Tensor
-
     from acoustic_fem.membrane.disc import KnownDiscs
+    from acoustic_fem.quantities.medium import Medium
+    from geometry.stated.array import Air
+    from geometry.stated.parts import Microphone
 
 Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
 
 FREQUENCIES = np.geomspace(1.5, 90.0, 8)
 """Hz, at which responses are compared."""
@@ -51,6 +54,8 @@ TOUCH_LEVEL, BINS = 0.25, 25
 frame of 250 ms has in that band."""
 #: Deviation of each part, a fraction.
 _DEVIATIONS = {each.quantity: each.deviation for each in UNCALIBRATED}
+#: Values of sensors worked on at once (designs x sensors x points x frequencies).
+_CHUNK = 100_000
 #: Step by which a field of the design is changed for a slope, as a fraction.
 _STEP = 1e-3
 
@@ -70,12 +75,15 @@ def scatter_detection(designs: Sequence[ArrayDesign], known: KnownDiscs | None =
         Refusal: fewer than two points or microphones, a cavity that is no cylinder, or a pre-stretched membrane with
             loss.
     """
-    import torch
-
-    with torch.no_grad():
-        return np.array(
-            [math.exp(float(_logarithm(design, _parameters(design, known).tensors()))) for design in designs]
-        )
+    alike: dict[tuple[Topology, Air], list[int]] = {}
+    for number, design in enumerate(designs):
+        alike.setdefault((Topology.of(design), design.air), []).append(number)
+    found = np.empty(len(designs))
+    for (topology, _), numbers in alike.items():
+        own = [designs[number] for number in numbers]
+        parameters, air = ArrayParameters.from_designs(own, known=known), design_air(own[0])
+        found[numbers] = np.exp(_logarithms(topology, parameters, air, _noise(own)))
+    return found
 
 
 def scatter_slopes(design: ArrayDesign, names: Sequence[str], known: KnownDiscs | None = None) -> tuple[float, Array]:
@@ -97,7 +105,7 @@ def scatter_slopes(design: ArrayDesign, names: Sequence[str], known: KnownDiscs 
     """
     parameters = _parameters(design, known)
     followed = parameters.tensors(requires_grad=True)
-    found = _logarithm(design, followed)
+    found = _logarithms(Topology.of(design), followed, design_air(design), _noise([design]))[0]
     found.backward()
     slopes = []
     for name in names:
@@ -126,81 +134,150 @@ def _changed(
         return parameters
 
 
-def _logarithm(design: ArrayDesign, parameters: ArrayParameters) -> Tensor:
-    """Logarithm of the predicted error, from tensors of one design in the columns of its topology."""
-    import torch
+def _logarithms(topology: Topology, parameters: ArrayParameters, air: Medium, noise: Array) -> Any:
+    """Logarithms of the predicted errors, (n_design,), from arrays or tensors in the columns of the topology.
 
-    shared = Topology.of(design)
-    if shared.point_count < 2:
-        raise Refusal(f"lines.0.points = {shared.point_count} must be at least 2: of one point nothing is confused")
-    made = _made(parameters.individual(shared))
-    h = batch_transfer_function(made, shared.individual(), FREQUENCIES, design_air(design))
-    first, second = np.triu_indices(len(shared.microphones), 1)
-    ratio = h[:, :, first] / h[:, :, second]  # (design, point, pair, frequency)
-    power = h[0].real ** 2 + h[0].imag ** 2
-    weight = power[:, first] * power[:, second] / power.sum(1, keepdim=True)
-    apart = torch.log(ratio[0][None] / ratio[0][:, None])  # from the row's point to the column's
-    weighed = weight[:, None] * apart
-    jacobian = torch.cat([torch.log(ratio[1:] / ratio[:1]), _of_gains(ratio[0], first, second)])
-
-    def joined(values: Tensor) -> Tensor:
-        return torch.cat([values.real.flatten(2), values.imag.flatten(2)], -1)
-
-    moved = joined(weighed) @ joined(jacobian).permute(1, 2, 0)
-    unknown = UNKNOWN**2 + _noise(design) * (1 / power[:, first] + 1 / power[:, second])
-    spread = moved.square().sum(-1) + ((weighed.real**2 + weighed.imag**2) * unknown[:, None]).sum((2, 3))
-    distance = (weighed.real * apart.real + weighed.imag * apart.imag).sum((2, 3))
-    others = ~torch.eye(len(distance), dtype=torch.bool)
-    error = torch.erfc(distance[others] / torch.sqrt(8 * spread[others])).reshape(len(distance), -1) / 2
-    mean, worst = error.sum(1).mean(), (error**4).sum(1).mean() ** 0.25
-    return (torch.log(mean) + WORST * torch.log(worst)) / (1 + WORST)
+    Args:
+        topology: the wiring of all designs.
+        parameters: of the designs.
+        air: of all designs.
+        noise: (n_design, n_freq), that of :func:`_noise`.
+    """
+    count = topology.point_count
+    if count < 2:
+        raise Refusal(f"lines.0.points = {count} must be at least 2: of one point nothing is confused")
+    xp = parameters.namespace
+    parts, places = _parts(parameters, air), _places(topology)
+    step = max(1, _CHUNK // (len(places[0]) * count * len(FREQUENCIES)))
+    with np.errstate(divide="ignore"):  # where nothing is confused
+        pieces = [
+            _of_responses(_responses(topology, parts, places, slice(first, first + step)), noise[first : first + step])
+            for first in range(0, len(noise), step)
+        ]
+    return xp.concatenate(pieces)
 
 
-def _made(nominal: ArrayParameters) -> ArrayParameters:
-    """The nominal sensor, and one for each part with that part one deviation off: tensors, one row each."""
-    import torch
+def _parts(nominal: ArrayParameters, air: Medium) -> tuple[Tubes, Points, Chambers]:
+    """Parts in the columns of :func:`_places`: as designed, and with each of their deviations."""
+    xp = nominal.namespace
+    columns = {"tube": 2, "point": 4, "microphone": 2}
+    wide: dict[str, Any] = {}
+    for field in fields(nominal):
+        values = getattr(nominal, field.name)
+        wide[field.name] = xp.concatenate([values] * columns[PART[field.name]], 1)
 
-    tubes, points, chambers = (
-        getattr(nominal, name).shape[1] for name in ("tube_radius", "cavity_height", "chamber_height")
+    def factors(name: str, *deviations: str | None) -> Any:
+        size = getattr(nominal, name).shape[1]
+        one = [1 + _DEVIATIONS[each] if each else 1.0 for each in deviations]
+        return xp.asarray(np.repeat(one, size)[None])
+
+    modulus = factors("cavity_height", None, None, "modulus_of_part", "modulus_of_batch")
+    wide["tube_radius"] = wide["tube_radius"] * factors("tube_radius", None, "bore")
+    wide["cavity_height"] = wide["cavity_height"] * factors("cavity_height", None, "cavity_height", None, None)
+    wide["membrane_compliance"] = wide["membrane_compliance"] / modulus
+    wide["membrane_frequency"] = wide["membrane_frequency"] * xp.sqrt(modulus)[..., None]
+    wide["chamber_height"] = wide["chamber_height"] * factors("chamber_height", None, "chamber_height")
+    made = ArrayParameters(**wide)
+    conditions = Conditions.of(xp.asarray(2 * np.pi * FREQUENCIES), air)
+    return tubes(made, conditions), points(made, conditions), chambers(made, conditions)
+
+
+def _places(topology: Topology) -> tuple[NDArray[np.intp], NDArray[np.intp], NDArray[np.intp]]:
+    """Columns of :func:`_parts` that the tubes, points and microphones of each sensor have, (n_sensor, n_part) each.
+
+    The first sensor is as designed; of the others each has one part one deviation off, the last all moduli.
+    """
+    tube = np.array([column for line in topology.lines for column in line.tubes])
+    point = np.array([column for line in topology.lines for column in line.points])
+    chamber = np.array(topology.microphones)
+    sizes = len(tube), len(point), len(point), len(chamber)
+    start = 1 + np.concatenate([[0], np.cumsum(sizes)])
+
+    def place(own: NDArray[np.intp], *deviated: int) -> NDArray[np.intp]:
+        """Own columns everywhere, but one part after the other those of its first, second, ... deviation."""
+        rows = np.tile(own, (start[-1] + 1, 1))
+        for number, group in enumerate(deviated, 1):
+            each = np.arange(len(own))
+            rows[start[group] + each, each] += number * (own.max() + 1)
+        return rows
+
+    of_points = place(point, 1, 2)
+    of_points[-1] += 3 * (point.max() + 1)
+    return place(tube, 0), of_points, place(chamber, 3)
+
+
+def _responses(
+    topology: Topology, parts: tuple[Tubes, Points, Chambers], places: Sequence[NDArray[np.intp]], designs: slice
+) -> Any:
+    """Transfer functions of all sensors of some designs, (n_design, n_sensor, n_point, n_microphone, n_freq)."""
+    tube, point, chamber = (
+        [None if each is None else each[designs][:, rows].reshape(-1, rows.shape[1], len(FREQUENCIES)) for each in part]
+        for part, rows in zip(parts, places, strict=True)
     )
-    sizes = {"bore": tubes, "cavity_height": points, "modulus_of_part": points, "chamber_height": chambers}
-    count = 2 + sum(sizes.values())
-    factors: dict[str, Tensor] = {}
-    row = 1
-    for quantity, size in sizes.items():
-        factor = torch.ones(count, size, dtype=torch.float64)
-        factor[row : row + size].fill_diagonal_(1 + _DEVIATIONS[quantity])
-        factors[quantity] = factor
-        row += size
-    modulus = factors["modulus_of_part"]
-    modulus[row] = 1 + _DEVIATIONS["modulus_of_batch"]
-    return replace(
-        nominal,
-        tube_radius=nominal.tube_radius * factors["bore"],
-        cavity_height=nominal.cavity_height * factors["cavity_height"],
-        membrane_compliance=nominal.membrane_compliance / modulus,
-        membrane_frequency=nominal.membrane_frequency * torch.sqrt(modulus)[..., None],
-        chamber_height=nominal.chamber_height * factors["chamber_height"],
-    )
+    count, sensors = len(parts[0].series[designs]), len(places[0])
+    h = join_parts(
+        topology.individual(), Tubes(*tube), Points(*point), Chambers(*chamber), count * sensors
+    ).transfer_function
+    return h.reshape(count, sensors, *h.shape[1:])
 
 
-def _of_gains(ratio: Tensor, first: NDArray[np.intp], second: NDArray[np.intp]) -> Tensor:
-    """What the gain of each microphone changes of the logarithms of ratios, shaped as these behind the microphone."""
-    import torch
+def _of_responses(h: Any, noise: Array) -> Any:
+    """Logarithms of the predicted errors, (n_design,).
 
-    moved = torch.zeros(int(second.max()) + 1, *ratio.shape, dtype=ratio.dtype)
-    for pair, (a, b) in enumerate(zip(first, second, strict=True)):
-        moved[a, :, pair] += _DEVIATIONS["microphone_gain"]
-        moved[b, :, pair] -= _DEVIATIONS["microphone_gain"]
+    Args:
+        h: (n_design, n_sensor, n_point, n_microphone, n_freq), those of :func:`_responses`.
+        noise: (n_design, n_freq).
+    """
+    xp = namespace(h)
+    first, second = np.triu_indices(h.shape[3], 1)
+    ratio = h[:, :, :, first] / h[:, :, :, second]  # (design, sensor, point, pair, frequency)
+    nominal = ratio[:, 0]
+    power = h[:, 0].real ** 2 + h[:, 0].imag ** 2
+    weight = power[:, :, first] * power[:, :, second] / power.sum(2)[:, :, None]
+    apart = xp.log(nominal[:, None] / nominal[:, :, None])  # from the row's point to the column's
+    weighed = weight[:, :, None] * apart
+    gains = xp.asarray(_of_gains(first, second))[None, :, None, :, None]
+    gains = xp.broadcast_to(gains, (len(h), h.shape[3], *nominal.shape[1:]))
+    jacobian = xp.concatenate([xp.log(ratio[:, 1:] / ratio[:, :1]), gains], 1)
+
+    def joined(values: Any) -> Any:
+        return xp.concatenate([part.reshape(*values.shape[:3], -1) for part in (values.real, values.imag)], -1)
+
+    moved = joined(weighed) @ xp.moveaxis(joined(jacobian), 1, 3)
+    unknown = UNKNOWN**2 + xp.asarray(noise)[:, None, None] * (1 / power[:, :, first] + 1 / power[:, :, second])
+    spread = (moved * moved).sum(-1) + ((weighed.real**2 + weighed.imag**2) * unknown[:, :, None]).sum((3, 4))
+    distance = (weighed.real * apart.real + weighed.imag * apart.imag).sum((3, 4))
+    others = ~np.eye(h.shape[2], dtype=bool)
+    argument = distance[:, others] / xp.sqrt(8 * spread[:, others])
+    if xp is np:
+        from scipy.special import erfc
+    else:
+        erfc = xp.special.erfc
+    error = erfc(argument).reshape(len(h), h.shape[2], -1) / 2
+    mean, worst = error.sum(2).mean(1), (error**4).sum(2).mean(1) ** 0.25
+    return (xp.log(mean) + WORST * xp.log(worst)) / (1 + WORST)
+
+
+def _of_gains(first: NDArray[np.intp], second: NDArray[np.intp]) -> Complex:
+    """What the gain of each microphone changes of the logarithms of ratios, (n_microphone, n_pair)."""
+    moved = np.zeros((int(second.max()) + 1, len(first)), np.complex128)
+    pairs = np.arange(len(first))
+    moved[first, pairs] = _DEVIATIONS["microphone_gain"]
+    moved[second, pairs] = -_DEVIATIONS["microphone_gain"]
     return moved
 
 
-def _noise(design: ArrayDesign) -> Tensor:
-    """Mean square of the noise of a microphone, per real value of a ratio, by that of the touch in its cavity."""
-    import torch
+def _noise(designs: Sequence[ArrayDesign]) -> Array:
+    """Mean square of the noise of a microphone, per real value of a ratio, by that of the touch in its cavity.
 
+    (n_design, n_freq); all designs in the same air.
+    """
     from localize.signals.noise import microphone_noise
 
-    power = microphone_noise(design.microphone, design_air(design)).power
-    level = np.interp(FREQUENCIES, np.arange(len(power)), power) / (TOUCH_LEVEL**2 / 99.0)
-    return torch.from_numpy(level / 2 / (BINS / len(FREQUENCIES)))
+    found: dict[Microphone, Array] = {}
+    for design in designs:
+        if design.microphone not in found:
+            power = microphone_noise(design.microphone, design_air(design)).power
+            level = np.interp(FREQUENCIES, np.arange(len(power)), power) / (TOUCH_LEVEL**2 / 99.0)
+            found[design.microphone] = level / 2 / (BINS / len(FREQUENCIES))
+    return np.stack([found[design.microphone] for design in designs])

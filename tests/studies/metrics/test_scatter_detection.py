@@ -72,6 +72,15 @@ def test_its_slopes_are_those_of_its_values() -> None:
         assert slope == pytest.approx((high - low) / 0.004, rel=0.02, abs=2e-3), name
 
 
+def test_many_designs_have_what_each_has_alone() -> None:
+    base = small_design()
+    changes = {"tube.length": 14.0}, {"air.temperature": 35.0}, {"lines.0.points": 4, "layout.columns": 4}
+    designs = [base, *(base.with_values(change) for change in changes), base.with_values({"membrane.thickness": 0.3})]
+    together = scatter_detection(designs)
+    assert len(set(together)) == len(designs)
+    assert together == pytest.approx([scatter_detection([design])[0] for design in designs], rel=1e-10)
+
+
 def test_a_further_point_costs_and_what_cannot_be_computed_is_refused() -> None:
     base = small_design()
     four = base.with_values({"lines.0.points": 4, "layout.columns": 4})
