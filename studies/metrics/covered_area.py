@@ -50,8 +50,13 @@ def _hull(place: Array, radius: Array) -> tuple[Array, Array, Array]:
     from scipy.spatial import ConvexHull
 
     turn = np.linspace(0, 2 * np.pi, _CORNERS, endpoint=False)
-    edge = place[:, None] + radius[:, None, None] * np.stack([np.cos(turn), np.sin(turn)], -1)
-    rim = edge.reshape(-1, 2)
+    corner = np.stack([np.cos(turn), np.sin(turn)], -1)
+    edge = place[:, None] + radius[:, None, None] * corner
+    # Where one disc reaches furthest square to both edges beside a corner, it does so at that corner alone.
+    side = corner + np.roll(corner, -1, axis=0)
+    furthest = (place @ side.T + radius[:, None] * (side * corner).sum(1)).argmax(axis=0)
+    only = furthest == np.roll(furthest, 1)
+    rim = np.concatenate([edge[furthest[only], only], edge[:, ~only].reshape(-1, 2)])
     rim = rim[ConvexHull(rim).vertices]
     low, high = rim[:, 1].min(), rim[:, 1].max()
     height = low + (np.arange(_LINES) + 0.5) / _LINES * (high - low)
@@ -60,7 +65,7 @@ def _hull(place: Array, radius: Array) -> tuple[Array, Array, Array]:
     sides = []
     for rising in (False, True):
         kept = (stop[:, 1] > start[:, 1]) == rising
-        corners = np.unique(np.concatenate([start[kept], stop[kept]]), axis=0)
+        corners = np.concatenate([start[kept], stop[kept]])
         order = np.argsort(corners[:, 1], kind="stable")
         sides.append(np.interp(height, corners[order, 1], corners[order, 0]))
     return height, sides[0], sides[1]

@@ -7,6 +7,8 @@ from collections.abc import Iterable
 import numpy as np
 from numpy.typing import NDArray
 
+from geometry.layout.arrangement import lay_out
+from geometry.layout.placement import ArrayLayout
 from geometry.layout.size import array_size
 from studies.metrics.confusion import PredictedConfusion, predict_confusions
 from studies.metrics.responses import Complex, Responses, known
@@ -31,6 +33,7 @@ class SharedFigures:
         self._distances: dict[tuple[float, float], PairDistances] = {}
         self._confusion: dict[float | None, PredictedConfusion] = {}
         self._touches: dict[str, Complex] = {}
+        self._layouts: list[ArrayLayout] | None = None
         self._sizes: Array | None = None
 
     def distances(self, band: tuple[float, float]) -> PairDistances:
@@ -63,10 +66,17 @@ class SharedFigures:
             self._touches[touch] = touch_response(self.responses, touch)
         return self._touches[touch]
 
+    def layouts(self) -> list[ArrayLayout]:
+        """Where the parts of each design lie."""
+        if self._layouts is None:
+            self._layouts = [lay_out(design) for design in known(self.responses.designs)]
+        return self._layouts
+
     def sizes(self) -> Array:
         """Length, width and height of each design, (n_design, 3) float64, mm: length is the longer side."""
         if self._sizes is None:
-            sizes = [array_size(design) for design in known(self.responses.designs)]
+            placed = zip(known(self.responses.designs), self.layouts(), strict=True)
+            sizes = [array_size(design, layout) for design, layout in placed]
             self._sizes = np.array([(max(x, y), min(x, y), z) for x, y, z in sizes])
         return self._sizes
 
