@@ -6,7 +6,7 @@ each other, impedances of openings in mu / a^3, inertances of cavities in rho / 
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
@@ -130,6 +130,23 @@ class CellAtlas:
         Raises:
             OutsideAtlas: names the ratio, its value and its range.
         """
+        for name, value, (low, high) in self._bounded(house, opening, square):
+            outside = value[_beyond(value, low, high)]
+            if outside.size:
+                raise OutsideAtlas(
+                    f"{where}: {name} = {outside.flat[0]:.4g} must be {low:g} to {high:g} in the atlas of cells; "
+                    'fidelity "navier-stokes" solves it in 3-D'
+                )
+
+    def is_outside(self, house: House, opening: Opening, square: Array) -> NDArray[np.bool_]:
+        """Which openings :meth:`check` would refuse; arguments as there, the shape of one of its numbers."""
+        found = [_beyond(value, *bounds) for _, value, bounds in self._bounded(house, opening, square)]
+        return np.asarray(np.any(np.broadcast_arrays(*found), axis=0))
+
+    def _bounded(
+        self, house: House, opening: Opening, square: Array
+    ) -> Iterator[tuple[str, NDArray[np.float64], tuple[float, float]]]:
+        """Names, values and bounds of what :meth:`check` looks at."""
         by_radius, by_floor, by_ceiling = opening.ratios
         values = {
             "bore by cavity diameter": by_radius,
@@ -139,15 +156,11 @@ class CellAtlas:
             "shear number a sqrt(w/nu) at the highest frequency": square**0.5,
         }
         for name, value in values.items():
-            low, high = self.bounds[house][name]
-            outside = np.asarray(value)[
-                (np.asarray(value) < low * (1 - 1e-9)) | (np.asarray(value) > high * (1 + 1e-9))
-            ]
-            if outside.size:
-                raise OutsideAtlas(
-                    f"{where}: {name} = {outside.flat[0]:.4g} must be {low:g} to {high:g} in the atlas of cells; "
-                    'fidelity "navier-stokes" solves it in 3-D'
-                )
+            yield name, np.asarray(value), self.bounds[house][name]
+
+
+def _beyond(value: NDArray[np.float64], low: float, high: float) -> NDArray[np.bool_]:
+    return np.asarray((value < low * (1 - 1e-9)) | (value > high * (1 + 1e-9)))
 
 
 @lru_cache(maxsize=1)

@@ -6,7 +6,7 @@ column for each pair of openings, and points one for each pair of tubes.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any, NamedTuple
@@ -105,15 +105,30 @@ def check_openings(parameters: ArrayParameters, topology: Topology, frequency: A
         OutsideAtlas: names the kind of opening, the ratio and its range.
     """
     check_gas(medium)
+    for mouth, opening, square in _stated_openings(parameters, topology, frequency, medium):
+        atlas_part = "a microphone's chamber" if mouth.house == "microphone" else f"points of column {mouth.cavity}"
+        cell_atlas().check(mouth.house, opening, square, f"{topology.tube_names[mouth.tube]} at {atlas_part}")
+
+
+def designs_outside(parameters: ArrayParameters, topology: Topology, frequency: Array, medium: Any) -> Array:
+    """Which designs :func:`check_openings` would refuse for their openings, (n_design,) bool; arguments as there."""
+    outside = np.zeros(parameters.design_count, dtype=bool)
+    for mouth, opening, square in _stated_openings(parameters, topology, frequency, medium):
+        outside |= cell_atlas().is_outside(mouth.house, opening, square[:, None, None])[:, 0, 0]
+    return outside
+
+
+def _stated_openings(
+    parameters: ArrayParameters, topology: Topology, frequency: Array, medium: Any
+) -> Iterator[tuple[Mouth, Opening, Array]]:
+    """Mouths with their shapes, (n_design, 1, 1), and largest squares of their shear numbers, (n_design,), NumPy."""
     plain = parameters if parameters.namespace is np else parameters.map(lambda values: values.detach().cpu().numpy())
     per_viscosity = medium.density / medium.viscosity
     if not isinstance(per_viscosity, float | np.ndarray):
         per_viscosity = per_viscosity.detach().cpu().numpy()
     for mouth in opening_columns(topology).mouths:
         opening = _opening(plain, mouth)
-        square = opening.radius[:, 0, 0] ** 2 * per_viscosity * (2 * np.pi * float(frequency[-1]))
-        atlas_part = "a microphone's chamber" if mouth.house == "microphone" else f"points of column {mouth.cavity}"
-        cell_atlas().check(mouth.house, opening, square, f"{topology.tube_names[mouth.tube]} at {atlas_part}")
+        yield mouth, opening, opening.radius[:, 0, 0] ** 2 * per_viscosity * (2 * np.pi * float(frequency[-1]))
 
 
 def open_parts(parameters: ArrayParameters, topology: Topology, air: Conditions) -> tuple[Tubes, Points, Chambers]:

@@ -69,7 +69,9 @@ class StudyFields(FileSection):
     constraints: tuple[str, ...] = Field(
         default=(), description="conditions on a case; one that breaks any is left out and counted"
     )
-    fidelity: Fidelity = Field(default="navier-stokes", description="what the cells are computed with")
+    fidelity: Fidelity = Field(
+        default="atlas", description="what the cells are computed with; cases outside the atlas fail by name"
+    )
     frequencies: str = Field(
         default="1:100:64", description="FIRST:LAST:COUNT, Hz; they must cover the band of every metric"
     )

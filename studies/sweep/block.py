@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 from acoustic_fem import Medium
 from acoustic_fem.atlas.cell_in_atlas import atlas_admittance
 from acoustic_fem.batch.network import batch_response
+from acoustic_fem.batch.openings import designs_outside
 from acoustic_fem.batch.parameters import ArrayParameters, MediumParameters
 from acoustic_fem.batch.topology import Topology
 from acoustic_fem.cell.design_cells import kept_cell, solve_cells
@@ -168,6 +169,14 @@ def _padded(block: _Block) -> Complex:
     return padded
 
 
+class _SomeOutside(Exception):
+    """Some designs of a batch have cells outside the atlas."""
+
+    def __init__(self, designs: NDArray[np.bool_]) -> None:
+        super().__init__()
+        self.designs = designs
+
+
 # -- responses --------------------------------------------------------------------------------------
 def _responses(
     job: Job, designs: Mapping[int, ArrayDesign], cells: Mapping[CellKey, SolvedCell], block: _Block
@@ -182,9 +191,15 @@ def _responses(
         else:
             groups.setdefault(Topology.of(design), []).append(number)
     found: list[tuple[list[int], Responses]] = []
-    for topology, numbers in groups.items():
+    waiting = list(groups.items())
+    for topology, numbers in waiting:
         try:
             found.append((numbers, _batch(job, topology, [designs[number] for number in numbers])))
+        except _SomeOutside as error:
+            alone += [number for number, outside in zip(numbers, error.designs, strict=True) if outside]
+            if not error.designs.all():
+                inside = [number for number, outside in zip(numbers, error.designs, strict=True) if not outside]
+                waiting.append((topology, inside))
         except FAILURES:
             alone += numbers  # one of them is at fault; which one shows case by case
         except _MISTAKES as error:
@@ -203,7 +218,11 @@ def _responses(
 
 
 def _batch(job: Job, topology: Topology, designs: Sequence[ArrayDesign]) -> Responses:
-    """Many designs whose cells are closed forms in one call."""
+    """Many designs whose cells are closed forms in one call.
+
+    Raises:
+        _SomeOutside: cells of some designs are outside the atlas.
+    """
     states: dict[Any, Medium] = {}
     for design in designs:
         if design.air not in states:
@@ -216,6 +235,10 @@ def _batch(job: Job, topology: Topology, designs: Sequence[ArrayDesign]) -> Resp
         for air, state in states.items()
     ]
     joined = parameters[0] if len(parameters) == 1 else _in_order(parameters, designs, list(states))
+    if job.fidelity == "atlas":
+        outside = designs_outside(joined, topology, job.frequency, medium)
+        if outside.any():
+            raise _SomeOutside(outside)
     response = batch_response(joined, topology, job.frequency, medium, job.fidelity)
     return Responses(
         frequency=job.frequency,

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 import acoustic_fem
+from acoustic_fem.atlas import cell_atlas
 from studies.findings.result_table import table_of_sweep, with_base_metrics
 from studies.study.file import read_study
 from studies.study.metric_registry import METRICS
@@ -55,3 +56,36 @@ def test_the_base_beside_its_cases_is_of_the_atlas_too(sweep):
     table = with_base_metrics(table_of_sweep(sweep))
     library = acoustic_fem.solve(sweep.base, read_study(STUDY).frequency, "atlas")
     assert table.base_metrics["ild_smallest"] == pytest.approx(METRICS["ild_smallest"].of_library(library))
+
+
+def test_it_is_the_default_and_a_study_that_names_another_keeps_that():
+    silent = STUDY.replace('fidelity = "atlas"\n', "")
+    assert read_study(silent).digest() == read_study(STUDY).digest()
+    assert read_study(STUDY.replace('"atlas"', '"navier-stokes"')).fidelity == "navier-stokes"
+
+
+@pytest.mark.slow
+def test_ten_random_cases_are_within_the_stated_error_of_3_d(tmp_path):
+    text = """
+base = "array-2x6"
+sampling = "random"
+cases = 10
+seed = 20
+metrics = ["distance_smallest"]
+frequencies = "1:200:9"
+transfer_functions = true
+
+[parameters]
+"resonator.cavity_height" = [2.3, 3.4]
+"tube.length" = {from = 9, to = 25}
+"membrane.thickness" = {from = 0.4, to = 1.2}
+"""
+    kept = {}
+    for fidelity in ("atlas", "navier-stokes"):
+        store = tmp_path / f"{fidelity}.zarr"
+        assert run_sweep(read_study(f'fidelity = "{fidelity}"\n{text}'), store, workers=1).computed == 10
+        data = open_sweep(store).dataset
+        kept[fidelity] = data["transfer_function_real"].values + 1j * data["transfer_function_imag"].values
+    exact = kept["navier-stokes"]
+    off = np.abs(kept["atlas"] / exact - 1) / (1 + np.abs(np.log(np.abs(exact))))
+    assert 0 < off.max() < cell_atlas().errors["transfer function by 1 + |ln H|"]
