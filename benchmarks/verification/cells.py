@@ -17,10 +17,9 @@ from geometry.air.mesh import InvertedElementsError, MeshSizes, mesh_solid
 from tests.support.reference_data import AIR, column, rows
 
 CELL_TEXT = """A rigid cylinder of 6 x 2.5 mm with two tubes of 0.5 x 6.25 mm opposite each other at mid height; 1 to
-100 Hz. Rows of another program (tests/reference/acoustics.json) are good to 5e-4. The study scales the sizes of
-`acoustic_fem.fields.mesh_sizes`; errors are relative to |Y₁₁|, that of the sum to itself. The thermal layer makes the
-sum converge with 3 to 4; without grading, the singular pressure at the mouth's edge would leave admittances 1.1
-(twice the exponent 0.544 of Stokes flow round 270°; Moffatt 1964). Checks: the public call at `accuracy=1e-3`."""
+100 Hz. Rows of another program (tests/reference/acoustics.json) are good to 5e-4. Errors are relative to |Y₁₁|,
+that of the sum to itself. The thermal layer makes the sum converge with 3 to 4; on meshes that are not graded
+admittances would have 1.1 (the pressure at the mouth's edge; Moffatt 1964). Checks are calls at `accuracy=1e-3`."""
 
 OPENING_TEXT = """A tube of radius a = 0.25 mm, 1 mm long in the mesh, opens into the end of a duct of 5 a or 50 a.
 Without the exact ducts the opening is left, Z a³/μ, against axisymmetric Navier-Stokes of another program, good to

@@ -19,8 +19,8 @@ _TARGET = 1e-12
 
 TEXT = f"""Z', Y', Γ = √(Z'Y'), Zc = √(Z'/Y') and the two-port of round bores of 0.05 to 5 mm, 0.01 Hz to 20 kHz,
 lengths of {", ".join(f"{1e3 * length:g}" for length in _LENGTHS)} mm, against the [formulas](theory.md#tubes) evaluated
-by mpmath with {_DIGITS} digits, and the exact limits. Y11 + Y12 is no output but the sum of two stored entries: at low
-frequency it is smaller than they are by |ΓL|²/2, and that many digits are lost, whoever computes the entries."""
+by mpmath with {_DIGITS} digits, and the exact limits. Y11 + Y12 is no output: at low frequency it is smaller
+than these two by |ΓL|²/2, and so many digits are lost."""
 
 
 def exact_per_length(radius: float, frequency: float) -> tuple[mpmath.mpc, mpmath.mpc]:

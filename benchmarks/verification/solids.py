@@ -18,17 +18,16 @@ from geometry.air.mesh import MeshSizes, SolidMesh, mesh_solid
 from tests.support.reference_data import AIR
 
 TUBE_TEXT = """A tube of radius a = 0.25 mm and length 1 mm, uniform curved tetrahedra (edge of the mean volume), both
-3-D models: largest error of Y₁₁ and Y₁₂ relative to |Y₁₁|. At low frequency only the curved wall is left (a parabola
-instead of an arc), of order 4; at 2 kHz the layer √(2ν/ω) is a fifth of the radius, and meshes finer than 2.5 layers
-count. No mesh refines another, hence the scatter."""
+3-D models: largest error of Y₁₁ and Y₁₂ relative to |Y₁₁|. At low frequency only the curved wall is left, of order
+4; at 2 kHz, where the layer √(2ν/ω) is a fifth of the radius, meshes finer than 2.5 layers count. No mesh refines
+another, hence the scatter."""
 
 HEAT_TEXT = """Compliance of closed cavities with cold walls: cylinder (6 x 2.5 mm), sphere (4 mm), box (4 x 3 x 2 mm;
 triple sine series). An energy: order 4, less a logarithm along edges, once the layer √(2α/ω), 0.26 mm at 100 Hz, is
 resolved: meshes finer than 2.5 layers count."""
 
 SUM_TEXT = """With all ports at one pressure the inflow is that of isothermal gas, jω V/p₀. Tetrahedra with three
-faces on walls would lock a pressure and lose their volume here, unseen in Y₁₁ and Y₁₂; the mesher splits them. Meshes
-of `accuracy=2e-3`."""
+faces on walls, which lose their volume here, are split by the mesher. Meshes of `accuracy=2e-3`."""
 
 _RADIUS, _LENGTH = 0.25, 1.0
 _SUM_ACCURACY = 2e-3
