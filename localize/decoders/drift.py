@@ -15,7 +15,7 @@ explains what parts that differ from the design do.
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -26,7 +26,7 @@ from geometry.refusal import Refusal
 from localize.decoders.bayes import Ambient, BayesDecoder
 from localize.decoders.frame_covariance import SAMPLES, touch_covariances
 from localize.decoders.likelihood import CHUNK
-from localize.signals.array_response import ArrayResponse
+from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.frames import checked_signals, cut_frames
 from localize.signals.noise import NoiseChoice
 from localize.signals.threads import one_thread
@@ -49,6 +49,14 @@ LEAST = -4.0
 which may be none."""
 
 
+@dataclass
+class _Belief:
+    """What is believed of a drift."""
+
+    log: NDArray[np.float64]
+    """Logarithm of the probability of each state, (n_state,)."""
+
+
 class DriftDecoder(BayesDecoder):
     """Maximum likelihood over the points of a calibrated array whose stiffness drifts.
 
@@ -62,29 +70,50 @@ class DriftDecoder(BayesDecoder):
         microphone_noise: as of :class:`localize.BayesDecoder`.
         ambient: as of :class:`localize.BayesDecoder`.
         new: share of a frame that the frame before it does not hold, above 0, at most 1: 16 / 250 in a stream.
+        microphones: names of two or more that are listened to; by default all.
 
     Raises:
         Refusal: a library that is not calibrated, or in which points are still those of the design; a share out of
-            range; a design that the lumped batch does not take; or as :class:`localize.BayesDecoder`.
+            range; a design that the lumped batch does not take; a microphone that the library does not have; or as
+            :class:`localize.BayesDecoder`.
     """
 
     bounds_scores = False
 
     def __init__(
-        self, library: Library, microphone_noise: NoiseChoice = 1e-3, ambient: Ambient = None, new: float = 1.0
+        self,
+        library: Library,
+        microphone_noise: NoiseChoice = 1e-3,
+        ambient: Ambient = None,
+        new: float = 1.0,
+        microphones: tuple[str, ...] | None = None,
     ) -> None:
         if not 0 < new <= 1:
             raise Refusal(f"new = {new} must be above 0 and at most 1")
         objection = objection_to_drift(library)
         if objection is not None:
             raise Refusal(f"library {objection}")
+        self._listened_to = microphones
         super().__init__(library, microphone_noise, ambient)
-        self._new = new
+        self._library, self._new = library, new
         apart = np.log(self.stiffness)
         self._usual = -0.5 * (apart / USUAL) ** 2
         moves = new * MOVES / 2 * (np.eye(STATES, k=1) + np.eye(STATES, k=-1))
         self._transition = moves + np.diag(1 - moves.sum(1))
-        self.reset()
+        self._belief = _Belief(self._usual - logsumexp(self._usual))
+
+    def heard_by(self, microphones: tuple[str, ...]) -> DriftDecoder:
+        """The same sensor by some of its microphones: what either hears of the drift both believe.
+
+        Args:
+            microphones: names, two or more.
+
+        Raises:
+            Refusal: a microphone that the library does not have, or fewer than two.
+        """
+        rest = DriftDecoder(self._library, self.microphone_noise, self.ambient, self._new, microphones)
+        rest._belief = self._belief
+        return rest
 
     @property
     def assumes(self) -> str:
@@ -99,11 +128,16 @@ class DriftDecoder(BayesDecoder):
     @property
     def belief(self) -> NDArray[np.float64]:
         """Probability of each state after the touches so far; (n_state,) float64."""
-        return np.exp(self._log_belief)
+        return np.exp(self._belief.log)
 
     def reset(self) -> None:
         """Forget the touches so far."""
-        self._log_belief = self._usual - logsumexp(self._usual)
+        self._belief.log = self._usual - logsumexp(self._usual)
+
+    def _heard(self, library: Library | ArrayResponse) -> ArrayResponse:
+        """The array, as the microphones hear it that are listened to."""
+        response = super()._heard(library)
+        return response if self._listened_to is None else response.heard_by(self._listened_to)
 
     def _touched(self, library: Library | ArrayResponse, response: ArrayResponse) -> NDArray[np.float64]:
         """Covariances of the states, point by point."""
@@ -114,10 +148,9 @@ class DriftDecoder(BayesDecoder):
         u = np.zeros((STATES, model.count))
         modulus = model.groups.index("modulus")
         u[:, modulus] = np.log(self.stiffness) / model.scale[modulus]
-        each = [
-            touch_covariances(replace(response, transfer_function=h), np.eye(SAMPLES))
-            for h in model.transfer_function(u)
-        ]
+        names = list(response_of(library).microphones)
+        heard = model.transfer_function(u)[:, :, [names.index(name) for name in response.microphones]]
+        each = [touch_covariances(replace(response, transfer_function=h), np.eye(SAMPLES)) for h in heard]
         return np.stack(each, 1).reshape(-1, *each[0].shape[1:])
 
     @one_thread()
@@ -137,7 +170,7 @@ class DriftDecoder(BayesDecoder):
         score = np.empty((len(batch), self.point_count))
         for number, by_state in enumerate(self._of_touches(batch)):
             self._hear(by_state)
-            score[number] = by_state[:, self._log_belief.argmax()]
+            score[number] = by_state[:, self._belief.log.argmax()]
         probability = np.exp(score - logsumexp(score, axis=1, keepdims=True))
         return probability if batched else probability[0]
 
@@ -150,7 +183,7 @@ class DriftDecoder(BayesDecoder):
         Returns:
             (n, n_point) float64, nats, up to a constant per frame.
         """
-        return self._by_state(frames)[..., self._log_belief.argmax()]
+        return self._by_state(frames)[..., self._belief.log.argmax()]
 
     def _by_state(self, frames: NDArray[np.float64]) -> NDArray[np.float64]:
         """Log-likelihoods of frames in all states, (n, n_point, n_state), nats."""
@@ -167,8 +200,8 @@ class DriftDecoder(BayesDecoder):
         """Take in what a touch of log-likelihoods (n_point, n_state) says of the state."""
         told = logsumexp(by_state, axis=0)
         told = self._new * np.maximum(told - told.max(), LEAST)
-        before = np.log(np.exp(self._log_belief) @ self._transition)
-        self._log_belief = before + told - logsumexp(before + told)
+        before = np.log(self.belief @ self._transition)
+        self._belief.log = before + told - logsumexp(before + told)
 
 
 def objection_to_drift(library: Library | ArrayResponse) -> str | None:

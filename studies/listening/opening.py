@@ -190,7 +190,7 @@ def open_stream(
         Refusal: a field that needs a library without one, a library of another design than the localizer's, or a figure
             out of range.
     """
-    from localize import BayesDecoder, Listening, Reconstructor, TouchStream
+    from localize import BayesDecoder, DriftDecoder, Listening, Reconstructor, TouchStream
     from localize.live.stream import REFUSED
     from localize.signals.array_response import response_of
     from localize.signals.same_array import check_same_design
@@ -211,8 +211,11 @@ def open_stream(
     judges = _judges(localizer, response, noise, decoding)
 
     def without(microphones: tuple[str, ...]) -> Judges:
-        rest = response.heard_by(microphones)
-        return _judges(_decoder(library, noise, decoding.ambient, microphones), rest, noise, decoding)
+        if isinstance(localizer, DriftDecoder):
+            rest: BayesDecoder = localizer.heard_by(microphones)
+        else:
+            rest = _decoder(library, noise, decoding.ambient, microphones)
+        return _judges(rest, response.heard_by(microphones), noise, decoding)
 
     return TouchStream(
         localizer,

@@ -75,6 +75,30 @@ def test_touches_one_by_one_are_those_of_a_batch() -> None:
     assert decoder.belief.argmax() == STATES // 2
 
 
+def test_without_a_microphone_the_drift_that_was_heard_is_known_and_followed_on() -> None:
+    nominal = solved("glove", GRID)
+    before, after = (
+        Rig(nominal.design, 6, HiddenScatter(modulus=modulus)).transfer_function(GRID) for modulus in (1.0, 0.8)
+    )
+    library = measured_library(nominal.design, nominal, before, 0.01 * np.abs(before), ("numpy",), {})
+    aged = replace(response_of(library), transfer_function=after)
+    made = localize.TouchGenerator(aged, 1, "training", NOISE).samples(0, 72)
+    order = np.random.default_rng(0).permutation(72)
+    frames, points = made.signals[order, :, -250:].double().numpy(), made.point[order].numpy()
+    decoder = localize.DriftDecoder(library, NOISE)
+    decoder.locate(frames[:24])
+    left = decoder.microphones[1:]
+    rest = decoder.heard_by(left)
+    assert rest.microphones == left
+    assert np.array_equal(rest.belief, decoder.belief)
+    still = localize.BayesDecoder(response_of(library).heard_by(left), NOISE)
+    right, unfollowed = ((each.locate(frames[24:, 1:]).argmax(1) == points[24:]).mean() for each in (rest, still))
+    assert right > unfollowed
+    assert np.array_equal(rest.belief, decoder.belief)
+    with pytest.raises(Refusal, match="microphones names 'Z', must be of"):
+        decoder.heard_by(("A", "Z"))
+
+
 def test_one_touch_excludes_no_state_and_frames_of_a_stream_count_by_what_is_new() -> None:
     frames, _ = touches(0.8)
     decoder = follower()

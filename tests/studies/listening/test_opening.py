@@ -13,6 +13,7 @@ import acoustic_fem
 import localize
 from acoustic_fem.library.result import MEASURED, measured_library
 from geometry.refusal import Refusal
+from localize.signals.array_response import response_of
 from studies.listening.opening import Decoding, assumed_by, open_localizer, open_stream, open_trained
 
 
@@ -45,6 +46,23 @@ def test_a_drift_is_followed_about_a_calibrated_library_alone(tmp_path) -> None:
         open_localizer(computed, follow)
     with pytest.raises(Refusal, match="`follow_drift` needs a calibrated library as model: localizer is none"):
         open_localizer(Path("localizer"), follow)
+
+
+@pytest.mark.slow
+def test_a_drift_is_followed_on_where_a_microphone_dies(tmp_path) -> None:
+    grid = np.arange(1.0, 101.0, 3.0)
+    nominal, path = solved("glove", grid), tmp_path / "calibrated.nc"
+    h = nominal.transfer_function.values
+    acoustic_fem.save(measured_library(nominal.design, nominal, h, 0.01 * np.abs(h), ("numpy",), {}), path)
+    follow = Decoding(noise=1e-3, follow_drift=True)
+    decoder = open_localizer(path, follow)
+    assert isinstance(decoder, localize.DriftDecoder)
+    before = decoder.belief
+    touch = localize.TouchGenerator(response_of(nominal), 1, "training", 1e-3).samples(3, 1).signals[0].double().numpy()
+    touch[0] = 0.0
+    events = open_stream(path, decoder, follow).push(touch)
+    assert any(event.state == "touch" for event in events if isinstance(event, localize.Decision))
+    assert not np.array_equal(decoder.belief, before)  # what the others heard moved what all believe
 
 
 def test_a_library_is_decoded_with_the_tolerances_until_its_sensor_is_measured(tmp_path) -> None:
