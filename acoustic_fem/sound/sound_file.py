@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import warnings
 from array import array
 from collections.abc import Iterator, Mapping, Sequence
@@ -24,6 +25,8 @@ FORMATS = (".wav", ".csv", ".npz", ".mat")
 #: What a file may hold beside its channels.
 TIME, RATE = "time", "sample_rate"
 _MOST_CHUNKS = 1000
+#: What others call the rate; it would be read over, and 1 kHz taken.
+_OTHER_RATES = ("fs", "sr", "rate", "samplerate", "samplingrate", "samplefrequency", "samplingfrequency")
 #: Name of a matrix of all channels, (channel, sample).
 MATRIX = "signals"
 
@@ -232,6 +235,9 @@ def _rate_of(path: Path, time: Array) -> float:
 
 
 def _of_arrays(path: Path, arrays: Mapping[str, NDArray[Any]], default_rate: float | None) -> Sound:
+    for name, values in arrays.items():
+        if values.size == 1 and re.sub(r"[^a-z]", "", name.lower()) in _OTHER_RATES and name != RATE:
+            raise SoundFileError(f"{path}: {name} must be called {RATE}, if it is the sample rate in Hz")
     # A column alone is one channel: MAT files know no vectors.
     numbered = MATRIX in arrays and arrays[MATRIX].ndim == 2 and arrays[MATRIX].shape[1] > 1
     if numbered:

@@ -69,8 +69,10 @@ def read_pulse(
     from acoustic_fem.library.result import MEASURED
     from localize import PulseReader, read_recording
     from localize.decoders.bayes import assumed_of
+    from localize.recordings.recording import check_recording_there
     from localize.signals.array_response import response_of
 
+    check_recording_there(recording)
     response = response_of(library_there(library, given.air))
     if response.force_response is None:
         raise Refusal(f"{library}: is of no design; the force of a pulse needs its membranes")

@@ -62,7 +62,9 @@ def recognize_recording(
     check_new_file(path, ".jsonl", reads=(model, library, recording))
     from localize import load_recognizer, read_recording
     from localize.recognition.hearing import Ear
+    from localize.recordings.recording import check_recording_there
 
+    check_recording_there(recording)
     recognizer = load_recognizer(model)
     given = decoding or Decoding()
     localizer = open_localizer(Path(library), given)

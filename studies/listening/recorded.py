@@ -97,7 +97,9 @@ def locate_recording(
     if given.waveform and path is None:
         raise Refusal("`waveform` goes into the lines of `out`; give that too")
     from localize import BayesDecoder, DriftDecoder, TouchTracker, read_recording, touches_of
+    from localize.recordings.recording import check_recording_there
 
+    check_recording_there(recording)
     localizer = open_localizer(source, given)
     stream = open_stream(source, localizer, given, frames=True)
     # A network knows nothing of the array without one of its microphones.

@@ -146,3 +146,11 @@ def test_a_recording_cut_anywhere_is_refused_by_its_name(suffix: str, tmp_path: 
             said.append(str(error))
     assert len(said) >= (2 if suffix == ".csv" else 40)
     assert all(line.startswith(f"{path}: ") for line in said)
+
+
+@pytest.mark.parametrize("name", ["rate", "fs", "Fs", "samplerate", "sampling_rate"])
+def test_a_rate_by_another_name_is_refused_not_read_over(tmp_path: Path, name: str) -> None:
+    path = tmp_path / "one.npz"
+    np.savez(path, signals=SAMPLES, **{name: 48000.0})
+    with pytest.raises(SoundFileError, match=f"{name} must be called sample_rate, if it is the sample rate in Hz"):
+        read_sound(path, 1000.0)

@@ -15,6 +15,7 @@ from acoustic_fem.library.result import MEASURED, measured_library
 from geometry.refusal import Refusal
 from localize.signals.array_response import response_of
 from studies.listening.opening import Decoding, assumed_by, open_localizer, open_stream, open_trained
+from studies.listening.recorded import locate_recording
 
 
 @pytest.mark.parametrize(
@@ -98,3 +99,10 @@ def test_what_is_assumed_of_a_sensor_is_said_of_every_kind_of_model(tmp_path) ->
     exactly = assumed_by(path, decoder, given)
     assert exactly.endswith("tolerances of manufacturing are not reckoned with")
     assert assumed_by(graph, localize.OnnxLocalizer(graph), Decoding()) == exactly
+
+
+def test_a_recording_that_is_not_there_is_refused_before_anything_is_opened(tmp_path) -> None:
+    with pytest.raises(Refusal, match=r"taps\.wav: no such file"):
+        locate_recording(tmp_path / "library.nc", tmp_path / "taps.wav")
+    with pytest.raises(Refusal, match=r"taps\.mp3: its name must end with \.wav, \.csv, \.npz or \.mat"):
+        locate_recording(tmp_path / "library.nc", tmp_path / "taps.mp3")
