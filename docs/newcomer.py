@@ -50,7 +50,7 @@ def main() -> int:
     """Exit code: 0 where all pages could be done."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("pages", nargs="*", metavar="PAGE")
-    parser.add_argument("--guides", action="store_true", help="the pages of Guides, some twenty minutes")
+    parser.add_argument("--guides", action="store_true", help="the pages of Guides, an hour or so of one core")
     parser.add_argument("--venv", type=Path, help="an installation to use as .venv of the clone")
     asked = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
