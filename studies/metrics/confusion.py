@@ -150,7 +150,7 @@ class _Room:
         self._signal = np.empty_like(self.frames)
         self._products = np.empty((self.step, points, microphones**2, filters, touches))
         self._other = np.empty((self.step, points, filters, touches))
-        self._scores = np.empty((self.step, points, len(POWERS) * points, touches))
+        self._scores = np.empty((self.step, points, len(POWERS), points, touches))
 
     def products(self, frames: Array, scale: Array, noise: Array) -> Array:
         """What likelihoods are linear in: products of the microphones' signals, |x_a|^2 and parts of conj(x_a) x_b.
@@ -189,10 +189,10 @@ class _Room:
             (n_design, n_point, n_point, n_touch), the first point the touched one, the second the hypothesis.
         """
         weights, cost = _weights(covariance)
-        score = np.matmul(weights[:, None], observed, out=self._scores[: len(observed)])
-        score -= cost[:, None, :, None]
-        designs, points, _, touches = score.shape
-        return np.asarray(score.reshape(designs, points, len(POWERS), -1, touches).max(axis=2))
+        # one product per power and point: small ones are faster than their sum
+        score = np.matmul(weights[:, None], observed[:, :, None], out=self._scores[: len(observed)])
+        score -= cost[:, None, :, :, None]
+        return np.asarray(score.max(axis=2))
 
 
 def _pairs(microphones: int) -> list[tuple[int, int]]:
@@ -207,7 +207,7 @@ def _weights(covariance: Complex) -> tuple[Array, Array]:
         covariance: C, (n_design, n_point, n_microphone, n_microphone, n_filter).
 
     Returns:
-        (n_design, n_power n_point, n_microphone^2 n_filter) and (n_design, n_power n_point).
+        (n_design, n_power, n_point, n_microphone^2 n_filter) and (n_design, n_power, n_point).
     """
     designs, points, microphones, _, filters = covariance.shape
     gain = POWERS[:, None, None]
@@ -238,8 +238,7 @@ def _weights(covariance: Complex) -> tuple[Array, Array]:
             weights[:, :, :, number] = 1 + entry[a, a]
         else:  # conj(x_a) S_ab x_b and its mirror image: twice the real part
             weights[:, :, :, number] = 2 * entry[a, b].real if a < b else -2 * entry[b, a].imag
-    cost = np.log(determinant).sum(axis=-1)
-    return weights.reshape(designs, len(POWERS) * points, -1), cost.reshape(designs, -1)
+    return weights.reshape(designs, len(POWERS), points, -1), np.log(determinant).sum(axis=-1)
 
 
 def _counted(score: Array) -> tuple[Array, Array]:
