@@ -41,7 +41,6 @@ if TYPE_CHECKING:
     from geometry.stated.parts import Microphone
 
 Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 
 FREQUENCIES = np.geomspace(1.5, 90.0, 8)
 """Hz, at which responses are compared."""
@@ -231,22 +230,20 @@ def _of_responses(h: Any, noise: Array) -> Any:
     xp = namespace(h)
     first, second = np.triu_indices(h.shape[3], 1)
     ratio = h[:, :, :, first] / h[:, :, :, second]  # (design, sensor, point, pair, frequency)
-    nominal = ratio[:, 0]
     power = h[:, 0].real ** 2 + h[:, 0].imag ** 2
     weight = power[:, :, first] * power[:, :, second] / power.sum(2)[:, :, None]
-    apart = xp.log(nominal[:, None] / nominal[:, :, None])  # from the row's point to the column's
-    weighed = weight[:, :, None] * apart
-    gains = xp.asarray(_of_gains(first, second))[None, :, None, :, None]
-    gains = xp.broadcast_to(gains, (len(h), h.shape[3], *nominal.shape[1:]))
-    jacobian = xp.concatenate([xp.log(ratio[:, 1:] / ratio[:, :1]), gains], 1)
-
-    def joined(values: Any) -> Any:
-        return xp.concatenate([part.reshape(*values.shape[:3], -1) for part in (values.real, values.imag)], -1)
-
-    moved = joined(weighed) @ xp.moveaxis(joined(jacobian), 1, 3)
     unknown = UNKNOWN**2 + xp.asarray(noise)[:, None, None] * (1 / power[:, :, first] + 1 / power[:, :, second])
-    spread = (moved * moved).sum(-1) + ((weighed.real**2 + weighed.imag**2) * unknown[:, :, None]).sum((3, 4))
-    distance = (weighed.real * apart.real + weighed.imag * apart.imag).sum((3, 4))
+    weight, unknown = (xp.concatenate([values, values], -1)[:, :, None] for values in (weight, unknown))
+    # of logarithms real and imaginary parts, one after the other in the last axis
+    apart = _logarithm_of(ratio[:, :1] / ratio[:, 0][:, :, None])  # from the row's point to the column's
+    weighed = weight * apart
+    gains = xp.asarray(_of_gains(first, second))[None, :, None]
+    gains = xp.broadcast_to(gains, (len(h), len(gains[0]), *apart.shape[2:]))
+    jacobian = xp.concatenate([_logarithm_of(ratio[:, 1:] / ratio[:, :1]), gains], 1)
+    seen, moves = (values.reshape(*values.shape[:3], -1) for values in (weighed, jacobian))
+    moved = seen @ xp.moveaxis(moves, 1, 3)
+    spread = (moved * moved).sum(-1) + (weighed * weighed * unknown).sum((3, 4))
+    distance = (weighed * apart).sum((3, 4))
     others = ~np.eye(h.shape[2], dtype=bool)
     argument = distance[:, others] / xp.sqrt(8 * spread[:, others])
     if xp is np:
@@ -258,12 +255,18 @@ def _of_responses(h: Any, noise: Array) -> Any:
     return (xp.log(mean) + WORST * xp.log(worst)) / (1 + WORST)
 
 
-def _of_gains(first: NDArray[np.intp], second: NDArray[np.intp]) -> Complex:
-    """What the gain of each microphone changes of the logarithms of ratios, (n_microphone, n_pair)."""
-    moved = np.zeros((int(second.max()) + 1, len(first)), np.complex128)
-    pairs = np.arange(len(first))
-    moved[first, pairs] = _DEVIATIONS["microphone_gain"]
-    moved[second, pairs] = -_DEVIATIONS["microphone_gain"]
+def _logarithm_of(values: Any) -> Any:
+    """Real and imaginary parts of logarithms, (..., 2 n_freq); ten times as fast as the complex function of NumPy."""
+    xp = namespace(values)
+    return xp.concatenate([xp.log(abs(values)), xp.arctan2(values.imag, values.real)], -1)
+
+
+def _of_gains(first: NDArray[np.intp], second: NDArray[np.intp]) -> Array:
+    """What the gain of each microphone changes of the logarithms of ratios, (n_microphone, n_pair, 2 n_freq)."""
+    moved = np.zeros((int(second.max()) + 1, len(first), 2 * len(FREQUENCIES)))
+    pairs, count = np.arange(len(first)), len(FREQUENCIES)
+    moved[first, pairs, :count] = _DEVIATIONS["microphone_gain"]
+    moved[second, pairs, :count] = -_DEVIATIONS["microphone_gain"]
     return moved
 
 
