@@ -54,7 +54,7 @@ frame of 250 ms has in that band."""
 #: Deviation of each part, a fraction.
 _DEVIATIONS = {each.quantity: each.deviation for each in UNCALIBRATED}
 #: Values of sensors worked on at once (designs x sensors x points x frequencies).
-_CHUNK = 100_000
+_CHUNK = 20_000
 #: Step by which a field of the design is changed for a slope, as a fraction.
 _STEP = 1e-3
 
