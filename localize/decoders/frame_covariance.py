@@ -165,6 +165,20 @@ def ambient_covariance(response: ArrayResponse, level: float) -> NDArray[np.floa
     Returns:
         (n, n) float64, n = n_microphone SAMPLES, microphone by microphone, Pa^2: of rank one at each frequency.
     """
+    h, amplitude, frequency = ambient_waves(response, level)
+    turn, gain = sampled_waves(frequency)
+    return _second_moment(h, amplitude * gain, turn)
+
+
+def ambient_waves(
+    response: ArrayResponse, level: float
+) -> tuple[NDArray[np.complex128], NDArray[np.float64], NDArray[np.float64]]:
+    """Sound from outside as waves at the microphones; arguments as of :func:`ambient_covariance`.
+
+    Returns:
+        Pressures of each over that outside, (n_microphone, n_freq) complex128, Pa/Pa; amplitudes, Pa, and frequencies,
+        Hz, (n_freq,) float64.
+    """
     if response.ambient_response is None:
         raise Refusal("sound needs a library with a design")
     top = min(float(response.frequency[-1]), SAMPLE_RATE / 2)
@@ -172,8 +186,7 @@ def ambient_covariance(response: ArrayResponse, level: float) -> NDArray[np.floa
     power = (REFERENCE * 10 ** (level / 20)) ** 2 / frequency / (1 / frequency).sum()
     even, odd = interpolation(response.frequency, frequency)
     h = response.ambient_response.real @ even.T + 1j * (response.ambient_response.imag @ odd.T)
-    turn, gain = sampled_waves(frequency)
-    return _second_moment(h, np.sqrt(power) * gain, turn)
+    return h, np.sqrt(power), frequency
 
 
 def source_density(frequency: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -230,8 +243,8 @@ def deviation_moments(touched: NDArray[np.complex128], shapes: NDArray[np.comple
     """
     turn, gain = sampled_waves(DEVIATING)
     amplitude = np.sqrt(source_density(DEVIATING) * INTEGRATION_STEP) * gain
-    touch = _random_waves(touched, amplitude, turn)
-    return np.stack([_random_waves(touched * shape, amplitude, turn).T @ touch for shape in shapes])
+    touch = random_waves(touched, amplitude, turn)
+    return np.stack([random_waves(touched * shape, amplitude, turn).T @ touch for shape in shapes])
 
 
 def sampled_waves(frequency: NDArray[np.float64]) -> tuple[NDArray[np.complex128], NDArray[np.float64]]:
@@ -253,11 +266,11 @@ def _second_moment(
     h: NDArray[np.complex128], amplitude: NDArray[np.float64], turn: NDArray[np.complex128]
 ) -> NDArray[np.float64]:
     """Of a random cosine and a random sine per frequency: B^T B is positive semidefinite to the last bit."""
-    both = _random_waves(h, amplitude, turn)
+    both = random_waves(h, amplitude, turn)
     return np.asarray(both.T @ both)
 
 
-def _random_waves(
+def random_waves(
     h: NDArray[np.complex128], amplitude: NDArray[np.float64], turn: NDArray[np.complex128]
 ) -> NDArray[np.float64]:
     """What a random cosine and a random sine per frequency are at the microphones, (2 n_freq, n)."""

@@ -93,18 +93,19 @@ def footprints_over(response: ArrayResponse, radius: float, most: int) -> Footpr
         step *= 1.25
 
 
-def footprint_response(response: ArrayResponse, share: Array) -> ArrayResponse:
+def footprint_response(response: ArrayResponse, share: Array, top: float = TOP) -> ArrayResponse:
     """Footprints in place of the points of an array: pressure at the microphones over that which their force makes in
     a cavity of the mean point.
 
     Args:
         response: of a library with a design.
         share: shares of each footprint on the membranes, at least two footprints; (n, n_point) float64.
+        top: frequency up to which it is made, Hz.
     """
     force = response.force_response
     assert force is not None
     # The frequency above the top is kept: between the two values are interpolated.
-    kept = slice(0, int(np.searchsorted(response.frequency, max(TOP, BAND[1]))) + 1)
+    kept = slice(0, int(np.searchsorted(response.frequency, max(top, BAND[1]))) + 1)
     summed = np.einsum("np,pmf->nmf", share, force[..., kept]) / pressure_of_force(response)[kept]
     return replace(
         response,

@@ -1,13 +1,12 @@
 """Where a contact is, between the points: the likelihood of its footprints, refined to any place around the best.
 
-Each footprint (:mod:`localize.tracking.footprints`) is scored as the decoder of points scores a point. Around the best
-maxima of the grid footprints are made anew, ever closer together: of a finger as wide as the pitch all points of the
-grid are far from fitting, and the best of them may lie elsewhere.
+Each footprint (:mod:`localize.tracking.footprints`) is scored as the decoder of points scores a point. From the best
+of them the place is looked for by :mod:`localize.tracking.place_search`: of a finger as wide as the pitch all points of
+the grid are far from fitting, and the best of them may lie elsewhere.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -17,12 +16,13 @@ from numpy.typing import ArrayLike, NDArray
 from geometry.refusal import Refusal
 from localize.decoders.bayes import Ambient, BayesDecoder
 from localize.decoders.frame_covariance import SAMPLES, touch_covariances
-from localize.decoders.likelihood import Screen, tables_of
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.frames import checked_signals, cut_frames
 from localize.signals.noise import NoiseChoice
 from localize.signals.threads import one_thread
-from localize.tracking.footprints import footprint_response, footprints_over, pitch_of, shares_at
+from localize.tracking.footprints import footprint_response, footprints_over, pitch_of
+from localize.tracking.place_likelihood import LOWEST, PlaceLikelihood
+from localize.tracking.place_search import found_place
 
 if TYPE_CHECKING:
     from torch import Tensor
@@ -33,22 +33,14 @@ Array = NDArray[np.float64]
 
 RADIUS = 4.0
 """Radius of a contact where none is given, mm: that of a finger that touches lightly."""
-LOWEST = 0.25
-"""Lowest frequency of a contact, Hz: fingers come down and stay."""
 NUMBERS = 3e7
 """Numbers that the covariances of all footprints may hold."""
-MISFIT = 1e-3
-"""Share of a frame's level that is noise at least: no library is exact."""
 UNFIT = 0.03
 """Share of a frame's level that places a pitch apart leave unexplained."""
-REACH = 2.0
-"""Distance to which a maximum is looked for beyond places that were scored, in their distances."""
-MAXIMA = 12
-"""Number of maxima of the grid that are refined."""
-CANDIDATES = (10, 8, 6, 4, 3, 2, 2)
-"""Number of them that go on after each round."""
-_AROUND = np.array([(i, j) for i in (-1, 0, 1) for j in (-1, 0, 1)], np.float64)
-_QUADRATIC = np.linalg.pinv(np.column_stack([np.ones(9), _AROUND, _AROUND**2 / 2, _AROUND[:, 0] * _AROUND[:, 1]]))
+STARTS = 60
+"""Number of places of the grid from which the most likely one is looked for."""
+APART = 0.25
+"""Least distance of two of them, in pitches."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -94,6 +86,7 @@ class PositionDecoder(BayesDecoder):
     ) -> None:
         self.radius = radius
         self._response = response_of(library)
+        self._finer: dict[float | None, PlaceLikelihood] = {}
         super().__init__(self._response, microphone_noise, ambient)
 
     def _touched(self, library: Library | ArrayResponse, response: ArrayResponse) -> Array:
@@ -104,11 +97,6 @@ class PositionDecoder(BayesDecoder):
         apart = np.linalg.norm(self.footprints.place[:, None] - response.position, axis=-1)
         self._nearest = apart.argmin(1)
         return self._covariances(self.footprints.share)
-
-    def _prepare(self, whitening: Sequence[Array]) -> None:
-        """The screens of the footprints, and what makes noise and sound white for others."""
-        super()._prepare(whitening)
-        self._whitening = tuple(whitening)
 
     def _covariances(self, share: Array) -> Array:
         return touch_covariances(footprint_response(self._response, share), np.eye(SAMPLES), lowest=LOWEST)
@@ -138,7 +126,7 @@ class PositionDecoder(BayesDecoder):
     def _quieted(self, frames: Array, step: float) -> Array:
         """Frames (n, n_microphone, 250) so quiet that noise covers what places a step apart, mm, cannot fit."""
         loudest = frames.std(2).max(1)[:, None, None]
-        misfit = max(MISFIT, UNFIT * step / pitch_of(self._response))
+        misfit = UNFIT * step / pitch_of(self._response)
         return np.asarray(frames * np.minimum(1.0, self.noise_rms / misfit / np.maximum(loudest, 1e-300)))
 
     @one_thread()
@@ -179,102 +167,54 @@ class PositionDecoder(BayesDecoder):
         if asked.ndim != 2 or asked.shape[0] < 2 or asked.shape[1] != 2 or not np.isfinite(asked).all():
             raise Refusal(f"place has shape {asked.shape}: it must be (n, 2), finite, with n at least 2")
         batch, _ = checked_signals(signals, self.microphones)
-        quiet = (self._quieted(frames, 0.0).reshape(len(frames), -1) for frames in cut_frames(batch))
-        return np.stack([self._scores_at(asked, flat) for flat in quiet])
+        return np.stack([self._along(asked, frames) for frames in cut_frames(batch)])
+
+    def _along(self, place: Array, frames: Array) -> Array:
+        """Log-likelihoods of places (n, 2) mm by the frames of one signal together, (n,) nats."""
+        likelihood = self._likelihood_at(self._level(frames))
+        return likelihood.along(place, likelihood.white(frames))
 
     def _position(self, frames: Array) -> tuple[Array, Array]:
         """Most likely place and its covariance from the frames of one signal, (n_frame, n_microphone, 250)."""
-        middle, wide = self._maxima(self._of_places(frames).sum(0))
-        step = np.full(len(middle), self.footprints.step / 2)
-        found: list[_Maximum] = []
-        for count in (*CANDIDATES, 0):
-            flat = self._quieted(frames, float(step.max())).reshape(len(frames), -1)
-            around = middle[:, None] + step[:, None, None] * _AROUND
-            values = self._scores_at(around.reshape(-1, 2), flat).reshape(-1, 9)
-            top, spread = self._vertex(values, step)
-            flat_top = ~np.isnan(wide).any((1, 2))
-            top[flat_top], spread[flat_top] = 0.0, wide[flat_top]
-            # The louder a frame counts, the more nats apart places are: those of one round are compared.
-            score = values[:, 4] - values[:, 4].max()
-            order = np.argsort(-score)
-            found += [_Maximum(score[k], middle[k] + top[k], spread[k]) for k in order[count:]]
-            kept = order[:count]
-            # A vertex at the edge of what was scored may lie beyond.
-            step = np.where(np.linalg.norm(top, axis=1) < step, step / 2, step)[kept]
-            middle, wide = (middle + top)[kept], wide[kept]
-        return _mixed(found)
+        place, wide = self._starts(self._of_places(frames).sum(0))
+        likelihood = self._likelihood_at(self._level(frames))
+        return found_place(likelihood, likelihood.white(frames), place, wide)
 
-    def _maxima(self, score: Array) -> tuple[Array, Array]:
-        """The best places of the grid by their log-likelihoods (n_place,).
+    def _likelihood_at(self, level: float | None) -> PlaceLikelihood:
+        """Likelihood of any place in sound of a level."""
+        if level not in self._finer:
+            self._finer[level] = PlaceLikelihood(self._response, self.radius, self.microphone_noise, level)
+        return self._finer[level]
+
+    def _level(self, frames: Array) -> float | None:
+        """The likeliest level of the sound around frames of one signal."""
+        if len(self.ambient) == 1:
+            return self.ambient[0]
+        best = [screen(frames.reshape(len(frames), -1)).score.max(1).sum() for screen in self._screens]
+        return self.ambient[int(np.argmax(best))]
+
+    def _starts(self, score: Array) -> tuple[Array, Array]:
+        """The best places of the grid by their log-likelihoods (n_place,), none near another.
 
         Returns:
-            Places with a footprint of their own that no neighbour exceeds, and the middles of those that share one;
-            (n, 2) mm. The covariances of the latter, (n, 2, 2) mm^2, not a number for the former.
+            Places with a footprint of their own, and the middles of those that share one; (n, 2) mm. The covariances
+            of the latter, (n, 2, 2) mm^2, not a number for the former.
         """
         prints = self.footprints
-        board = np.full(prints.node.max(0) + 3, -np.inf)
-        row, column = prints.node.T + 1
-        board[row, column] = score
-        around = np.stack([board[row + i, column + j] for i, j in _AROUND.astype(int)])
         count = np.bincount(prints.footprint)
-        own = np.flatnonzero((score >= around.max(0)) & (count[prints.footprint] == 1))
-        middle, wide, best = [*prints.place[own]], [np.full((2, 2), np.nan)] * len(own), [*score[own]]
+        alone = count[prints.footprint] == 1
+        places, covariances = [prints.place[alone]], [np.full((int(alone.sum()), 2, 2), np.nan)]
+        scores = [score[alone]]
         for number in np.flatnonzero(count > 1):
             alike = prints.footprint == number
-            middle.append(prints.place[alike].mean(0))
-            wide.append(np.cov(prints.place[alike].T, bias=True) + prints.step**2 / 12 * np.eye(2))
-            best.append(score[alike][0])
-        kept = np.argsort(-np.array(best))[:MAXIMA]
-        return np.stack(middle)[kept], np.stack(wide)[kept]
-
-    def _scores_at(self, place: Array, flat: Array) -> Array:
-        """Log-likelihoods of any places (n, 2) mm, of frames (n_frame, n_microphone 250) together; (n,) nats."""
-        if not len(place):
-            return np.empty(0)
-        share = shares_at(self._response, self.radius, place)
-        share /= np.maximum(np.linalg.norm(share, axis=1, keepdims=True), 1e-12)
-        covariances = self._covariances(share)
-        levels = []
-        for level, whiten in zip(self.ambient, self._whitening, strict=True):
-            screen = Screen(tables_of(covariances, whiten, level), len(self.ambient) > 1)
-            scored = screen(flat)
-            screen.score_again(scored, np.full(len(flat), -np.inf))
-            levels.append(scored.score)
-        return np.asarray(np.max(levels, axis=0).sum(0))
-
-    def _vertex(self, values: Array, step: Array) -> tuple[Array, Array]:
-        """Ways to maxima, (n, 2) mm, and their covariances, (n, 2, 2) mm^2, by (n, 9) values a step of (n,) mm apart.
-
-        Where values do not bend down, the way is that to the best of them.
-        """
-        _, slope_x, slope_y, along, across, mixed = _QUADRATIC @ (values - values[:, 4:5]).T
-        bend = -np.stack([np.stack([along, mixed], -1), np.stack([mixed, across], -1)], -1)
-        size, axes = np.linalg.eigh(bend)
-        # Flatter than over the next points nothing is known to be.
-        flattest = (step / pitch_of(self._response))[:, None] ** 2
-        turned = np.einsum("nij,ni->nj", axes, np.column_stack([slope_x, slope_y])) / np.maximum(size, flattest)
-        way = np.clip(np.einsum("nij,nj->ni", axes, turned), -REACH, REACH)
-        way[size[:, 0] <= 0] = _AROUND[values.argmax(1)][size[:, 0] <= 0]
-        covariance = np.einsum("nij,nj,nkj->nik", axes, 1 / np.maximum(size, flattest), axes)
-        return way * step[:, None], covariance * step[:, None, None] ** 2
-
-
-@dataclass(frozen=True)
-class _Maximum:
-    """A place that the likelihood prefers to those around it."""
-
-    score: float
-    place: Array
-    covariance: Array
-
-
-def _mixed(found: list[_Maximum]) -> tuple[Array, Array]:
-    """The most likely place, and the covariance about it of a mixture of normal distributions."""
-    best = max(found, key=lambda each: each.score)
-    covariance, total = np.zeros((2, 2)), 0.0
-    for each in found:
-        away = each.place - best.place
-        weight = float(np.exp(each.score - best.score) * np.sqrt(np.linalg.det(each.covariance)))
-        covariance += weight * (each.covariance + np.outer(away, away))
-        total += weight
-    return best.place, covariance / total
+            places.append(prints.place[alike].mean(0)[None])
+            covariances.append((np.cov(prints.place[alike].T, bias=True) + prints.step**2 / 12 * np.eye(2))[None])
+            scores.append(score[alike][:1])
+        place, wide = np.concatenate(places), np.concatenate(covariances)
+        left = np.concatenate(scores)
+        chosen: list[int] = []
+        apart = APART * pitch_of(self._response)
+        while len(chosen) < STARTS and np.isfinite(left.max()):
+            chosen.append(int(left.argmax()))
+            left[np.linalg.norm(place - place[chosen[-1]], axis=1) <= apart] = -np.inf
+        return place[chosen], wide[chosen]
