@@ -19,6 +19,17 @@ COARSEST = 0.01
 def first_clipped(values: Array, limit: float | None = None) -> int | None:
     """Index of the first sample that is clipped; None where none is.
 
+    Args:
+        values: (n_sample,) finite, of any scale.
+        limit: as of :func:`clipped_samples`.
+    """
+    found = clipped_samples(values, limit)
+    return int(found.argmax()) if found.any() else None
+
+
+def clipped_samples(values: Array, limit: float | None = None) -> NDArray[np.bool_]:
+    """Samples that are clipped.
+
     Clipped are all samples that reach the limit, and tops that are cut flat at whatever level: runs of at least
     :data:`FLAT` equal samples at the highest or the lowest value. A slow crest that is rounded to the steps of a format
     has such runs too, but falls off gently on a side; so does a quiet signal of few steps. Runs at the first or the
@@ -27,15 +38,19 @@ def first_clipped(values: Array, limit: float | None = None) -> int | None:
     Args:
         values: (n_sample,) finite, of any scale.
         limit: largest value of the format, in the unit of the values; None where there is none or it is not known.
+
+    Returns:
+        (n_sample,) bool.
     """
-    found = [] if limit is None else [*np.flatnonzero(np.abs(values) >= limit)[:1]]
+    found = np.zeros(len(values), bool) if limit is None else np.abs(values) >= limit
     for upright in (values, -values):
-        found += [*_flat_tops(upright)[:1]]
-    return int(min(found)) if found else None
+        for begin, end in _flat_tops(upright):
+            found[begin:end] = True
+    return found
 
 
-def _flat_tops(values: Array) -> list[int]:
-    """Indices at which the runs at the highest value begin that were cut."""
+def _flat_tops(values: Array) -> list[tuple[int, int]]:
+    """Begins and ends of the runs at the highest value that were cut."""
     top = values.max()
     edges = np.flatnonzero(np.diff(np.concatenate([[False], values == top, [False]])))
     inner = ((begin, end) for begin, end in edges.reshape(-1, 2).tolist() if begin > 0 and end < len(values))
@@ -46,7 +61,7 @@ def _flat_tops(values: Array) -> list[int]:
     steps = np.diff(levels)
     # Numbers of few digits, and floating-point numbers, have finer steps near zero than at the top.
     step = max(float(steps.min()), min(float(steps[-1]), COARSEST * float(np.ptp(levels))))
-    return [begin for begin, end in runs if _fall(values, begin, end) > ROUNDED * step]
+    return [(begin, end) for begin, end in runs if _fall(values, begin, end) > ROUNDED * step]
 
 
 def _fall(values: Array, begin: int, end: int) -> float:

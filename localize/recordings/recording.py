@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from acoustic_fem.sound.clipping import first_clipped
+from acoustic_fem.sound.clipping import clipped_samples
 from acoustic_fem.sound.sound_file import FORMATS, MATRIX, Sound, SoundFileError, read_sound
 from geometry.files.ordinary import ordinary_file
 from geometry.refusal import Refusal, counted
@@ -50,6 +50,8 @@ class Recording:
     """Pressures at the microphones, in their order; (n_microphone, n_sample) float64, Pa."""
     rate: float
     """Sample rate of the file, Hz."""
+    limit: float | None = None
+    """Pressure at which samples stand that were clipped, Pa: none other reaches it. None where none was."""
 
     @property
     def seconds(self) -> float:
@@ -76,7 +78,8 @@ def read_recording(
         microphones: names of the array's microphones.
         full_scale: Pa: of WAV files the pressure at full scale, 1 Pa by default; of others the pressure at which they
             clip. Flat tops below it are clipping too, see :mod:`acoustic_fem.sound.clipping`.
-        spare: whether one channel may be silent, all the time or from some time on: for what goes on with the others.
+        spare: whether one channel may be clipped, or silent all the time or from some time on: for what goes on with
+            the others.
 
     Raises:
         RecordingError: the file cannot be read or is cut short; a wrong number of channels, or others; two that are
@@ -96,15 +99,24 @@ def read_recording(
         scale = full_scale or 1.0
         limit = None if sound.full_scale is None else sound.full_scale * scale
     _check_rate(path, rate)
-    signals = []
-    for microphone, name in zip(microphones, names, strict=True):
+    signals, clipped = [], None
+    for number, (microphone, name) in enumerate(zip(microphones, names, strict=True)):
         # One after the other: at the rate of a sound card all of them are ten times as large as the file.
         channel = sound.channels[name] * scale
-        _check(path, channel, rate, microphone, limit)
+        _check(path, channel, rate, microphone)
         if channel.max() == channel.min():
             if not spare:
                 raise RecordingError(f"{path}: channel {microphone} is silent: its value never changes")
             spare = False  # that one
+        cut = clipped_samples(channel, limit)
+        if cut.any():
+            first = int(cut.argmax())
+            level, time = abs(channel[first]), first / rate
+            said = f"{path}: channel {microphone} is clipped at {level:.4g} Pa, first at {time:.3f} s"
+            if not spare:
+                raise RecordingError(said)
+            warnings.warn(f"{said}: it is left out where it is", RecordingWarning, stacklevel=2)
+            spare, clipped = False, (number, np.flatnonzero(cut))
         signals.append(at_one_kilohertz(channel[None], rate)[0])
     _check_apart(path, sound.channels, names, microphones)
     together = np.stack(signals)
@@ -117,7 +129,12 @@ def read_recording(
             RecordingWarning,
             stacklevel=2,
         )
-    return Recording(together, rate)
+    if clipped is None:
+        return Recording(together, rate)
+    limit = 1.001 * loudest
+    own, samples = together[clipped[0]], (clipped[1] * (SAMPLE_RATE / rate)).astype(np.int64)
+    own[samples] = np.where(own[samples] < 0, -limit, limit)
+    return Recording(together, rate, limit)
 
 
 def check_recording_there(path: str | os.PathLike[str]) -> None:
@@ -207,13 +224,8 @@ def check_length(path: Path, samples: int, rate: float, refusal: Callable[[str],
         )
 
 
-def _check(path: Path, channel: NDArray[np.float64], rate: float, name: str, limit: float | None) -> None:
+def _check(path: Path, channel: NDArray[np.float64], rate: float, name: str) -> None:
     check_length(path, len(channel), rate, RecordingError)
     bad = np.flatnonzero(~np.isfinite(channel))
     if len(bad):
         raise RecordingError(f"{path}: channel {name} is not finite at {bad[0] / rate:.3f} s")
-    clipped = first_clipped(channel, limit)
-    if clipped is not None:
-        raise RecordingError(
-            f"{path}: channel {name} is clipped at {abs(channel[clipped]):.4g} Pa, first at {clipped / rate:.3f} s"
-        )

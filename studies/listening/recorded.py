@@ -96,15 +96,17 @@ def locate_recording(
     check_new_file(path, ".jsonl", reads=(model, recording, given.library))
     if given.waveform and path is None:
         raise Refusal("`waveform` goes into the lines of `out`; give that too")
+    import numpy as np
+
     from localize import BayesDecoder, DriftDecoder, TouchTracker, read_recording, touches_of
     from localize.recordings.recording import check_recording_there
 
     check_recording_there(recording)
     localizer = open_localizer(source, given)
-    stream = open_stream(source, localizer, given, frames=True)
     # A network knows nothing of the array without one of its microphones.
     spare = isinstance(localizer, BayesDecoder) and len(localizer.microphones) > 2
     heard = read_recording(Path(recording), localizer.microphones, full_scale, spare=spare)
+    stream = open_stream(source, localizer, given, heard.limit, frames=True)
     decided, fit = _decided(stream, localizer, heard.signals)
     brought = None
     if fit is not None and fit.off_level is not None:
@@ -113,7 +115,9 @@ def locate_recording(
         signals[fit.microphones.index(brought)] /= 10 ** (level / 20)
         if isinstance(localizer, DriftDecoder):
             localizer.reset()  # what it followed was the level's
-        decided = open_stream(source, localizer, given).push(signals)
+        if heard.limit is not None:  # what was clipped stays so
+            signals = np.where(np.abs(heard.signals) >= heard.limit, heard.signals, signals)
+        decided = open_stream(source, localizer, given, heard.limit).push(signals)
     tracker = TouchTracker(localizer, stream.delay)
     events = [each for event in decided for each in (event, *tracker.take(event))]
     events += tracker.finish()

@@ -208,6 +208,35 @@ def test_a_given_full_scale_is_where_other_formats_clip(tmp_path):
     assert read_recording(tmp_path / "a.npz", NAMES, full_scale=0.6).signals.shape == (2, 1000)
 
 
+@pytest.mark.parametrize("rate", [1000, 8000])
+def test_one_of_three_channels_may_be_clipped_for_what_goes_on_with_the_others(tmp_path, rate):
+    names = ("left", "right", "top")
+    time = np.arange(rate) / rate
+    whole = 0.3 * np.sin(2 * np.pi * np.array([[5.0], [7.0], [11.0]]) * time + 0.1)
+    one, two = whole.copy(), whole.copy()
+    one[1] = np.clip(2 * whole[1], -0.4, 0.4)
+    two[:2] = np.clip(2 * whole[:2], -0.4, 0.4)
+    np.savez(tmp_path / "one.npz", signals=one, sample_rate=rate)
+    np.savez(tmp_path / "two.npz", signals=two, sample_rate=rate)
+    with pytest.raises(RecordingError, match=r"channel right is clipped at 0\.4 Pa, first at"):
+        read_recording(tmp_path / "one.npz", names)
+    with pytest.raises(RecordingError, match="channel right is clipped"), pytest.warns(RecordingWarning):
+        read_recording(tmp_path / "two.npz", names, spare=True)
+    with pytest.warns(
+        RecordingWarning, match=r"channel right is clipped at 0\.4 Pa, first at .*: it is left out where"
+    ):
+        heard = read_recording(tmp_path / "one.npz", names, spare=True)
+    assert heard.limit is not None
+    reached = np.abs(heard.signals) >= heard.limit
+    assert not reached[[0, 2]].any()
+    over = np.abs(2 * whole[1]) >= 0.4
+    expected = np.zeros(1000, bool)
+    expected[np.flatnonzero(over) * 1000 // rate] = True
+    assert np.array_equal(reached[1], expected)
+    np.savez(tmp_path / "whole.npz", signals=whole, sample_rate=rate)
+    assert read_recording(tmp_path / "whole.npz", names, spare=True).limit is None
+
+
 @pytest.mark.parametrize("what", ["begins 3 s after", "ends 3 s before"])
 def test_channels_that_are_not_of_one_time_are_refused(tmp_path, what):
     signals = np.random.default_rng(0).standard_normal((2, 8000))

@@ -72,7 +72,7 @@ def test_a_recording_is_located_by_the_network_an_onnx_file_and_the_library_alik
 
 
 @pytest.mark.slow
-def test_a_microphone_that_dies_is_named_and_decoding_goes_on_with_two(command: Command, tmp_path: Path) -> None:
+def test_a_microphone_that_dies_or_clips_is_named_and_two_go_on(command: Command, tmp_path: Path) -> None:
     design = geometry.prototype("glove").with_values({"lines.0.points": 3, "lines.1.points": 3})
     solved = acoustic_fem.solve(design, np.arange(1.0, 501.0), "lumped")
     acoustic_fem.save(solved, tmp_path / "glove.nc")
@@ -83,12 +83,20 @@ def test_a_microphone_that_dies_is_named_and_decoding_goes_on_with_two(command: 
     samples = 7e-4 * np.random.default_rng(0).standard_normal((3, 12000))
     for begin, sample in zip((2000, 9000), loud, strict=True):
         samples[:, begin : begin + 1000] += touches.signals[sample].numpy()
+    clipped = samples.copy()
+    clipped[2] = np.clip(samples[2], *(0.7 * np.array([samples[2].min(), samples[2].max()])))
     samples[2, 6000:] = 0.0
     recording = tmp_path / "recording.wav"
     scipy.io.wavfile.write(recording, 1000, samples.T.astype(np.float32))
     told = command("locate", tmp_path / "glove.nc", recording)
     assert told.code == 0, told.err
     assert re.search(r"^warning: dead channel of microphone C, from 6\.\d s on$", told.out, re.MULTILINE)
+    rows = [line.split() for line in told.out.splitlines() if re.match(r" *\d", line)]
+    assert [int(row[2]) for row in rows] == [int(touches.point[k]) + 1 for k in loud]
+    scipy.io.wavfile.write(recording, 1000, clipped.T.astype(np.float32))
+    told = command("locate", tmp_path / "glove.nc", recording)
+    assert (told.code, "channel C is clipped at" in told.err + told.out) == (0, True)
+    assert re.search(r"^warning: clipped .*microphone C", told.out, re.MULTILINE)
     rows = [line.split() for line in told.out.splitlines() if re.match(r" *\d", line)]
     assert [int(row[2]) for row in rows] == [int(touches.point[k]) + 1 for k in loud]
     # Nobody goes on with one of two.
