@@ -84,7 +84,7 @@ def test_a_microphone_that_dies_or_clips_is_named_and_two_go_on(command: Command
     for begin, sample in zip((2000, 9000), loud, strict=True):
         samples[:, begin : begin + 1000] += touches.signals[sample].numpy()
     clipped = samples.copy()
-    clipped[2] = np.clip(samples[2], *(0.7 * np.array([samples[2].min(), samples[2].max()])))
+    clipped[2] = np.clip(samples[2], *(0.5 * np.array([samples[2].min(), samples[2].max()])))
     samples[2, 6000:] = 0.0
     recording = tmp_path / "recording.wav"
     scipy.io.wavfile.write(recording, 1000, samples.T.astype(np.float32))
@@ -98,7 +98,8 @@ def test_a_microphone_that_dies_or_clips_is_named_and_two_go_on(command: Command
     assert (told.code, "channel C is clipped at" in told.err + told.out) == (0, True)
     assert re.search(r"^warning: clipped .*microphone C", told.out, re.MULTILINE)
     rows = [line.split() for line in told.out.splitlines() if re.match(r" *\d", line)]
-    assert [int(row[2]) for row in rows] == [int(touches.point[k]) + 1 for k in loud]
+    # What follows a clipped beginning may be a touch of its own, of which nothing is sure.
+    assert [int(row[2]) for row in rows if float(row[5]) > 50] == [int(touches.point[k]) + 1 for k in loud]
     # Nobody goes on with one of two.
     scipy.io.wavfile.write(recording, 1000, samples[[0, 2]].T.astype(np.float32))
     told = command("locate", small_run().folder / "library.nc", recording)
