@@ -218,10 +218,11 @@ def test_a_verb_without_options_has_the_defaults_of_its_call(
             assert (default if value is None else value) == default or list(value) == list(default), parameter.name
 
 
-def test_arguments_that_a_refusal_names_are_options_on_the_command_line() -> None:
-    model = small_run().folder / "localizer"
+def test_arguments_that_a_refusal_names_are_options_on_the_command_line(tmp_path: Path) -> None:
+    model, recording = small_run().folder / "localizer", tmp_path / "r.wav"
+    recording.touch()
     with pytest.raises(geometry.Refusal, match=r"^`ambient` needs the library of the array") as refused:
-        studies.locate_recording(model, "r.wav", decoding=studies.Decoding(ambient=60.0))
+        studies.locate_recording(model, recording, decoding=studies.Decoding(ambient=60.0))
     assert in_options(str(refused.value)).startswith("--ambient needs the library of the array")
     assert in_options("`full_scale` of `a.b`") == "--full-scale of `a.b`"
 
@@ -258,7 +259,7 @@ def test_a_library_is_brought_to_the_air_of_the_place(command: Callable[..., str
     command("solve", "row.toml", "--out", "no.nc", "--pressure", 1e4, code=1)
     model = small_run().folder / "localizer"
     with pytest.raises(geometry.Refusal, match=r"^pressure = 90000 is for a library; .* was made in air of its own"):
-        studies.locate_recording(model, "r.wav", decoding=studies.Decoding(air=LocalAir(pressure=9e4)))
+        studies.locate_recording(model, recording, decoding=studies.Decoding(air=LocalAir(pressure=9e4)))
 
 
 @pytest.mark.slow
