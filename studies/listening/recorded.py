@@ -103,10 +103,11 @@ def locate_recording(
 
     check_recording_there(recording)
     localizer = open_localizer(source, given)
+    stream = open_stream(source, localizer, given, frames=True)
     # A network knows nothing of the array without one of its microphones.
     spare = isinstance(localizer, BayesDecoder) and len(localizer.microphones) > 2
     heard = read_recording(Path(recording), localizer.microphones, full_scale, spare=spare)
-    stream = open_stream(source, localizer, given, heard.limit, frames=True)
+    stream.limit = heard.limit
     decided, fit = _decided(stream, localizer, heard.signals)
     brought = None
     if fit is not None and fit.off_level is not None:
