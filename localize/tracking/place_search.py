@@ -3,7 +3,8 @@
 The likelihood of a loud tap is a curved ridge, a thousandth of a pitch wide and tenths of one long, and no grid meets
 it. So noise is first taken to be a thousandth of the frame's level, where the ridge is wide, and less from stage to
 stage; in each every place follows the slope (Levenberg 1944, Marquardt 1963), and the best go on. In the end places
-along the ridge are tried. Where a library is not that of the sensor, noise is taken to be what the best place leaves.
+along the ridge are tried. Where a library is not that of the sensor, noise is taken to be what the best place leaves;
+and as that is no noise, whose numbers are independent, the place is by as much less certain once more.
 """
 
 from __future__ import annotations
@@ -79,7 +80,17 @@ def found_place(likelihood: PlaceLikelihood, x: Array, start: Array, wide: Array
     noise = likelihood.noise_scale(top.place, x)
     final = [search.climbed(one.place, noise, STEPS) for one in ends]
     final += [search.still(one.place, one.covariance, noise) for one in shared]
-    return _mixed(search.distinct(final))
+    place, covariance = _mixed(search.distinct(final))
+    return place, _widened(covariance, float(noise.max()), likelihood.pitch)
+
+
+def _widened(covariance: Array, misfit: float, pitch: float) -> Array:
+    """Covariance (2, 2) mm^2 where so many times the noise is left: deviations are as many times as large, up to a
+    pitch.
+    """
+    size, axes = np.linalg.eigh(covariance)
+    size = np.maximum(size, np.minimum(misfit**2 * size, pitch**2))
+    return np.asarray((axes * size) @ axes.T)
 
 
 class _Search:

@@ -52,6 +52,20 @@ def test_taps_between_two_points_are_told_where(array: ArrayResponse, decoder: l
 
 
 @pytest.mark.slow
+def test_of_a_sensor_that_is_not_the_librarys_a_place_is_not_sure(
+    array: ArrayResponse, decoder: localize.PositionDecoder
+) -> None:
+    assert array.position is not None
+    first, second = array.position[:2]
+    places = first + np.array([[0.3], [0.7]]) * (second - first)
+    off = np.random.default_rng(1).normal(0, 0.1, (*array.transfer_function.shape[:2], 1))
+    made = replace(array, transfer_function=array.transfer_function * np.exp(off))
+    found = decoder.position(tapped(made, places, 3.5))
+    assert (np.linalg.norm(found.place - places, axis=1) < 4 * found.deviation).all()
+    assert (found.deviation > 10 * decoder.position(tapped(array, places, 3.5)).deviation).all()
+
+
+@pytest.mark.slow
 def test_on_a_line_that_is_known_a_tap_is_told_to_a_hundredth(
     array: ArrayResponse, decoder: localize.PositionDecoder
 ) -> None:
