@@ -223,7 +223,7 @@ def growth(found: Sequence[dict[str, float]]) -> list[str]:
 
 def main() -> None:
     torch.set_num_threads(1)
-    warnings.simplefilter("ignore")
+    warnings.filterwarnings("ignore", "entrance loss of a tube|membrane: |.*: its library ends at", UserWarning)
     before = os.getloadavg()[0]
     found = [by_points(name) for name in NAMES]
     tables = [*peers(found[1]), *growth(found)]

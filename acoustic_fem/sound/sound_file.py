@@ -71,9 +71,7 @@ def read_sound(path: str | os.PathLike[str], default_rate: float | None = None) 
             above 2^26 samples in a channel, or in all where the file holds more than integers.
     """
     path = Path(path)
-    suffix = path.suffix.lower()
-    if suffix not in FORMATS:
-        raise SoundFileError(f"{path}: its name must end with {', '.join(FORMATS[:-1])} or {FORMATS[-1]}")
+    suffix = _format_of(path)
     if suffix == ".wav":
         sound = read_wav(path)
     elif suffix == ".csv":
@@ -85,6 +83,26 @@ def read_sound(path: str | os.PathLike[str], default_rate: float | None = None) 
     if not (np.isfinite(sound.rate) and sound.rate > 0):
         raise SoundFileError(f"{path}: sample rate = {sound.rate:g} Hz must be finite and above 0")
     return sound
+
+
+def check_sound_there(path: str | os.PathLike[str]) -> None:
+    """Refuse a recording that :func:`read_sound` cannot open, before anything else is made.
+
+    Args:
+        path: of the file.
+
+    Raises:
+        SoundFileError: no such file, no file, one that may not be read, or another suffix.
+    """
+    _format_of(Path(path))
+    ordinary_file(path, "a recording", SoundFileError)
+
+
+def _format_of(path: Path) -> str:
+    suffix = path.suffix.lower()
+    if suffix not in FORMATS:
+        raise SoundFileError(f"{path}: its name must end with {', '.join(FORMATS[:-1])} or {FORMATS[-1]}")
+    return suffix
 
 
 def write_wav(path: str | os.PathLike[str], samples: Array, rate: int, bits: int = 16) -> None:
@@ -235,8 +253,8 @@ def _rate_of(path: Path, time: Array) -> float:
 
 
 def _of_arrays(path: Path, arrays: Mapping[str, NDArray[Any]], default_rate: float | None) -> Sound:
-    for name, values in arrays.items():
-        if values.size == 1 and re.sub(r"[^a-z]", "", name.lower()) in _OTHER_RATES and name != RATE:
+    for name, values in arrays.items() if RATE not in arrays else ():
+        if values.size == 1 and re.sub(r"[^a-z]", "", name.lower()) in _OTHER_RATES:
             raise SoundFileError(f"{path}: {name} must be called {RATE}, if it is the sample rate in Hz")
     # A column alone is one channel: MAT files know no vectors.
     numbered = MATRIX in arrays and arrays[MATRIX].ndim == 2 and arrays[MATRIX].shape[1] > 1

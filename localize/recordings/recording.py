@@ -14,8 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acoustic_fem.sound.clipping import clipped_samples
-from acoustic_fem.sound.sound_file import FORMATS, MATRIX, Sound, SoundFileError, read_sound
-from geometry.files.ordinary import ordinary_file
+from acoustic_fem.sound.sound_file import MATRIX, Sound, SoundFileError, read_sound
 from geometry.refusal import Refusal, counted
 from localize.signals.frames import FRAME
 from localize.signals.resampling import at_one_kilohertz, check_full_scale
@@ -131,25 +130,10 @@ def read_recording(
         )
     if clipped is None:
         return Recording(together, rate)
-    limit = 1.001 * loudest
+    limit = 1.001 * loudest  # above all other samples, which resampling moves
     own, samples = together[clipped[0]], (clipped[1] * (SAMPLE_RATE / rate)).astype(np.int64)
     own[samples] = np.where(own[samples] < 0, -limit, limit)
     return Recording(together, rate, limit)
-
-
-def check_recording_there(path: str | os.PathLike[str]) -> None:
-    """Refuse a recording that :func:`read_recording` cannot open, before anything else is made.
-
-    Args:
-        path: of the file.
-
-    Raises:
-        RecordingError: no such file, no file, one that may not be read, or another suffix.
-    """
-    path = Path(path)
-    if path.suffix.lower() not in FORMATS:
-        raise RecordingError(f"{path}: its name must end with {', '.join(FORMATS[:-1])} or {FORMATS[-1]}")
-    ordinary_file(path, "a recording", RecordingError)
 
 
 def _check_together(path: Path, signals: NDArray[np.float64], microphones: tuple[str, ...], spare: bool) -> None:

@@ -67,12 +67,12 @@ def read_pulse(
     check_new_file(table, ".csv", reads=(library, recording), kept=kept)
     check_new_file(drawn, ".png", reads=(library, recording), option="picture")
     from acoustic_fem.library.result import MEASURED
+    from acoustic_fem.sound.sound_file import check_sound_there
     from localize import PulseReader, read_recording
     from localize.decoders.bayes import assumed_of
-    from localize.recordings.recording import check_recording_there
     from localize.signals.array_response import response_of
 
-    check_recording_there(recording)
+    check_sound_there(recording)
     response = response_of(library_there(library, given.air))
     if response.force_response is None:
         raise Refusal(f"{library}: is of no design; the force of a pulse needs its membranes")

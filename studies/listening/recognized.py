@@ -60,11 +60,11 @@ def recognize_recording(
     """
     path = None if out is None else Path(out)
     check_new_file(path, ".jsonl", reads=(model, library, recording))
+    from acoustic_fem.sound.sound_file import check_sound_there
     from localize import load_recognizer, read_recording
     from localize.recognition.hearing import Ear
-    from localize.recordings.recording import check_recording_there
 
-    check_recording_there(recording)
+    check_sound_there(recording)
     recognizer = load_recognizer(model)
     given = decoding or Decoding()
     localizer = open_localizer(Path(library), given)

@@ -98,10 +98,10 @@ def locate_recording(
         raise Refusal("`waveform` goes into the lines of `out`; give that too")
     import numpy as np
 
+    from acoustic_fem.sound.sound_file import check_sound_there
     from localize import BayesDecoder, DriftDecoder, TouchTracker, read_recording, touches_of
-    from localize.recordings.recording import check_recording_there
 
-    check_recording_there(recording)
+    check_sound_there(recording)
     localizer = open_localizer(source, given)
     stream = open_stream(source, localizer, given, frames=True)
     # A network knows nothing of the array without one of its microphones.

@@ -71,11 +71,11 @@ def track_recording(
     check_new_file(table, ".csv", reads=(library, recording), kept=kept)
     check_new_file(drawn, ".png", reads=(library, recording), option="picture")
     from acoustic_fem.library.result import MEASURED
+    from acoustic_fem.sound.sound_file import check_sound_there
     from localize import gesture_of, read_recording
-    from localize.recordings.recording import check_recording_there
     from localize.tracking import tracks_of
 
-    check_recording_there(recording)
+    check_sound_there(recording)
     decoder, tracker = open_tracker(source, given, radius)
     stream = open_stream(source, decoder, given, frames=True)
     heard = read_recording(Path(recording), decoder.microphones, full_scale)

@@ -39,40 +39,45 @@ def tapped(array: ArrayResponse, places: np.ndarray, radius: float) -> np.ndarra
     return np.stack([record(each, array, microphone_noise=1e-3, sample=k).signals for k, each in enumerate(taps)])
 
 
-@pytest.mark.slow
-def test_taps_between_two_points_are_told_where(array: ArrayResponse, decoder: localize.PositionDecoder) -> None:
+@pytest.fixture(scope="module")
+def between(array: ArrayResponse) -> np.ndarray:
+    """Two places between the first two points, (2, 2) mm."""
     assert array.position is not None
     first, second = array.position[:2]
-    places = first + np.array([[0.3], [0.7]]) * (second - first)
-    found = decoder.position(tapped(array, places, 3.5))
-    error = np.linalg.norm(found.place - places, axis=1)
+    return np.asarray(first + np.array([[0.3], [0.7]]) * (second - first))
+
+
+@pytest.mark.slow
+def test_taps_between_two_points_are_told_where(
+    array: ArrayResponse, decoder: localize.PositionDecoder, between: np.ndarray
+) -> None:
+    found = decoder.position(tapped(array, between, 3.5))
+    error = np.linalg.norm(found.place - between, axis=1)
     assert np.sqrt((error**2).mean()) < 0.02 * PITCH  # of the nearest points it is 0.3
     assert (error < 4 * found.deviation + 1e-3).all()
-    assert found.point.tolist() == np.linalg.norm(places[:, None] - array.position, axis=-1).argmin(1).tolist()
+    assert array.position is not None
+    assert found.point.tolist() == np.linalg.norm(between[:, None] - array.position, axis=-1).argmin(1).tolist()
 
 
 @pytest.mark.slow
 def test_of_a_sensor_that_is_not_the_librarys_a_place_is_not_sure(
-    array: ArrayResponse, decoder: localize.PositionDecoder
+    array: ArrayResponse, decoder: localize.PositionDecoder, between: np.ndarray
 ) -> None:
-    assert array.position is not None
-    first, second = array.position[:2]
-    places = first + np.array([[0.3], [0.7]]) * (second - first)
     off = np.random.default_rng(1).normal(0, 0.1, (*array.transfer_function.shape[:2], 1))
     made = replace(array, transfer_function=array.transfer_function * np.exp(off))
-    found = decoder.position(tapped(made, places, 3.5))
-    assert (np.linalg.norm(found.place - places, axis=1) < 4 * found.deviation).all()
-    assert (found.deviation > 10 * decoder.position(tapped(array, places, 3.5)).deviation).all()
+    found = decoder.position(tapped(made, between, 3.5))
+    assert (np.linalg.norm(found.place - between, axis=1) < 4 * found.deviation).all()
+    assert (found.deviation > 10 * decoder.position(tapped(array, between, 3.5)).deviation).all()
 
 
 @pytest.mark.slow
 def test_on_a_line_that_is_known_a_tap_is_told_to_a_hundredth(
-    array: ArrayResponse, decoder: localize.PositionDecoder
+    array: ArrayResponse, decoder: localize.PositionDecoder, between: np.ndarray
 ) -> None:
     assert array.position is not None
     first, second = array.position[:2]
     share = np.linspace(0, 1, 101)[:, None]
-    signals = tapped(array, first + np.array([[0.3], [0.7]]) * (second - first), 3.5)
+    signals = tapped(array, between, 3.5)
     found = decoder.log_likelihood_of(signals, first + share * (second - first))
     assert found.shape == (2, 101)
     assert np.allclose(share[found.argmax(1), 0], [0.3, 0.7], atol=0.02)
