@@ -1,4 +1,4 @@
-"""Make the example recordings of docs/examples/recordings, and the picture of them: some ten seconds.
+"""Make the example recordings of docs/examples/recordings, and the pictures of them: some ten seconds.
 
 python docs/make_recordings.py
 
@@ -51,8 +51,11 @@ def make(folder: Path) -> studies.TrackedRecording:
     record_contact(rig, joined(touched, "taps"), folder / "touches.wav", recorder)
     along = stroke(place[[0, 5, 6, 11]], SPEED, LIGHT, seed=SEED)
     record_contact(rig, along, folder / "slide.wav", recorder, sample=1)
-    picture = DOCS / "images" / "example-path.png"
-    return studies.track_recording(folder / "library.nc", folder / "slide.wav", picture=picture, full_scale=FULL_SCALE)
+    library, images = folder / "library.nc", DOCS / "images"
+    touches = images / "example-touches.png"
+    studies.locate_recording(library, folder / "touches.wav", picture=touches, full_scale=FULL_SCALE)
+    path = images / "example-path.png"
+    return studies.track_recording(library, folder / "slide.wav", picture=path, full_scale=FULL_SCALE)
 
 
 if __name__ == "__main__":

@@ -156,6 +156,9 @@ def locate(
         Path | None,
         typer.Option(help="Write a line of JSON for every frame here, 16 ms apart.", show_default=False),
     ] = None,
+    picture: Annotated[
+        Path | None, typer.Option(metavar="FILE.png", help="Draw the signals and the touches.", show_default=False)
+    ] = None,
     full_scale: Annotated[
         float | None,
         typer.Option(
@@ -178,7 +181,7 @@ def locate(
 ) -> None:
     """Where and when an array was touched, from a recording of its microphones.
 
-    Example: [bold]acoustic-fem locate localizer recording.wav --out touches.jsonl[/bold]
+    Example: [bold]acoustic-fem locate localizer recording.wav --picture touches.png[/bold]
     """
     if waveform and out is None:
         raise typer.BadParameter("--waveform goes into the lines of --out; give that too")
@@ -188,7 +191,7 @@ def locate(
     with named(full_scale="--full-scale", **options, **AIR_OPTIONS):
         air = LocalAir(pressure, altitude, temperature)
         decoding = Decoding(noise, library, waveform, ambient, refuse, air, follow_drift)
-        found = locate_recording(model, recording, out, full_scale=full_scale, decoding=decoding)
+        found = locate_recording(model, recording, out, picture=picture, full_scale=full_scale, decoding=decoding)
     _show_touches(found)
     told: dict[State, str] = {"sound": "sound alone", "other": "no single touch", "unreadable": "unreadable"}
     seconds = found.seconds_by_state

@@ -15,6 +15,7 @@ from studies.output.folders import check_new_file
 
 if TYPE_CHECKING:
     import numpy as np
+    from matplotlib.axes import Axes
     from numpy.typing import NDArray
 
     from localize import Decision, Fault, SensorFit, Touch, TouchEvent, TouchStream
@@ -24,6 +25,12 @@ if TYPE_CHECKING:
 
 PART = 60_000
 """Number of samples that are decided at once: a minute."""
+
+BINS = 2_000
+"""Number of places along the time axis of which the least and the largest value are drawn: more than pixels."""
+
+LABELLED = 40
+"""Number of touches up to which each is labelled; more labels would hide each other."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,6 +81,7 @@ def locate_recording(
     recording: str | os.PathLike[str],
     out: str | os.PathLike[str] | None = None,
     *,
+    picture: str | os.PathLike[str] | None = None,
     full_scale: float | None = None,
     decoding: Decoding | None = None,
 ) -> LocatedTouches:
@@ -84,6 +92,7 @@ def locate_recording(
             the tolerances of manufacturing where the library is not a calibrated one.
         recording: see :func:`localize.read_recording`.
         out: a file for a line of JSON for every frame; an earlier one is replaced.
+        picture: of the signals and the touches, ``.png``; an earlier one is replaced.
         full_scale: Pa: of WAV files the pressure at full scale, 1 Pa by default; of others that at which they clip, by
             default recognised by flat tops.
         decoding: how signals are read, and what is told beside the point.
@@ -91,9 +100,10 @@ def locate_recording(
     Raises:
         Refusal: a file that cannot be written or read, or options that do not go together.
     """
-    source, path = Path(model), None if out is None else Path(out)
-    given = decoding or Decoding()
+    source, given = Path(model), decoding or Decoding()
+    path, drawn = (None if each is None else Path(each) for each in (out, picture))
     check_new_file(path, ".jsonl", reads=(model, recording, given.library))
+    check_new_file(drawn, ".png", reads=(model, recording, given.library), option="picture")
     if given.waveform and path is None:
         raise Refusal("`waveform` goes into the lines of `out`; give that too")
     import numpy as np
@@ -127,7 +137,10 @@ def locate_recording(
     touches = tuple(touches_of(decided, localizer))
     assumes = assumed_by(source, localizer, given)
     doubt = None if fit is None else fit.doubt
-    return LocatedTouches(touches, tuple(events), localizer, heard.seconds, localizer.design, assumes, doubt, brought)
+    found = LocatedTouches(touches, tuple(events), localizer, heard.seconds, localizer.design, assumes, doubt, brought)
+    if drawn is not None:
+        draw_touches(found, heard.signals, localizer.microphones, drawn)
+    return found
 
 
 def _decided(
@@ -146,3 +159,65 @@ def _decided(
         decided += [replace(event, frame=None) if isinstance(event, Decision) else event for event in events]
     fit = sensor_fit(localizer, loud.frames, stream.noise) if isinstance(localizer, BayesDecoder) else None
     return decided, fit
+
+
+def draw_touches(
+    found: LocatedTouches, signals: NDArray[np.float64], microphones: tuple[str, ...], path: str | os.PathLike[str]
+) -> Path:
+    """Picture of a recording with the touches that were found in it.
+
+    Args:
+        found: the touches.
+        signals: what the microphones heard, (n_microphone, n) float64, Pa at 1 kHz.
+        microphones: their names.
+        path: file, PNG.
+
+    Returns:
+        The path.
+    """
+    import numpy as np
+
+    from localize.live.events import Decision
+    from studies.output.figure_style import WIDTH, figure_in_style, save_figure
+
+    count = len(microphones)
+    with figure_in_style((WIDTH, 1.1 * count + 3.0)) as figure:
+        panels = figure.subplots(count + 1, 1, sharex=True, height_ratios=[*[1.0] * count, 2.2])
+        for panel, name, heard in zip(panels, microphones, signals, strict=False):
+            _draw_signal(panel, heard)
+            panel.set_ylabel(f"{name}  (Pa)")
+        named = panels[-1]
+        frames = [(each.time, each.point, each.probability) for each in found.events
+                  if isinstance(each, Decision) and each.state == "touch"]  # fmt: skip
+        time, point, probability = np.array(frames, dtype=float).reshape(-1, 3).T
+        dots = named.scatter(time, point, c=100 * probability, s=7, vmin=0, vmax=100, cmap="viridis_r", zorder=3)
+        figure.colorbar(dots, ax=named, label="probability  (%)", pad=0.01)
+        for touch in found.touches:
+            for panel in panels:
+                panel.axvspan(touch.start, touch.end, color="#d9821f", alpha=0.18, linewidth=0)
+            if len(found.touches) <= LABELLED:
+                named.annotate(
+                    f"{touch.point}", ((touch.start + touch.end) / 2, touch.point), (0, 7),
+                    textcoords="offset points", ha="center", fontsize=9, weight="bold",
+                )  # fmt: skip
+        for fault in found.first_faults:
+            for panel in panels:
+                panel.axvline(fault.time, color="#b00020", linestyle=":", linewidth=1.0)
+        named.set(ylim=(0, len(found.array.line) + 1), xlim=(0, found.seconds))
+        named.yaxis.get_major_locator().set_params(integer=True)
+        named.set_ylabel("named point")
+        named.set_xlabel("time  (s): shaded, touches; dots, single frames of 250 ms at their ends")
+        return save_figure(figure, path)
+
+
+def _draw_signal(panel: Axes, heard: NDArray[np.float64]) -> None:
+    """Draw a signal, (n,) Pa at 1 kHz; a long one by its least and largest value in each bin."""
+    import numpy as np
+
+    time = np.arange(len(heard)) / 1e3
+    if len(heard) <= 2 * BINS:
+        panel.plot(time, heard, color="#1f5a99", linewidth=0.8)
+        return
+    begins = np.linspace(0, len(heard), BINS, endpoint=False, dtype=int)
+    least, largest = np.minimum.reduceat(heard, begins), np.maximum.reduceat(heard, begins)
+    panel.fill_between(time[begins], least, largest, color="#1f5a99", linewidth=0.4, step="post")
