@@ -27,6 +27,7 @@ extensions = [
     "accessible",
     "equations",
     "fields",
+    "models",
     "names",
     "reference",
 ]

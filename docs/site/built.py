@@ -1,4 +1,6 @@
-"""What the built site must be: it asks no other host for anything, and its search finds what people look for."""
+"""What the built site must be: it asks no other host for anything, its search finds what people look for, and its
+signatures are as the source has them.
+"""
 
 from __future__ import annotations
 
@@ -8,11 +10,15 @@ import sys
 from html.parser import HTMLParser
 from pathlib import Path
 
+from sphinx.search.en import SearchEnglish
+
 #: Words that must be found, one of each kind of page.
 SOUGHT = ("port_admittance", "mold", "calibrate", "altitude")
 #: Attributes that a browser loads by itself.
 LOADED = {("script", "src"), ("img", "src"), ("link", "href"), ("iframe", "src"), ("source", "src"), ("use", "href")}
 OUTSIDE = re.compile(r"^(?:https?:)?//")
+#: pydantic's marks of a field, NumPy's types as evaluated, an object's address.
+MACHINERY = re.compile(r"Annotated|FieldInfo|PydanticGeneral|\b(?:Le|Ge|Lt|Gt|MinLen|MaxLen)\(|numpy\.dtype| at 0x")
 IN_STYLE = re.compile(r"url\(\s*[\"']?((?:https?:)?//[^)\"']+)|@import\s+[\"']((?:https?:)?//[^\"']+)")
 
 
@@ -45,20 +51,56 @@ def outside_requests(folder: Path) -> list[str]:
 
 
 def not_found(folder: Path) -> list[str]:
-    """Words that people look for and the search does not know."""
+    """Words that people look for and the search does not know: neither their stem nor an entry of that name."""
     text = (folder / "searchindex.js").read_text(encoding="utf-8")
     index = json.loads(text.removeprefix("Search.setIndex(").rstrip().removesuffix(")"))
-    terms = {*index["terms"], *index["titleterms"]}
     names = {entry[4] for entries in index["objects"].values() for entry in entries}
-    known = terms | names
-    # the index holds stems: "calibr" is found by "calibrate"
-    return [word for word in SOUGHT if not any(len(term) > 3 and word.startswith(term) for term in known)]
+    known = names | {*index["terms"], *index["titleterms"]}
+    stem = SearchEnglish({}).stem  # what the page of the search does with a word that is typed
+    return [word for word in SOUGHT if word not in names and stem(word) not in known]
+
+
+class Signatures(HTMLParser):
+    """The words of a page's signatures, where each begins and what it says."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.found: list[str] = []
+        self._inside = False
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        """Begin one."""
+        if tag == "dt" and "sig" in (dict(attrs).get("class") or "").split():
+            self._inside = True
+            self.found.append("")
+
+    def handle_endtag(self, tag: str) -> None:
+        """End one."""
+        self._inside = self._inside and tag != "dt"
+
+    def handle_data(self, data: str) -> None:
+        """Words of it."""
+        if self._inside:
+            self.found[-1] += data
+
+
+def machinery(folder: Path) -> list[str]:
+    """File and signature of every entry that shows what a library made of the source instead of the source."""
+    found = []
+    for page in sorted(folder.rglob("*.html")):
+        signatures = Signatures()
+        signatures.feed(page.read_text(encoding="utf-8"))
+        for words in signatures.found:
+            if MACHINERY.search(words):
+                found.append(f"{page.name}: {' '.join(words.split())[:80]}")
+    return found
 
 
 def main(folder: Path) -> int:
     """Exit code: 1 with a line for each fault."""
     faults = [f"asks another host: {line}" for line in outside_requests(folder)]
     faults += [f"the search does not find {word}" for word in not_found(folder)]
+    faults += [f"not as a person would write it: {line}" for line in machinery(folder)]
     for line in faults:
         print(line, file=sys.stderr)
     return bool(faults)

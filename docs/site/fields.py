@@ -79,17 +79,19 @@ def metric_table() -> str:
 
 def _table(fields: list[DesignField]) -> str:
     return _HEAD + "".join(
-        f"| `{field.name}` | {_allowed(field)} | {_default(field)} | {field.description} |\n" for field in fields
+        f"| `{field.name}` | {allowed(field)} | {default(field)} | {field.description} |\n" for field in fields
     )
 
 
-def _allowed(field: DesignField) -> str:
+def allowed(field: DesignField) -> str:
+    """Range with unit, or kind and choices."""
     if field.kind in ("a number", "true or false"):
         return field.allowed if field.kind == "a number" else field.kind
     return f"{field.kind.split(' ', 1)[1]} {field.allowed}".strip()
 
 
-def _default(field: DesignField) -> str:
+def default(field: DesignField) -> str:
+    """Default as code; empty where it is nothing."""
     if field.required:
         return "required"
     if field.default in (None, "", (), {}):

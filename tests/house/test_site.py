@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib
+import json
 import re
 import subprocess
 import sys
@@ -27,7 +28,7 @@ def site(monkeypatch: pytest.MonkeyPatch):
         return importlib.import_module(name)
 
     yield load
-    for name in ("public_names", "built", "accessible", "fields", "make_architecture"):
+    for name in ("public_names", "built", "accessible", "fields", "models", "make_architecture"):
         sys.modules.pop(name, None)
 
 
@@ -45,15 +46,47 @@ def test_every_public_name_belongs_to_an_entry_on_the_page_of_a_face(site) -> No
 
 
 def test_requests_to_other_hosts_and_lost_words_are_found(site, tmp_path: Path) -> None:
-    built = site("built")
+    built = pytest.importorskip("sphinx") and site("built")
     (tmp_path / "a.html").write_text('<a href="https://x.org"></a><script src="//x.org/y.js"></script>', "utf-8")
     (tmp_path / "b.css").write_text("@import 'https://x.org/f.css'; a {background: url(data:x)}", "utf-8")
-    (tmp_path / "searchindex.js").write_text(
-        'Search.setIndex({"terms": {"mold": 1, "calibr": 2, "altitud": 3}, "titleterms": {}, "objects": {}})', "utf-8"
-    )
+    index = {"terms": {"mold": 1, "calibr": 2, "altitud": 3, "port": 4}, "titleterms": {}, "objects": {}}
+    searched = tmp_path / "searchindex.js"
+    searched.write_text(f"Search.setIndex({json.dumps(index)})", "utf-8")
     assert built.outside_requests(tmp_path) == ["a.html: //x.org/y.js", "b.css: https://x.org/f.css"]
     assert built.not_found(tmp_path) == ["port_admittance"]
     assert built.main(tmp_path) == 1
+    index["objects"] = {"acoustic_fem.duct": [[0, 1, 2, "", "port_admittance"]]}
+    searched.write_text(f"Search.setIndex({json.dumps(index)})", "utf-8")
+    assert built.not_found(tmp_path) == []
+
+
+def test_signatures_that_show_what_pydantic_makes_are_found(site, tmp_path: Path) -> None:
+    built = pytest.importorskip("sphinx") and site("built")
+    (tmp_path / "a.html").write_text(
+        '<dl><dt class="sig py"><em>f</em>(n: Annot<b>ated</b>[int, Le(le=50)])</dt><dd>Annotated</dd>'
+        '<dt class="sig">g(n: int)</dt></dl>',
+        "utf-8",
+    )
+    assert built.machinery(tmp_path) == ["a.html: f(n: Annotated[int, Le(le=50)])"]
+
+
+def test_the_reference_has_every_field_of_a_file_with_type_range_and_words(site) -> None:
+    models = pytest.importorskip("sphinx") and site("models")
+    from geometry import ArrayDesign
+    from geometry.stated import Membrane, Resonator, StatedArray
+
+    lines = models.field_lines(Resonator)
+    at = lines.index(".. py:attribute:: floor_thickness")
+    assert lines[at + 1 : at + 3] == ["   :type: float", "   :value: 1.0"]
+    assert lines[at + 4] == "   Thickness of the floor; between 0.3 and 20 mm."
+    assert "   Diameter of the air cavity; between 0.8 and 50 mm; required." in lines
+    assert any("between 1 and 1.9; a ratio." in line for line in models.field_lines(Membrane))
+    assert sum(line.startswith(".. py:attribute::") for line in models.field_lines(StatedArray)) == len(
+        StatedArray.model_fields
+    )
+    (inherited, _) = models.field_lines(ArrayDesign)
+    assert inherited.startswith("Fields of :py:obj:`geometry.stated.StatedArray`:")
+    assert all(f"`{name} <" in inherited for name in ArrayDesign.model_fields)
 
 
 def test_the_design_page_has_every_field_once_with_range_unit_and_words(site) -> None:
