@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from itertools import combinations
+from itertools import combinations, product
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -17,6 +17,8 @@ if TYPE_CHECKING:
     import xarray as xr
 
 Array = NDArray[np.float64]
+#: Differences of points, of one and all after it, worked on at once.
+_CHUNK = 20_000
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,20 +59,24 @@ def pair_distances(responses: Responses, band: tuple[float, float] = BAND) -> Pa
     pairs = list(combinations(range(microphones), 2))
     weight = trapezoidal_weights(responses.frequency[inside]) / len(pairs)
     h = responses.transfer_function[..., inside]
-    log = np.log(np.abs(h)) + 1j * np.arctan2(h.imag, h.real)  # ten times as fast as the logarithm of complex numbers
-    first = np.triu_indices(points, 1)[0]
-    level, phase = np.zeros((2, len(log), len(first)))
-    for a, b in pairs:
-        ratio = log[:, :, a] - log[:, :, b]
-        # one point against all after it: the differences of one design stay in the processor's cache
+    log, angle = np.log(np.abs(h)), np.arctan2(h.imag, h.real) / (2 * np.pi)
+    level, phase = np.zeros((2, len(h), points * (points - 1) // 2))
+    # A few designs at a time, one point against all after it: their differences stay in the processor's cache.
+    step = max(1, _CHUNK // (points * len(weight)))
+    room = np.empty((2, min(step, len(h)), points, len(weight)))
+    for few, (a, b) in product((slice(first, first + step) for first in range(0, len(h), step)), pairs):
+        louder, turned = log[few, :, a] - log[few, :, b], angle[few, :, a] - angle[few, :, b]
+        start = 0
         for point in range(points - 1):
-            own = first == point
-            difference = ratio[:, point + 1 :] - ratio[:, point, None]
-            turn = difference.imag
-            turn = turn - 2 * np.pi * np.round(turn / (2 * np.pi))
-            level[:, own] += difference.real**2 @ weight
-            phase[:, own] += turn**2 @ weight
-    return PairDistances(DECIBEL * np.sqrt(level), np.degrees(np.sqrt(phase)))
+            own = few, slice(start, start + points - 1 - point)
+            difference, whole = (each[: len(louder), point + 1 :] for each in room)
+            np.subtract(louder[:, point + 1 :], louder[:, point, None], out=difference)
+            level[own] += np.square(difference, out=difference) @ weight
+            np.subtract(turned[:, point + 1 :], turned[:, point, None], out=difference)
+            difference -= np.rint(difference, out=whole)  # turns, the short way round
+            phase[own] += np.square(difference, out=difference) @ weight
+            start = own[1].stop
+    return PairDistances(DECIBEL * np.sqrt(level), 360 * np.sqrt(phase))
 
 
 @dataclass(frozen=True, eq=False)
