@@ -103,6 +103,8 @@ class PairFeatures(nn.Module):
     """First factor of continuation and wavelet; (250, 64) float64."""
     synthesis: Tensor
     """Second factor of continuation and wavelet; (64, 2 * 64 * 47) float32, real rows first, then imaginary ones."""
+    averaging: Tensor
+    """Means over 16 consecutive samples as a matrix, seven times as fast as pooling; (47, 32) float32."""
 
     def __init__(self, microphones: int, choice: FeatureChoice = "phasors") -> None:
         super().__init__()
@@ -111,6 +113,9 @@ class PairFeatures(nn.Module):
         # small matrix rounds differs from one library to another, and with it the ratios: it is in double precision.
         self.register_buffer("analysis", torch.from_numpy(analysis), persistent=False)
         self.register_buffer("synthesis", torch.from_numpy(synthesis.astype(np.float32)), persistent=False)
+        start = np.arange(TAIL)[:, None] - np.arange(COLUMNS)
+        weights = np.where((start >= 0) & (start < AVERAGE), 1 / AVERAGE, 0.0)
+        self.register_buffer("averaging", torch.from_numpy(weights.astype(np.float32)), persistent=False)
         self.pairs = tuple(combinations(range(microphones), 2))
         self.map_count = map_count(microphones, choice)
         self.choice = choice
@@ -144,24 +149,20 @@ class PairFeatures(nn.Module):
         level = 10 * power.log10()
         inverse = power.rsqrt()
         cosine, sine = real * inverse, imag * inverse
-        maps = []
+        maps: list[Tensor] = []
         for a, b in self.pairs:
             maps.append(level[:, a] - level[:, b])
             maps.append(cosine[:, a] * cosine[:, b] + sine[:, a] * sine[:, b])
             maps.append(sine[:, a] * cosine[:, b] - cosine[:, a] * sine[:, b])
+        if self.choice == "phasors":
+            maps.append(power.mean(1))
+        means = [each @ self.averaging for each in maps]
         if self.choice == "paper":
-            averaged = _averaged(torch.stack(maps, 1)).unflatten(1, (len(self.pairs), 3))
+            averaged = torch.stack(means, 1).unflatten(1, (len(self.pairs), 3))
             phase = torch.atan2(averaged[:, :, 2], averaged[:, :, 1])
             return torch.stack([averaged[:, :, 0], phase], 2).flatten(1, 2)
-        averaged = _averaged(torch.stack([*maps, power.mean(1)], 1))
-        total = 10 * averaged[:, -1].log10()
-        total = (total - total.amax((-2, -1), keepdim=True)).clamp_min(-POWER_RANGE)
-        return torch.cat([averaged[:, :-1], total[:, None]], 1)
-
-
-def _averaged(maps: Tensor) -> Tensor:
-    """Means over 16 consecutive samples, (n, n_map, 64, 47) to (n, n_map, 64, 32)."""
-    return nn.functional.avg_pool2d(maps, (1, AVERAGE), stride=1)
+        total = 10 * means.pop().log10()
+        return torch.stack([*means, (total - total.amax((-2, -1), keepdim=True)).clamp_min(-POWER_RANGE)], 1)
 
 
 def _wavelet_spectra() -> NDArray[np.float64]:
