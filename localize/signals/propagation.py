@@ -41,12 +41,14 @@ def microphone_signals(
         (n, n_microphone, sample_count) real, Pa.
     """
     several = TOGETHER if spectrum.device.type == "cpu" else max(len(spectrum), 1)
-    signals = []
+    shape = len(spectrum), transfer_function.shape[1], sample_count
+    signals = torch.empty(shape, dtype=spectrum.real.dtype, device=spectrum.device)
     for first in range(0, len(spectrum), several):
         part = slice(first, first + several)
-        heard = transfer_function[part if rows is None else rows[part]]
-        signals.append(time_signal(spectrum[part, None, :] * heard, sample_count))
-    return torch.cat(signals)
+        # by index_select, which copies whole rows: ten times as fast as an index
+        heard = transfer_function[part] if rows is None else transfer_function.index_select(0, rows[part])
+        signals[part] = time_signal(heard * spectrum[part, None, :], sample_count)
+    return signals
 
 
 def impulse_response(transfer_function: Tensor) -> Tensor:

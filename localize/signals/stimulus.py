@@ -121,13 +121,14 @@ def multi_sines(
     amplitude = between(*AMPLITUDE, rest[..., 0])
     amplitude = amplitude * (torch.arange(_MOST_COMPONENTS, device=device) < components[:, None])
     sine = torch.polar(amplitude / 2, (2 * math.pi) * rest[..., 1])
-    spectrum = torch.zeros(count, LINE_COUNT, dtype=torch.complex64, device=device).scatter_add_(1, line, sine)
-    peak = time_signal(spectrum[:, : sines.stop]).abs().amax(-1)
-    spectrum[:, : sines.stop] *= (PEAK / peak.clamp(min=PEAK))[:, None]
-
-    band = lines_within(noise_band)
-    normal = complex_normal(words[:, _COMPONENT_WORDS:][:, band], device)
-    spectrum[:, band] += (NOISE / math.sqrt(2 * PERIOD)) * normal
+    spectrum = torch.empty(count, LINE_COUNT, dtype=torch.complex64, device=device)
+    band, level = lines_within(noise_band), NOISE / math.sqrt(2 * PERIOD)
+    several = TOGETHER if spectrum.device.type == "cpu" else max(count, 1)
+    for part in (slice(first, first + several) for first in range(0, count, several)):
+        own = spectrum[part].zero_().scatter_add_(1, line[part], sine[part])
+        peak = time_signal(own[:, : sines.stop]).abs().amax(-1)
+        own[:, : sines.stop] *= (PEAK / peak.clamp(min=PEAK))[:, None]
+        own[:, band] += complex_normal(words[part, _COMPONENT_WORDS:][:, band], device).mul_(level)
     return Stimuli(spectrum=spectrum, interval=interval, components=components)
 
 
