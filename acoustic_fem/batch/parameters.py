@@ -7,16 +7,16 @@ column and a derivative is that of the field. :meth:`Topology.individual` gives 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Mapping, Sequence
 from dataclasses import dataclass, fields
 from types import ModuleType
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
 from acoustic_fem.batch.numpy_or_torch import Array, namespace
 from acoustic_fem.batch.topology import Topology, tubes_in_use
-from acoustic_fem.membrane.disc import KnownDiscs, design_disc, design_rubber
+from acoustic_fem.membrane.disc import DiscSolution, KnownDiscs, design_disc, design_rubber
 from acoustic_fem.membrane.rubber import Rubber
 from acoustic_fem.network.microphone import circuit_elements as elements
 from acoustic_fem.network.yielding import design_leak, floor_compliance, sheath_compliance, soft_rubber
@@ -139,7 +139,8 @@ class ArrayParameters:
         for number, design in enumerate(designs):
             if Topology.of(design) != topology:
                 raise Refusal(f"designs.{number} ({design.name}) is not wired as designs.0 ({designs[0].name})")
-        rows = [_row(design, medium or design_air(design), known) for design in designs]
+        common = _Common(medium, known)
+        rows = [_row(design, common) for design in designs]
         for rubber in _RUBBERS:
             terms = max(len(column) for row in rows for column in row[f"{rubber}_relaxation"])
             for row in rows:
@@ -289,11 +290,39 @@ def check_medium(medium: MediumParameters, count: int, xp: ModuleType) -> int:
     return max(rows, count)
 
 
-def _row(design: ArrayDesign, medium: Medium, known: KnownDiscs | None) -> dict[str, list[Any]]:
+class _Common:
+    """What many designs have in common, worked out once."""
+
+    def __init__(self, medium: Medium | None, known: KnownDiscs | None) -> None:
+        self._medium, self._known = medium, known
+        self._found: dict[Hashable, Any] = {}
+
+    def _once(self, key: Hashable, make: Callable[[], Any]) -> Any:
+        if key not in self._found:
+            self._found[key] = make()
+        return self._found[key]
+
+    def air(self, design: ArrayDesign) -> Medium:
+        """The air that was given, or that of the design."""
+        return self._medium or cast(Medium, self._once(design.air, lambda: design_air(design)))
+
+    def microphone(self, design: ArrayDesign) -> tuple[float, float]:
+        """Compliance of the diaphragm and admittance of the vent."""
+        own, air = design.microphone, self.air(design)
+        diaphragm, _, vent = self._once((own, air), lambda: elements(own, own.vent_corner, air))
+        return diaphragm, vent
+
+    def disc(self, design: ArrayDesign) -> DiscSolution:
+        """The membrane of a design whose points are alike."""
+        key = design.resonator.cavity_diameter, design.membrane, design.material(design.membrane.material)
+        return cast(DiscSolution, self._once(key, lambda: design_disc(design, known=self._known)))
+
+
+def _row(design: ArrayDesign, common: _Common) -> dict[str, list[Any]]:
     tubes = list(tubes_in_use(design).values())
-    points = [_point(design.of_kind(kind), medium, known) for kind in design.kinds]
+    points = [_point(design.of_kind(kind), common) for kind in design.kinds]
     microphone = design.microphone
-    diaphragm, _, vent = elements(microphone, microphone.vent_corner, medium)
+    diaphragm, vent = common.microphone(design)
     return {
         "tube_radius": [metres(tube.acoustic_diameter) / 2 for tube in tubes],
         "tube_length": [metres(tube.acoustic_length(design.printing.port_lip)) for tube in tubes],
@@ -310,9 +339,9 @@ def _row(design: ArrayDesign, medium: Medium, known: KnownDiscs | None) -> dict[
     }
 
 
-def _point(design: ArrayDesign, medium: Medium, known: KnownDiscs | None) -> dict[str, Any]:
+def _point(design: ArrayDesign, common: _Common) -> dict[str, Any]:
     """The numbers of one column of points, all of which are alike."""
-    disc = design_disc(design, known=known)
+    disc = common.disc(design)
     rubber = design_rubber(design)
     if np.any(disc.model.geometric) and not rubber.elastic:
         raise Refusal(
@@ -334,7 +363,7 @@ def _point(design: ArrayDesign, medium: Medium, known: KnownDiscs | None) -> dic
         **_law("membrane", rubber),
         "membrane_share": share / share.sum(),
         "membrane_frequency": mode_frequency,
-        "leak_conductance": design_leak(design, medium),
+        "leak_conductance": design_leak(design, common.air(design)),
         "floor_compliance": floor_compliance(design),
         **_law("floor", soft_rubber(design, design.resonator.floor_material)),
     }

@@ -243,7 +243,9 @@ def _course(
 
 
 def _at_port_height(design: ArrayDesign, plan: NDArray[np.float64]) -> NDArray[np.float64]:
-    return np.column_stack([plan, np.full(len(plan), design.resonator.port_axis_height)])
+    path = np.empty((len(plan), 3))
+    path[:, :2], path[:, 2] = plan, design.resonator.port_axis_height
+    return path
 
 
 def _pair(position: Sequence[float] | NDArray[np.float64]) -> tuple[float, float]:

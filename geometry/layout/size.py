@@ -97,7 +97,9 @@ def _seat(design: ArrayDesign, frame: Frame, placed: MicrophonePlacement, bottom
     along, across = (side / 2 + microphone.board_gap + microphone.wall_thickness for side in microphone.board_size)
     top = bottom + microphone.sound_hole_length + microphone.package_height
     corners = [(i * along * x - j * across * y, i * along * y + j * across * x) for i in (-1, 1) for j in (-1, 1)]
-    return np.array([frame.at(u, v, z) for u, v in corners for z in (bottom, top)])
+    return np.asarray(frame.origin) + np.array([(u, v, z) for u, v in corners for z in (bottom, top)]) @ np.array(
+        frame.axes
+    )
 
 
 def _tubes(tubes: Sequence[TubePlacement]) -> Array:

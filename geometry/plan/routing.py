@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -76,20 +77,26 @@ def bowed_path(
     Returns:
         (n, 2) float64, mm: 2 points when it is straight.
     """
-    along = (end - start) / np.linalg.norm(end - start)
-    left = side * np.array([-along[1], along[0]])
-    distance = float(np.linalg.norm(end - start))
+    way = (end - start).tolist()
+    distance = math.hypot(*way)
+    x, y = way[0] / distance, way[1] / distance
+    shape = _bowed(angle, distance, cavity_radius, outer_radius)
+    return np.asarray(start + shape @ np.array([[x, y], [-side * y, side * x]]))
+
+
+@lru_cache(maxsize=256)
+def _bowed(angle: float, distance: float, cavity_radius: float, outer_radius: float) -> NDArray[np.float64]:
+    """The way of :func:`bowed_path` along the line of the axes and beside it, from the first axis on."""
     if angle == 0:
-        return np.array([start + cavity_radius * along, end - cavity_radius * along])
+        return np.array([[cavity_radius, 0.0], [distance - cavity_radius, 0.0]])
     turn = math.radians(angle)
     radius = bow_radius(angle, distance, outer_radius)
     turns = np.linspace(-turn, turn, _CHORDS + 1)
     # The chord lies R sin t beside the line of axes, the arc's centre r cos t behind the chord.
     height = outer_radius * math.sin(turn) + radius * (np.cos(turns) - math.cos(turn))
-    arc = start + np.outer(distance / 2 + radius * np.sin(turns), along) + np.outer(height, left)
-    wall_start = start + cavity_radius * (math.cos(turn) * along + math.sin(turn) * left)
-    wall_end = end + cavity_radius * (-math.cos(turn) * along + math.sin(turn) * left)
-    return np.vstack([wall_start, arc, wall_end])
+    arc = np.column_stack([distance / 2 + radius * np.sin(turns), height])
+    wall = cavity_radius * math.cos(turn), cavity_radius * math.sin(turn)
+    return np.vstack([wall, arc, (distance - wall[0], wall[1])])
 
 
 def drawn_path(

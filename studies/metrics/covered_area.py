@@ -15,7 +15,11 @@ Array = NDArray[np.float64]
 FINGER = 5.0
 """Radius of the contact of a finger that presses lightly, mm; ours."""
 _LINES = 720
-_CORNERS = 96
+_TURN = np.linspace(0, 2 * np.pi, 96, endpoint=False)
+#: Corners of a disc of radius one, and the directions square to its sides, from each corner to the next.
+_CORNER = np.stack([np.cos(_TURN), np.sin(_TURN)], -1)
+_SIDE = _CORNER + np.roll(_CORNER, -1, axis=0)
+_REACH = (_SIDE * _CORNER).sum(1)
 
 
 def coverage(design: ArrayDesign, radius: float = FINGER, layout: ArrayLayout | None = None) -> float:
@@ -38,25 +42,26 @@ def coverage(design: ArrayDesign, radius: float = FINGER, layout: ArrayLayout | 
     kinds = [design.of_kind(kind).resonator.cavity_diameter / 2 for kind in design.kinds]
     own = np.array(kinds)[list(design.kind_of_point)]
     height, left, right = _hull(place, own)
-    reach = own[:, None] + radius
-    half = np.sqrt(np.maximum(reach**2 - (height - place[:, 1:]) ** 2, 0.0))
-    begin = np.clip(place[:, :1] - half, left, right)
-    end = np.clip(place[:, :1] + half, left, right)
-    return min(float(_together(begin, end) / (right - left).sum()), 1.0)
+    half = np.sqrt(np.maximum((own + radius) ** 2 - (height[:, None] - place[:, 1]) ** 2, 0.0))
+    ends = np.stack([place[:, 0] - half, place[:, 0] + half])
+    np.clip(ends, left[:, None], right[:, None], out=ends)
+    return min(float(_together(*ends) / (right - left).sum()), 1.0)
 
 
 def _hull(place: Array, radius: Array) -> tuple[Array, Array, Array]:
     """Lines across the hull of discs, their height y and the ends of them inside it, each (n_line,) mm."""
     from scipy.spatial import ConvexHull
 
-    turn = np.linspace(0, 2 * np.pi, _CORNERS, endpoint=False)
-    corner = np.stack([np.cos(turn), np.sin(turn)], -1)
-    edge = place[:, None] + radius[:, None, None] * corner
     # Where one disc reaches furthest square to both edges beside a corner, it does so at that corner alone.
-    side = corner + np.roll(corner, -1, axis=0)
-    furthest = (place @ side.T + radius[:, None] * (side * corner).sum(1)).argmax(axis=0)
+    furthest = (place @ _SIDE.T + radius[:, None] * _REACH).argmax(axis=0)
     only = furthest == np.roll(furthest, 1)
-    rim = np.concatenate([edge[furthest[only], only], edge[:, ~only].reshape(-1, 2)])
+    alone, several = furthest[only], np.flatnonzero(~only)
+    rim = np.concatenate(
+        [
+            place[alone] + radius[alone, None] * _CORNER[only],
+            (place[:, None] + radius[:, None, None] * _CORNER[several]).reshape(-1, 2),
+        ]
+    )
     rim = rim[ConvexHull(rim).vertices]
     low, high = rim[:, 1].min(), rim[:, 1].max()
     height = low + (np.arange(_LINES) + 0.5) / _LINES * (high - low)
@@ -72,9 +77,10 @@ def _hull(place: Array, radius: Array) -> tuple[Array, Array, Array]:
 
 
 def _together(begin: Array, end: Array) -> float:
-    """Length of the union of intervals (n_interval, n_line), summed over the lines."""
-    order = np.argsort(begin, axis=0)
-    begin, end = np.take_along_axis(begin, order, 0), np.take_along_axis(end, order, 0)
-    reached = np.maximum.accumulate(end, axis=0)
-    before = np.vstack([begin[:1], reached[:-1]])
-    return float(np.maximum(end - np.maximum(begin, before), 0.0).sum())
+    """Length of the union of intervals (n_line, n_interval), summed over the lines.
+
+    Between the first begin and the last end it leaves out where as many have ended as have begun.
+    """
+    begin, end = np.sort(begin, axis=1), np.sort(end, axis=1)
+    between = np.maximum(begin[:, 1:] - end[:, :-1], 0.0)
+    return float((end[:, -1] - begin[:, 0]).sum() - between.sum())

@@ -13,6 +13,7 @@ from geometry.refusal import Refusal, counted
 
 if TYPE_CHECKING:
     from acoustic_fem import Library, Medium
+    from acoustic_fem.batch.parameters import ArrayParameters
     from acoustic_fem.membrane.disc import KnownDiscs
     from geometry import ArrayDesign
 
@@ -46,6 +47,8 @@ class Responses:
     n_freq) complex128, Pa s/m^3."""
     discs: KnownDiscs | None = None
     """Membranes that need not be solved."""
+    parameters: ArrayParameters | None = None
+    """Numbers of all designs, where they were computed as a batch."""
 
     def __post_init__(self) -> None:
         h = self.transfer_function

@@ -17,6 +17,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import fields
+from operator import itemgetter
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -59,12 +60,15 @@ _CHUNK = 20_000
 _STEP = 1e-3
 
 
-def scatter_detection(designs: Sequence[ArrayDesign], known: KnownDiscs | None = None) -> Array:
+def scatter_detection(
+    designs: Sequence[ArrayDesign], known: KnownDiscs | None = None, parameters: ArrayParameters | None = None
+) -> Array:
     """Predicted error under scatter of each design.
 
     Args:
         designs: the arrays.
         known: membranes that need not be solved.
+        parameters: numbers of the designs, where they are known already.
 
     Returns:
         (n_design,) float64: the error of a point over all others, mean over the points, to the power 1 / 1.2, by that
@@ -80,8 +84,11 @@ def scatter_detection(designs: Sequence[ArrayDesign], known: KnownDiscs | None =
     found = np.empty(len(designs))
     for (topology, _), numbers in alike.items():
         own = [designs[number] for number in numbers]
-        parameters, air = ArrayParameters.from_designs(own, known=known), design_air(own[0])
-        found[numbers] = np.exp(_logarithms(topology, parameters, air, _noise(own)))
+        if parameters is None:
+            numbers_of_own = ArrayParameters.from_designs(own, known=known)
+        else:
+            numbers_of_own = parameters.map(itemgetter(numbers))
+        found[numbers] = np.exp(_logarithms(topology, numbers_of_own, design_air(own[0]), _noise(own)))
     return found
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,7 +14,10 @@ from geometry.layout.size import array_size
 from studies.metrics.confusion import PredictedConfusion, predict_confusions
 from studies.metrics.responses import Complex, Responses, known
 from studies.metrics.separation import PairDistances, pair_distances
-from studies.metrics.touch import touch_response
+from studies.metrics.touch import in_vacuo, touch_response
+
+if TYPE_CHECKING:
+    from acoustic_fem.membrane.disc import DiscResponse
 
 Array = NDArray[np.float64]
 
@@ -33,6 +37,7 @@ class SharedFigures:
         self._distances: dict[tuple[float, float], PairDistances] = {}
         self._confusion: dict[float | None, PredictedConfusion] = {}
         self._touches: dict[str, Complex] = {}
+        self._vacuum: DiscResponse | None = None
         self._layouts: list[ArrayLayout] | None = None
         self._sizes: Array | None = None
 
@@ -63,7 +68,8 @@ class SharedFigures:
             touch: "displacement" (m), "force" (N) or "pressure" (Pa).
         """
         if touch not in self._touches:
-            self._touches[touch] = touch_response(self.responses, touch)
+            self._vacuum = self._vacuum or in_vacuo(self.responses)
+            self._touches[touch] = touch_response(self.responses, touch, self._vacuum)
         return self._touches[touch]
 
     def layouts(self) -> list[ArrayLayout]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Hashable
 from dataclasses import fields
 from typing import TYPE_CHECKING
 
@@ -23,19 +24,21 @@ NEEDS = frozenset({"designs", "source_response", "point_impedance"})
 NOISE_NEEDS = NEEDS | {"microphone_impedance", "medium"}
 
 
-def touch_response(responses: Responses, touch: str) -> Complex:
+def touch_response(responses: Responses, touch: str, vacuum: DiscResponse | None = None) -> Complex:
     """Pressure at the microphones per touch, as :meth:`acoustic_fem.Library.touch_response` for each design.
 
     Args:
         responses: of the designs.
         touch: "displacement" (m), "force" (N) or "pressure" (Pa).
+        vacuum: what the membranes do in vacuo, as :func:`in_vacuo`, where it is known already.
 
     Returns:
         (n_design, n_point, n_microphone, n_freq) complex128, Pa per unit of the touch.
     """
     from acoustic_fem.library.touch import injected_flow
 
-    injected = injected_flow(touch, responses.frequency, _in_vacuo(responses), known(responses.point_impedance))
+    vacuum = vacuum or in_vacuo(responses)
+    injected = injected_flow(touch, responses.frequency, vacuum, known(responses.point_impedance))
     return np.asarray(known(responses.source_response) * injected[:, :, None])
 
 
@@ -113,23 +116,30 @@ def bandwidth(responses: Responses, response: Complex) -> Array:
     return np.asarray((crossing(right, right - 1) - crossing(left, left + 1)).min(axis=1))
 
 
-def _in_vacuo(responses: Responses) -> DiscResponse:
-    """What the membranes of each design do in vacuo, arrays (n_design, n_point, n_freq)."""
+def in_vacuo(responses: Responses) -> DiscResponse:
+    """What the membranes of each design do in vacuo, arrays (n_design, n_point, n_freq) complex128."""
     from acoustic_fem.library.touch import membranes_in_vacuo
     from acoustic_fem.membrane.disc import DiscResponse, design_disc, design_rubber
 
-    found: dict[tuple[object, ...], DiscResponse] = {}
+    def key_of(design: ArrayDesign) -> Hashable:
+        return design.resonator.cavity_diameter, design.membrane, design.material(design.membrane.material)
+
+    found: dict[Hashable, DiscResponse] = {}
 
     def response_of(design: ArrayDesign) -> DiscResponse:
-        material = design.material(design.membrane.material)
-        key = (design.resonator.cavity_diameter, design.membrane, material)
+        key = key_of(design)
         if key not in found:
             disc = design_disc(design, known=responses.discs)
             found[key] = disc.response(responses.frequency, design_rubber(design))
         return found[key]
 
-    rows = [membranes_in_vacuo(design, response_of) for design in known(responses.designs)]
-    return DiscResponse(**{each.name: np.stack([getattr(row, each.name) for row in rows])
+    rows: dict[Hashable, DiscResponse] = {}
+    designs = known(responses.designs)
+    keys = [(tuple(key_of(each.of_kind(kind)) for kind in each.kinds), each.kind_of_point) for each in designs]
+    for key, design in zip(keys, designs, strict=True):
+        if key not in rows:
+            rows[key] = membranes_in_vacuo(design, response_of)
+    return DiscResponse(**{each.name: np.stack([getattr(rows[key], each.name) for key in keys])
                            for each in fields(DiscResponse)})  # fmt: skip
 
 

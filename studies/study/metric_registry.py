@@ -228,7 +228,8 @@ def _scattered_top1(figures: SharedFigures) -> Values:
 def _scatter_detection(figures: SharedFigures) -> Values:
     from studies.metrics.scatter_detection import scatter_detection
 
-    return scatter_detection(known(figures.responses.designs), figures.responses.discs)
+    own = figures.responses
+    return scatter_detection(known(own.designs), own.discs, own.parameters)
 
 
 def _scatter_slopes(design: ArrayDesign, names: Sequence[str], discs: KnownDiscs | None) -> tuple[float, Values]:

@@ -249,6 +249,7 @@ def _batch(job: Job, topology: Topology, designs: Sequence[ArrayDesign]) -> Resp
         point_impedance=response.point_impedance,
         microphone_impedance=response.microphone_impedance,
         discs=job.discs,
+        parameters=joined,
     )
 
 
@@ -315,6 +316,7 @@ def _one(responses: Responses, number: int) -> Responses:
 
     return replace(
         responses,
+        parameters=None,
         **{
             name: cut(getattr(responses, name))
             for name in (

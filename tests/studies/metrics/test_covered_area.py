@@ -8,6 +8,7 @@ import geometry
 from geometry.layout.arrangement import lay_out
 from geometry.refusal import Refusal
 from studies.metrics import coverage
+from studies.metrics.covered_area import _together
 
 
 def by_points(design, radius, count=40_000):
@@ -51,3 +52,12 @@ def test_kinds_of_one_width_and_single_points_are_covered_as_they_are():
 def test_a_radius_below_zero_is_refused():
     with pytest.raises(Refusal, match="radius = -1 mm must be between 0 and 1000 mm"):
         coverage(geometry.prototype("array-2x6"), -1.0)
+
+
+def test_intervals_that_overlap_touch_or_are_empty_count_once():
+    random = np.random.default_rng(0)
+    begin = random.integers(0, 40, (200, 7)).astype(float)
+    end = begin + random.integers(0, 12, begin.shape)
+    cells = np.arange(60) + 0.5
+    covered = ((begin[..., None] < cells) & (cells < end[..., None])).any(axis=1).sum()
+    assert _together(begin, end) == covered

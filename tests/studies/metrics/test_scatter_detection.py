@@ -16,6 +16,7 @@ import acoustic_fem
 import geometry
 import localize
 from acoustic_fem.batch.network import batch_transfer_function
+from acoustic_fem.batch.parameters import ArrayParameters
 from acoustic_fem.scatter.tolerances import UNCALIBRATED, ScatteredDesign
 from geometry.design.design_file import value_of
 from localize.signals.array_response import response_of
@@ -25,6 +26,15 @@ from studies.study.metric_registry import METRICS
 
 EXAMPLES = Path(__file__).parents[3] / "docs" / "examples"
 NAMES = ("tube.inner_diameter", "tube.length", "resonator.cavity_height", "membrane.thickness")
+
+
+def test_numbers_of_a_batch_that_are_known_are_not_worked_out_again() -> None:
+    dry, damp = small_design(), small_design().with_values({"air.humidity": 0.9, "tube.length": 20.0})
+    designs = [dry, damp, dry.with_values({"tube.inner_diameter": 0.5})]
+    expected = scatter_detection(designs)
+    assert np.array_equal(scatter_detection(designs, parameters=ArrayParameters.from_designs(designs)), expected)
+    other = ArrayParameters.from_designs([dry, dry, dry])  # taken for those of the designs
+    assert scatter_detection(designs, parameters=other)[2] == pytest.approx(expected[0], rel=1e-12)
 
 
 def test_it_is_the_error_of_the_nominal_decoder_to_first_order() -> None:
