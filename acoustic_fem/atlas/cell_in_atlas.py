@@ -67,10 +67,10 @@ def opening_node(storage: Array, load: Array, passage: Array, through: Array) ->
     drives the load. All arrays broadcast, complex128, SI.
 
     Args:
-        storage: s.
-        load: admittance of all that yields around the air.
-        passage: m12, impedance that the tubes share beside 1/s.
-        through: m, impedance that tubes and membrane share beside 1/s.
+        storage: s, m^3/(Pa s); broadcasts with the others, as they do.
+        load: admittance of all that yields around the air, m^3/(Pa s); broadcasts.
+        passage: m12, impedance that the tubes share beside 1/s, Pa s/m^3; broadcasts.
+        through: m, impedance that tubes and membrane share beside 1/s, Pa s/m^3; broadcasts.
 
     Returns:
         Admittance of the node to ground; pressure on the membrane by that of the node, also the part of a volume

@@ -23,9 +23,9 @@ class ShapePolynomial:
     powers: NDArray[np.int64]
     """Powers p_m of the ratios in each term, (n_term, n_ratio) int64."""
     real: NDArray[np.float64]
-    """Coefficients of the first, (n_term, n_layer) float64."""
+    """Coefficients of the first, (n_term, n_layer) float64, in the unit of what is fitted."""
     imag: NDArray[np.float64]
-    """Coefficients of the second, (n_term, n_layer) float64."""
+    """Coefficients of the second, (n_term, n_layer) float64, in the same unit."""
 
     def __call__(self, ratios: Sequence[Array], layer: Array) -> tuple[Array, Array]:
         """Values of both, float64, of the broadcast shape.

@@ -84,7 +84,7 @@ class CellAtlas:
         Args:
             house: what the cavity belongs to.
             opening: their shapes, which broadcast with ``square``.
-            square: square of the shear number, a^2 w / nu, float64.
+            square: square of the shear number, a^2 w / nu, a ratio; float64 that broadcasts with the shapes.
 
         Returns:
             Broadcast shape, complex128.
@@ -95,7 +95,9 @@ class CellAtlas:
         return resistance + 1j * (square * inertance)
 
     def compliance(self, opening: Opening, square: Array) -> Array:
-        """What openings add to the compliance of their cavity, in a^3 / p; arguments as :meth:`impedance`.
+        """What openings add to the compliance of their cavity, in a^3 / p.
+
+        Their shapes and ``square`` broadcast, as for :meth:`impedance`.
 
         Returns:
             Broadcast shape, complex128.
@@ -124,7 +126,7 @@ class CellAtlas:
         Args:
             house: what the cavity belongs to.
             opening: shapes as NumPy arrays.
-            square: largest square of a shear number, a NumPy array.
+            square: largest square of a shear number, a^2 w / nu, a ratio; a NumPy array that broadcasts with them.
             where: what is refused, for the message.
 
         Raises:
@@ -139,7 +141,10 @@ class CellAtlas:
                 )
 
     def is_outside(self, house: House, opening: Opening, square: Array) -> NDArray[np.bool_]:
-        """Which openings :meth:`check` would refuse; arguments as there, the shape of one of its numbers."""
+        """Which openings :meth:`check` would refuse, from shapes and a ``square`` that broadcasts with them, as there.
+
+        Of the shape of one of its numbers.
+        """
         found = [_beyond(value, *bounds) for _, value, bounds in self._bounded(house, opening, square)]
         return np.asarray(np.any(np.broadcast_arrays(*found), axis=0))
 

@@ -60,7 +60,9 @@ def batch_transfer_function(
     medium: Medium | MediumParameters,
     fidelity: str = "lumped",
 ) -> Array:
-    """Transfer functions of a batch of designs; arguments and errors as :func:`batch_response`.
+    """Transfer functions of a batch of designs.
+
+    The frequency is (n_freq,) in Hz; arguments and errors as :func:`batch_response`.
 
     Returns:
         (n_design, n_point, n_microphone, n_freq) complex128, Pa/Pa; points line by line.

@@ -12,7 +12,7 @@ Array: TypeAlias = Any
 
 
 def namespace(array: Array) -> ModuleType:
-    """``numpy`` or ``torch``, whichever the array belongs to."""
+    """``numpy`` or ``torch``, whichever the array, of any shape, belongs to."""
     if isinstance(array, np.ndarray):
         return np
     import torch

@@ -52,11 +52,11 @@ class ArrayParameters:
     membrane_reference: Array
     """Frequency of the modulus that the compliance and the modes belong to, (n_design, n_point_column) float64, Hz."""
     membrane_relaxation: Array
-    """Relaxing moduli by that one, (n_design, n_point_column, n_term) float64; n_term may be 0."""
+    """Relaxing moduli by that one, ratios, (n_design, n_point_column, n_term) float64; n_term may be 0."""
     membrane_relaxation_time: Array
     """Relaxation times, (n_design, n_point_column, n_term) float64, s."""
     membrane_share: Array
-    """Share of each mode in the static compliance, (n_design, n_point_column, n_mode) float64; sum 1."""
+    """Share of one of each mode in the static compliance, (n_design, n_point_column, n_mode) float64; sum 1."""
     membrane_frequency: Array
     """Frequency of each mode in vacuo at that modulus, (n_design, n_point_column, n_mode) float64, ascending, Hz. Modes
     from a design end with two that correct the statics (:class:`acoustic_fem.membrane.DiscSolution`).
@@ -70,11 +70,11 @@ class ArrayParameters:
     floor_loss: Array
     """Loss factor of the floor, without that of its relaxations, (n_design, n_point_column) float64."""
     floor_slope: Array
-    """Slope of its modulus as ``membrane_slope``, (n_design, n_point_column) float64."""
+    """Slope of its modulus as ``membrane_slope``, an exponent, (n_design, n_point_column) float64."""
     floor_reference: Array
     """Frequency of its stated modulus, (n_design, n_point_column) float64, Hz."""
     floor_relaxation: Array
-    """Relaxing moduli by that one, (n_design, n_point_column, n_term) float64; n_term may be 0."""
+    """Relaxing moduli by that one, ratios, (n_design, n_point_column, n_term) float64; n_term may be 0."""
     floor_relaxation_time: Array
     """Relaxation times, (n_design, n_point_column, n_term) float64, s."""
     sheath_compliance: Array
@@ -83,11 +83,11 @@ class ArrayParameters:
     sheath_loss: Array
     """Loss factor of the sheath, without that of its relaxations, (n_design, n_tube_column) float64."""
     sheath_slope: Array
-    """Slope of its modulus as ``membrane_slope``, (n_design, n_tube_column) float64."""
+    """Slope of its modulus as ``membrane_slope``, an exponent, (n_design, n_tube_column) float64."""
     sheath_reference: Array
     """Frequency of its stated modulus, (n_design, n_tube_column) float64, Hz."""
     sheath_relaxation: Array
-    """Relaxing moduli by that one, (n_design, n_tube_column, n_term) float64; n_term may be 0."""
+    """Relaxing moduli by that one, ratios, (n_design, n_tube_column, n_term) float64; n_term may be 0."""
     sheath_relaxation_time: Array
     """Relaxation times, (n_design, n_tube_column, n_term) float64, s."""
     chamber_radius: Array
@@ -220,7 +220,7 @@ class MediumParameters:
     heat_capacity: Array
     """Heat capacity at constant pressure, (n_design,) float64, J/(kg K)."""
     gamma: Array
-    """Ratio of heat capacities, (n_design,) float64."""
+    """Ratio of heat capacities, of one, (n_design,) float64."""
     pressure: Array
     """Static pressure, (n_design,) float64, Pa."""
 

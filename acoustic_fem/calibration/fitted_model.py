@@ -44,19 +44,19 @@ class Priors:
     """Standard deviations of the logarithms of the parameters before anything was measured."""
 
     bore: float = 0.05
-    """Deviation of the bore of each tube."""
+    """Deviation, of one, of the bore of each tube."""
     compliance: float = 0.12
-    """Deviation of the compliance of each node: of its membrane, which stands for its cavity too."""
+    """Deviation, of one, of the compliance of each node: of its membrane, which stands for its cavity too."""
     modulus: float = 0.15
-    """Deviation of the modulus of all membranes together."""
+    """Deviation, of one, of the modulus of all membranes together."""
     loss: float = 0.3
     """Deviation of the loss factor of all membranes together; their modulus changes over frequency as it asks for."""
     gain: float = 0.05
-    """Deviation of the gain of each microphone against the reference."""
+    """Deviation, of one, of the gain of each microphone against the reference."""
     corner: float = 0.10
-    """Deviation of the high-pass corner of each microphone."""
+    """Deviation, of one, of the high-pass corner of each microphone."""
     chamber: float = 0.10
-    """Deviation of the volume of each microphone's chamber."""
+    """Deviation, of one, of the volume of each microphone's chamber."""
     leak: float = 0.0
     """Deviation of the leak of each cavity, 0 to 5, about the designed one and that of a bore of 20 um, 1 mm long; 0:
     leaks are as designed and not fitted. With 2 a bore of 50 um is 1.6 deviations off."""
@@ -196,7 +196,10 @@ class Posterior:
 
     @classmethod
     def of(cls, model: UpdatedModel, parameters: Array, information: Array, **rest: Any) -> Self:
-        """Posterior at the most probable parameters, (count,), from what the data say of them, (count, count)."""
+        """Posterior at the most probable parameters, (count,) in units of their priors.
+
+        From the information of the data on them, (count, count) float64.
+        """
         eigenvalues, directions = np.linalg.eigh(information)
         return cls(
             model=model,

@@ -40,7 +40,7 @@ class Update(Posterior):
     points: tuple[int, ...]
     """Numbers of the measured points."""
     chi_squared: float
-    """Minimum |r|^2 + |u|^2 that was found."""
+    """Minimum |r|^2 + |u|^2 that was found, in units of the noise and of the priors."""
     residuals: int
     """Number of residuals, real and imaginary parts."""
     worst_point: int

@@ -55,7 +55,7 @@ class BentBore:
     """Number of unknowns of the largest system solved."""
 
     def port_admittance(self, length: ArrayLike) -> NDArray[np.complex128]:
-        """Two-port of a piece of that length (m), (n_freq, 2, 2) complex128, m^3/(Pa s)."""
+        """Two-port of a piece of a length, scalar, m: (n_freq, 2, 2) complex128, m^3/(Pa s)."""
         return plane_wave.two_port(self.series, self.shunt, length)
 
 
@@ -115,7 +115,7 @@ def solve_bent_bores(
 def check_bent_bore(
     radius: float, windings: Sequence[Winding], frequency: ArrayLike, medium: Medium
 ) -> NDArray[np.float64]:
-    """Frequencies of :func:`solve_bent_bores`, whose arguments are checked without solving.
+    """Check the arguments of :func:`solve_bent_bores` without solving: radius in m, frequency (n_freq,) in Hz.
 
     Returns:
         (n_freq,) float64, Hz.

@@ -69,13 +69,13 @@ class MeshedSection(Section):
 
     @classmethod
     def circle(cls, radius: float, rings: int = 4) -> MeshedSection:
-        """A circle of 6 rings^2 triangles, its nodes on concentric circles."""
+        """A circle of that radius, m, of 6 rings^2 triangles, its nodes on concentric circles."""
         positive("radius", radius, "m")
         return _from_map(_hexagon(_whole("rings", rings)), lambda hexagon: _disc(hexagon, radius))
 
     @classmethod
     def rectangle(cls, width: float, height: float, columns: int = 8, rows: int = 8) -> MeshedSection:
-        """A rectangle of 2 columns rows triangles."""
+        """A rectangle of that width and height, m, of 2 columns rows triangles."""
         size = np.array([float(positive("width", width, "m")), float(positive("height", height, "m"))])
         mesh = skfem.MeshTri.init_tensor(
             np.linspace(0, 1, _whole("columns", columns) + 1), np.linspace(0, 1, _whole("rows", rows) + 1)

@@ -75,9 +75,9 @@ def port_admittance(
     """Volume velocities into a round duct per pressure at its two ends, in m^3/(Pa s).
 
     Args:
-        radius: of the bore, m.
-        length: of the duct, m.
-        frequency: Hz; radius, length and frequency broadcast.
+        radius: of the bore, m, scalar or (n_freq,).
+        length: of the duct, m, scalar or (n_freq,).
+        frequency: (n_freq,) Hz; all three broadcast.
         medium: the gas.
 
     Returns:
@@ -99,9 +99,9 @@ def two_port(series: ArrayLike, shunt: ArrayLike, length: ArrayLike) -> NDArray[
     precision costs: 1e-12 up to |x| = 1000. A transfer below 1e-308 is returned as 0.
 
     Args:
-        series: Z', Pa s/m^4, not zero.
-        shunt: Y', m^2/(Pa s).
-        length: of the line, m; all three broadcast.
+        series: Z', Pa s/m^4, not zero; scalar or (n_freq,).
+        shunt: Y', m^2/(Pa s), scalar or (n_freq,).
+        length: of the line, m, scalar or (n_freq,); all three broadcast.
 
     Returns:
         Broadcast shape + (2, 2), complex128.
@@ -233,8 +233,8 @@ def tube_compliance(
         inner_radius: a, m.
         outer_radius: b > a, m.
         youngs_modulus: E, Pa.
-        poisson_ratio: 0 to 0.5.
-        loss_factor: eta of E (1 + j eta), 0 to 2.
+        poisson_ratio: a ratio, 0 to 0.5.
+        loss_factor: eta of E (1 + j eta), a ratio, 0 to 2.
         axial: ``"held"`` or ``"free"``.
 
     Raises:

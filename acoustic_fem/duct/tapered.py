@@ -53,7 +53,19 @@ def port_admittance(
     breaks: Sequence[float] = (),
     accuracy: float = 1e-9,
 ) -> NDArray[np.complex128]:
-    """The two-port of :func:`solve` alone, (n_freq, 2, 2) complex128, m^3/(Pa s); arguments and errors as there."""
+    """The two-port of :func:`solve` alone; errors as there.
+
+    Args:
+        section: the line at a place x (m) from the first end, 0 < x < length.
+        length: of the duct, m.
+        frequency: (n_freq,) float64, Hz.
+        medium: the gas.
+        breaks: places (m) where the section jumps or has a kink, ascending.
+        accuracy: of Y12 and of the row sums of the two-port, of one; 1e-12 to 0.1.
+
+    Returns:
+        (n_freq, 2, 2) complex128, m^3/(Pa s).
+    """
     return solve(section, length, frequency, medium, breaks, accuracy).admittance
 
 
@@ -75,7 +87,7 @@ def solve(
         frequency: (n_freq,) float64, Hz.
         medium: the gas.
         breaks: places (m) where the section jumps or has a kink, ascending; element ends are put there.
-        accuracy: of Y12 and of the row sums of the two-port; 1e-12 to 0.1.
+        accuracy: of Y12 and of the row sums of the two-port, of one; 1e-12 to 0.1.
 
     Raises:
         Refusal: length, a frequency, a break or the accuracy out of range.

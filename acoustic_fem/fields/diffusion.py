@@ -36,7 +36,12 @@ class DiffusionField:
     """Reduced model that gives the coefficients."""
 
     def mean(self, frequency: NDArray[np.float64], diffusivity: float) -> NDArray[np.complex128]:
-        """Mean of the field over the body, (n_freq,) complex128, at frequencies (n_freq,) in Hz; diffusivity m^2/s."""
+        """Mean of the field over the body, (n_freq,) complex128.
+
+        Args:
+            frequency: (n_freq,) Hz.
+            diffusivity: of viscosity or of heat, m^2/s.
+        """
         integrals = np.einsum("rek,ek->r", self.at_quadrature(), self.basis.dx)
         return field_coefficients(self.model, frequency, diffusivity) @ integrals / self.basis.dx.sum()
 
@@ -102,7 +107,13 @@ def diffusion_field(
 def field_coefficients(
     model: ReducedModel, frequency: NDArray[np.float64], diffusivity: float
 ) -> NDArray[np.complex128]:
-    """Coefficients c_k(f), (n_freq, r) complex128, from the field's reduced model, at (n_freq,) frequencies in Hz."""
+    """Coefficients c_k(f), (n_freq, r) complex128.
+
+    Args:
+        model: the field's reduced model.
+        frequency: (n_freq,) Hz.
+        diffusivity: of viscosity or of heat, m^2/s.
+    """
     solution, _ = model.coordinates(*_system_coefficients(frequency, diffusivity))
     return np.asarray(solution[:, :, 0], dtype=np.complex128)
 

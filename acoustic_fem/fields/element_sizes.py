@@ -22,6 +22,12 @@ def mesh_sizes(scale: float, width: float, medium: Medium, highest: float) -> tu
     Mouths and tubes count in bore radii. The viscous layer at the highest frequency limits the sizes along
     tubes, the thermal layer those along walls. Elements of 1.4 viscous layers leave 7e-3 of a wide bore's admittance,
     and meshes coarser than that agree with each other.
+
+    Args:
+        scale: of the sizes, a ratio; 1 is the usual mesh.
+        width: smallest extent of the cavity, mm.
+        medium: the air.
+        highest: frequency, Hz.
     """
     from geometry.air.mesh import MeshSizes
 

@@ -95,7 +95,7 @@ class CellSystem:
 
 
 def compliance_mass(pressure: skfem.CellBasis, weight: NDArray[np.float64]) -> sp.csr_array:
-    """Integral of weight p q over the cell, (n_pressure, n_pressure), mm^3; one weight per element, (n_element,)."""
+    """Integral of weight p q over the cell, (n_pressure, n_pressure), mm^3; the weight, a ratio, is (n_element,)."""
     at_points = np.broadcast_to(weight[:, None], pressure.dx.shape)
     return sp.csr_array(weighted_mass.assemble(pressure, weight=at_points))
 

@@ -47,7 +47,7 @@ def thermal_covariance(impedance: ArrayLike, temperature: ArrayLike) -> NDArray[
 
     Args:
         impedance: (..., n, n) complex128, Pa s/m^3.
-        temperature: K.
+        temperature: K, scalar or one per matrix, (...,).
 
     Returns:
         (..., n, n) complex128, Pa^2/Hz, Hermitian; the diagonal is the power density of each port.

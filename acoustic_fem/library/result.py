@@ -219,8 +219,8 @@ def library_from_arrays(
     Args:
         design: the array.
         frequency: (n_freq,) float64, ascending, Hz.
-        values: complex128 arrays by the names of :data:`VARIABLES`, shaped and in units as listed there; those of
-            :data:`OPTIONAL` may be missing.
+        values: complex128 arrays by the names of :data:`VARIABLES`, of the dimensions, such as (point, microphone,
+            frequency), and in the units that are listed there; those of :data:`OPTIONAL` may be missing.
         fidelity: how the cells were computed, one of :data:`acoustic_fem.FIDELITIES`, or :data:`MEASURED`.
         medium: the air.
         provenance: what made the values.

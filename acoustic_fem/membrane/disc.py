@@ -169,7 +169,7 @@ class DiscSolution:
         )
 
     def compliance(self, frequency: ArrayLike, rubber: Rubber = ELASTIC) -> NDArray[np.complex128]:
-        """Volume compliance C(w); arguments, validity and errors as :meth:`response`.
+        """Volume compliance C(w) at frequencies in Hz; arguments, validity and errors as :meth:`response`.
 
         Returns:
             Shape of frequency, complex128, m^3/Pa.
@@ -205,7 +205,7 @@ def solve_disc(
         radius: of the opening, m.
         thickness: m, 0.01 to 2 radii; with a stretch that of the relaxed sheet.
         youngs_modulus: Pa; with a stretch that of the relaxed sheet.
-        poisson_ratio: 0.01 to 0.49999.
+        poisson_ratio: a ratio, 0.01 to 0.49999.
         rim_width: 0: lateral face clamped; above 0: disc of radius + rim_width, glued on its lower face
             along the rim, other faces free; m, at least 0.05 thicknesses and at most 50 radii.
         density: kg/m^3.
@@ -330,7 +330,15 @@ def _in_si(disc: ElasticDisc, contact: float, radius: float, modulus: float, den
 def disc_compliance(
     radius: float, thickness: float, youngs_modulus: float, poisson_ratio: float = 0.49, rim_width: float = 0.0
 ) -> float:
-    """Static volume compliance of a disc, m^3/Pa; arguments and errors as :func:`solve_disc`."""
+    """Static volume compliance of a disc, m^3/Pa; arguments and errors as :func:`solve_disc`.
+
+    Args:
+        radius: of the opening, m.
+        thickness: m.
+        youngs_modulus: Pa.
+        poisson_ratio: a ratio.
+        rim_width: m; 0: clamped.
+    """
     return solve_disc(radius, thickness, youngs_modulus, poisson_ratio, rim_width).static_compliance
 
 

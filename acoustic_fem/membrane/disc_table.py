@@ -37,7 +37,7 @@ class DiscTable:
     like: DiscShape
     """One of the discs; its Poisson's ratio and contact are those of all."""
     bounds: NDArray[np.float64]
-    """Logarithms of the lowest and highest thickness / a (first row) and rim / a, (2, 2) float64."""
+    """Logarithms of the lowest and highest thickness / a (first row) and rim / a, ratios, (2, 2) float64."""
     discs: tuple[ElasticDisc, ...]
     """Solved discs in the order of the points: rim changes fastest."""
     coefficients: NDArray[np.float64]

@@ -38,19 +38,19 @@ class DiscShape:
     """What the dimensionless solution depends on."""
 
     thickness: float
-    """Thickness h / a."""
+    """Thickness h / a, a ratio."""
     poisson_ratio: float
     """Poisson's ratio, above 0, below 1/2."""
     rim: float
-    """Width of the rim / a. 0: the lateral face r = 1 is clamped; above 0: the disc reaches to r = 1 + rim and its
-    lower face is held on 1 < r < 1 + glue, all other faces are free.
+    """Width of the rim / a, a ratio. 0: the lateral face r = 1 is clamped; above 0: the disc reaches to r = 1 + rim and
+    its lower face is held on 1 < r < 1 + glue, all other faces are free.
     """
     glue: float
-    """Width of the held annulus / a, at most rim; ignored if rim is 0."""
+    """Width of the held annulus / a, a ratio, at most rim; ignored if rim is 0."""
     prestress: float
-    """Equi-biaxial stress in the plane / E, uniform."""
+    """Equi-biaxial stress in the plane / E, a ratio, uniform."""
     contact: float
-    """Radius of the patch in the middle of the upper face / a."""
+    """Radius of the patch in the middle of the upper face / a, a ratio."""
     raised: tuple[float, float, float] | None = None
     """Inner radius, outer radius and height above the disc's upper face of a thicker part, all / a: a boss from the
     axis, (0, b, height) with contact <= b <= 1, or a rim, (1, 1 + rim, height). Only where the prestress is 0.
@@ -83,13 +83,13 @@ class ElasticDisc:
     shapes: Vector
     """Displacement of the lower face along its inner normal, (modes + 2, n) float64."""
     compliance: float
-    """Volume swept by the lower face r < a per pressure on it, in a^3 / E."""
+    """Volume swept by the lower face r < a per pressure on it, in units of a^3 / E."""
     deflection: Vector
     """Displacement of the lower face along its inner normal, (n,) float64, in a per pressure / E."""
     volume_per_force: float
-    """Volume swept by the lower face per force on the patch, in a / E."""
+    """Volume swept by the lower face per force on the patch, in units of a / E."""
     displacement_per_force: float
-    """Mean displacement of the patch per force on it, in 1 / (E a)."""
+    """Mean displacement of the patch per force on it, in units of 1 / (E a)."""
     unknowns: int
     """Number of unknowns of the system."""
 

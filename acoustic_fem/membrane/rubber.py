@@ -62,7 +62,7 @@ class Rubber:
     reference: float = 1.0
     """Frequency of the stated modulus, Hz."""
     strengths: tuple[float, ...] = ()
-    """Relaxing moduli by the stated one."""
+    """Relaxing moduli by the stated one, ratios."""
     times: tuple[float, ...] = ()
     """Relaxation times, s."""
 
@@ -74,7 +74,7 @@ class Rubber:
 
     @classmethod
     def spring_pot(cls, loss_factor: float, reference: float) -> Rubber:
-        """The causal law of one loss factor at all frequencies, its modulus stated at ``reference``, Hz."""
+        """The causal law of one loss factor, a ratio, at all frequencies, its modulus stated at ``reference``, Hz."""
         return cls(loss_factor, float(causal_slope(loss_factor)), reference)
 
     @classmethod

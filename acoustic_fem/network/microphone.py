@@ -42,7 +42,8 @@ def load_admittance(microphone: Microphone, frequency: ArrayLike, medium: Medium
 def response(microphone: Microphone, frequency: ArrayLike, medium: Medium) -> NDArray[np.complex128]:
     """Pressure across the diaphragm per pressure in front, (p - p_back) / p: what the electrical output follows.
 
-    Arguments, errors and model as :func:`load_admittance`; the resonance of the diaphragm (above 10 kHz) is left out.
+    Frequency in Hz; arguments, errors and model as :func:`load_admittance`; the resonance of the diaphragm (above
+    10 kHz) is left out.
 
     Returns:
         Shape of frequency, complex128, Pa/Pa.
@@ -57,10 +58,10 @@ def vent_ratio(microphone: Microphone, frequency: ArrayLike, medium: Medium) -> 
 
     The response is Cb / (Cb + Cd) v / (1 + v); a vent that conducts s times as well makes v / s of it.
 
-    Arguments and errors as :func:`response`.
+    Frequency in Hz; arguments and errors as :func:`response`.
 
     Returns:
-        Shape of frequency, complex128.
+        Shape of frequency, complex128, a ratio.
     """
     omega = 2 * np.pi * positive("frequency", frequency, "Hz")
     diaphragm, back, leak = circuit_elements(microphone, frequency, medium)
@@ -91,7 +92,7 @@ def noise_density_behind_vent(microphone: Microphone, frequency: ArrayLike, medi
     sensitivity above the vent's corner; since the vent takes signal away below its corner but not noise of
     the electronics, the pressure in front that such noise is worth rises there by 20 dB per decade more.
 
-    Arguments and errors as :func:`response`.
+    Frequency in Hz; arguments and errors as :func:`response`.
 
     Returns:
         Shape of frequency, float64, Pa/sqrt(Hz).
@@ -102,7 +103,7 @@ def noise_density_behind_vent(microphone: Microphone, frequency: ArrayLike, medi
 def circuit_elements(
     microphone: Microphone, frequency: ArrayLike, medium: Medium
 ) -> tuple[float, NDArray[np.complex128], float]:
-    """The microphone as a circuit; arguments and errors as :func:`response`.
+    """The microphone as a circuit at a frequency, Hz; arguments and errors as :func:`response`.
 
     Returns:
         Compliance of the diaphragm, m^3/Pa; compliance of the back volume, shape of frequency, complex128, m^3/Pa;

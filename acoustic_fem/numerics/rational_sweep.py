@@ -46,11 +46,11 @@ class ReducedModel:
     """Projected matrices of one system; valid from ``lowest`` to ``highest`` (Hz)."""
 
     matrices: NDArray[np.float64]
-    """Projected terms of the system, (n_term, r, r) float64."""
+    """Projected terms of the system, (n_term, r, r) float64, in their units."""
     excitations: NDArray[np.float64]
     """Projected terms of the excitation, (n_excitation_term, r, m) float64."""
     basis: NDArray[np.float64] | None
-    """Basis of the projection, (n, r) float64, where the field itself is wanted; else None."""
+    """Basis of the projection, without a unit, (n, r) float64, where the field itself is wanted; else None."""
     sampled: tuple[float, ...]
     """Shifts s / (2 pi) of the full solves, Hz; of the one frequency, where there is but one."""
     error: float
@@ -61,7 +61,10 @@ class ReducedModel:
     """Highest frequency of the band, Hz."""
 
     def coordinates(self, theta: NDArray, phi: NDArray) -> tuple[NDArray, NDArray]:
-        """Solution in the basis and excitation, (n_freq, r, m) complex128 each; arguments as :meth:`response`."""
+        """Solution in the basis and excitation, (n_freq, r, m) complex128 each.
+
+        Of theta (n_freq, n_term) and phi (n_freq, n_excitation_term), as for :meth:`response`.
+        """
         excitation = np.einsum("fk,krm->frm", phi, self.excitations)
         return np.linalg.solve(np.einsum("fk,krs->frs", theta, self.matrices), excitation), excitation
 
@@ -78,8 +81,8 @@ class ReducedModel:
         """Response R^T K^-1 R, symmetric.
 
         Args:
-            theta: (n_freq, n_term) coefficients of the system.
-            phi: (n_freq, n_excitation_term) coefficients of the excitation.
+            theta: (n_freq, n_term) coefficients of the system, in the units that its terms ask for.
+            phi: (n_freq, n_excitation_term) coefficients of the excitation, likewise.
 
         Returns:
             (n_freq, m, m) complex128.
@@ -110,7 +113,7 @@ def reduce_system(
         excitations: (n, m) float64 terms of the excitation.
         phi: their coefficients.
         band: lowest and highest frequency, Hz.
-        tolerance: on the change of H_ij / sqrt(|H_ii H_jj|) with the last derivative; what remains is smaller.
+        tolerance: of one, on the change of H_ij / sqrt(|H_ii H_jj|) with the last derivative; what remains is smaller.
         keep_basis: store the basis, to recover the field.
         progress: called with the fraction done, estimated from the decay of the error.
 

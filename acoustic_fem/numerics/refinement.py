@@ -33,7 +33,7 @@ class Refinement:
     field: str
     """What was solved: ``"heat"`` or ``"flow"``."""
     scale: float
-    """Scale of the element sizes, see :func:`acoustic_fem.fields.element_sizes.mesh_sizes`."""
+    """Scale of the element sizes, a ratio, see :func:`acoustic_fem.fields.element_sizes.mesh_sizes`."""
     elements: int
     """Number of tetrahedra."""
     change: float | None

@@ -14,7 +14,7 @@ _BAND = (1e-3, 2e3)
 
 
 def numbers(name: str, values: ArrayLike) -> NDArray[np.float64]:
-    """The values as an array, same shape as given, float64.
+    """The values as an array, same shape as given, float64, in their unit.
 
     Raises:
         Refusal: naming the field and what it holds instead: complex numbers, texts, rows of unequal length.
@@ -35,7 +35,7 @@ MOST_PORTS = 50
 
 
 def port_points(ports: Mapping[str, ArrayLike]) -> dict[str, tuple[float, float, float]]:
-    """Point (x, y, z) in mm on each port by its name.
+    """Point (x, y, z) in mm on each port by its name: ``ports`` as (3,) float64 each.
 
     Raises:
         Refusal: no mapping, no port or too many, a name that is no text, empty or ``wall`` (every face that is no
@@ -57,7 +57,7 @@ def port_points(ports: Mapping[str, ArrayLike]) -> dict[str, tuple[float, float,
 
 
 def in_range(name: str, value: float, low: float, high: float, unit: str = "") -> float:
-    """The value as a float if it is finite and within [low, high].
+    """The value as a float if it is finite and within [low, high], all in the same unit.
 
     Raises:
         Refusal: naming the field, the value and the range.
@@ -71,7 +71,7 @@ def in_range(name: str, value: float, low: float, high: float, unit: str = "") -
 
 
 def positive(name: str, values: ArrayLike, unit: str) -> NDArray[np.float64]:
-    """The values as an array, same shape as given, float64, if all are finite and above 0.
+    """The values as an array, same shape as given, float64, in their unit, if all are finite and above 0.
 
     Raises:
         Refusal: naming the field, the first bad value and the range.
@@ -104,7 +104,7 @@ def stated_grid(text: str) -> NDArray[np.float64]:
 
 
 def frequency_grid(frequency: ArrayLike) -> NDArray[np.float64]:
-    """The grid as an array, (n_freq,) float64, if its frequencies ascend within 0.001 to 2000 Hz.
+    """The grid as an array, (n_freq,) float64, if its frequency values (n_freq,) ascend within 0.001 to 2000 Hz.
 
     Frequency 0 is refused: a sealed network has no impedance there. All its pressures become equal as the
     frequency falls.

@@ -25,7 +25,7 @@ class Medium:
     heat_capacity: float
     """Heat capacity at constant pressure, J/(kg K)."""
     gamma: float
-    """Ratio of heat capacities."""
+    """Ratio of heat capacities, of one."""
     pressure: float
     """Static pressure, Pa."""
 

@@ -66,10 +66,10 @@ def scatter_factors(
         count: sensors.
         seed: of the draws.
         first: number of the first sensor.
-        share: of the deviations that are drawn.
+        share: of the deviations that are drawn, of one.
 
     Returns:
-        (count, n_point, n_microphone, n_freq) complex128.
+        (count, n_point, n_microphone, n_freq) complex128, ratios.
 
     Raises:
         Refusal: a frequency out of range.

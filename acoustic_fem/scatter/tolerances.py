@@ -280,10 +280,10 @@ class ScatteredDesign:
         """Gains of the microphones and admittances of their vents, each by the nominal one.
 
         Args:
-            draws: as of :meth:`parameters`.
+            draws: (count, n) float64 each, as of :meth:`parameters`.
 
         Returns:
-            (count, 2, n_microphone) float64.
+            (count, 2, n_microphone) float64, ratios.
         """
         by_name = {tolerance.quantity: tolerance.deviation for tolerance in self.tolerances}
         names = ("microphone_gain", "microphone_corner")

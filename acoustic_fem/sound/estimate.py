@@ -49,9 +49,11 @@ class TransferEstimate:
     """Transfer functions from one reference to several outputs."""
 
     transfer_function: Complex
-    """Output per reference, (n_output, n_freq) complex128."""
+    """Output per reference, (n_output, n_freq) complex128, in the unit of the outputs per that of the reference."""
     deviation: Array
-    """One standard deviation of the real part, and of the imaginary part, (n_output, n_freq) float64; circular."""
+    """One standard deviation of the real part, and of the imaginary part, (n_output, n_freq) float64, in its unit;
+    circular.
+    """
     coherence: Array
     """Coherence |Sxy|^2 / (Sxx Syy), (n_output, n_freq) float64, 0 to 1."""
     segments: int

@@ -64,7 +64,7 @@ class GrowingWav:
         return 4 * self.channels * (self.samples + self.rate) > LARGEST
 
     def write(self, samples: NDArray[np.float64]) -> None:
-        """Append samples, (n_channel, n) float64.
+        """Append samples, (n_channel, n) float64, of full scale.
 
         Raises:
             Refusal: another number of channels, or more than the file can hold.

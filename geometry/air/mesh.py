@@ -52,7 +52,7 @@ class MeshSizes:
     tube: float
     """Size along the stub of a tube in radii of its port, and on every curved face in its radii of curvature."""
     growth: float
-    """Increase of size per distance from the mouth."""
+    """Increase of size per distance from the mouth, mm/mm."""
     largest: float
     """Largest size, mm."""
     wall: float | None = None
@@ -74,7 +74,7 @@ class SolidMesh:
     ``wall``.
     """
     normals: dict[str, NDArray[np.float64]]
-    """Unit normal out of the solid of every named flat face, (3,) float64 each."""
+    """Unit normal, of length one, out of the solid of every named flat face, (3,) float64 each."""
     volume: float
     """Volume of the CAD solid, mm^3."""
     mesh_volume: float

@@ -37,25 +37,25 @@ class Prices:
     currency: str = "USD"
     """Currency of all prices."""
     resin: float = 0.06
-    """Price of photopolymer, per ml."""
+    """Price of photopolymer, in your currency, per ml."""
     silicone: float = 0.04
-    """Price of silicone, both parts mixed, per ml."""
+    """Price of silicone, both parts mixed, in your currency, per ml."""
     spring: float = 3.0
     """Price of close-wound coil spring, per metre."""
     sheath: float = 0.5
     """Price of heat-shrink or catheter tube, per metre."""
     microphone: float = 1.5
-    """Price of a MEMS microphone."""
+    """Price of a MEMS microphone, in your currency."""
     board: float = 0.3
-    """Price of the board that carries a microphone."""
+    """Price of the board that carries a microphone, in your currency."""
     gasket: float = 0.05
-    """Price of the gasket under a board."""
+    """Price of the gasket under a board, in your currency."""
     glue: float = 0.01
     """Price of the glue of one joint: of a tube, a membrane or a board."""
     resin_factor: float = field(default=1.3, metadata={"least": 1.0})
-    """Resin used per resin in the parts, for supports and what stays in the tank."""
+    """Resin used per resin in the parts, a ratio, for supports and what stays in the tank."""
     silicone_factor: float = field(default=2.0, metadata={"least": 1.0})
-    """Silicone mixed per silicone in the membranes, for the overflow and the cup."""
+    """Silicone mixed per silicone in the membranes, a ratio, for the overflow and the cup."""
     cutting_loss: float = 0.5
     """Length of spring and sheath lost per cut, mm."""
     source: str = "assumed: orders of magnitude of small retail quantities in 2025, no quotation"

@@ -90,7 +90,7 @@ def outside_at(
 
     Args:
         design: the array.
-        positions: of :func:`area_positions`.
+        positions: (n, 2) float64, mm, of :func:`area_positions`.
         microphone: its name.
 
     Returns:

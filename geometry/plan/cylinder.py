@@ -38,7 +38,7 @@ class Frame:
     """Unit vectors of its x, y and z."""
 
     def at(self, x: float, y: float, z: float) -> NDArray[np.float64]:
-        """The point with these coordinates in the frame, (3,) float64, mm."""
+        """The point with the coordinates x, y, z in the frame, all mm: (3,) float64."""
         return np.asarray(self.origin) + np.array([x, y, z]) @ np.asarray(self.axes)
 
     def seen(self, points: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -55,11 +55,11 @@ class Plane:
         return Frame((x, y, 0.0))
 
     def mapped(self, path: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Points in space, (n, 3) mm, of points (n, 3) in plan: x, y and height above the cavities' floors."""
+        """Points in space, (n, 3) mm, of a path (n, 3), mm, in plan: x, y and height above the cavities' floors."""
         return path
 
     def outwards(self, point: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Unit vector away from the surface at a point in space, (3,) float64."""
+        """Unit vector away from the surface at a point (3,) in space, mm: (3,) float64."""
         return np.array([0.0, 0.0, 1.0])
 
 
@@ -80,11 +80,11 @@ class Cylinder:
         return Frame(origin, ((cos, 0.0, -sin), (0.0, 1.0, 0.0), (sin, 0.0, cos)))
 
     def mapped(self, path: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Points in space, (n, 3) mm, of points (n, 3) in plan: x, y and height above the cavities' floors."""
+        """Points in space, (n, 3) mm, of a path (n, 3), mm, in plan: x, y and height above the cavities' floors."""
         return np.array([self.frame(x, y).at(0.0, 0.0, z) for x, y, z in path])
 
     def outwards(self, point: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Unit vector away from the surface at a point in space, (3,) float64."""
+        """Unit vector away from the surface at a point (3,) in space, mm: (3,) float64."""
         away = np.array([point[0], 0.0, point[2] + self.floor_radius])
         return np.asarray(away / np.linalg.norm(away))
 

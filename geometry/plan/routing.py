@@ -134,27 +134,27 @@ def drawn_path(
 
 
 def unit(angle: float) -> NDArray[np.float64]:
-    """Unit vector in plan, (2,) float64, of a direction in degrees."""
+    """Unit vector in plan, (2,) float64, of the angle of a direction, degrees."""
     return np.array([math.cos(math.radians(angle)), math.sin(math.radians(angle))])
 
 
 def bearing(start: Sequence[float] | NDArray[np.float64], end: Sequence[float] | NDArray[np.float64]) -> float:
-    """Direction in plan from one point (x, y) to another, degrees in [0, 360)."""
+    """Direction in plan from a start (2,) to an end (2,), both (x, y) in mm; degrees in [0, 360)."""
     return tidy(math.degrees(math.atan2(end[1] - start[1], end[0] - start[0])))
 
 
 def tidy(angle: float) -> float:
-    """The angle in [0, 360), free of rounding noise, so that equal cells and parts are seen to be equal."""
+    """The angle, degrees, in [0, 360), free of rounding noise, so that equal cells and parts are seen to be equal."""
     return round(round(angle, 6) % 360.0, 6)
 
 
 def path_length(path: NDArray[np.float64]) -> float:
-    """Length of a polyline (n, 2) or (n, 3) float64, mm."""
+    """Length of a path, mm: a polyline (n, 2) or (n, 3) float64, mm."""
     return float(np.linalg.norm(np.diff(path, axis=0), axis=1).sum())
 
 
 def tightest_bend(path: NDArray[np.float64]) -> float:
-    """Smallest radius of a polyline (n, 2) or (n, 3) float64, mm: of the circles through three points in a row.
+    """Smallest radius of a path, mm: of the circles through three points in a row of a polyline (n, 2) or (n, 3), mm.
 
     Exact where the points lie on an arc; infinite where the path is straight.
     """
@@ -166,7 +166,7 @@ def tightest_bend(path: NDArray[np.float64]) -> float:
 
 
 def turning(path: NDArray[np.float64]) -> float:
-    """Angle by which the direction of a polyline (n, 2) or (n, 3) float64 turns along its way in all, radians."""
+    """Angle by which the direction of a path, (n, 2) or (n, 3) float64 in mm, turns along its way in all, radians."""
     steps = np.diff(path, axis=0)
     along = steps / np.linalg.norm(steps, axis=1, keepdims=True)
     # By the chord of the unit vectors: exact for small angles, where an arc cosine is not.

@@ -23,9 +23,9 @@ class WiringCounts:
     points_per_microphone: float
     """Number of points per microphone."""
     gain_over_one_transducer_per_point: float
-    """Points per transducer, by those of an array with one transducer at every point."""
+    """Points per transducer, by those of an array with one transducer at every point; a ratio."""
     gain_over_row_column: float
-    """Points per transducer, by those of row-column addressing of M x N points."""
+    """Points per transducer, by those of row-column addressing of M x N points; a ratio."""
 
 
 def check_topology(microphones: Sequence[str], lines: Sequence[tuple[tuple[str, str], int]]) -> None:

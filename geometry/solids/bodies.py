@@ -23,7 +23,7 @@ def revolved(profile: Sequence[tuple[float, float]], at: tuple[float, float] = (
 
 
 def cylinder(radius: float, bottom: float, top: float, at: tuple[float, float] = (0.0, 0.0)) -> cq.Solid:
-    """An upright cylinder between two heights, mm."""
+    """An upright cylinder of a radius, from its bottom to its top height, about an axis at (x, y); all mm."""
     return cq.Solid.makeCylinder(radius, top - bottom, cq.Vector(at[0], at[1], bottom))
 
 

@@ -42,13 +42,13 @@ def strokes(letter: str) -> list[tuple[Point, Point]]:
 
 
 def text_size(lines: Sequence[str], height: float) -> Point:
-    """Width and height of a text, mm, in letters of that height."""
+    """Width and height of a text, mm, in letters of that height, mm."""
     longest = max(map(len, lines))
     return height * (longest * (WIDTH + SPACE) - SPACE), height * (len(lines) * (1 + _LINE_SPACE) - _LINE_SPACE)
 
 
 def letters_within(width: float, depth: float, height: float) -> tuple[int, int]:
-    """Numbers of letters of that height that fit on a line, and of lines, in a rectangle (mm)."""
+    """Numbers of letters of that height that fit on a line, and of lines, in a width and a depth, all mm."""
     letters = (width / height + SPACE) / (WIDTH + SPACE)
     lines = (depth / height + _LINE_SPACE) / (1 + _LINE_SPACE)
     return math.floor(letters + 1e-9), math.floor(lines + 1e-9)
@@ -59,9 +59,9 @@ def text_bars(lines: Sequence[str], height: float, width: float, depth: float) -
 
     Args:
         lines: of letters that :func:`strokes` knows, and spaces.
-        height: of a letter.
-        width: of a stroke.
-        depth: of the bars.
+        height: of a letter, mm.
+        width: of a stroke, mm.
+        depth: of the bars, mm.
     """
     box = WIDTH * height - width, height - width
     top = text_size(lines, height)[1] / 2 - height

@@ -156,7 +156,7 @@ class Round:
     place: tuple[float, float, float]
     """Middle of the axis, mm."""
     direction: tuple[float, float, float]
-    """Unit vector along the axis."""
+    """Unit vector, of length one, along the axis."""
     hollow: bool
     """Whether the material is outside of it."""
 

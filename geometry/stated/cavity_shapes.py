@@ -53,7 +53,7 @@ class Box:
         return self.area * (height - self.collar_height) + math.pi * radius**2 * self.collar_height
 
     def wall_distance(self, radius: float, height: float, angle: float) -> float:
-        """Distance from the axis to the wall at a height (mm) and in a direction (degrees), mm."""
+        """Distance from the axis to the wall, mm, with a radius and at a height in mm and an angle in degrees."""
         del radius, height  # the same at every height below the collar
         x, y = (abs(part(math.radians(angle))) for part in (math.cos, math.sin))
         a, b, r = self.length / 2, self.width / 2, self.corner_radius
@@ -65,7 +65,7 @@ class Box:
         return along + math.sqrt(r**2 - across**2)
 
     def draw(self, radius: float, height: float, top: float) -> cadquery.Solid:
-        """The cavity as a solid, with its collar carried on to the height ``top``, mm."""
+        """The cavity of that radius and height as a solid, its collar carried on to the height ``top``; all mm."""
         import cadquery as cq
 
         below = height - self.collar_height
@@ -92,18 +92,18 @@ class Dome:
         return bowl + math.pi * radius**2 * (height - self.depth)
 
     def wall_distance(self, radius: float, height: float, angle: float) -> float:
-        """Distance from the axis to the wall at a height (mm) and in a direction (degrees), mm."""
+        """Distance from the axis to the wall, mm, with a radius and at a height in mm and an angle in degrees."""
         del angle
         if height >= self.depth:
             return radius
         return math.sqrt(height * (2 * self.sphere_radius(radius) - height))
 
     def lowest_port(self, radius: float) -> float:
-        """Height above which the wall is steep enough for a port, mm."""
+        """Height above which the wall of a cavity of that radius, mm, is steep enough for a port, mm."""
         return self.sphere_radius(radius) * (1 - math.sin(math.radians(FLATTEST_PORT_WALL)))
 
     def draw(self, radius: float, height: float, top: float) -> cadquery.Solid:
-        """The cavity as a solid, carried on to the height ``top``, mm."""
+        """The cavity of that radius and height as a solid, carried on to the height ``top``; all mm."""
         import cadquery as cq
 
         del height
@@ -133,7 +133,7 @@ def draw_cavity(shape: Box | Dome | None, radius: float, height: float, top: flo
 
 
 def wall_distance(shape: Box | Dome | None, radius: float, height: float, angle: float) -> float:
-    """Distance from the axis to the wall of a cavity at a height (mm) and in a direction (degrees), mm."""
+    """Distance from the axis to the wall of a cavity of a radius, at a height, all mm, and at an angle in degrees."""
     return radius if shape is None else shape.wall_distance(radius, height, angle)
 
 

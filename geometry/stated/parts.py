@@ -87,7 +87,7 @@ class Resonator(Section):
         return self.cavity_height / 2 if self.port_height is None else self.port_height
 
     def port_problem(self, height: float, bore_diameter: float) -> str:
-        """Why the wall of a box or a dome has no place for a bore at that height; empty where it has.
+        """Why the wall of a box or a dome has no place for a bore at that height, both in mm; empty where it has.
 
         Bores lie below the collar of a box, and where the wall of a bowl is steep or above the bowl.
         """

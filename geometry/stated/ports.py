@@ -112,7 +112,7 @@ def port_rank(port: Port | CellPort) -> tuple[float, ...]:
 
 
 def largest_gap(angles: Sequence[float]) -> tuple[float, float]:
-    """Middle and width of the widest gap between directions, degrees."""
+    """Middle and width of the widest gap between angles of directions, degrees."""
     ranked = sorted(angle % 360 for angle in angles)
     gaps = [
         ((after - before) % 360 or 360.0, before) for before, after in zip(ranked, ranked[1:] + ranked[:1], strict=True)

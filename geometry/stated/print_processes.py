@@ -29,16 +29,16 @@ class Rule:
     """What a measure must keep: beyond ``limit`` it fails, between that and ``advised`` it is a risk."""
 
     limit: float
-    """Value beyond which a measure fails."""
+    """Value beyond which a measure fails, in the unit of the rule."""
     advised: float
-    """Value from which on there is no risk."""
+    """Value from which on there is no risk, in the unit of the rule."""
     source: str
     """Where the figures come from."""
     relation: Relation = "at least"
     """How a measure must stand to the limit."""
 
     def verdict(self, value: float) -> Verdict:
-        """Verdict on a measured value."""
+        """Verdict on a measured value, in the unit of the limit."""
         sign = 1 if self.relation == "at least" else -1
         if sign * (value - self.limit) < -_ROUNDING:
             return "fail"

@@ -47,7 +47,7 @@ class Tool:
     force: tuple[float, float]
     """Lowest and highest force, N; the logarithm is evenly spread."""
     roughness: tuple[float, float]
-    """Least and most fluctuation of the force while it moves, as :attr:`Contact.roughness`."""
+    """Least and most fluctuation of the force while it moves, shares, as :attr:`Contact.roughness`."""
     unsteadiness: float
     """Rms by which the hand's force moves about its mean, as a share."""
 
@@ -91,36 +91,48 @@ def stroke(
 def finger(
     path: ArrayLike, speed: ArrayLike, *, seed: int = 0, purpose: Purpose = "evaluation", sample: int = 0
 ) -> Contact:
-    """A :data:`FINGER` that moves along a path; arguments and errors as for :func:`stroke`."""
+    """A :data:`FINGER` that moves along a path, (n, 2) mm, at a speed, mm/s.
+
+    Arguments and errors as for :func:`stroke`.
+    """
     return _moved("finger", path, speed, FINGER, (seed, purpose, sample))
 
 
 def stylus(
     path: ArrayLike, speed: ArrayLike, *, seed: int = 0, purpose: Purpose = "evaluation", sample: int = 0
 ) -> Contact:
-    """A :data:`STYLUS` that moves along a path; arguments and errors as for :func:`stroke`."""
+    """A :data:`STYLUS` that moves along a path, (n, 2) mm, at a speed, mm/s.
+
+    Arguments and errors as for :func:`stroke`.
+    """
     return _moved("stylus", path, speed, STYLUS, (seed, purpose, sample))
 
 
 def feather(
     path: ArrayLike, speed: ArrayLike, *, seed: int = 0, purpose: Purpose = "evaluation", sample: int = 0
 ) -> Contact:
-    """A :data:`FEATHER` that moves along a path; arguments and errors as for :func:`stroke`."""
+    """A :data:`FEATHER` that moves along a path, (n, 2) mm, at a speed, mm/s.
+
+    Arguments and errors as for :func:`stroke`.
+    """
     return _moved("feather", path, speed, FEATHER, (seed, purpose, sample))
 
 
 def brush(
     path: ArrayLike, speed: ArrayLike, *, seed: int = 0, purpose: Purpose = "evaluation", sample: int = 0
 ) -> Contact:
-    """A :data:`BRUSH` that moves along a path; arguments and errors as for :func:`stroke`."""
+    """A :data:`BRUSH` that moves along a path, (n, 2) mm, at a speed, mm/s.
+
+    Arguments and errors as for :func:`stroke`.
+    """
     return _moved("brush", path, speed, BRUSH, (seed, purpose, sample))
 
 
 def rolling_ball(
     path: ArrayLike, speed: ArrayLike, *, seed: int = 0, purpose: Purpose = "evaluation", sample: int = 0
 ) -> Contact:
-    """A steel ball of 2 to 5 mm that rolls along a path under its own weight; arguments and errors as for
-    :func:`stroke`.
+    """A steel ball of 2 to 5 mm that rolls along a path, (n, 2) mm, at a speed, mm/s, under its own weight; arguments
+    and errors as for :func:`stroke`.
 
     Its contact has the radius (3 F R / (4 E))^(1/3) of Hertz on silicone; it wobbles once a turn, by 5 to 20 %.
     """
@@ -137,7 +149,8 @@ def rolling_ball(
 def insect(
     path: ArrayLike, speed: ArrayLike, *, seed: int = 0, purpose: Purpose = "evaluation", sample: int = 0
 ) -> Contact:
-    """An insect of 2 to 50 mg that walks along a path; arguments and errors as for :func:`stroke`.
+    """An insect of 2 to 50 mg that walks along a path, (n, 2) mm, at a speed, mm/s; arguments and errors as for
+    :func:`stroke`.
 
     Three of its six feet, 1 to 2.5 mm around its middle, carry it by turns (the alternating tripod of Wilson 1966,
     Annual Review of Entomology 11, 103): its weight moves by 20 to 60 % twice a stride, strides being 3 to 6 mm long.

@@ -159,7 +159,7 @@ def pulse_wave(
 def pulse_times(
     rate: float = 75.0, seconds: float = 4.0, *, seed: int = 0, purpose: Purpose = "evaluation", sample: int = 0
 ) -> dict[str, Array]:
-    """Times of the waves of :func:`pulse_wave`, whose arguments and errors it shares.
+    """Times of the waves of :func:`pulse_wave`, at a rate in beats a minute, over a length in seconds; errors as there.
 
     Returns:
         (n_beat,) float64, s, by the name of the wave; the first beats lie before the contact.

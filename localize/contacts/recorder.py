@@ -204,7 +204,8 @@ def record(
 ) -> Take:
     """What the microphones record of one contact; of many, :class:`ContactRecorder` is quicker.
 
-    Arguments and errors as for :class:`ContactRecorder` and :meth:`ContactRecorder.take`.
+    ``sample_rate`` in Hz, ``ambient`` in dB SPL; arguments and errors as for :class:`ContactRecorder` and
+    :meth:`ContactRecorder.take`.
     """
     recorder = ContactRecorder(
         array, sample_rate, microphone_noise=microphone_noise, ambient=ambient, seed=seed, purpose=purpose

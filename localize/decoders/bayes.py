@@ -53,7 +53,7 @@ LEADING = 3
 
 
 def sound_levels(loudest: float | None) -> tuple[float | None, ...]:
-    """Levels that cover sound up to one in dB SPL, quiet (None) among them; of None quiet alone.
+    """Levels that cover sound up to the loudest, dB SPL, quiet (None) among them; of None quiet alone.
 
     15 dB apart from 40 on: 10 apart was tried on line-2, better at some levels and worse at others by up to 1.7 %.
     """

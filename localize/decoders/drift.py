@@ -158,7 +158,8 @@ class DriftDecoder(BayesDecoder):
         """Where the array was touched, one touch after the other, all points equally likely beforehand.
 
         Args:
-            signals: as of :meth:`localize.BayesDecoder.locate`.
+            signals: (n_microphone, n_sample) or (n, n_microphone, n_sample), Pa, as of
+                :meth:`localize.BayesDecoder.locate`.
 
         Returns:
             (n_point,) or (n, n_point) float64: probability per point in the state believed most after this touch.

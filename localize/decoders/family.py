@@ -34,7 +34,7 @@ class FamilyDecoder:
     Args:
         libraries: of the same points and microphones, one per hypothesis.
         microphone_noise: as of :class:`localize.BayesDecoder`.
-        prior: weight of each hypothesis, above 0; by default all alike.
+        prior: (n_library,) weights of the hypotheses, ratios above 0; by default all alike.
 
     Raises:
         Refusal: no library, or libraries of different points or microphones; a wrong prior; as

@@ -68,7 +68,7 @@ class DecoderTables:
     """Eigenvectors of each C_i where the noise is white; (n_table, n_microphone * SAMPLES, rank) float64, a table for
     each point, or for each hypothesis of each point."""
     weight: NDArray[np.float64]
-    """Weight of the energy along each eigenvector, per value of g; (n_table, rank, n_power) float64."""
+    """Weight of the energy along each eigenvector, of one, per value of g; (n_table, rank, n_power) float64."""
     log_determinant: NDArray[np.float64]
     """Logarithm of the covariance's determinant over that of the noise, over the temperature; (n_table, n_power)
     float64, nats."""

@@ -106,7 +106,7 @@ class SoundTest:
 
         Args:
             signals: (n, n_microphone, n_sample), as :meth:`p_value`.
-            noise: amplitude of the noise there is over that which the test was made for, 1 or above.
+            noise: a ratio, the amplitude of the noise there is over that which the test was made for, 1 or above.
 
         Returns:
             Two of (n,) float64, energies; the unit is that of the noise in one direction.

@@ -128,7 +128,9 @@ class TolerantDecoder(BayesDecoder):
         return self.joint_log_likelihood(batch)
 
     def misfit(self, frames: NDArray[np.float64]) -> NDArray[np.float64]:
-        """What the best hypothesis leaves of each frame, (n,) float64; as of :meth:`localize.BayesDecoder.misfit`."""
+        """What the best hypothesis leaves of frames (n, n_microphone, 250), Pa: (n,) float64, as
+        :meth:`localize.BayesDecoder.misfit`.
+        """
         heard = _Heard(self._screens, self._bounds, frames[:, None])
         return self._misfit(self._fitted(heard), heard)
 

@@ -37,7 +37,7 @@ class Condition:
     name: str
     """Name of what it is changed to, in words with the unit."""
     value: float | None
-    """Number that it is changed to, where it is one."""
+    """Number that it is changed to, in its unit, where it is one."""
     arguments: dict[str, Any]
     """Arguments of :func:`localize.evaluate` that differ."""
 
@@ -51,7 +51,7 @@ class Outcome:
     name: str
     """Name of what it is changed to, in words with the unit."""
     value: float | None
-    """Number that it is changed to, where it is one."""
+    """Number that it is changed to, in its unit, where it is one."""
     top1: float
     """Share of touches whose most probable point is the right one."""
     top2: float
@@ -66,9 +66,9 @@ class Outcome:
     """Lower end of the 95 % interval of top-1: of touches by :func:`localize.evaluation.accuracy.wilson_interval`;
     where there were several sensors, of their mean by Student's t, for they differ more than chance."""
     high: float
-    """Upper end of that interval."""
+    """Upper end of that interval, of one."""
     worst: float | None = None
-    """Top-1 of the worst sensor, where there were several."""
+    """Top-1 of the worst sensor, of one, where there were several."""
 
 
 def conditions(response: ArrayResponse) -> tuple[Condition, ...]:

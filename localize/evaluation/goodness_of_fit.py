@@ -50,9 +50,9 @@ class SensorFit:
     """How well the points of a decoder explain the loudest touches of a sensor."""
 
     misfit: float
-    """What the best point leaves of a frame, by what the noise leaves; the median over the frames."""
+    """What the best point leaves of a frame, by what the noise leaves, a ratio; the median over the frames."""
     expected: float
-    """Largest one of a sensor as the decoder expects it."""
+    """Largest such ratio of a sensor as the decoder expects it."""
     microphones: tuple[str, ...]
     """Names of the microphones."""
     off_level: tuple[str, float] | None = None

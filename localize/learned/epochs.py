@@ -32,7 +32,7 @@ class TrainingProgress:
     epochs: int
     """Number of epochs that there will be."""
     loss: float
-    """Mean soft-target cross-entropy over the epoch."""
+    """Mean soft-target cross-entropy over the epoch, nats."""
     accuracy: float
     """Share of held-out touches whose most probable point is the right one."""
     seconds: float

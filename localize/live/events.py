@@ -35,11 +35,12 @@ class Decision:
     point: int | None = None
     """Most probable point, from 1; None unless there is a touch."""
     probability: float | None = None
-    """Probability of that point; None unless there is a touch."""
+    """Probability of that point, 0 to 1; None unless there is a touch."""
     distribution: NDArray[np.float64] | None = field(default=None, repr=False, compare=False)
     """Probability of every point; (n_point,) float64, None unless there is a touch."""
     weight: float | None = field(default=None, repr=False, compare=False)
-    """Amplitude that stands out of sound where sound is expected, in terms of the noise; None where it is not."""
+    """Amplitude that stands out of sound where sound is expected, by that of the noise, a ratio; None where
+    it is not."""
     newest: float | None = field(default=None, repr=False, compare=False)
     """Level of the loudest microphone over the newest 96 samples, Pa rms."""
     frame: NDArray[np.float64] | None = field(default=None, repr=False, compare=False)

@@ -68,7 +68,7 @@ def is_enough(fit: Update, shares: NDArray[np.float64]) -> bool:
 
     Args:
         fit: to some points.
-        shares: (DRAWS,) float64, of :func:`expected_accuracy`.
+        shares: (DRAWS,) float64, of one, of :func:`expected_accuracy`.
     """
     return len(fit.points) >= FEWEST and bool(shares.min() >= ENOUGH)
 

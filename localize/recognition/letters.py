@@ -83,11 +83,11 @@ class Hand:
     size: tuple[float, float] = (0.75, 0.95)
     """Smallest and largest letter, a share of the largest that the surface takes."""
     slant: float = 0.15
-    """Standard deviation of the slant, width per height."""
+    """Standard deviation of the slant, width per height, a ratio."""
     turn: float = 5.0
     """Standard deviation of the turn, degrees."""
     aspect: tuple[float, float] = (0.85, 1.2)
-    """Narrowest and widest letter, of its usual width."""
+    """Narrowest and widest letter, ratios of its usual width."""
     wobble: float = 0.02
     """Deviation of the line, rms, in heights of the letter; it moves smoothly along the line."""
     tool: Tool = PAD

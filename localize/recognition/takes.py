@@ -213,7 +213,7 @@ class TakeMaker:
     speed_error: float = 0.01
     """Standard deviation of the speed that is known, a share of it."""
     blunter: float = 1.0
-    """Radius of the finger over the usual one."""
+    """Radius of the finger over the usual one, a ratio."""
 
     def signals(self, purpose: Purpose, number: int) -> tuple[Array, int, int, float]:
         """Signals of one take, (n_microphone, n_sample) Pa; its kind and point, from 0; and its speed, mm/s."""

@@ -103,7 +103,7 @@ def texture_force(
 ) -> Array:
     """Force of a contact that slides over a profile, over its mean: that of which :func:`texture_pressure` is felt.
 
-    Args and errors as there.
+    At a speed in mm/s, by a finger ``blunter`` by that ratio; args and errors as there.
 
     Returns:
         (count,) float64, zero or above.

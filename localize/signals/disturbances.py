@@ -81,7 +81,7 @@ class MicrophoneMismatch:
 
 
 def check_ambient(ambient: tuple[float, float]) -> None:
-    """Refuse levels that are no range of sound.
+    """Refuse levels of ambient sound, dB SPL, that are no range.
 
     Raises:
         Refusal: levels that do not ascend from -100 to 140 dB SPL.

@@ -74,7 +74,7 @@ def taps(seed: int, purpose: Purpose, start: int, count: int, band: tuple[float,
     """One smooth pulse each, sin^2 over 5 to 100 ms, within the last 250 samples: those that decisions are made from.
 
     Duration and peak are spread evenly on a logarithmic scale. Arguments as
-    :class:`localize.signals.stimulus.StimulusSource`.
+    :class:`localize.signals.stimulus.StimulusSource`, its band in Hz.
     """
     drawn = uniform(random_words(seed, purpose, "taps", start, count, 2), device)
     length = SAMPLE_RATE * log_between(*PULSE_SECONDS, drawn[:, 0, 0])
@@ -112,7 +112,7 @@ def pulse_wave(
 
     The shape is that of Tang et al. (2020, "Synthetic photoplethysmogram generation using two Gaussian functions",
     Scientific Reports 10, 13883); the ranges of its parameters are ours. Whole beats fill the period, so that the wave
-    lies on lines of the grid. Arguments as :class:`localize.signals.stimulus.StimulusSource`.
+    lies on lines of the grid. Arguments as :class:`localize.signals.stimulus.StimulusSource`, its band in Hz.
     """
     drawn = uniform(random_words(seed, purpose, "pulse wave", start, count, 4), device)
     beats = HEART_LINES[0] + choice(drawn[:, 0, 0], HEART_LINES[1] - HEART_LINES[0] + 1)

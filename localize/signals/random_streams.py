@@ -119,7 +119,7 @@ def complex_normal(words: NDArray[np.uint64], device: torch.device | str = "cpu"
 
 
 def choice(number: Tensor, count: Tensor | int) -> Tensor:
-    """Integers in [0, count) from numbers in (0, 1); same shape as the numbers, int64."""
+    """Integers in [0, count) from numbers in (0, 1); same shape as the number and as the count, int64."""
     return (number * count).long()
 
 

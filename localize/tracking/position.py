@@ -134,7 +134,8 @@ class PositionDecoder(BayesDecoder):
         """Where contacts that stand still are; frames of one signal are taken as independent observations of it.
 
         Args:
-            signals: as of :meth:`localize.BayesDecoder.locate`.
+            signals: (n_microphone, n_sample) or (n, n_microphone, n_sample), Pa, as of
+                :meth:`localize.BayesDecoder.locate`.
 
         Returns:
             One position of each signal.
@@ -154,7 +155,8 @@ class PositionDecoder(BayesDecoder):
         """Log-likelihood of places that one knows a contact to be at one of, such as those along a line.
 
         Args:
-            signals: as of :meth:`localize.BayesDecoder.locate`; frames of one signal count together.
+            signals: (n_microphone, n_sample) or (n, n_microphone, n_sample), Pa, as of
+                :meth:`localize.BayesDecoder.locate`; frames of one signal count together.
             place: (n_place, 2) mm, at least two.
 
         Returns:

@@ -65,7 +65,7 @@ class BendingRig:
             raise Refusal(f"end = {self.end!r} must be one of {', '.join(get_args(End))}")
 
     def winding(self, angle: float) -> Winding:
-        """Centre line of the part that is wound."""
+        """Centre line of the part that is wound by an angle, degrees."""
         from geometry.air.wound_tube import Winding, closest_pitch
 
         flat = angle <= LARGEST_FLAT_ANGLE

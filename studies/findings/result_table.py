@@ -90,7 +90,7 @@ class ResultTable:
     waiting: int
     """Number of designs not computed yet."""
     base_metrics: Mapping[str, float]
-    """Figures of the base design; empty where they are not known."""
+    """Figures of the base design, in their units; empty where they are not known."""
 
     def values(self, row: int) -> dict[str, Any]:
         """Parameters of a design by dotted name."""

@@ -71,27 +71,29 @@ class HiddenScatter:
     """Standard deviations of the hidden parameters, as fractions unless said otherwise; normal, cut off at three."""
 
     bore: float = 0.05
-    """Deviation of the bore of each tube."""
+    """Deviation, of one, of the bore of each tube."""
     volume: float = 0.05
-    """Deviation of the volume of each cavity, by its height."""
+    """Deviation, of one, of the volume of each cavity, by its height."""
     membrane: float = 0.10
-    """Deviation of the compliance of each membrane."""
+    """Deviation, of one, of the compliance of each membrane."""
     batch: float = 0.15
-    """Deviation of the modulus of the batch of rubber, that of all membranes: what a hardness leaves open."""
+    """Deviation, of one, of the modulus of the batch of rubber, that of all membranes: what a hardness leaves
+    open.
+    """
     modulus: float = 1.0
     """Modulus of all membranes against that of its batch: a factor, not a deviation."""
     rubber: float = 1.0
     """Loss factor of all membranes against the nominal one, and with it the slope of their modulus: a factor."""
     gain: float = 0.05
-    """Deviation of the gain of each microphone."""
+    """Deviation, of one, of the gain of each microphone."""
     corner: float = 0.10
-    """Deviation of the high-pass of each microphone."""
+    """Deviation, of one, of the high-pass of each microphone."""
     chamber: float = 0.10
-    """Deviation of the volume of each microphone's chamber."""
+    """Deviation, of one, of the volume of each microphone's chamber."""
     length: float = 0.01
-    """Deviation of the length of each tube; not known to a fit."""
+    """Deviation, of one, of the length of each tube; not known to a fit."""
     loss: float = 0.2
-    """Deviation of the loss factor of each membrane; a fit knows the mean only."""
+    """Deviation, of one, of the loss factor of each membrane; a fit knows the mean only."""
     temperature: float = 3.0
     """Deviation of the temperature of the room, K; not known to a fit."""
     pressure: float = 1e3
@@ -301,8 +303,8 @@ class Rig:
         """Signals that are recorded of pressures in cavities, with all that a recorder adds.
 
         Args:
-            drives: by the number of the point, from 1: (total // 2 + 1,) complex128, spectrum of the pressure in its
-                cavity as of np.fft.rfft, Pa; only :data:`BAND` is heard. The reference hears the first.
+            drives: by the number of the point, from 1: (n_line,) complex128, spectrum of the pressure in its cavity, Pa,
+                as of np.fft.rfft, n_line = total // 2 + 1; only :data:`BAND` is heard. The reference hears the first.
             total: number of samples of the pressure, at the rate of the recorder.
             before: number of them that come before the recording.
             count: number of samples of the recording.

@@ -122,7 +122,7 @@ class Disagreement:
     """Largest differences of two sets of transfer functions of one array."""
 
     magnitude: float
-    """Largest deviation in magnitude, | |H| / |H_reference| - 1 |."""
+    """Largest deviation in magnitude, | |H| / |H_reference| - 1 |, of one."""
     magnitude_at: tuple[int, str, float]
     """Point, microphone and frequency (Hz) of the largest deviation in magnitude."""
     phase: float

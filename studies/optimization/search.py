@@ -46,7 +46,7 @@ class Candidate:
     values: dict[str, Any]
     """Values of the parameters by dotted name."""
     metrics: dict[str, float]
-    """Figures of merit by name."""
+    """Figures of merit by name, in their units."""
     feasible: bool
     """Whether it keeps all limits."""
 
@@ -140,7 +140,7 @@ def pareto_front(values: NDArray[np.float64]) -> NDArray[np.bool_]:
     """Which rows no other row beats: at least as good in every column, better in one; larger is better.
 
     Args:
-        values: (n, n_objective) float64.
+        values: (n, n_objective) float64, each column in the unit of its objective.
 
     Returns:
         (n,) bool.

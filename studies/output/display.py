@@ -21,7 +21,7 @@ def number(value: float, digits: int | None = None) -> str:
     """Text of a number as people read it: with a minus sign, no negative zero, and no exponent where it can be avoided.
 
     Args:
-        value: the number.
+        value: the number, in any unit.
         digits: decimals; without them three significant digits.
     """
     if digits is None:
@@ -34,7 +34,7 @@ def number(value: float, digits: int | None = None) -> str:
 
 
 def duration(seconds: float) -> str:
-    """A time as people say it."""
+    """A time in seconds as people say it."""
     if seconds < 100:
         return f"{number(seconds)} s"
     return f"{seconds / 60:.0f} min" if seconds < 5400 else f"{seconds / 3600:.1f} h"

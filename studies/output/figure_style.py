@@ -74,7 +74,7 @@ def frequency_panels(rows: int) -> Iterator[tuple[Figure, list[list[Axes]]]]:
 
 @contextmanager
 def figure_in_style(size: tuple[float, float], **style: Any) -> Iterator[Figure]:
-    """Empty figure in the report's style; drawn without a display and forgotten afterwards."""
+    """Empty figure of a size in inches, in the report's style; drawn without a display and forgotten afterwards."""
     import matplotlib as mpl
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure

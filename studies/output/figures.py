@@ -160,7 +160,11 @@ def draw_confusion(
 
 
 def draw_training(loss: Sequence[float], accuracy: Mapping[str, Sequence[float]], path: str | os.PathLike[str]) -> Path:
-    """Picture of mean loss, and of the share of errors on each set of held-out touches, by epoch; its path."""
+    """Picture of mean loss, nats, and of the share of errors (1 - accuracy) on each set of held-out touches, by epoch.
+
+    Returns:
+        Its path.
+    """
     epoch = np.arange(1, len(loss) + 1)
     with figure_in_style((WIDTH, 3.2)) as figure:
         left, right = figure.subplots(1, 2)

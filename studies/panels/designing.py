@@ -33,7 +33,7 @@ class Refused:
     allowed: str
     """Range of the field alone in words, with the unit; empty where anything of its kind goes."""
     mend: float | int | None
-    """Value nearest to the refused one with which the design is valid; None where none is known."""
+    """Value nearest to the refused one, in its unit, with which the design is valid; None where none is known."""
 
 
 class DesignState:

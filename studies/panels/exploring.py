@@ -54,7 +54,7 @@ def study_file(
 
     Args:
         design: the base, which the file names as ``NAME.toml`` beside it.
-        ranges: of each field, by dotted name: where it begins and ends, or a list of texts.
+        ranges: of each field, by dotted name: where it begins and ends, in its unit, or a list of texts.
         metrics: names of figures of merit, 1 to 4; a search looks for the best of all of them.
         search: search the best designs in place of a sweep over evenly spread ones.
         designs: how many are computed, 1 to 4096.

@@ -28,7 +28,7 @@ class Cases:
     names: tuple[str, ...]
     """Dotted names of the parameters."""
     columns: tuple[NDArray[Any], ...]
-    """Values of each parameter; (n_case,) float64, int64, or objects (texts)."""
+    """Values of each parameter, in its unit; (n_case,) float64, int64, or objects (texts)."""
     left_out: int = 0
     """Number of combinations or samples that broke a constraint."""
 

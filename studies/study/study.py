@@ -34,7 +34,7 @@ class Parameter:
     name: str
     """Dotted name of the field."""
     values: tuple[float | int | str, ...] = ()
-    """Values of a list; empty for a range."""
+    """Values of a list, in the unit of the field; empty for a range."""
     low: float = 0.0
     """Beginning of a range, in the unit of the field."""
     high: float = 0.0
@@ -77,7 +77,7 @@ class Parameter:
         return self.had(np.clip(values, self.low, self.high))
 
     def had(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
-        """The nearest sizes that can be had; (n,) float64, in the unit of the field.
+        """The values (n,) as the nearest sizes that can be had; (n,) float64, in the unit of the field.
 
         Without a step these are values of four digits, more where the range is narrow, so that what is computed is what
         a design file says and what somebody can make.

@@ -1,4 +1,5 @@
-"""Docstrings as a reference needs them: shapes of every array that is returned or kept, fields documented in one way.
+"""Docstrings as a reference needs them: shapes of every array that is returned, kept or taken by what is public,
+numbers that it takes in words, fields documented in one way.
 
 Read from the sources, without importing them.
 """
@@ -17,13 +18,13 @@ ARRAYS = frozenset({"NDArray", "ndarray", "DataArray", "Tensor"})
 # A length: 3, 2 n, n_freq, k + 1, ..., *shape, a constant's name, or one of the named dimensions of labelled arrays and
 # of numbers that a caller gives.
 _NAMED = (
-    "point|microphone|microphone_2|frequency|sample|channel|count|modes|points|microphones|channels|words|window|rank|top"
+    "point|microphone|microphone_2|frequency|sample|channel|count|modes|points|microphones|channels|words|window|rank|top|total"
     "|[A-Z]{2}[A-Z_]*"
 )
 _ONE = rf"(?:\d+ )?(?:[a-vA-V]|n_\w+|{_NAMED})|\d+|\.\.\.|\*\w+"
 _LENGTH = rf"(?:{_ONE})(?: [-+*/] (?:{_ONE}))*"
 _SHAPE = re.compile(
-    rf"\({_LENGTH},(?: {_LENGTH},)*(?: {_LENGTH})?\)|[Ss]calar|[Ss]ame shape as|[Ss]hape of|[Bb]roadcast shape"
+    rf"\({_LENGTH},(?: {_LENGTH},)*(?: {_LENGTH})?\)|[Ss]calar|[Ss]ame shape as|[Ss]hape of|[Bb]roadcast|any shape"
 )
 
 
@@ -98,6 +99,70 @@ def without_shape(name: str, module: ast.Module, arrays: frozenset[str]) -> list
     ]
 
 
+def _public(package: str) -> frozenset[str]:
+    """Names that the faces of a package hand on."""
+    return frozenset(
+        alias.asname or alias.name
+        for stub in (ROOT / package).rglob("__init__.pyi")
+        for node in ast.parse(stub.read_text(encoding="utf-8")).body
+        if isinstance(node, ast.ImportFrom)
+        for alias in node.names
+    )
+
+
+def _taking(module: ast.Module, public: frozenset[str]) -> Iterator[tuple[str, ast.FunctionDef, str]]:
+    """Name, definition and docstring of public functions, of methods of public classes, and of their makers."""
+    for node in module.body:
+        if not isinstance(node, (ast.FunctionDef, ast.ClassDef)) or node.name not in public:
+            continue
+        words = ast.get_docstring(node) or ""
+        if isinstance(node, ast.FunctionDef):
+            yield node.name, node, words
+            continue
+        for each in node.body:
+            if isinstance(each, ast.FunctionDef) and (each.name == "__init__" or not each.name.startswith("_")):
+                own = ast.get_docstring(each) or ""
+                yield f"{node.name}.{each.name}", each, f"{words}\n\n{own}" if each.name == "__init__" else own
+
+
+def _entries(words: str) -> dict[str, str]:
+    """Argument -> what its section says of it."""
+    found: dict[str, str] = {}
+    for section in re.findall(r"^Args:\n((?:[ \t]+.*\n?|\n)*)", words, re.MULTILINE):
+        for name, text in re.findall(r"^ {4}(\w+):((?:.*\n?)(?: {5,}.*\n?)*)", section, re.MULTILINE):
+            found[name] = " ".join(text.split())
+    return found
+
+
+def _is_number(annotation: ast.expr) -> bool:
+    return any(isinstance(node, ast.Name) and node.id in ("float", "complex") for node in ast.walk(annotation))
+
+
+def not_told(name: str, module: ast.Module, arrays: frozenset[str], public: frozenset[str]) -> list[str]:
+    """Numbers and arrays that something public takes and does not speak of; arrays without a shape.
+
+    An argument is told of in ``Args``, or in running text by a word that begins as its name does; the shape of an array
+    in its own entry, or in that text.
+    """
+    arrays = arrays - {node.name for node in module.body if isinstance(node, ast.ClassDef)}  # a class of that name
+    found = []
+    for what, node, words in _taking(module, public):
+        entries = _entries(words)
+        for each in (*node.args.posonlyargs, *node.args.args, *node.args.kwonlyargs):
+            if each.annotation is None or "Callable" in ast.unparse(each.annotation):
+                continue
+            is_array = _is_array(each.annotation, arrays | {"ArrayLike"})
+            if not is_array and not _is_number(each.annotation):
+                continue
+            word = rf"\b{re.escape(each.arg.split('_')[0])}"
+            text = entries.get(each.arg, words if re.search(word, words, re.IGNORECASE) else "")
+            if not text:
+                found.append(f"{name}:{node.lineno} {what} {each.arg}: not told of")
+            elif is_array and not _SHAPE.search(" ".join(text.split())):
+                found.append(f"{name}:{node.lineno} {what} {each.arg}: no shape")
+    return found
+
+
 def with_section(name: str, module: ast.Module) -> list[str]:
     """Classes that document their fields in a section instead of under each field."""
     return [
@@ -112,6 +177,15 @@ def test_every_array_returned_or_kept_has_its_shape_in_its_docstring(package: st
     modules = _sources(package)
     arrays = ARRAYS | _aliases(modules)
     assert [line for name, module in modules for line in without_shape(name, module, arrays)] == []
+
+
+@pytest.mark.parametrize("package", PACKAGES)
+def test_every_number_and_array_that_is_taken_is_told_of_and_arrays_have_a_shape(package: str) -> None:
+    # Verbs of the command line have names of public calls and say what they take in --help.
+    modules = [(name, module) for name, module in _sources(package) if not name.startswith("studies/cli/")]
+    public = _public(package)
+    arrays = ARRAYS | _aliases(modules)
+    assert [line for name, module in modules for line in not_told(name, module, arrays, public)] == []
 
 
 @pytest.mark.parametrize("package", PACKAGES)
@@ -149,6 +223,17 @@ def chooser() -> Callable[[Array], Array]:
 
 def _hidden() -> Array:
     """Not public."""
+
+def mean(values: Array, over: float, weight: Array, power: float, count: int) -> float:
+    """Mean of values, to a power.
+
+    Args:
+        over: s.
+        weight: of each.
+    """
+
+def private(values: Array) -> float:
+    """On no face."""
 '''
 
 
@@ -157,3 +242,7 @@ def test_a_planted_violation_of_each_kind_is_found() -> None:
     found = without_shape("planted.py", module, ARRAYS | _aliases([("planted.py", module)]))
     assert [line.split()[1] for line in found] == ["Result.frequency", "Result.kept", "scaled"]
     assert [line.split()[1] for line in with_section("planted.py", module)] == ["Result"]
+    taking = not_told("planted.py", module, ARRAYS | _aliases([("planted.py", module)]), frozenset({"mean", "shaped"}))
+    assert [line.partition(" ")[2] for line in taking] == ["mean values: no shape", "mean weight: no shape"]
+    silent = ast.parse(_PLANTED.replace(", to a power", ""))
+    assert "mean power: not told of" in " ".join(not_told("planted.py", silent, ARRAYS, frozenset({"mean"})))
