@@ -303,8 +303,9 @@ class Rig:
         """Signals that are recorded of pressures in cavities, with all that a recorder adds.
 
         Args:
-            drives: by the number of the point, from 1: (n_line,) complex128, spectrum of the pressure in its cavity, Pa,
-                as of np.fft.rfft, n_line = total // 2 + 1; only :data:`BAND` is heard. The reference hears the first.
+            drives: by the number of the point, from 1: (n_line,) complex128, spectrum of the pressure in its cavity,
+                Pa, as of np.fft.rfft, n_line = total // 2 + 1; only :data:`BAND` is heard. The reference hears the
+                first.
             total: number of samples of the pressure, at the rate of the recorder.
             before: number of them that come before the recording.
             count: number of samples of the recording.
