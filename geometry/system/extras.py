@@ -12,7 +12,7 @@ EXTRAS = {
     "cad": ("cadquery", "trimesh", "lib3mf", "pyvista"),
     "fem": ("gmsh",),
     "train": ("torch", "safetensors", "onnx", "onnxruntime"),
-    "studies": ("dask", "distributed", "optuna", "plotly", "jinja2", "zarr"),
+    "studies": ("dask", "distributed", "optuna", "plotly", "jinja2", "zarr", "numcodecs", "google_crc32c"),
     "studio": ("starlette", "uvicorn", "websockets"),
     "live": ("sounddevice",),
 }
