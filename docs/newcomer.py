@@ -2,9 +2,10 @@
 
 Writes the files that a page gives (a ``toml`` block below the file's name) and types its ``sh`` blocks, unchanged and
 in order, into one shell in a fresh clone of the checkout. It ends with exit code 1 at the first command that fails, or
-picture or page that a block names and nobody drew. What takes recordings of one's own is in ``bash`` blocks: nobody
-types it. On a bare machine the first block of Start installs everything; ``--venv .venv`` takes an installation that
-there is. What listens to a sound card or serves a page until it is stopped cannot be done this way.
+picture or page that a block names and nobody drew, or that shows nothing. What takes recordings of one's own is in
+``bash`` blocks: nobody types it. On a bare machine the first block of Start installs everything; ``--venv .venv`` takes
+an installation that there is. What listens to a sound card or serves a page until it is stopped cannot be done this
+way.
 """
 
 from __future__ import annotations
@@ -21,18 +22,45 @@ ROOT = Path(__file__).resolve().parents[1]
 START = ("install", "first-minutes", "tutorial")
 GUIDES = (
     *("studies/topology/README", "first-study", "studies", "cluster", "optimize", "tolerances", "parts", "assemble"),
-    *("bending", "calibration", "realtime", "live", "tracks", "kinds", "letters", "pulse", "embed", "own-cavity"),
+    *(
+        "bending",
+        "tolerances",
+        "calibration",
+        "realtime",
+        "live",
+        "tracks",
+        "kinds",
+        "letters",
+        "pulse",
+        "embed",
+        "own-cavity",
+    ),
 )
 BLOCK = re.compile(r"^```sh\n(.*?)^```", re.MULTILINE | re.DOTALL)
 FILE = re.compile(r"`([\w-]+\.toml)`:\n\n```toml\n(.*?)^```", re.MULTILINE | re.DOTALL)
 PICTURE = re.compile(r"(?<![\w./-])[\w./-]+\.(?:png|html)\b")
-#: Fewer bytes are no picture.
-SMALLEST = 5_000
+#: Of a picture that shows something: the least share of pixels unlike its corner; of a page: bytes of its body.
+INKED, SMALLEST = 0.01, 5_000
 
 
 def blocks_of(page: Path) -> list[str]:
     """The shell blocks of a page."""
     return BLOCK.findall(page.read_text(encoding="utf-8"))
+
+
+def pictures_of(block: str) -> list[str]:
+    """The pictures and pages that a block names."""
+    return list(dict.fromkeys(PICTURE.findall(block)))
+
+
+def shows_something(path: Path) -> bool:
+    """Whether a picture is more than its background, or a page has anything in its body."""
+    if path.suffix == ".html":
+        return len(path.read_bytes().partition(b"<body")[2]) > SMALLEST
+    from matplotlib.image import imread
+
+    pixels = imread(path)[..., :3]
+    return bool((pixels != pixels[0, 0]).any(-1).mean() > INKED)
 
 
 def typed(page: Path) -> str:
@@ -42,7 +70,7 @@ def typed(page: Path) -> str:
         lines += [f"cat > {name} <<'END'", text + "END"]
     for block in blocks_of(page):
         lines += [block.rstrip()]
-        lines += [f'test "$(wc -c < {name})" -gt {SMALLEST}' for name in dict.fromkeys(PICTURE.findall(block))]
+        lines += [f"python docs/newcomer.py --look {name}" for name in pictures_of(block)]
     return "\n".join(lines) + "\n"
 
 
@@ -52,7 +80,13 @@ def main() -> int:
     parser.add_argument("pages", nargs="*", metavar="PAGE")
     parser.add_argument("--guides", action="store_true", help="the pages of Guides, an hour or so of one core")
     parser.add_argument("--venv", type=Path, help="an installation to use as .venv of the clone")
+    parser.add_argument(
+        "--look", type=Path, metavar="FILE", help="only say whether this picture or page shows anything"
+    )
     asked = parser.parse_args()
+    if asked.look is not None:
+        print(f"{asked.look}: {'seen' if (seen := shows_something(asked.look)) else 'shows nothing'}")
+        return 0 if seen else 1
     with tempfile.TemporaryDirectory() as folder:
         clone = Path(folder) / "acoustic-fem"
         subprocess.run(["git", "clone", "--quiet", str(ROOT), str(clone)], check=True)

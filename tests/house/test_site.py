@@ -10,8 +10,10 @@ import sys
 from pathlib import Path
 from types import ModuleType
 
+import numpy as np
 import pytest
 from imports import PACKAGES
+from matplotlib.image import imsave
 
 from studies.study import METRICS
 
@@ -182,12 +184,27 @@ def test_a_newcomer_types_every_block_and_looks_at_the_pictures(
         "set -eo pipefail",
         *("cat > a.toml <<'END'", "yes = 1", "END"),
         "acoustic-fem check a --picture a.png",
-        f'test "$(wc -c < a.png)" -gt {newcomer.SMALLEST}',
+        "python docs/newcomer.py --look a.png",
         "true  # draws b/c.html",
-        f'test "$(wc -c < b/c.html)" -gt {newcomer.SMALLEST}',
+        "python docs/newcomer.py --look b/c.html",
     ]
     for name in (*newcomer.START, *newcomer.GUIDES):
-        assert newcomer.blocks_of(ROOT / "docs" / f"{name}.md"), name
+        blocks = newcomer.blocks_of(ROOT / "docs" / f"{name}.md")
+        # From page to page in one terminal: nobody is led elsewhere.
+        assert not re.search(r"^cd ", "".join(blocks), re.MULTILINE), name
+        assert any(map(newcomer.pictures_of, blocks)), f"{name}: no picture to look at"
+
+
+def test_a_newcomer_sees_whether_a_picture_shows_anything(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.syspath_prepend(str(ROOT / "docs"))
+    newcomer = importlib.import_module("newcomer")
+    monkeypatch.delitem(sys.modules, "newcomer")
+    blank, page = tmp_path / "blank.png", tmp_path / "page.html"
+    imsave(blank, np.ones((900, 1400, 3)))
+    page.write_text("<html><head>" + "x" * 9000 + "</head><body></body></html>", "utf-8")
+    assert not newcomer.shows_something(blank)
+    assert not newcomer.shows_something(page)
+    assert newcomer.shows_something(ROOT / "docs" / "images" / "array-2x6.png")
 
 
 @pytest.mark.slow
