@@ -18,12 +18,6 @@ END = "<!-- end {name} -->"
 BEGIN = "<!-- {name}: made by benchmarks/rubber.py -->"
 GRID = np.geomspace(1, 100, 41)
 HEAD = ["", "| {} | H, nearer / farther microphone (%) | ILD (dB) | IPD (°) |", "|---|---|---|---|"]
-NUMBERS = [
-    "",
-    "| prototype | 10 Hz: nearer (dB) | farther (dB) | IPD (°) | 100 Hz: nearer (dB) | farther (dB) | IPD (°) |",
-    "|---" * 7 + "|",
-]
-
 Complex = NDArray[np.complex128]
 
 
@@ -47,20 +41,6 @@ def largest_changes(new: Complex, old: Complex) -> str:
     return f"{near:.1f} / {far:.1f} | {level:.2f} | {phase:.1f}"
 
 
-def old_and_new(design: ArrayDesign) -> str:
-    """Cells of a table: levels and phase as they were, of a constant modulus and a smooth bore, and as they are."""
-    smooth = design.with_values({"tube.bore": "smooth"})
-    both = (transfer_function(smooth, law="constant"), transfer_function(design))
-    cells = []
-    for at in (len(GRID) // 2, len(GRID) - 1):
-        loudest = np.argsort(-np.abs(both[0][:, :, at]), axis=1)[:, :2]
-        heard = [np.take_along_axis(values[:, :, at], loudest, axis=1) for values in both]
-        level = [20 * np.log10(np.abs(values)).mean(0) for values in heard]
-        phase = [np.degrees(np.abs(np.angle(values[:, 0] / values[:, 1]))).mean() for values in heard]
-        cells += [f"{level[0][k]:.1f} → {level[1][k]:.1f}" for k in range(2)] + [f"{phase[0]:.1f} → {phase[1]:.1f}"]
-    return " | ".join(cells)
-
-
 def main() -> None:
     """Write the tables."""
     rows = []
@@ -68,8 +48,6 @@ def main() -> None:
         design = geometry.prototype(name)
         now, before = transfer_function(design), transfer_function(design, law="constant")
         rows.append(f"| `{name}` | {largest_changes(now, before)} |")
-    numbers = [f"| `{name}` | {old_and_new(geometry.prototype(name))} |" for name in geometry.prototype_names()]
-    replace_section(PAGE, BEGIN.format(name="numbers"), END.format(name="numbers"), [*NUMBERS, *numbers, ""])
     _replace("prototypes", "prototype, modulus from its hardness, so at 0.1 Hz", rows)
 
     design = geometry.prototype("array-2x6")
