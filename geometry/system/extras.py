@@ -12,7 +12,7 @@ EXTRAS = {
     "cad": ("cadquery", "trimesh", "lib3mf", "pyvista"),
     "fem": ("gmsh",),
     "train": ("torch", "safetensors", "onnx", "onnxruntime"),
-    "studies": ("dask", "distributed", "optuna", "plotly", "jinja2", "zarr", "numcodecs", "google_crc32c"),
+    "studies": ("dask", "distributed", "optuna", "plotly", "jinja2", "zarr"),
     "studio": ("starlette", "uvicorn", "websockets"),
     "live": ("sounddevice",),
 }

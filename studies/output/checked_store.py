@@ -24,7 +24,6 @@ from pydantic import BaseModel, ConfigDict, NonNegativeInt, ValidationError
 from geometry.files.ordinary import library_reads, read_bytes
 from geometry.files.reading import parse_json
 from geometry.files.writing import write_text
-from studies.output.plain_array import PlainArray
 
 #: Attribute of the group.
 CHECKSUMS = "checksums"
@@ -75,8 +74,6 @@ class CheckedStore:
     """Whether it has checksums."""
     identity: str
     """Identity under which its blocks are sealed; empty where they are not, in older stores."""
-    arrays: dict[str, dict[str, Any]]
-    """What the ``zarr.json`` of each array says, by its name."""
     broken: dict[str, str]
     """What is wrong with arrays, by name: their ``zarr.json`` is missing or damaged."""
     refusal: Refuse
@@ -94,36 +91,11 @@ class CheckedStore:
         """
         import zarr
 
-        self._check(name)
+        if name in self.broken or not (self.path / name / METADATA).is_file():
+            raise self.refusal(f"{self.path}: {self.broken.get(name, f'{name}/{METADATA} is missing')}")
         whole = {"array.write_empty_chunks": True}
         with library_reads(f"{self.path}: {name}", "a Zarr array", self.refusal), zarr.config.set(whole):
             return zarr.open_array(self.path / name, mode="r+" if writing else "r", zarr_format=3)
-
-    def _check(self, name: str) -> None:
-        if name in self.broken or not (self.path / name / METADATA).is_file():
-            raise self.refusal(f"{self.path}: {self.broken.get(name, f'{name}/{METADATA} is missing')}")
-
-    def attributes_of(self, name: str) -> dict[str, Any]:
-        """Attributes of an array.
-
-        Raises:
-            Exception: by ``refusal``: its ``zarr.json`` is missing or damaged.
-        """
-        self._check(name)
-        return dict(self.arrays[name].get("attributes", {}))
-
-    def rows(self, name: str, first: int, stop: int) -> NDArray[Any]:
-        """Consecutive rows of an array that is cut along its first axis, (n, ...); texts as objects.
-
-        Raises:
-            Exception: by ``refusal``: the array or a chunk is missing or damaged.
-        """
-        self._check(name)
-        plain = PlainArray.of(self.path / name, self.arrays[name])
-        if plain is None:
-            return self.part(self.array(name), name, slice(first, stop))
-        with library_reads(f"{self.path}: {name}", "what was written", self.refusal):
-            return plain.part(first, stop)
 
     def has_chunk(self, name: str, chunk: int, dimensions: int = 1) -> bool:
         """Whether a chunk that was written is there; of stores without checksums nobody knows.
@@ -159,11 +131,10 @@ class CheckedStore:
         Raises:
             Exception: by ``refusal``: it is missing, damaged, larger than any that was written, or of another kind.
         """
-        self._check(name)
-        shape = tuple(self.arrays[name]["shape"])
-        if len(shape) != 1 or shape[0] > _LARGEST_ARRAY:
-            raise self.refusal(f"{self.path}: {name} has shape {shape}; it must have one axis, and fewer values")
-        values = self.rows(name, 0, shape[0])
+        array = self.array(name)
+        if array.ndim != 1 or array.size > _LARGEST_ARRAY:
+            raise self.refusal(f"{self.path}: {name} has shape {array.shape}; it must have one axis, and fewer values")
+        values = self.part(array, name, slice(None))
         if kind and values.dtype.kind not in kind:
             raise self.refusal(f"{self.path}: {name} holds {values.dtype}, which nobody wrote")
         return values
@@ -309,9 +280,9 @@ def read_store(
         raise refusal(f"{path}: {METADATA}: attribute {IDENTITY} is missing")
     if found == _CHECKED:
         _tell(f"{path}: has no identity, an older version wrote it; parts of other stores in it cannot be noticed")
-    arrays, broken = _arrays(path, stored)
+    broken = _broken_arrays(path, stored)
     identity = identity if found >= _IDENTIFIED else ""
-    return CheckedStore(path, attributes, isinstance(stored, dict), identity, arrays, broken, refusal), checked
+    return CheckedStore(path, attributes, isinstance(stored, dict), identity, broken, refusal), checked
 
 
 def _document(path: Path, member: str, schema: type[BaseModel], refusal: Refuse) -> dict[str, Any]:
@@ -345,11 +316,10 @@ def _check_attributes(
         _tell(f"{wrong}; it changes no result")
 
 
-def _arrays(path: Path, stored: dict[str, Any] | None) -> tuple[dict[str, dict[str, Any]], dict[str, str]]:
-    """What is said of the arrays that are there, and why some that should be cannot be taken as they are."""
+def _broken_arrays(path: Path, stored: dict[str, Any] | None) -> dict[str, str]:
+    """Arrays that are there or should be and cannot be taken as they are, and why."""
     names = {place.parent.name for place in path.glob(f"*/{METADATA}")}
     names |= {member.partition("/")[0] for member in stored or () if "/" in member}
-    found: dict[str, dict[str, Any]] = {}
     broken: dict[str, str] = {}
     for name in sorted(names):
         member = f"{name}/{METADATA}"
@@ -357,7 +327,7 @@ def _arrays(path: Path, stored: dict[str, Any] | None) -> tuple[dict[str, dict[s
             broken[name] = f"{member} is missing"
             continue
         try:
-            document = found[name] = _document(path, member, _Array, _Broken)
+            document = _document(path, member, _Array, _Broken)
         except _Broken as error:
             broken[name] = str(error).removeprefix(f"{path}: ").removeprefix(f"{path}/")
             continue
@@ -368,7 +338,7 @@ def _arrays(path: Path, stored: dict[str, Any] | None) -> tuple[dict[str, dict[s
                 _tell(f"{path}: {each} are damaged; they change no result")
             elif stored.get(each) != digest:
                 broken[name] = f"{member} is damaged"
-    return found, broken
+    return broken
 
 
 class _Broken(Exception):

@@ -45,17 +45,17 @@ class Seals:
 
     def __init__(self, stored: CheckedStore, names: Sequence[str], writing: bool = False) -> None:
         self._stored, self._names = stored, tuple(names)
-        self._array = stored.array(SEALS, writing) if stored.identity and writing else None
+        self._array = stored.array(SEALS, writing) if stored.identity else None
 
-    def rows(self, first: int, stop: int) -> NDArray[np.uint64]:
-        """Seals of consecutive blocks, (n_block, n_array) uint64; none for older stores.
+    def rows(self, blocks: slice) -> NDArray[np.uint64]:
+        """Seals of blocks, (n_block, n_array) uint64; none for older stores.
 
         Raises:
             Exception: by the store's ``refusal``: seals are damaged or have another shape.
         """
-        if not self._stored.identity:
+        if self._array is None:
             return np.zeros((0, len(self._names)), np.uint64)
-        return np.asarray(self._stored.rows(SEALS, first, stop), np.uint64)
+        return np.asarray(self._stored.part(self._array, SEALS, blocks), np.uint64)
 
     def write(self, block: int, values: Mapping[str, NDArray[Any]]) -> None:
         """Seal a block.
@@ -78,9 +78,9 @@ class Seals:
         Raises:
             Exception: by the store's ``refusal``; names the array.
         """
-        if not self._stored.identity:
+        if self._array is None:
             return
-        found = self.rows(block, block + 1)[0] if row is None else row
+        found = self.rows(slice(block, block + 1))[0] if row is None else row
         for name, each in values.items():
             if found[self._names.index(name)] != self._seal(name, block, each):
                 where = f"{self._stored.path}: {name}: chunk {block}"

@@ -362,7 +362,7 @@ def open_sweep(path: str | os.PathLike[str]) -> Sweep:
     except StudyError as error:
         raise StudyError(f"{error}; run the same sweep again, which computes again what is damaged") from None
     lazy = TRANSFER_FUNCTIONS if about.study_content.get("transfer_functions") else ()
-    attributes = {name: stored.attributes_of(name) for name in (*variables, *lazy)} | {"": stored.attributes}
+    attributes = {name: dict(stored.array(name).attrs) for name in (*variables, *lazy)} | {"": stored.attributes}
     values = {name: each for name, (_, each) in variables.items()}
     make = partial(_dataset, stored, about, variables, lazy, waiting, attributes)
     base = read_stored_design(about.base_design, f"{path}: base design").completed()
@@ -398,13 +398,12 @@ def _cuts(variables: Mapping[str, Any], about: _About) -> range:
 def _check_blocks(stored: CheckedStore, about: _About, variables: Mapping[str, Any], done: set[int]) -> None:
     """Refuse what is missing of the blocks, and what belongs elsewhere; transfer functions wait until they are used."""
     filled = about.filled()
-    count = len(_cuts(variables, about)) + 1
-    for block in range(count):
+    for block in range(len(_cuts(variables, about)) + 1):
         for name, dimensions in filled.items() if block in done else (("state", 1),):
             if not stored.has_chunk(name, block, dimensions):
                 raise StudyError(f"{stored.path}: {name}: chunk {block} is missing")
     seals = Seals(stored, list(filled))
-    rows = seals.rows(0, count)
+    rows = seals.rows(slice(None))
     for block in sorted(done) if stored.identity else ():
         part = slice(block * about.block, (block + 1) * about.block)
         seals.check(block, {name: variables[name][1][part] for name in filled if name in variables}, rows[block])

@@ -226,7 +226,6 @@ COMES_WITH = {
     "lazy_loader": "lazy-loader",
     "skfem": "scikit-fem",
     "OCP": "cadquery",
-    "google_crc32c": "google-crc32c",
     "pydantic_core": "pydantic",
     "vtkmodules": "pyvista",
 }
