@@ -20,12 +20,15 @@ from geometry.air.cells import Cell, cell_catalogue
 from geometry.layout.arrangement import lay_out
 
 FREQUENCY = np.geomspace(DESIGN_BAND[0], CHECKED_UP_TO, 9)
-#: Scales of the meshes that errors are found with, flow and heat: the default begins at 1.2 and 0.96.
-FINE = (0.6, 0.45)
+#: Scales of the meshes that errors are found with, flow and heat: the default begins at 1.1 and 0.96.
+FINE = (0.65, 0.5)
 
 
 def reference(cell: Cell, air: Medium, scales: tuple[float, float] = FINE) -> CondensedBody:
-    """The cell on meshes of these scales, flow and heat: tubes have elements of half a viscous layer by default."""
+    """The cell on meshes of these scales, flow and heat, its tubes meshed as far as the ports.
+
+    Tubes have elements of half a viscous layer by default.
+    """
     solid, (flow, heat) = marked_solid(cell), scales
     sizes = mesh_sizes(flow, cell.smallest_extent, air, CHECKED_UP_TO)[0]
     warm = mesh_sizes(heat, cell.smallest_extent, air, CHECKED_UP_TO)[1]

@@ -13,6 +13,7 @@ import numpy as np
 import scipy.sparse as sp
 from numpy.typing import NDArray
 
+from acoustic_fem.duct.known_bores import known_port_admittance
 from acoustic_fem.fields.diffusion import DiffusionField, diffusion_field, field_coefficients
 from acoustic_fem.fields.helmholtz import pressure_system
 from acoustic_fem.fields.navier_stokes import WallMotion, cell_system, compliance_mass
@@ -21,6 +22,7 @@ from acoustic_fem.quantities.fidelity import Physics
 from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.units import metres
 from geometry.air.mesh import SolidMesh
+from geometry.air.straight_bores import StraightBore
 from geometry.refusal import Refusal
 
 Array = NDArray[np.complex128]
@@ -38,6 +40,8 @@ class BodyFaces:
     """Moving walls, in order."""
     mirror: str | None = None
     """Name of the plane that halves the body, if any."""
+    bores: Sequence[StraightBore] = ()
+    """Straight bores beyond the tube ports, one each where any is given; their far ends are then the ports."""
 
     @property
     def open(self) -> list[str]:
@@ -75,6 +79,8 @@ class CondensedBody:
     """Reduced model of the viscous field; None but for Helmholtz."""
     flow: ReducedModel
     """Reduced model of the flow."""
+    bores: tuple[StraightBore, ...]
+    """Straight bores beyond the tube ports, exact ones: one per port, or none."""
     energies: NDArray[np.float64]
     """Terms that the excitations add to the response themselves, (n_term, m, m) float64."""
     unknowns: int
@@ -98,9 +104,12 @@ class CondensedBody:
         outside = frequency[(frequency < low * (1 - 1e-9)) | (frequency > high * (1 + 1e-9))]
         if outside.size:
             raise Refusal(f"frequency = {outside[0]:g} Hz must be between {low:g} and {high:g} Hz, the band solved")
-        if self.physics == "navier-stokes":
-            return self.copies * _navier_stokes_response(self, frequency)
-        return self.copies * _helmholtz_response(self, frequency)
+        response = _navier_stokes_response if self.physics == "navier-stokes" else _helmholtz_response
+        nodal = self.copies * response(self, frequency)
+        for port, bore in enumerate(self.bores):
+            if bore.length > 0:
+                nodal = _through_bore(nodal, port, bore, frequency, self.medium)
+        return nodal
 
 
 def condense(
@@ -143,6 +152,7 @@ def condense(
         heat.model,
         None if viscous is None else viscous.model,
         flow,
+        tuple(faces.bores),
         energies,
         unknowns,
     )
@@ -276,6 +286,17 @@ def _nodal(y: NDArray, b: NDArray, z: NDArray) -> Array:
     nodal[:, n:, :n] = nodal[:, :n, n:].transpose(0, 2, 1)
     nodal[:, n:, n:] = (inverse + inverse.transpose(0, 2, 1)) / 2
     return nodal
+
+
+def _through_bore(nodal: Array, port: int, bore: StraightBore, frequency: NDArray[np.float64], medium: Medium) -> Array:
+    """The admittance with the port at the far end of a bore."""
+    duct = known_port_admittance(metres(bore.radius), metres(bore.length), frequency, medium)
+    met = nodal[:, port, port] + duct[:, 1, 1]
+    column = nodal[:, :, port].copy()
+    beyond = nodal - column[:, :, None] * column[:, None, :] / met[:, None, None]
+    beyond[:, port, :] = beyond[:, :, port] = -column * (duct[:, 0, 1] / met)[:, None]
+    beyond[:, port, port] = duct[:, 0, 0] - duct[:, 0, 1] ** 2 / met
+    return np.asarray(beyond, dtype=np.complex128)
 
 
 def _storage_factors(frequency: NDArray[np.float64], heat: ReducedModel, medium: Medium) -> Array:

@@ -18,7 +18,7 @@ from acoustic_fem.quantities.medium import Medium
 from geometry.air.cells import Cell
 
 #: Processor time of a cell that is not in the cache, s: array-2x6 at either fidelity, starts of processes included.
-SECONDS_PER_CELL = 13.0
+SECONDS_PER_CELL = 7.0
 
 
 def solve_cells(

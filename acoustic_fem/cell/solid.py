@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from os import PathLike
 from typing import TYPE_CHECKING, TypeAlias
 
@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from acoustic_fem.fields.element_sizes import mesh_sizes
-from acoustic_fem.numerics.refinement import BEST_ORDER, Refinement, refined
+from acoustic_fem.numerics.refinement import BEST_ORDER, FLOW_ORDER, HEAT_ORDER, Refinement, refined
 from acoustic_fem.quantities.checks import frequency_grid, in_range, numbers, port_points
 from acoustic_fem.quantities.fidelity import PHYSICS, Physics
 from acoustic_fem.quantities.medium import Medium
@@ -37,6 +37,8 @@ MOST_FLOW_ELEMENTS = 1e5
 _ACCURACY_RANGE = (2e-4, 3e-3)
 _USUAL_FLOW_SCALE, _USUAL_HEAT_SCALE = 1.0, 0.7
 """Scales (see :func:`mesh_sizes`) that give an accuracy of 1e-3 in most bodies."""
+_BELIEVED = 0.95e-3
+"""Least error of the flow that is believed at its usual scale: where two meshes are nearer than that it is chance."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,6 +57,13 @@ class MarkedSolid:
         from geometry.air.mesh import mesh_solid
 
         return mesh_solid(self.shape, self.points, tuple(self.faces.tubes), sizes, beat)
+
+    def shortened(self) -> MarkedSolid:
+        """The same body, of whose straight bores only the pieces at the mouths are meshed."""
+        from geometry.air.straight_bores import shortened
+
+        short = shortened(self.shape, self.points, self.faces.tubes)
+        return MarkedSolid(short.solid, short.points, replace(self.faces, bores=short.bores))
 
 
 @dataclass(frozen=True)
@@ -88,8 +97,7 @@ class SolvedBody:
     """The body, which answers at any frequency of its band."""
     mesh_error: float
     """Estimated relative error from the meshes, the larger of two: of every admittance, and of their sum, which is the
-    compliance of the air. Each follows from how the answer changed over the last three meshes, each 1.5 times finer
-    than the one before.
+    compliance of the air. Each follows from how the answer changed from a mesh at least 1.5 times coarser.
     """
     convergence: tuple[Refinement, ...]
     """All meshes, in the order solved."""
@@ -130,7 +138,7 @@ def port_admittance(
         Refusal: bad frequencies, ports, fidelity or accuracy, with the value and what is allowed.
         MeshError: the solid cannot be meshed, or a port lies on no flat face.
         LinearSolverError: a solve misses its residual limit.
-        ConvergenceError: three refinements do not reach the accuracy.
+        ConvergenceError: four refinements do not reach the accuracy.
     """
     grid = frequency_grid(np.atleast_1d(numbers("frequency", frequency)))
     solved = solve_solid(solid, ports, (float(grid[0]), float(grid[-1])), medium, fidelity, accuracy, progress)
@@ -201,11 +209,12 @@ def converge(
         report: called with the fraction done.
 
     Raises:
-        ConvergenceError: three refinements do not reach the accuracy.
+        ConvergenceError: four refinements do not reach the accuracy.
     """
     from geometry.air.mesh import MOST_ELEMENTS, refuse_large_mesh
 
     started = time.perf_counter()
+    solid = solid.shortened()
     highest = float(goal.frequencies(air.band)[-1])
     for usual, number, most in ((_USUAL_FLOW_SCALE, 0, MOST_FLOW_ELEMENTS), (_USUAL_HEAT_SCALE, 1, MOST_ELEMENTS)):
         # Coarser meshes come first: what the one that may do costs is known before any of them.
@@ -237,7 +246,8 @@ def _converged_heat(
         )
         return float(np.max(np.abs(fine_factor / coarse_factor - 1)))
 
-    return refined("heat", heat_on, compliance_change, goal.first_scale(_USUAL_HEAT_SCALE), goal.accuracy, report)
+    first = goal.first_scale(_USUAL_HEAT_SCALE)
+    return refined("heat", heat_on, compliance_change, first, goal.accuracy, HEAT_ORDER, report)
 
 
 def _converged_flow(
@@ -255,9 +265,12 @@ def _converged_flow(
         return body, len(mesh.tetrahedra)
 
     first = goal.first_scale(_USUAL_FLOW_SCALE) if goal.scale is None else goal.scale
-    return refined(
-        "flow", flow_on, lambda fine, coarse: _difference(fine, coarse, checked), first, goal.accuracy, report
-    )
+
+    def change(fine: CondensedBody, coarse: CondensedBody) -> float:
+        return _difference(fine, coarse, checked)
+
+    flow, error, meshes = refined("flow", flow_on, change, first, goal.accuracy, FLOW_ORDER, report)
+    return flow, max(error, _BELIEVED * (meshes[-1].scale / _USUAL_FLOW_SCALE) ** BEST_ORDER), meshes
 
 
 def _difference(first: CondensedBody, second: CondensedBody, frequency: NDArray[np.float64]) -> float:

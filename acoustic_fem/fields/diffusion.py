@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 import scipy.sparse as sp
@@ -42,33 +43,33 @@ class DiffusionField:
             frequency: (n_freq,) Hz.
             diffusivity: of viscosity or of heat, m^2/s.
         """
-        integrals = np.einsum("rek,ek->r", self.at_quadrature(), self.basis.dx)
+        integrals = self.integrals.sum(axis=1)
         return field_coefficients(self.model, frequency, diffusivity) @ integrals / self.basis.dx.sum()
+
+    @cached_property
+    def integrals(self) -> NDArray[np.float64]:
+        """Integral of every v_k over each element of its mesh, (r, n_element) float64, mm^3."""
+        return np.einsum("rek,ek->re", self.at_quadrature(), self.basis.dx)
 
     def means_over(self, flow: skfem.CellBasis) -> NDArray[np.float64]:
         """Mean of every v_k over each element of another mesh of the same solid, (r, n_element) float64.
 
-        Each quadrature point of the field's mesh counts for the element of the flow mesh whose quadrature
-        point is nearest: the integral over the whole solid is kept exactly.
+        Each element of the field's mesh counts for the element of the flow mesh whose middle is nearest: the integral
+        over the whole solid is kept exactly, and the pressure that it meets hardly varies over so short a way.
         """
-        element_count, per_element = flow.dx.shape
-        places = np.asarray(flow.global_coordinates()).reshape(3, -1).T
-        points = np.asarray(self.basis.global_coordinates()).reshape(3, -1).T
-        _, nearest = KDTree(places).query(points)
+        _, nearest = KDTree(_middles(flow)).query(_middles(self.basis))
         volume = flow.dx.sum(axis=1)
-        return np.stack(
-            [
-                np.bincount(
-                    nearest // per_element, weights=(at_points * self.basis.dx).ravel(), minlength=element_count
-                )
-                / volume
-                for at_points in self.at_quadrature()
-            ]
-        )
+        return np.stack([np.bincount(nearest, weights=each, minlength=len(volume)) / volume for each in self.integrals])
 
     def at_quadrature(self) -> NDArray[np.float64]:
         """Functions v_k at the quadrature points, (r, n_element, n_quadrature) float64."""
         return np.stack([np.asarray(self.basis.interpolate(function)) for function in self.functions.T])
+
+
+def _middles(basis: skfem.CellBasis) -> NDArray[np.float64]:
+    """Middles of the elements, (n_element, 3) float64, mm."""
+    mesh = basis.mesh
+    return np.asarray(mesh.p[:, mesh.t[:4]].mean(axis=1).T)
 
 
 def diffusion_field(

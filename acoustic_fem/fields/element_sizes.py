@@ -36,9 +36,11 @@ def mesh_sizes(scale: float, width: float, medium: Medium, highest: float) -> tu
     mouth_edge = 0.2 * scale * min(1.0, scale)
     viscous = _layer_thickness(medium.kinematic_viscosity, highest)
     thermal = _layer_thickness(medium.thermal_diffusivity, highest)
+    # What growing elements leave falls with its fourth power: it goes down with the scale as all else does.
+    growth = min(0.5 * scale, 0.8)
     return (
         MeshSizes(
-            mouth_edge=mouth_edge, tube=0.5 * scale, growth=0.35, largest=largest, tube_layer=0.8 * scale * viscous
+            mouth_edge=mouth_edge, tube=0.5 * scale, growth=growth, largest=largest, tube_layer=0.8 * scale * viscous
         ),
         MeshSizes(mouth_edge=scale, tube=0.7 * scale, growth=1.5, largest=largest, wall=1.3 * scale * thermal),
     )

@@ -54,8 +54,8 @@ def laplace(p: Any, q: Any, _: Any) -> Any:
 
 @skfem.LinearForm
 def normal_flux(w: Any, form: Any) -> Any:
-    """Weak form of the flux out of the cell: w . n."""
-    return dot(w, form.n)
+    """Weak form of one component's part of the flux out of the cell: w n_i."""
+    return w * form.n[form.axis]
 
 
 @dataclass(frozen=True)
@@ -141,9 +141,9 @@ def cell_system(
         mirror: name of the plane that halves the cell; ports and moving walls are then halves as well.
     """
     tetrahedra, facets = tetrahedral_mesh(mesh)
-    velocity = skfem.Basis(tetrahedra, skfem.ElementVector(skfem.ElementTetP2()), intorder=4)
-    linear = velocity.with_element(skfem.ElementTetP1())
-    quadratic = velocity.with_element(skfem.ElementTetP2())
+    # Each component of the velocity is a field on the same quadratic elements; they follow one another.
+    quadratic = skfem.Basis(tetrahedra, skfem.ElementTetP2(), intorder=4)
+    linear = quadratic.with_element(skfem.ElementTetP1())
 
     across = {name: mesh.normals[name][:, None] for name in ports}
     if mirror is not None:
@@ -153,9 +153,8 @@ def cell_system(
         quadratic.N,
         dirichlet_nodes(quadratic, facets, [*across]),
         [(quadratic.get_dofs(facets[name]).all(), directions) for name, directions in across.items()],
-        velocity,
     )
-    full_viscous, full_inertia, full_divergence = _full_matrices(velocity, quadratic, linear)
+    full_viscous, full_inertia, full_divergence = _full_matrices(quadratic, linear)
     n_velocity, n_pressure = reduction.shape[1], linear.N
     blank = sp.csr_array((n_pressure, n_pressure))
     viscous = sp.block_diag([reduction.T @ full_viscous @ reduction, blank], format="csr")
@@ -165,13 +164,12 @@ def cell_system(
 
     flux = np.zeros((n_velocity + n_pressure, len(ports)))
     for k, name in enumerate(ports):
-        face = skfem.FacetBasis(tetrahedra, velocity.elem, facets=facets[name], intorder=4)
-        flux[:n_velocity, k] = reduction.T @ normal_flux.assemble(face)
+        flux[:n_velocity, k] = reduction.T @ _flux_through(facets[name], quadratic)
 
-    lift = np.zeros((velocity.N, len(motions)))
+    lift = np.zeros((3 * quadratic.N, len(motions)))
     for k, motion in enumerate(motions):
         resting = [index for name, index in facets.items() if name not in (motion.face, mirror)]
-        lift[:, k] = _wall_motion(velocity, tetrahedra, facets[motion.face], resting, mesh.normals[motion.face], motion)
+        lift[:, k] = _wall_motion(quadratic, facets[motion.face], resting, mesh.normals[motion.face], motion)
     terms = (full_viscous @ lift, full_inertia @ lift)
     zeros = np.zeros((n_pressure, len(motions)))
     motion_terms = (
@@ -193,18 +191,20 @@ def cell_system(
 
 
 def _full_matrices(
-    velocity: skfem.Basis, quadratic: skfem.Basis, linear: skfem.Basis
+    quadratic: skfem.CellBasis, linear: skfem.CellBasis
 ) -> tuple[sp.csr_array, sp.csr_array, sp.csr_array]:
     """Viscous, inertia and divergence of all velocities, those on walls included."""
     # The three components of the velocity share one scalar matrix each.
-    scatter = [_scatter(rows, velocity.N) for rows in _components(velocity, quadratic.N)]
     stiffness, mass = laplace.assemble(quadratic), weighted_mass.assemble(quadratic, weight=np.ones_like(quadratic.dx))
-    viscous, inertia = (sum(s @ block @ s.T for s in scatter) for block in (stiffness, mass))
-    return (
-        viscous,
-        inertia,
-        sum(divergence.assemble(quadratic, linear, axis=axis) @ scatter[axis].T for axis in range(3)),
-    )
+    viscous, inertia = (sp.block_diag([block] * 3, format="csr") for block in (stiffness, mass))
+    parts = [divergence.assemble(quadratic, linear, axis=axis) for axis in range(3)]
+    return sp.csr_array(viscous), sp.csr_array(inertia), sp.csr_array(sp.hstack(parts, format="csr"))
+
+
+def _flux_through(face: NDArray[np.int64], quadratic: skfem.CellBasis) -> NDArray[np.float64]:
+    """Volume velocity out of the cell through facets for each velocity, (3 n_scalar,) float64."""
+    surface = skfem.FacetBasis(quadratic.mesh, quadratic.elem, facets=face, intorder=4)
+    return np.concatenate([normal_flux.assemble(surface, axis=axis) for axis in range(3)])
 
 
 def _vertex_numbers(mesh: SolidMesh) -> NDArray[np.int64]:
@@ -242,10 +242,9 @@ def _velocity_reduction(
     n_scalar: int,
     wall_nodes: NDArray[np.int64],
     guided: Sequence[tuple[NDArray[np.int64], NDArray[np.float64]]],
-    velocity: skfem.CellBasis,
 ) -> sp.csr_array:
     """Map from free velocities to all: none on walls, only the given directions (3, d) on guided nodes."""
-    components = _components(velocity, n_scalar)
+    components = np.arange(3 * n_scalar).reshape(3, -1)
     kind = np.zeros(n_scalar, dtype=np.int64)
     for number, (nodes, _) in enumerate(guided, start=1):
         kind[nodes] = number
@@ -259,45 +258,27 @@ def _velocity_reduction(
             values.append(np.repeat(direction, len(nodes)))
             count += len(nodes)
     matrix = sp.coo_array(
-        (np.concatenate(values), (np.concatenate(rows), np.concatenate(columns))), shape=(velocity.N, count)
+        (np.concatenate(values), (np.concatenate(rows), np.concatenate(columns))), shape=(3 * n_scalar, count)
     )
     matrix.eliminate_zeros()
     return sp.csr_array(matrix)
 
 
-def _components(velocity: skfem.CellBasis, n_scalar: int) -> NDArray[np.int64]:
-    """(3, n_scalar): the vector degree of freedom of each component at each scalar one."""
-    nodal = velocity.nodal_dofs.reshape(3, -1) if velocity.nodal_dofs.shape[0] == 3 else None
-    edge = velocity.edge_dofs
-    if nodal is None or edge.shape[0] != 3 or nodal.shape[1] + edge.shape[1] != n_scalar:
-        raise RuntimeError("unexpected layout of the quadratic vector element")
-    return np.hstack([nodal, edge]).astype(np.int64)
-
-
-def _scatter(rows: NDArray[np.int64], size: int) -> sp.csr_array:
-    """Matrix that puts a scalar field into its rows of a vector field."""
-    count = len(rows)
-    return sp.csr_array((np.ones(count), (rows, np.arange(count))), shape=(size, count))
-
-
 def _wall_motion(
-    velocity: skfem.CellBasis,
-    mesh: skfem.MeshTet2,
+    quadratic: skfem.CellBasis,
     face: NDArray[np.int64],
     resting: Sequence[NDArray[np.int64]],
     normal: NDArray[np.float64],
     motion: WallMotion,
 ) -> NDArray[np.float64]:
     """Velocity of a moving wall, positive into the cell and scaled to a unit integral of its magnitude, mm^2."""
-    scalar = velocity.with_element(skfem.ElementTetP2())
-    on_face = np.unique(scalar.get_dofs(face).all())
-    rim = np.unique(np.concatenate([scalar.get_dofs(index).all() for index in resting]))
-    radius = np.linalg.norm(scalar.doflocs[:, on_face] - np.array(motion.centre)[:, None], axis=0)
+    on_face = np.unique(quadratic.get_dofs(face).all())
+    rim = np.unique(np.concatenate([quadratic.get_dofs(index).all() for index in resting]))
+    radius = np.linalg.norm(quadratic.doflocs[:, on_face] - np.array(motion.centre)[:, None], axis=0)
     shape = np.interp(radius, motion.profile[:, 0], motion.profile[:, 1])
     shape[np.isin(on_face, rim)] = 0.0
-    components = _components(velocity, scalar.N)
-    inwards = np.zeros((velocity.N, 2))
-    for axis in range(3):
-        inwards[components[axis, on_face]] = -normal[axis] * np.column_stack([shape, np.abs(shape)])
-    surface = skfem.FacetBasis(mesh, velocity.elem, facets=face, intorder=4)
-    return inwards[:, 0] / (-normal_flux.assemble(surface) @ inwards[:, 1])
+    inwards = np.zeros((3, quadratic.N, 2))
+    inwards[:, on_face] = -normal[:, None, None] * np.column_stack([shape, np.abs(shape)])
+    flat = inwards.reshape(-1, 2)
+    scaled: NDArray[np.float64] = flat[:, 0] / (-_flux_through(face, quadratic) @ flat[:, 1])
+    return scaled

@@ -25,9 +25,11 @@ from geometry.refusal import Refusal
 #: real where s is real and positive, and are asked for there as well, at f = -j s / (2 pi).
 Coefficients = Callable[[NDArray], NDArray[np.complex128]]
 
-#: Solution and derivatives taken at each shift, and the most shifts.
-_MOMENTS = 4
+#: Solution and derivatives taken at each shift, and the most shifts. A derivative costs a tenth of a factorisation.
+_MOMENTS = 6
 _MOST_SHIFTS = 12
+#: Where the first shifts lie in the band, in parts of its logarithm: three decades need no more.
+_FIRST_SHIFTS = (0.42, 0.92)
 #: Taylor coefficients come from values on a circle around the shift of this radius, relative to it.
 _CIRCLE = 0.5
 _ON_CIRCLE = 32
@@ -132,7 +134,7 @@ def reduce_system(
         return _model(matrices, terms, basis, keep_basis, (lowest,), 0.0, band)
     candidates = np.geomspace(lowest, highest, 61)
     system_at, excitation_at = theta(candidates), phi(candidates)
-    waiting, taken = [0, len(candidates) - 1], list[int]()
+    waiting, taken = [round(part * (len(candidates) - 1)) for part in _FIRST_SHIFTS], list[int]()
     early, last = list[NDArray[np.float64]](), list[NDArray[np.float64]]()
     with SymmetricSolver(pattern) as solver:
         while True:

@@ -14,12 +14,18 @@ from geometry.refusal import Refusal
 #: What is solved on a mesh.
 Solution = TypeVar("Solution")
 
+#: Meshes that are compared differ by this much in size at least.
 _COARSER = 1.5
-#: Orders of convergence believed: 4 is expected along tubes and in layers, 2 at the edges of mouths, where fine meshes
-#: get finer with the square of the scale. What three meshes show is taken between these bounds; coarse ones show
-#: chance. Where there are but two the least is taken.
-_LEAST_ORDER, BEST_ORDER = 2.0, 3.5
-_MOST_REFINEMENTS = 3
+#: Orders of convergence believed of flow and heat: 4 is expected along tubes and in layers, 1 to 2 at the edges of
+#: mouths, and 2.2 to 2.8 and 2.8 to 3.2 is found of whole cells. What two changes of coarse meshes show is chance.
+FLOW_ORDER, HEAT_ORDER = 1.75, 2.5
+#: Order by which the size of the first mesh follows from the accuracy: that of most of the error.
+BEST_ORDER = 3.5
+_MOST_REFINEMENTS = 4
+#: A mesh that misses the accuracy is followed by one that is finer by these factors.
+_NEXT_FINER = (1.15, 1.5)
+#: Part of the accuracy that the next mesh aims at.
+_AIMED_AT = 0.8
 
 
 class ConvergenceError(Refusal):
@@ -37,7 +43,7 @@ class Refinement:
     elements: int
     """Number of tetrahedra."""
     change: float | None
-    """Relative change from a mesh 1.5 times coarser; None for the first."""
+    """Relative change from the last mesh that is at least 1.5 times coarser; None where there is none."""
 
 
 def refined(
@@ -46,6 +52,7 @@ def refined(
     change_between: Callable[[Solution, Solution], float],
     scale: float,
     accuracy: float,
+    order: float,
     report: Callable[[float], None],
 ) -> tuple[Solution, float, list[Refinement]]:
     """Solve on finer and finer meshes until the change says that the error is below the accuracy.
@@ -53,16 +60,17 @@ def refined(
     Args:
         field: what is solved.
         solved_on: scale of the mesh and where to report -> the solution and the number of elements.
-        change_between: a solution and the next coarser one -> relative change.
-        scale: of the first mesh that may do; two are solved before it, each 1.5 times coarser than the next.
+        change_between: a solution and a coarser one -> relative change.
+        scale: of the first mesh that may do; one 1.5 times coarser is solved before it.
         accuracy: relative error aimed at.
+        order: of convergence that is believed, :data:`FLOW_ORDER` or :data:`HEAT_ORDER`.
         report: called with the fraction done, never less than before.
 
     Returns:
         The solution, its estimated error and the meshes.
 
     Raises:
-        ConvergenceError: three refinements of the first mesh that may do are not enough.
+        ConvergenceError: four refinements of the first mesh that may do are not enough.
     """
     from geometry.air.mesh import InvertedElementsError
 
@@ -73,38 +81,31 @@ def refined(
         furthest = max(furthest, begin + (end - begin) * done)
         report(furthest)
 
-    coarser: Solution | None = None
-    changes: list[float] = []
+    solved: list[tuple[float, Solution]] = []
     meshes: list[Refinement] = []
-    failure = ""
-    for step in range(-2, _MOST_REFINEMENTS + 1):
-        finer = scale / _COARSER**step
+    failure, following = "", scale * _COARSER
+    for step in range(-1, _MOST_REFINEMENTS + 1):
+        finer = following
         # How far the meshes take us, were the first that may do good enough.
-        begin, end = {-2: (0.0, 0.1), -1: (0.1, 0.3)}.get(step, (0.3, 0.95))
+        begin, end = (0.0, 0.3) if step < 0 else (0.3, 0.95)
         try:
             solution, elements = solved_on(finer, partial(advance, begin, end))
         except InvertedElementsError as error:
             # Too coarse for the shape: the comparison starts anew with the next one.
-            coarser, changes, failure = None, [], str(error)
+            following, failure = finer / _COARSER, str(error)
             continue
-        if coarser is not None:
-            changes.append(change_between(solution, coarser))
-        meshes.append(Refinement(field, finer, elements, changes[-1] if changes else None))
-        coarser = solution
-        if step < 0 or not changes:
+        coarser = next((each for each in reversed(solved) if each[0] >= (1 - 1e-9) * _COARSER * finer), None)
+        change = None if coarser is None else change_between(solution, coarser[1])
+        meshes.append(Refinement(field, finer, elements, change))
+        solved.append((finer, solution))
+        if coarser is None or change is None:
+            following = finer / _COARSER
             continue
-        error_left = _remaining_error(changes)
+        error_left = change / ((coarser[0] / finer) ** order - 1)
         if error_left <= accuracy:
             report(1.0)
             return solution, error_left, meshes
         failure = f"the mesh error of the {field} is still {error_left:.2g}, above accuracy = {accuracy:g}"
+        wanted = finer * (_AIMED_AT * accuracy / error_left) ** (1 / order)
+        following = float(np.clip(wanted, finer / _NEXT_FINER[1], finer / _NEXT_FINER[0]))
     raise ConvergenceError(f"after {_MOST_REFINEMENTS} refinements {failure}")
-
-
-def _remaining_error(changes: list[float]) -> float:
-    """Error of the finest mesh from the last changes, if they go on to fall as they did (Richardson)."""
-    order = _LEAST_ORDER
-    if len(changes) > 1 and min(changes[-2:]) > 0:
-        shown = np.log(changes[-2] / changes[-1]) / np.log(_COARSER)
-        order = float(np.clip(shown, _LEAST_ORDER, BEST_ORDER))
-    return changes[-1] / (_COARSER**order - 1)

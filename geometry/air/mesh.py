@@ -224,6 +224,8 @@ def _run_gmsh(
         # Fillets and domes: as many elements a turn as a tube has.
         gmsh.option.setNumber("Mesh.MeshSizeFromCurvature", 2 * math.pi / sizes.tube)
         gmsh.option.setNumber("Mesh.MeshSizeMax", sizes.largest)
+        # How exactly sizes are summed along edges: 1e-9, which gmsh takes, is most of the time of a mesh.
+        gmsh.option.setNumber("Mesh.LcIntegrationPrecision", 1e-5)
         gmsh.option.setNumber("Mesh.Algorithm3D", 1)
         # Left off: where gmsh's optimiser of curved elements fails it ends the whole program, and its elastic
         # one takes minutes. The Jacobians are checked instead.
