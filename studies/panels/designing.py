@@ -80,7 +80,9 @@ class DesignState:
         self.replace(self.design.with_values(values), gesture)
 
     def replace(self, design: ArrayDesign, gesture: object = None) -> None:
-        """Put another design in place, as a step that can be taken back."""
+        """Put a design in place, as a step that can be taken back where it is another one."""
+        if design == self.design and design.followers == self.design.followers:
+            return
         if gesture is None or gesture != self._gesture:
             self._undo.append(self.design)
         self._gesture = gesture

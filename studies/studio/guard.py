@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import hmac
 import secrets
-from http.cookies import CookieError, SimpleCookie
 from urllib.parse import parse_qs
 
 from starlette.datastructures import Headers, MutableHeaders
+from starlette.requests import cookie_parser
 from starlette.responses import PlainTextResponse
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
+#: Port that browsers leave out of an address.
+_HTTP = 80
 #: Methods that change nothing: they need no Origin, which browsers leave out there.
 _READING = {"GET", "HEAD"}
 
@@ -29,7 +31,8 @@ class Guard:
         self._key = secrets.token_urlsafe(32)
         self.cookie_name = f"acoustic-fem-studio-{port}"
         names = {host, "127.0.0.1", "localhost", "::1"} if _is_loopback(host) else {host}
-        self._hosts = {f"[{name}]:{port}" if ":" in name else f"{name}:{port}" for name in names}
+        bare = {f"[{name}]" if ":" in name else name for name in names}
+        self._hosts = {f"{name}:{port}" for name in bare} | (bare if port == _HTTP else set())
         self._origins = {f"http://{name}" for name in self._hosts}
 
     def objection(self, scope: Scope) -> str:
@@ -54,11 +57,9 @@ class Guard:
 
     def is_known(self, headers: Headers) -> bool:
         """Whether a request has the cookie."""
-        try:
-            cookie = SimpleCookie(headers.get("cookie", "")).get(self.cookie_name)
-        except CookieError:
-            return False
-        return cookie is not None and hmac.compare_digest(cookie.value.encode(), self._key.encode())
+        # Other programs of this machine set cookies for the same name, and not only such as the standard knows.
+        given = cookie_parser(headers.get("cookie", "")).get(self.cookie_name, "")
+        return hmac.compare_digest(given.encode(), self._key.encode())
 
     @property
     def cookie(self) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import json
 from collections.abc import Mapping
+from shutil import rmtree
 from typing import Any
 
 from geometry.design.array_design import ArrayDesign
@@ -14,6 +15,8 @@ from studies.studio.workplace import Workplace
 
 #: Touches that wait to be computed at once.
 _MOST_TOUCHES = 8
+#: No machine has as many devices.
+_MOST_DEVICES = 10_000
 
 
 class Hearing:
@@ -31,6 +34,7 @@ class Hearing:
         self._count = 0
         self._tasks: set[asyncio.Task[None]] = set()
         self._live: Job | None = None
+        self._listening: asyncio.Task[None] | None = None
         #: Folder of the recognizer that tells kinds of touches and letters, where one was handed in.
         self.recognizer: str | None = None
 
@@ -63,11 +67,13 @@ class Hearing:
             MessageError: no such message.
         """
         device, full_scale = message.get("device"), message.get("full_scale")
-        if not is_number(full_scale) or not (device is None or isinstance(device, int)):
+        if not is_number(full_scale) or not (
+            device is None or (isinstance(device, int) and device in range(_MOST_DEVICES))
+        ):
             raise MessageError("device must be a whole number or null, full_scale a number")
         self.stop()
         self._live = Job("live", revision, design, (device, float(full_scale)))
-        self._begin(self._listened(self._live))
+        self._listening = self._begin(self._listened(self._live, self._listening))
 
     async def cards(self, design: ArrayDesign, revision: int) -> None:
         """Tell the page the sound cards of the machine that the studio runs on."""
@@ -81,10 +87,29 @@ class Hearing:
             self._workplace.stop_apart("live", self._live)
             self._live = None
 
-    def _begin(self, work: Any) -> None:
+    async def end(self, why: str) -> None:
+        """Listen no more, and tell the page why, where it listens."""
+        if self._live is not None:
+            revision = self._live.revision
+            self.stop()
+            await self._say({"type": "failed", "stage": "live", "revision": revision, "message": why})
+
+    def take_recognizer(self, folder: str) -> None:
+        """Tell kinds of touches by the recognizer in a folder, which goes when another one comes."""
+        self.forget()
+        self.recognizer = folder
+
+    def forget(self) -> None:
+        """Remove the recognizer that was handed in."""
+        if self.recognizer is not None:
+            rmtree(self.recognizer, ignore_errors=True)
+            self.recognizer = None
+
+    def _begin(self, work: Any) -> asyncio.Task[None]:
         task = asyncio.create_task(work)
         self._tasks.add(task)
         task.add_done_callback(self._tasks.discard)
+        return task
 
     async def _touched(self, job: Job, kind: str) -> None:
         found = await outcome(job, self._workplace.touch(job.design, kind, job.options, self.recognizer), self._say)
@@ -93,13 +118,22 @@ class Hearing:
             header = {"stage": "touch", "revision": job.revision, "touched": point, "kind": kind}
             await self._send_bytes(packed_signals(header, found))
 
-    async def _listened(self, job: Job) -> None:
+    async def _listened(self, job: Job, before: asyncio.Task[None] | None) -> None:
+        if before is not None:  # a sound card is given back before it is taken again
+            await asyncio.wait([before])
+        if self._live is not job:
+            return
         loop = asyncio.get_running_loop()
+
+        async def say(message: dict[str, Any]) -> None:
+            if self._live is job:  # of what was stopped the page knows
+                await self._say(message)
 
         def tell(line: str) -> None:
             event = {"type": "heard", "revision": job.revision, "event": json.loads(line)}
-            asyncio.run_coroutine_threadsafe(self._say(event), loop)
+            asyncio.run_coroutine_threadsafe(say(event), loop)
 
-        found = await outcome(job, self._workplace.live(job, tell), self._say, "stopped")
-        if found is not None:
-            await self._say({"type": "failed", "stage": "live", "revision": job.revision, "message": "ended"})
+        if await outcome(job, self._workplace.live(job, tell), say) is not None:
+            await say({"type": "failed", "stage": "live", "revision": job.revision, "message": "ended"})
+        if self._live is job:
+            self._live = None

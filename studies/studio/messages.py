@@ -11,6 +11,9 @@ from geometry.refusal import Refusal
 from studies.panels.curves import Curves
 from studies.studio.stage import Job
 
+#: Digits of the longest whole number that is read: any such is a finite number too.
+_DIGITS = 300
+
 
 class MessageError(Refusal):
     """A message that no page of ours sends."""
@@ -26,6 +29,52 @@ def text_of(message: Mapping[str, Any], key: str) -> str:
     if not isinstance(value, str) or len(value) > 300:
         raise MessageError(f"{key} must be a text of at most 300 characters")
     return value
+
+
+def read_message(text: str) -> dict[str, Any]:
+    """A message of a page.
+
+    Raises:
+        MessageError: it is no table of JSON, or holds what no text and no number of ours can be.
+    """
+    try:
+        message = json.loads(text, parse_int=_whole, parse_constant=_no_number)
+        json.dumps(message, ensure_ascii=False).encode()
+    except MessageError:
+        raise
+    except UnicodeEncodeError:
+        raise MessageError("a message must be Unicode") from None
+    except (ValueError, RecursionError):
+        raise MessageError("a message must be JSON") from None
+    if not isinstance(message, dict):
+        raise MessageError("a message must be a table")
+    return message
+
+
+def _whole(text: str) -> int:
+    if len(text) > _DIGITS:
+        raise MessageError(f"a whole number must have at most {_DIGITS} digits")
+    return int(text)
+
+
+def _no_number(name: str) -> None:
+    raise MessageError(f"{name} is no number")
+
+
+def written(message: Mapping[str, Any]) -> str:
+    """A message to a page; a figure that is no number is null, which JSON can hold."""
+    try:
+        return json.dumps(message, separators=(",", ":"), allow_nan=False)
+    except ValueError:
+        return json.dumps(_finite(message), separators=(",", ":"))
+
+
+def _finite(value: Any) -> Any:
+    if isinstance(value, Mapping):
+        return {name: _finite(each) for name, each in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_finite(each) for each in value]
+    return None if isinstance(value, float) and not math.isfinite(value) else value
 
 
 def is_number(value: object) -> TypeGuard[float]:
@@ -66,6 +115,6 @@ def packed(job: Job, curves: Curves) -> bytes:
 
 
 def _framed(header: Mapping[str, Any], values: bytes) -> bytes:
-    text = json.dumps(header, separators=(",", ":")).encode()
+    text = written(header).encode()
     text += b" " * (-len(text) % 4)
     return len(text).to_bytes(4, "little") + text + values

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-import json
+import traceback
+from collections.abc import Awaitable
 from importlib import resources
 from pathlib import Path
 from typing import Any
@@ -23,8 +24,9 @@ from studies.panels.exploring import MOST_DESIGNS, MOST_METRICS, metric_words
 from studies.panels.export_files import EXPORTS
 from studies.panels.points import figure_words
 from studies.studio.guard import Guard, Guarded
-from studies.studio.messages import MessageError, packed_signals
+from studies.studio.messages import MessageError, packed_signals, read_message, written
 from studies.studio.sessions import Sessions
+from studies.studio.stage import MISTAKE
 from studies.studio.workplace import Workplace
 
 #: Largest design file, recording and recognizer that are taken, and largest message of a page, bytes.
@@ -69,10 +71,8 @@ def studio_app(design: ArrayDesign, guard: Guard, workplace: Workplace) -> ASGIA
             text = content.decode("utf-8")
         except UnicodeDecodeError:
             return _refused(f"{name}: is no text in UTF-8", 400)
-        try:
-            return JSONResponse(await workplace.upload(text, name))
-        except Refusal as error:
-            return _refused(str(error), 400)
+        found = await _handed_in(workplace.upload(text, name))
+        return found if isinstance(found, Response) else JSONResponse(found)
 
     async def recording(request: Request) -> Response:
         found = sessions.find(request.query_params.get("session"))
@@ -90,10 +90,10 @@ def studio_app(design: ArrayDesign, guard: Guard, workplace: Workplace) -> ASGIA
         except ValueError:
             return _refused(f"full_scale = {scale[:40]!r} must be a number of pascals", 400)
         revision = found.state.revision
-        try:
-            heard = await workplace.replay(found.state.design, (content, name, full_scale), found.hearing.recognizer)
-        except Refusal as error:
-            return _refused(str(error), 400)
+        asked = (content, name, full_scale)
+        heard = await _handed_in(workplace.replay(found.state.design, asked, found.hearing.recognizer))
+        if isinstance(heard, Response):
+            return heard
         return Response(packed_signals({"stage": "touch", "revision": revision, "touched": None, "kind": name}, heard))
 
     async def recognizer(request: Request) -> Response:
@@ -103,11 +103,10 @@ def studio_app(design: ArrayDesign, guard: Guard, workplace: Workplace) -> ASGIA
         content = await _body(request, MOST_RECOGNIZER)
         if content is None:
             return _refused(f"the recognizer must be at most {MOST_RECOGNIZER // 1024**2} MB", 413)
-        try:
-            said = await workplace.recognizer(content)
-        except Refusal as error:
-            return _refused(str(error), 400)
-        found.hearing.recognizer = said.pop("folder")
+        said = await _handed_in(workplace.recognizer(content))
+        if isinstance(said, Response):
+            return said
+        found.hearing.take_recognizer(said.pop("folder"))
         return JSONResponse(said)
 
     async def session(socket: WebSocket) -> None:
@@ -136,6 +135,19 @@ async def _body(request: Request, most: int) -> bytes | None:
         if len(content) > most:
             return None
     return bytes(content)
+
+
+async def _handed_in(work: Awaitable[Any]) -> Any:
+    """What is made of something that was handed in, or an answer that says why nothing is."""
+    try:
+        return await work
+    except Refusal as error:
+        return _refused(str(error), 400)
+    except OSError as error:  # such as a full disk
+        return _refused(f"what was handed in could not be kept: {error.strerror or error}; the design is kept", 507)
+    except Exception:
+        traceback.print_exc()
+        return _refused(MISTAKE, 500)
 
 
 def _refused(message: str, status: int) -> Response:
@@ -168,12 +180,12 @@ async def _hold(socket: WebSocket, sessions: Sessions) -> None:
     try:
         while True:
             try:
-                message = _read(await socket.receive_text())
+                message = read_message(await _text(socket))
                 if message.get("do") == "ping":
                     await send('{"type":"pong"}')
                 elif session is None:
                     session, new = sessions.enter(message.get("session"), message.get("page"))
-                    await send(json.dumps({"type": "words", **_words(), "new": new}))
+                    await send(written({"type": "words", **_words(), "new": new}))
                     values = message.get("values")
                     if new and isinstance(values, dict):
                         await session.restore_quietly(values, message.get("saved") is True, send)
@@ -181,22 +193,24 @@ async def _hold(socket: WebSocket, sessions: Sessions) -> None:
                 else:
                     await session.take(message)
             except MessageError as error:
-                await send(json.dumps({"type": "error", "message": str(error)}))
-    except (WebSocketDisconnect, KeyError):  # KeyError: bytes where a text was due
+                await send(written({"type": "error", "message": str(error)}))
+            except WebSocketDisconnect:
+                raise
+            except Exception:  # the page would send again and again what ended its link
+                traceback.print_exc()
+                await send(written({"type": "error", "message": MISTAKE}))
+    except WebSocketDisconnect:
         pass
     finally:
         if session is not None:
             session.leave(send)
 
 
-def _read(text: str) -> dict[str, Any]:
+async def _text(socket: WebSocket) -> str:
     try:
-        message = json.loads(text)
-    except (ValueError, RecursionError):
-        raise MessageError("a message must be JSON") from None
-    if not isinstance(message, dict):
-        raise MessageError("a message must be a table")
-    return message
+        return await socket.receive_text()
+    except KeyError:
+        raise MessageError("a message must be a text") from None
 
 
 def _words() -> dict[str, Any]:

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import os
+import signal
 import socket
+import threading
 import webbrowser
 from collections.abc import Callable
 from ipaddress import ip_address
@@ -19,6 +21,10 @@ LEAST_TOKEN = 16
 _THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
 
 
+def _say(line: str) -> None:
+    print(line, flush=True)  # the address is waited for, also behind a pipe
+
+
 def serve_studio(
     design: ArrayDesign,
     *,
@@ -26,7 +32,7 @@ def serve_studio(
     host: str = "127.0.0.1",
     token: str | None = None,
     browser: bool = True,
-    tell: Callable[[str], None] = print,
+    tell: Callable[[str], None] = _say,
 ) -> None:
     """Serve the studio until it is interrupted.
 
@@ -70,6 +76,9 @@ def serve_studio(
         ws_ping_timeout=20,
         timeout_graceful_shutdown=2,
     )
+    if threading.current_thread() is threading.main_thread():
+        # The server hands the signal on when it has ended: then what was written is still to be removed.
+        signal.signal(signal.SIGTERM, _end)
     try:
         with threadpool_limits(1):
             workplace.warm_up(design)
@@ -83,6 +92,10 @@ def serve_studio(
     finally:
         workplace.close()
         listening.close()
+
+
+def _end(number: int, frame: object) -> None:
+    raise SystemExit(128 + number)
 
 
 def _check(host: str, token: str | None) -> None:

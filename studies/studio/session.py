@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import asyncio
-import json
 import secrets
 from collections.abc import Awaitable, Callable, Mapping
 from pathlib import Path
+from time import monotonic
 from typing import Any
 
-from geometry.design.array_design import ArrayDesign
+from geometry.design.array_design import ArrayDesign, validated
 from geometry.design.design_file import prototype, write_design
 from geometry.refusal import Refusal
 from studies.panels.comparing import comparison
@@ -19,7 +19,7 @@ from studies.panels.export_files import EXPORTS
 from studies.panels.form import addable_tables, flat_values, form_of, removable_tables, stated_values
 from studies.studio.exploration import Exploration, file_of
 from studies.studio.hearing import Hearing
-from studies.studio.messages import MessageError, packed, text_of
+from studies.studio.messages import MessageError, packed, text_of, written
 from studies.studio.stage import Job, Stage, outcome, progress, teller
 from studies.studio.workplace import Workplace
 
@@ -51,6 +51,9 @@ class Session:
         self._quantity = "level"
         self._wanted: set[str] = set()
         self._send: Send | None = None
+        #: When its page went, s; before one has come, when it was made.
+        self.left = monotonic()
+        self._untold: dict[str, Any] | None = None
         self._exporting: asyncio.Task[None] | None = None
         self._export_job: Job | None = None
         self.hearing = Hearing(workplace, self._say)
@@ -71,14 +74,18 @@ class Session:
         self._send = send
         await self._tell_design(whole=True)
         self._ask_all()
+        await self._tell_pinned()
         await self.exploration.tell_again()
+        if self._untold is not None:
+            untold, self._untold = self._untold, None
+            await self._say(untold)
 
     async def restore_quietly(self, values: dict[str, Any], saved: bool, send: Send) -> None:
         """Take up the design that a page kept while there was no studio, or say why not."""
         try:
             self.state.restore(values, "the design that the page kept")
         except Refusal as error:
-            await send(json.dumps({"type": "refused-design", "message": str(error)}))
+            await send(written({"type": "refused-design", "message": str(error)}))
             return
         if saved:
             self.state.mark_saved()
@@ -86,10 +93,20 @@ class Session:
     def leave(self, send: Send) -> None:
         """The page is gone; its design stays."""
         if self._send == send:
-            self._send = None
+            self._send, self.left = None, monotonic()
             self.hearing.stop()
             for stage in self._stages.values():
                 stage.cancel()
+
+    def end(self) -> None:
+        """Nobody comes back: what is still done for the page is stopped, and its files are removed."""
+        self.exploration.stop()
+        if self._export_job is not None:
+            self._workplace.stop_apart("export", self._export_job)
+        for path, _ in self.files.values():
+            self._workplace.remove(path)
+        self.files.clear()
+        self.hearing.forget()
 
     async def take(self, message: Mapping[str, Any]) -> None:
         """Do what the page asks for.
@@ -111,7 +128,7 @@ class Session:
             self.state.set_values({name: value}, message.get("gesture"))
         except Refusal as error:
             refused = refusal_of(before, name, value, error)
-            await self._say({"type": "refused", **refused.__dict__, "value": value})
+            await self._say({"type": "refused", **refused.__dict__})
             return
         await self._changed()
 
@@ -149,6 +166,7 @@ class Session:
 
     async def _changed(self, whole: bool = False) -> None:
         await self._tell_design(whole)
+        await self.hearing.end("the design was changed: press Live to listen with it")
         self._ask_all()
 
     async def _tell_design(self, whole: bool) -> None:
@@ -186,7 +204,7 @@ class Session:
         if quantity != self._quantity:
             self._quantity = quantity
             self._ask("curves")
-            self._ask_pinned()
+            self._ask_pinned_curves()
         for name in fresh:
             self._ask(name)
 
@@ -199,7 +217,15 @@ class Session:
         options = (self._quantity,) if name == "curves" else ()
         self._stages[name].ask(Job(name, self.state.revision, self.state.design, options))
 
-    def _ask_pinned(self) -> None:
+    async def _tell_pinned(self) -> None:
+        """All of the pinned design: its page keeps it, as it does its own, for a studio that is started again."""
+        stated = None if self.pinned is None else stated_values(self.pinned)
+        await self._say({"type": "pinned", "stated": stated})
+        self._ask_pinned_curves()
+        if self.pinned is not None:
+            self._stages["pinned_points"].ask(Job("pinned_points", self.state.revision, self.pinned))
+
+    def _ask_pinned_curves(self) -> None:
         if self.pinned is not None:
             self._stages["pinned"].ask(Job("pinned", self.state.revision, self.pinned, (self._quantity,)))
 
@@ -225,17 +251,23 @@ class Session:
         elif name == "study":
             self.exploration.stop()
         elif name == "live":
-            self.hearing.stop()
+            await self.hearing.end("stopped")
         elif name in STAGES:
             self._stages[name].cancel()
 
     # -- two designs --------------------------------------------------------------------------------
     async def _pin(self, message: Mapping[str, Any]) -> None:
-        self.pinned = self.state.design if message.get("on") is True else None
+        values = message.get("values")  # of the design that a page had pinned when there was no studio
+        if isinstance(values, dict):
+            try:
+                self.pinned = validated(values, "the pinned design that the page kept")
+            except Refusal as error:
+                await self._say({"type": "refused-design", "message": str(error)})
+                return
+        else:
+            self.pinned = self.state.design if message.get("on") is True else None
         await self._tell_comparison()
-        self._ask_pinned()
-        if self.pinned is not None:
-            self._stages["pinned_points"].ask(Job("pinned_points", self.state.revision, self.pinned))
+        await self._tell_pinned()
 
     async def _tell_comparison(self) -> None:
         if self.pinned is None:
@@ -269,7 +301,7 @@ class Session:
             return
         path = await outcome(job, self._study_file(design, message), self._say)
         if path is not None:
-            await self._hand_out(path, _download_name(design, path.name))
+            await self._hand_out(path, f"{design.name}-{path.name}")
 
     async def _study_file(self, design: ArrayDesign, message: Mapping[str, Any]) -> Path:
         return await self._workplace.study_file(design, file_of(design, message))
@@ -287,6 +319,9 @@ class Session:
         name, fidelity = text_of(message, "name"), message.get("fidelity", "lumped")
         if name not in EXPORTS:
             raise MessageError(f"export = {name[:40]!r} must be one of: {', '.join(EXPORTS)}")
+        if name == "design.toml":
+            await self._save()
+            return
         if self._exporting is not None and not self._exporting.done():
             await self._say(
                 {"type": "refused-export", "message": "one file at a time: stop the one that is made first"}
@@ -296,33 +331,37 @@ class Session:
         self._export_job = job
         self._exporting = asyncio.create_task(self._make(job))
 
+    async def _save(self) -> None:
+        job = Job("save", self.state.revision, self.state.design)
+        path = await outcome(job, self._workplace.save(job.design), self._say)
+        if path is None:
+            return
+        if self.state.design is job.design:
+            self.state.mark_saved()
+            await self._tell_design(whole=False)
+        await self._hand_out(path, f"{job.design.name}.toml")
+
     async def _make(self, job: Job) -> None:
         name, fidelity = job.options
         await progress(job, "begins", self._say)
         work = self._workplace.export(job.design, name, fidelity, teller(job, self._say), job)
         path = await outcome(job, work, self._say, "stopped")
-        if path is None:
-            return
-        if name == "design.toml" and self.state.design is job.design:
-            self.state.mark_saved()
-            await self._tell_design(whole=False)
-        await self._hand_out(path, _download_name(job.design, name))
+        if path is not None:
+            await self._hand_out(path, f"{job.design.name}-{name}", "export")
 
-    async def _hand_out(self, path: Path, name: str) -> None:
+    async def _hand_out(self, path: Path, name: str, stage: str = "") -> None:
         key = secrets.token_urlsafe(16)
         self.files[key] = (path, name)
         for old in [*self.files][:-MOST_FILES]:
             self._workplace.remove(self.files.pop(old)[0])
-        await self._say({"type": "file", "name": name, "file": f"/files/{self.id}/{key}"})
+        told = {"type": "file", "stage": stage, "name": name, "file": f"/files/{self.id}/{key}"}
+        if self._send is None:  # its page comes back: a report takes minutes
+            self._untold = told
+        await self._say(told)
 
     async def _say(self, message: dict[str, Any] | bytes) -> None:
         if self._send is not None:
-            await self._send(message if isinstance(message, bytes) else json.dumps(message, separators=(",", ":")))
-
-
-def _download_name(design: ArrayDesign, name: str) -> str:
-    """Name of a file for whoever keeps several designs; names of designs are safe in file names."""
-    return f"{design.name}.toml" if name == "design.toml" else f"{design.name}-{name}"
+            await self._send(message if isinstance(message, bytes) else written(message))
 
 
 _ACTIONS: dict[str, Callable[[Session, Mapping[str, Any]], Awaitable[None]]] = {

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import OrderedDict
 from typing import Any
 
 from geometry.design.array_design import ArrayDesign
@@ -23,7 +22,7 @@ class Sessions:
 
     def __init__(self, design: ArrayDesign, workplace: Workplace) -> None:
         self._design, self._workplace = design, workplace
-        self._known: OrderedDict[str, Session] = OrderedDict()
+        self._known: dict[str, Session] = {}
 
     def __len__(self) -> int:
         return len(self._known)
@@ -43,13 +42,12 @@ class Sessions:
         """
         found = self.find(name)
         if found is not None and (not found.is_open or (isinstance(page, str) and page == found.page)):
-            self._known.move_to_end(found.id)
             found.page = page
             return found, False
         session = Session(self._design if found is None else found.state.design, self._workplace)
         session.page = page
         self._known[session.id] = session
-        for old in [each for each in self._known.values() if not each.is_open and each is not session]:
-            if len(self._known) > MOST_SESSIONS:
-                del self._known[old.id]
+        for old in sorted((each for each in self._known.values() if not each.is_open), key=lambda each: each.left):
+            if len(self._known) > MOST_SESSIONS and old is not session:
+                self._known.pop(old.id).end()
         return session, True

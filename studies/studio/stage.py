@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import traceback
 from collections.abc import Awaitable, Callable, Coroutine
 from dataclasses import dataclass
 from typing import Any
@@ -14,7 +15,7 @@ from studies.studio.workshop import Stopped
 #: Tells the page a message.
 Say = Callable[[dict[str, Any]], Coroutine[Any, Any, None]]
 #: What a page is told where nothing was foreseen.
-_MISTAKE = "this is a mistake of the program; the studio's terminal says where"
+MISTAKE = "this is a mistake of the program; the studio's terminal says where"
 
 
 @dataclass(frozen=True, eq=False)
@@ -75,6 +76,8 @@ class Stage:
             self._running = job
             try:
                 await self._do(job)
+            except Exception:  # a mistake of ours, which the page was told: the next job is done all the same
+                traceback.print_exc()
             finally:
                 self._running = None
 
@@ -100,7 +103,7 @@ async def outcome(job: Job, work: Awaitable[Any], say: Say, stopped: str = "") -
     except OSError as error:  # such as a full disk
         message = f"{error.filename or job.stage}: {error.strerror or error}; the design is kept"
     except Exception:
-        await say({"type": "failed", "stage": job.stage, "revision": job.revision, "message": _MISTAKE})
+        await say({"type": "failed", "stage": job.stage, "revision": job.revision, "message": MISTAKE})
         raise
     if message:
         await say({"type": "failed", "stage": job.stage, "revision": job.revision, "message": message})

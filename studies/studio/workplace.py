@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 import gc
 from collections.abc import Callable, Iterator
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import contextmanager
 from pathlib import Path
 from shutil import rmtree
@@ -31,6 +31,8 @@ if TYPE_CHECKING:
     from geometry.design.array_design import ArrayDesign
     from studies.studio.stage import Job
 
+#: What a page is told whose file or study begins when that of another page is done.
+WAITING = "waiting for that of another page"
 #: Libraries and results of each stage that are kept, and models in three dimensions, which are larger.
 MOST_KEPT, MOST_MODELS = 64, 12
 
@@ -45,7 +47,7 @@ class Workplace:
         # One thread a stage: a slow one delays no other, and none works on two designs at once.
         self._threads = {
             name: ThreadPoolExecutor(1, f"studio-{name}")
-            for name in ("curves", "points", "mis_made", "cad", "export", "live", "study", "touch")
+            for name in ("curves", "points", "mis_made", "cad", "save", "export", "live", "study", "touch")
         }
         self.workshop = Workshop(_warm_up)
         self._listening = Workshop(_import_decoder, "the process that listens", aside=False)
@@ -56,6 +58,7 @@ class Workplace:
         self._models: Kept[dict[str, Any]] = Kept(MOST_MODELS)
         self._folder = TemporaryDirectory(prefix="acoustic-fem-studio-")
         self._apart: dict[str, Workshop] = {}
+        self._queued: dict[object, Future[Any]] = {}
 
     def warm_up(self, design: ArrayDesign) -> None:
         """Import and solve once what the first change would otherwise wait for; returns at once."""
@@ -121,8 +124,8 @@ class Workplace:
         return None if found is None else found["glb"]
 
     async def upload(self, text: str, name: str) -> dict[str, Any]:
-        """What a design file states that somebody handed in."""
-        return await self.in_thread("cad", lambda: self.workshop.run(read_upload, (text, name)))
+        """What a design file states that somebody handed in; it waits for no check of a design."""
+        return await self.in_thread("touch", lambda: self._listening.run(read_upload, (text, name)))
 
     async def touch(
         self, design: ArrayDesign, kind: str, options: tuple[Any, ...], recognizer: str | None
@@ -146,8 +149,13 @@ class Workplace:
 
     async def recognizer(self, content: bytes) -> dict[str, Any]:
         """A recognizer that somebody handed in, kept in a folder of its own."""
-        folder = mkdtemp(dir=self._folder.name)
-        return await self.in_thread("touch", lambda: self._listening.run(keep_recognizer, (content, folder)))
+
+        def work() -> dict[str, Any]:
+            with self._place() as place:
+                found: dict[str, Any] = self._listening.run(keep_recognizer, (content, str(place)))
+                return found
+
+        return await self.in_thread("touch", work)
 
     async def sound_cards(self) -> list[dict[str, Any]]:
         """Sound cards of this machine."""
@@ -163,7 +171,7 @@ class Workplace:
 
         if "live" in self._apart:
             raise Refusal("another page is listening to a sound card: stop it first")
-        return await self.in_thread("live", work)
+        return await self._in_turn("live", work, job)
 
     async def replay(
         self, design: ArrayDesign, options: tuple[bytes, str, float], recognizer: str | None
@@ -177,13 +185,21 @@ class Workplace:
         """One file of a design, made in a process of its own, one after the other."""
 
         def work() -> Path:
-            place = mkdtemp(dir=self._folder.name)
-            if name == "design.toml":  # at once, and not worth a process
-                return Path(make_export(design, name, place, fidelity))
-            with self._workshop("export", "the process that makes files") as workshop:
-                return Path(workshop.run(make_export, (design, name, place, fidelity), tell, task))
+            with self._place() as place, self._workshop("export", "the process that makes files") as workshop:
+                return Path(workshop.run(make_export, (design, name, str(place), fidelity), tell, task))
 
-        return await self.in_thread("export", work)
+        if "export" in self._apart:
+            tell(WAITING)
+        return await self._in_turn("export", work, task)
+
+    async def save(self, design: ArrayDesign) -> Path:
+        """The design file, which waits for no other file."""
+
+        def work() -> Path:
+            with self._place() as place:
+                return Path(make_export(design, "design.toml", str(place), "lumped"))
+
+        return await self.in_thread("save", work)
 
     async def study(self, design: ArrayDesign, text: str, tell: Callable[[str], None], task: object) -> FoundDesigns:
         """What a study found, run in a process of its own, one after the other; stopped, what it has found so far."""
@@ -196,17 +212,20 @@ class Workplace:
                     found = workshop.run(study_so_far, (design, text))
                 return found
 
-        return await self.in_thread("study", work)
+        if "study" in self._apart:
+            tell(WAITING)
+        return await self._in_turn("study", work, task)
 
     async def study_file(self, design: ArrayDesign, text: str) -> Path:
         """A study file and its base, to be handed out."""
 
         def work() -> Path:
-            path = Path(mkdtemp(dir=self._folder.name)) / "study.zip"
-            write_study(design, text, path)
-            return path
+            with self._place() as place:
+                path = place / "study.zip"
+                write_study(design, text, path)
+                return path
 
-        return await self.in_thread("export", work)
+        return await self.in_thread("save", work)
 
     def remove(self, path: Path) -> None:
         """Remove a file that was made here, with what lies beside it."""
@@ -218,18 +237,18 @@ class Workplace:
         self._predicting.stop(task)
 
     def stop_apart(self, name: str, task: object) -> None:
-        """Say that a file ("export") or a study ("study") is not wanted any more."""
+        """Say that a file ("export"), a study ("study") or listening ("live") is not wanted any more."""
+        queued = self._queued.get(task)
+        if queued is not None and queued.cancel():
+            return
         workshop = self._apart.get(name)
         if workshop is not None:
             workshop.stop(task, at_once=True)
 
     def close(self) -> None:
         """End threads and processes, and remove what was written."""
-        self.workshop.close()
-        self._listening.close()
-        self._predicting.close()
-        for workshop in list(self._apart.values()):
-            workshop.close()
+        for workshop in (self.workshop, self._listening, self._predicting, *self._apart.values()):
+            workshop.end()
         for threads in self._threads.values():
             threads.shutdown(wait=False, cancel_futures=True)
         self._folder.cleanup()
@@ -237,6 +256,32 @@ class Workplace:
     async def in_thread(self, name: str, work: Callable[[], Any]) -> Any:
         """What some work returns, done in the thread of a stage."""
         return await asyncio.get_running_loop().run_in_executor(self._threads[name], work)
+
+    async def _in_turn(self, name: str, work: Callable[[], Any], task: object) -> Any:
+        """As :meth:`in_thread`, of work that may be stopped also while it waits.
+
+        Raises:
+            Stopped: it was.
+        """
+        future = self._queued[task] = self._threads[name].submit(work)
+        try:
+            return await asyncio.wrap_future(future)
+        except asyncio.CancelledError:
+            if future.cancelled():
+                raise Stopped("stopped") from None
+            raise
+        finally:
+            del self._queued[task]
+
+    @contextmanager
+    def _place(self) -> Iterator[Path]:
+        """A folder for what is written; it goes again where that fails."""
+        place = Path(mkdtemp(dir=self._folder.name))
+        try:
+            yield place
+        except BaseException:
+            rmtree(place, ignore_errors=True)
+            raise
 
     @contextmanager
     def _workshop(self, name: str, title: str) -> Iterator[Workshop]:

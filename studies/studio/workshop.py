@@ -7,6 +7,7 @@ import multiprocessing
 import os
 import signal
 import threading
+from collections import deque
 from collections.abc import Callable, Sequence
 from multiprocessing.connection import Connection
 from typing import Any
@@ -15,6 +16,8 @@ from geometry.refusal import Refusal
 
 #: Seconds that a process gets to end when it is told to.
 _PATIENCE = 2.0
+#: Stopped tasks that are remembered: one may still wait for its turn.
+_REMEMBERED = 64
 #: By how much a process that works aside is nicer than the server.
 _ASIDE = 10
 
@@ -41,15 +44,24 @@ class Workshop:
     ) -> None:
         self._warm_up, self._name, self._aside = warm_up, name, aside
         self._turn = threading.Lock()  # one task at a time
+        self._sending = threading.Lock()  # one message at a time
         self._change = threading.Lock()  # of what follows
         self._process: multiprocessing.process.BaseProcess | None = None
         self._connection: Connection | None = None
+        self._is_over = False
         self._busy: object = None
-        self._stopped: object = None
+        self._number = 0  # of the task: a stop that comes late is not meant for the next one
+        self._stopped: deque[object] = deque(maxlen=_REMEMBERED)
 
     def start(self) -> None:
-        """Start the process, where it does not run."""
+        """Start the process, where it does not run.
+
+        Raises:
+            Stopped: there is none any more.
+        """
         with self._change:
+            if self._is_over:
+                raise Stopped("the studio ends")
             if self._process is not None and self._process.is_alive():
                 return
             context = multiprocessing.get_context("spawn")
@@ -78,16 +90,17 @@ class Workshop:
             Stopped: it was stopped.
         """
         with self._turn:
-            if task is not None and task is self._stopped:
-                raise Stopped("stopped")
-            self._busy = task
+            with self._change:
+                self._busy, self._number = task, self._number + 1
             try:
+                if self._is_stopped(task):
+                    raise Stopped("stopped")
                 self.start()
-                return self._answer(work, arguments, tell)
+                return self._answer(work, arguments, tell, task)
             except Stopped:
                 raise
             except (EOFError, OSError, RuntimeError) as error:
-                if task is not None and task is self._stopped:  # whatever broke, it was told to end
+                if self._is_stopped(task):  # whatever broke, it was told to end
                     self.close()
                     raise Stopped("stopped") from None
                 if isinstance(error, RuntimeError):
@@ -97,12 +110,22 @@ class Workshop:
                     f"{self._name} ended without an answer; it is started again, the design is kept"
                 ) from None
             finally:
-                self._busy = None
+                with self._change:
+                    self._busy = None
 
-    def _answer(self, work: Callable[..., Any], arguments: Sequence[Any], tell: Callable[[str], None] | None) -> Any:
+    def _is_stopped(self, task: object) -> bool:
+        return task is not None and any(each is task for each in [*self._stopped])
+
+    def _answer(
+        self, work: Callable[..., Any], arguments: Sequence[Any], tell: Callable[[str], None] | None, task: object
+    ) -> Any:
         connection = self._connection
         assert connection is not None
-        connection.send((work, tuple(arguments), tell is not None))
+        with self._sending:
+            connection.send((self._number, work, tuple(arguments), tell is not None))
+        if self._is_stopped(task):  # whoever stopped it meanwhile could not say so
+            with self._sending:
+                connection.send((self._number, "stop"))
         while True:
             kind, value = connection.recv()
             if kind == "told" and tell is not None:
@@ -118,16 +141,24 @@ class Workshop:
 
     def stop(self, task: object, at_once: bool = False) -> None:
         """Say that a task is not wanted any more: it ends when it next tells something, or at once with its process."""
-        self._stopped = task
         with self._change:
+            self._stopped.append(task)
             if self._busy is task and self._connection is not None:
-                with contextlib.suppress(OSError):
-                    self._connection.send("stop")
+                if self._sending.acquire(blocking=False):  # else the task itself is being sent
+                    with contextlib.suppress(OSError):
+                        self._connection.send((self._number, "stop"))
+                    self._sending.release()
                 if at_once and self._process is not None:
                     self._process.terminate()  # it may have processes and folders of its own to clear away
                     killed = threading.Timer(_PATIENCE, self._process.kill)
                     killed.daemon = True
                     killed.start()
+
+    def end(self) -> None:
+        """End the process for good: who was about to start it does not."""
+        with self._change:
+            self._is_over = True
+        self.close()
 
     def close(self) -> None:
         """End the process."""
@@ -161,17 +192,17 @@ def _work(connection: Connection, warm_up: Callable[[], None] | None, aside: boo
         warm_up()
 
     def tell(line: str) -> None:
-        if connection.poll():
-            connection.recv()
-            raise _Stop
+        while connection.poll():
+            if connection.recv() == (number, "stop"):
+                raise _Stop
         connection.send(("told", line))
 
     while True:
         try:
-            task = connection.recv()
+            number, *task = connection.recv()
         except (EOFError, OSError):
             return
-        if task == "stop":  # came when all was done
+        if task == ["stop"]:  # came when all was done
             continue
         work, arguments, tells = task
         try:

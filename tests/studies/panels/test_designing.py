@@ -107,3 +107,9 @@ def test_the_mend_of_a_rule_between_fields_is_valid_and_near_the_bound() -> None
 def test_designs_have_one_key_where_they_are_equal() -> None:
     assert design_key(ARRAY) == design_key(prototype("array-2x6"))
     assert design_key(ARRAY) != design_key(ARRAY.with_values({"tube.length": 12.6}))
+
+
+def test_a_value_that_is_there_already_is_no_step() -> None:
+    state = DesignState(ARRAY)
+    state.set_values({"tube.length": ARRAY.tube.length})
+    assert (state.can_undo, state.revision) == (False, 0)

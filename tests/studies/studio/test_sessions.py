@@ -5,7 +5,10 @@ from __future__ import annotations
 import asyncio
 import json
 import struct
-from collections.abc import Callable
+import threading
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -156,6 +159,188 @@ def test_while_a_job_runs_of_those_asked_for_the_last_alone_is_done() -> None:
     asyncio.run(play())
     assert done == [0, 4]
     assert superseded == [0, 0, 0, 0]
+
+
+def test_a_job_that_fails_takes_none_of_those_that_wait_with_it() -> None:
+    done: list[int] = []
+
+    async def play() -> None:
+        gate = asyncio.Event()
+
+        async def do(job: Job) -> None:
+            await gate.wait()
+            if job.revision == 0:
+                raise RuntimeError("a mistake")
+            done.append(job.revision)
+
+        stage = Stage(do)
+        for revision in range(2):
+            stage.ask(Job("curves", revision, ARRAY))
+            await asyncio.sleep(0)
+        gate.set()
+        for _ in range(5):
+            await asyncio.sleep(0)
+
+    asyncio.run(play())
+    assert done == [1]
+
+
+class Busy:
+    """A process that works on one file until it is let go."""
+
+    def __init__(self) -> None:
+        self.begun, self.go_on = threading.Event(), threading.Event()
+        self.done: list[str] = []
+
+    def run(self, work: Any, arguments: Any, tell: Any = None, task: Any = None) -> str:
+        self.begun.set()
+        assert self.go_on.wait(60)
+        self.done.append(arguments[1])
+        return str(Path(arguments[2]) / arguments[1])
+
+    def stop(self, task: object, at_once: bool = False) -> None:
+        raise AssertionError("the file of another page is stopped")
+
+
+@pytest.fixture
+def busy(workplace: Workplace, monkeypatch: pytest.MonkeyPatch) -> Iterator[Busy]:
+    found = Busy()
+
+    @contextmanager
+    def process(name: str, title: str) -> Iterator[Any]:
+        workplace._apart[name] = found  # type: ignore[assignment]
+        yield found
+        del workplace._apart[name]
+
+    monkeypatch.setattr(workplace, "_workshop", process)
+    yield found
+    found.go_on.set()
+
+
+def test_a_file_that_waits_for_that_of_another_page_is_stopped_alone(workplace: Workplace, busy: Busy) -> None:
+    async def play() -> None:
+        pages = [Page(), Page()]
+        sessions = [Session(ARRAY, workplace) for _ in pages]
+        for page, session in zip(pages, sessions, strict=True):
+            await session.join(page.send)
+        await sessions[0].take({"do": "export", "name": "report.html"})
+        await asyncio.to_thread(busy.begun.wait, 60)
+        await sessions[1].take({"do": "export", "name": "parts.zip"})
+        while not any("waiting" in each.get("line", "") for each in pages[1].texts):
+            await asyncio.sleep(0.005)
+        await sessions[1].take({"do": "stop", "stage": "export"})
+        assert (await pages[1].until("failed"))["message"] == "stopped"
+        busy.go_on.set()
+        assert (await pages[0].until("file"))["name"] == "array-2x6-report.html"
+
+    asyncio.run(play())
+    assert busy.done == ["report.html"]
+
+
+def test_a_design_is_saved_while_another_file_is_made(workplace: Workplace, busy: Busy) -> None:
+    async def play() -> None:
+        page, session = Page(), Session(ARRAY, workplace)
+        await session.join(page.send)
+        await session.take({"do": "set", "name": "tube.length", "value": 14.0})
+        await session.take({"do": "export", "name": "report.html"})
+        await asyncio.to_thread(busy.begun.wait, 60)
+        await session.take({"do": "export", "name": "design.toml"})
+        assert (await page.until("file"))["name"] == "array-2x6.toml"
+        assert not session.state.unsaved
+        page.texts.clear()
+        session.leave(page.send)  # the link is cut while the report is made
+        busy.go_on.set()
+        while not busy.done or session._exporting is None or not session._exporting.done():
+            await asyncio.sleep(0.005)
+        assert page.texts == []
+        await session.join(page.send)
+        assert (await page.until("file"))["name"] == "array-2x6-report.html"
+
+    asyncio.run(play())
+
+
+def test_a_sound_card_is_given_back_before_another_is_taken(
+    workplace: Workplace, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    taken: list[str] = []
+
+    async def live(job: Job, tell: Callable[[str], None]) -> dict[str, Any]:
+        taken.append(f"take {job.options[0]}")
+        while job not in stopped:
+            await asyncio.sleep(0.005)
+        await asyncio.sleep(0.02)  # a process takes its time to end
+        taken.append(f"give {job.options[0]}")
+        raise Stopped("stopped")
+
+    stopped: list[object] = []
+    monkeypatch.setattr(workplace, "live", live)
+    monkeypatch.setattr(workplace, "stop_apart", lambda name, task: stopped.append(task))
+
+    async def play() -> None:
+        page, session = Page(), Session(ARRAY, workplace)
+        await session.join(page.send)
+        for device in (1, 2):
+            await session.take({"do": "listen", "device": device, "full_scale": 20})
+            while f"take {device}" not in taken:
+                await asyncio.sleep(0.005)
+        assert taken == ["take 1", "give 1", "take 2"]
+        assert not [each for each in page.texts if each["type"] == "failed"]
+        await session.take({"do": "set", "name": "tube.length", "value": 14.0})
+        assert "the design was changed" in (await page.until("failed"))["message"]
+        while "give 2" not in taken:
+            await asyncio.sleep(0.005)
+
+    asyncio.run(play())
+
+
+def test_a_page_that_comes_back_is_told_the_pinned_design_and_its_figures_again(workplace: Workplace) -> None:
+    async def play() -> None:
+        page, session = Page(), Session(ARRAY, workplace)
+        await session.join(page.send)
+        await session.take({"do": "pin", "on": True})
+        kept = (await page.until("pinned"))["stated"]
+        await session.take({"do": "set", "name": "tube.length", "value": 14.0})
+        session.leave(page.send)
+        for new, held in ((False, session), (True, Session(ARRAY, workplace))):
+            page.texts.clear()
+            page.curves.clear()
+            await held.join(page.send)
+            if new:  # of a studio that was started again
+                await held.take({"do": "pin", "values": kept})
+            while not any(each.get("stage") == "pinned_points" for each in page.texts):
+                await asyncio.sleep(0.005)
+            assert held.pinned == ARRAY
+            while "pinned" not in [unpacked(each)[0]["stage"] for each in page.curves]:
+                await asyncio.sleep(0.005)
+        await held.take({"do": "pin", "values": {"name": 3}})
+        assert (await page.until("refused-design"))["message"].startswith("the pinned design that the page kept: ")
+        assert held.pinned == ARRAY
+
+    asyncio.run(play())
+
+
+def test_a_session_that_is_given_up_leaves_no_files(workplace: Workplace) -> None:
+    async def play() -> None:
+        sessions, page = Sessions(ARRAY, workplace), Page()
+        first, _ = sessions.enter(None)
+        longest, _ = sessions.enter(None)
+        await first.join(page.send)
+        await first.take({"do": "export", "name": "design.toml"})
+        await page.until("file")
+        ((path, _),) = first.files.values()
+        longest.leave(page.send)
+        first.leave(page.send)
+        while len(sessions) < MOST_SESSIONS:
+            sessions.enter(None)
+        sessions.enter(None)
+        assert sessions.find(longest.id) is None  # left before the other one
+        assert sessions.find(first.id) is first
+        assert path.exists()
+        sessions.enter(None)
+        assert sessions.find(first.id) is None
+        assert not path.exists()
+
+    asyncio.run(play())
 
 
 def test_what_a_sound_card_hears_is_told_until_it_is_stopped(

@@ -192,6 +192,14 @@ def test_a_full_disk_is_told_and_the_design_is_saved_once_there_is_room(running:
         assert "length = 15" in text
 
 
+def test_a_studio_that_is_told_to_end_leaves_nothing_behind(tmp_path: Path) -> None:
+    with studio(TMPDIR=str(tmp_path)) as found:
+        assert any(each.name.startswith("acoustic-fem-studio-") for each in tmp_path.iterdir())
+        found.process.terminate()
+        found.process.wait(60)
+    assert [each.name for each in tmp_path.iterdir() if each.name.startswith("acoustic-fem-studio-")] == []
+
+
 def children(process: int) -> list[int]:
     """The processes that work for a studio."""
     found = [

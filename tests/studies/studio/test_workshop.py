@@ -69,6 +69,15 @@ def test_a_crash_is_one_line_and_the_next_task_is_done(workshop: Workshop) -> No
     assert workshop.run(double, (4,), lambda line: None)[0] == 8
 
 
+def test_a_process_that_was_ended_for_good_is_not_started_again() -> None:
+    ended = Workshop()
+    ended.end()
+    with pytest.raises(Stopped):
+        ended.start()
+    with pytest.raises(Stopped):
+        ended.run(double, (4,), lambda line: None)
+
+
 def test_what_nobody_waits_for_is_stopped(workshop: Workshop) -> None:
     heard = threading.Event()
     task = object()
@@ -78,3 +87,15 @@ def test_what_nobody_waits_for_is_stopped(workshop: Workshop) -> None:
         workshop.run(go_on, (), lambda line: heard.set(), task)
     stopper.join()
     assert workshop.run(double, (4,), lambda line: None)[0] == 8
+
+
+def test_tasks_that_are_stopped_while_they_wait_are_not_begun(workshop: Workshop) -> None:
+    tasks = [object(), object()]
+    for task in tasks:
+        workshop.stop(task)
+    told: list[str] = []
+    for task in tasks:
+        with pytest.raises(Stopped):
+            workshop.run(double, (4,), told.append, task)
+    assert told == []
+    assert workshop.run(double, (4,), told.append, object())[0] == 8
