@@ -48,10 +48,13 @@ class Studio:
 
 
 @contextmanager
-def studio(design: str = "array-2x6", port: int = 0, **environment: str) -> Iterator[Studio]:
-    """A studio of a design, ended at the end."""
+def studio(
+    design: str = "array-2x6", port: int = 0, module: str = "studies.cli.app", **environment: str
+) -> Iterator[Studio]:
+    """A studio of a design, ended at the end; ``module`` has the command line's ``main``."""
+    program = f"import sys; sys.path.append({str(Path(__file__).parent)!r}); from {module} import main; main()"
     line = [
-        *(sys.executable, "-c", "from studies.cli.app import main; main()", "studio", design),
+        *(sys.executable, "-c", program, "studio", design),
         *("--port", str(port), "--no-browser", "--token", TOKEN),
     ]
     environment = {**os.environ, "PYTHONUNBUFFERED": "1", **environment}

@@ -163,6 +163,12 @@ export class ArrayPanel {
         material.opacity = lit ? 1 : material.userData.opacity;
       });
     }
+    this.lines.traverse((each) => {
+      if (!(each instanceof LineSegments || each instanceof Sprite)) return;
+      if (each instanceof Sprite) each.material.map?.dispose();
+      else each.geometry.dispose();
+      (each.material as Material).dispose();
+    });
     this.lines.clear();
     if (byId<HTMLInputElement>("dimensions").checked && !bounds.isEmpty()) this.measure(new Box3().setFromObject(this.model));
     const [x, y, z] = this.size;

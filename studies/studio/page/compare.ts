@@ -1,5 +1,5 @@
 // The Compare panel: this design and the pinned one, the fields that differ and the figures of both.
-import { byId, make, words } from "./dom";
+import { byId, make, shownUnit, words } from "./dom";
 import { show, type Word } from "./points";
 
 export interface Comparison { pinned: string | null; differences?: { name: string; unit: string; here: any; there: any }[]; }
@@ -13,7 +13,7 @@ export class ComparePanel {
     const on = found.pinned !== null;
     byId("compare-empty").hidden = on;
     byId("compare-tables").hidden = !on;
-    if (!on) { this.pinned = null; return; }
+    if (!on) { this.pinned = null; byId("compared-figures").replaceChildren(); return; }
     byId("pinned-name").textContent = found.pinned!;
     this.differences = found.differences ?? [];
     const rows = this.differences.map((each) => make("tr", {},
@@ -44,5 +44,5 @@ function plain(of: any): string | number { return typeof of === "number" ? of : 
 
 function value(of: any, unit: string): string {
   if (of === null || of === undefined) return "–";
-  return typeof of === "number" ? `${words(of, 6)}${unit ? ` ${unit}` : ""}` : Array.isArray(of) ? of.join(", ") : String(of);
+  return typeof of === "number" ? `${words(of, 6)}${unit ? ` ${shownUnit(unit)}` : ""}` : Array.isArray(of) ? of.join(", ") : String(of);
 }

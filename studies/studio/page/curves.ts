@@ -40,6 +40,9 @@ export class CurvesPanel {
     if (this.now) this.draw();
   }
 
+  /** What is shown is of no design that the studio knows. */
+  outdate(): void { if (this.now) this.now.revision = -1; this.pinned = null; }
+
   unpin(): void { this.pinned = null; if (this.now) this.draw(); }
   light(point: number | null): void { this.lit = point; this.repaint(); }
   repaint(): void { for (const plot of this.plots) plot.redraw(false); }

@@ -47,8 +47,11 @@ export function hand(content: Blob, name: string): void {
 }
 
 export function csv(rows: (string | number)[][], name: string): void {
-  const quoted = (cell: string | number) =>
-    typeof cell === "string" && /[",\n]/.test(cell) ? `"${cell.replaceAll('"', '""')}"` : String(cell);
+  const quoted = (cell: string | number) => {
+    if (typeof cell === "number") return String(cell);
+    const text = /^[=+@\t\r-]/.test(cell) ? `'${cell}` : cell; // a spreadsheet would take a text of a file for a formula
+    return /[",\n\r]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
+  };
   hand(new Blob([rows.map((row) => row.map(quoted).join(",")).join("\n") + "\n"], { type: "text/csv" }), name);
 }
 

@@ -17,6 +17,7 @@ export class Form {
   constructor(private place: HTMLElement, private set: Setter) {}
 
   build(fields: Field[], addable: Record<string, object>, removable: string[]): void {
+    const focused = this.place.contains(document.activeElement) ? document.activeElement!.id : "";
     const open = new Set([...this.place.querySelectorAll("details[open]")].map((each) => (each as HTMLElement).dataset.group));
     const first = this.rows.size === 0;
     this.rows.clear();
@@ -26,7 +27,7 @@ export class Form {
       if (!groups.has(field.group)) {
         const title = make("summary", {}, titleOf(field.group));
         if (removable.includes(field.group)) title.append(button("remove", () => this.set(field.group, null), { class: "remove", "aria-label": `remove ${field.group}` }));
-        const group = make("details", { "data-group": field.group }, title);
+        const group = make("details", { "data-group": field.group, "aria-label": titleOf(field.group) }, title);
         group.open = first ? ["resonator", "membrane", "tube"].includes(field.group) : open.has(field.group);
         groups.set(field.group, group);
         this.place.append(group);
@@ -39,6 +40,7 @@ export class Form {
       make("option", { value: "" }, "add a table…"), ...Object.keys(addable).map((name) => make("option", { value: name }, titleOf(name))));
     add.addEventListener("change", () => { if (add.value) this.set(add.value, addable[add.value]); add.value = ""; });
     this.place.append(make("p", {}, add));
+    if (focused) document.getElementById(focused)?.focus(); // what was at hand stays at hand
   }
 
   update(values: Record<string, any>): void {
@@ -50,9 +52,11 @@ export class Form {
     }
   }
 
-  /** What was said of earlier values holds no more. */
-  settle(): void {
-    for (const row of this.place.querySelectorAll(".refused, .concerned")) {
+  /** What was said of earlier values holds no more, and a value that was refused is not the design's. */
+  settle(refused = ""): void {
+    for (const row of this.place.querySelectorAll<HTMLElement>(".refused, .concerned")) {
+      const own = this.rows.get(row.dataset.name!);
+      if (own && row.classList.contains("refused") && ![refused, this.dragged].includes(own.field.name)) own.show(own.field.value);
       row.classList.remove("refused", "concerned");
       row.querySelector(".refusal")?.replaceChildren();
       row.querySelector("[aria-invalid]")?.removeAttribute("aria-invalid");
@@ -61,7 +65,7 @@ export class Form {
 
   /** Show a refusal at its field; false where there is no such field. */
   refuse(name: string, message: string, allowed: string, mend: number | null): boolean {
-    this.settle();
+    this.settle(name);
     const row = this.rows.get(name);
     if (!row) return false;
     row.row.closest("details")!.open = true;
@@ -131,13 +135,13 @@ export class Form {
       text.setAttribute("list", `${id}-known`);
       elements.push(make("datalist", { id: `${id}-known` }, ...field.suggestions.map((value) => make("option", { value }))));
     }
-    return { elements, show: (value) => { text.value = Array.isArray(value) ? value.join(", ") : value ?? ""; } };
+    return { elements, show: (value) => { text.dataset.shown = text.value = Array.isArray(value) ? value.join(", ") : value ?? ""; } };
   }
 
   private numeric(field: Field, id: string): { elements: HTMLElement[]; show: (value: any) => void } {
     const number = make("input", { id, class: "value", type: "text", inputmode: "decimal", autocomplete: "off" });
     const slider = make("input", {
-      type: "range", min: "0", max: String(STEPS), class: "slider", "aria-label": `${field.label}, slider`,
+      type: "range", min: "0", max: String(STEPS), class: "slider", "aria-label": `${titleOf(field.group)} ${field.label}, slider`,
     });
     if (field.optional) number.placeholder = "default";
     let scale = scaleOf(field, field.value);
@@ -145,7 +149,7 @@ export class Form {
     number.addEventListener("change", () => {
       const given = number.value.replace("−", "-").replace(",", ".").trim();
       if (given === "" && field.optional) this.set(field.name, null);
-      else this.set(field.name, given === "" || Number.isNaN(Number(given)) ? number.value : Number(given));
+      else this.set(field.name, given === "" || !Number.isFinite(Number(given)) ? number.value : Number(given));
     });
     slider.addEventListener("input", () => {
       if (!gesture) gesture = `${field.name}-${++this.gestures}-${Date.now()}`;
@@ -161,7 +165,7 @@ export class Form {
       if (!this.rows.get(field.name)?.row.classList.contains("refused")) show(field.value);
     });
     const show = (value: any) => {
-      number.value = value === null || value === undefined ? "" : String(value);
+      number.dataset.shown = number.value = value === null || value === undefined ? "" : String(value);
       slider.disabled = typeof value !== "number";
       if (typeof value !== "number") return;
       const share = scale.share(value);

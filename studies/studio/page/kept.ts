@@ -1,12 +1,14 @@
 // The design as this page keeps it: over a lost link, a server that was started again, and in an address.
-export interface Kept { session: string | null; stated: any; unsaved: boolean; }
+export interface Kept { session: string | null; stated: any; unsaved: boolean; pinned?: any; }
 const TAB = "acoustic-fem-studio", LAST = "acoustic-fem-studio-last";
+/** Characters of the longest design that an address holds. */
+const LONGEST = 256 * 1024;
 
 export function keep(kept: Kept): void {
   try {
     sessionStorage.setItem(TAB, JSON.stringify(kept));
     if (kept.unsaved) localStorage.setItem(LAST, JSON.stringify(kept));
-    else localStorage.removeItem(LAST);
+    else if (keptUnsaved()?.session === kept.session) localStorage.removeItem(LAST); // not that of another page
   } catch { /* a full or forbidden store: the server has the design */ }
 }
 
@@ -26,15 +28,19 @@ export async function addressOf(stated: any): Promise<string> {
   return `${location.origin}/#design=${text}`;
 }
 
+/** The design in the address of the page; null where there is none, an error where what is there is none. */
 export async function designInAddress(): Promise<any | null> {
-  const found = location.hash.match(/^#design=([\w-]+)$/);
-  if (!found) return null;
+  if (!location.hash.startsWith("#design=")) return null;
+  const packed = location.hash.slice(8);
   history.replaceState(null, "", "/");
-  try {
-    const bytes = Uint8Array.from(atob(found[1].replaceAll("-", "+").replaceAll("_", "/")), (c) => c.charCodeAt(0));
-    const open = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate-raw"));
-    return JSON.parse(await new Response(open).text());
-  } catch {
-    return null;
+  const bytes = Uint8Array.from(atob(packed.replaceAll("-", "+").replaceAll("_", "/")), (c) => c.charCodeAt(0));
+  const open = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate-raw")).pipeThrough(new TextDecoderStream()).getReader();
+  let text = "";
+  for (let part = await open.read(); !part.done; part = await open.read()) {
+    text += part.value;
+    if (text.length > LONGEST) { await open.cancel(); throw new Error("no design is as long"); }
   }
+  const found = JSON.parse(text);
+  if (typeof found !== "object" || Array.isArray(found)) throw new Error("no table");
+  return found;
 }

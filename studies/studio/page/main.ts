@@ -9,11 +9,14 @@ import { tablePicture } from "./chart";
 import { button, byId, csv, download, forgetColours, grey, make } from "./dom";
 import { Form } from "./form";
 import { addressOf, designInAddress, forget, keep, keptInTab, keptUnsaved } from "./kept";
+import { handIn, handInFolder } from "./handing";
 import { PointsPanel, type Word } from "./points";
 import { TouchPanel } from "./touch";
 import { Link, type State } from "./link";
 import { StudyPanel } from "./study";
 
+/** Characters of the longest change that the studio takes, of a message of 1 MB. */
+const LONGEST = 300000;
 const STATES: Record<State, string> = {
   open: "",
   lost: "The link to the studio was lost; it is being made again. The design is kept.",
@@ -27,8 +30,10 @@ let unsaved = false;
 let revision = -1;
 let curveTitles: Record<string, string> = {};
 let quantity = "level";
-let pending: object | null = null;
+/** Changes that wait for the one under way. */
+const waiting: any[] = [];
 let underWay: any = null;
+let pinned: any = keptInTab()?.pinned ?? null;
 /** Tells this page from another one that was doubled from it and knows the same session. */
 const ownName = crypto.getRandomValues(new Uint32Array(4)).join("-");
 let selected: number | null = null;
@@ -57,16 +62,22 @@ const shownRevision: Record<string, number> = {};
 /** Panels that are in sight: of the others nothing is computed. */
 const inSight = new Set<string>(), cardsInSight = new Set<HTMLElement>();
 
-/** Changes go one at a time: while one is under way, of the next ones the last is kept. */
-function change(message: object): void {
-  if (underWay) { pending = message; return; }
-  if (link?.send(message)) underWay = message;
-  else pending = message;
+/** Changes go one at a time and in their order; of one gesture that waits, the last is kept. */
+function change(message: any): void {
+  if (JSON.stringify(message).length > LONGEST) return notice("That is too long for a design.");
+  const last = waiting.at(-1);
+  if (message.gesture && message.gesture === last?.gesture) waiting[waiting.length - 1] = message;
+  else waiting.push(message);
+  next();
+}
+
+function next(): void {
+  if (!underWay && waiting.length && link?.send(waiting[0])) underWay = waiting.shift();
 }
 
 function answered(): void {
   underWay = null;
-  if (pending) { const next = pending; pending = null; change(next); }
+  next();
 }
 
 function select(point: number | null): void {
@@ -90,16 +101,19 @@ function take(message: any): void {
     case "error":
       notice(message.message);
       return answered();
-    case "progress": return progress(message.stage, message.line || "computing…");
+    case "progress": return progress(message.stage, message.line || document.querySelector<HTMLElement>(`[data-status="${message.stage}"]`)?.dataset.said || "computing…");
     case "failed": return failed(message);
     case "figures": return void figures(message);
+    case "pinned":
+      pinned = message.stated;
+      return keepSoon();
     case "comparison":
       byId("pin").setAttribute("aria-pressed", String(message.pinned !== null));
       if (message.pinned === null) curves.unpin();
       compare.take(message);
       return;
     case "file":
-      exported("");
+      if (message.stage === "export") exported("");
       download(message.file);
       return;
     case "heard":
@@ -121,6 +135,7 @@ function progress(stage: string, line: string): void {
 
 function failed(message: any): void {
   progress(message.stage, "");
+  if (message.stage === "touch") touch.failed();
   const place = message.stage === "curves" ? byId("curves-note") : document.querySelector(`[data-problem="${message.stage}"]`);
   if (place) place.textContent = message.message;
   else notice(message.message);
@@ -130,15 +145,26 @@ function failed(message: any): void {
   stale();
 }
 
+/** Models are fetched one after the other: the one asked for last is the one that stays. */
+let fetched: Promise<void> = Promise.resolve();
+
 async function figures(message: any): Promise<void> {
   const { stage, found } = message;
   if (message.revision < (shownRevision[stage] ?? -1)) return;
-  if (stage === "model") await array.take(found);
+  if (stage === "model") {
+    const own = fetched.then(() => array.take(found));
+    fetched = own.catch(() => {});
+    try {
+      await own;
+    } catch {
+      return failed({ stage, message: "The array could not be fetched from the studio; change the design and it is drawn again." });
+    }
+  }
   if (stage === "points") { table.take(found); compare.figures(null); }
   if (stage === "pinned_points") compare.figures(found.figures);
   if (stage === "mis_made") table.misMade(found);
   if (stage === "check") check.take(found);
-  if (stage === "surface") touch.take(found);
+  if (stage === "surface") touch.take(found, message.revision);
   if (stage === "study") study.found(found);
   shownRevision[stage] = message.revision;
   progress(stage, "");
@@ -178,6 +204,7 @@ function learn(message: any): void {
     make("option", { value: "" }, "prototypes…"), ...message.prototypes.map((each: string) => make("option", {}, each)),
   );
   figureWords = message.figures;
+  if (message.new) begin();
   study.learn(message.metrics, message.most_metrics, message.most_designs);
   byId("exports").replaceChildren(...Object.entries<any>(message.exports).map(([file, each]) => make("li", {},
     button(file, () => ask(file), { "data-export": file }), make("span", {}, ` ${each.title}; ${each.takes}`))));
@@ -185,6 +212,14 @@ function learn(message: any): void {
   if (before && !fromAddress) offer(before);
   fromAddress = null;
   want();
+}
+
+/** The studio knows nothing of what was shown here: its numbers of designs begin anew. */
+function begin(): void {
+  for (const stage of Object.keys(shownRevision)) delete shownRevision[stage];
+  curves.outdate();
+  if (listening()) failed({ stage: "live", message: "The studio was started again: press Live to listen." });
+  if (pinned) link?.send({ do: "pin", values: pinned });
 }
 
 function design(message: any): void {
@@ -218,7 +253,7 @@ function design(message: any): void {
 let keeping = 0;
 function keepSoon(): void {
   clearTimeout(keeping);
-  keeping = window.setTimeout(() => keep({ session, stated, unsaved }), 150);
+  keeping = window.setTimeout(() => keep({ session, stated, unsaved, pinned }), 150);
 }
 
 function put(place: any, field: string, value: any): void {
@@ -246,7 +281,7 @@ function points(fields: any[] | null): void {
 /** What is shown of an earlier design is grey. */
 function stale(): void {
   grey(byId("plots"), curves.revision !== revision);
-  for (const [stage, place] of [["model", "space"], ["points", "points-shown"], ["mis_made", "mis-made-shown"], ["check", "print-shown"], ["surface", "touch-shown"]]) {
+  for (const [stage, place] of [["model", "space"], ["points", "points-shown"], ["points", "compared-figures"], ["mis_made", "mis-made-shown"], ["check", "print-shown"], ["surface", "touch-shown"]]) {
     grey(byId(place), shownRevision[stage] !== revision);
   }
 }
@@ -278,39 +313,46 @@ function theme(choice: string): void {
 }
 
 async function upload(file: File): Promise<void> {
-  const answer = await fetch(`/designs?name=${encodeURIComponent(file.name)}`, { method: "POST", body: file });
-  const found = await answer.json();
-  if (answer.ok) change({ do: "restore", values: found, source: file.name.slice(0, 100), saved: true });
-  else notice(found.message);
+  try {
+    const found = await (await handIn("/designs", { name: file.name }, file)).json();
+    change({ do: "restore", values: found, source: [...file.name].slice(0, 100).join(""), saved: true });
+  } catch (error) {
+    notice((error as Error).message);
+  }
 }
 
 async function replay(file: File): Promise<void> {
   const problem = document.querySelector("[data-problem='touch']")!;
   problem.textContent = "";
-  const asked = new URLSearchParams({ session: session ?? "", name: file.name, full_scale: byId<HTMLInputElement>("full-scale").value });
-  const answer = await fetch(`/recordings?${asked}`, { method: "POST", body: file });
-  if (answer.ok) touch.hear(unpack(await answer.arrayBuffer()) as any);
-  else problem.textContent = (await answer.json()).message;
-}
-
-/** A recognizer is a folder: its files are handed in together. */
-async function recognizer(files: File[]): Promise<void> {
-  const packed: Record<string, string> = {}, problem = document.querySelector("[data-problem='touch']")!;
-  for (const file of files) {
-    const bytes = new Uint8Array(await file.arrayBuffer());
-    let text = "";
-    for (let k = 0; k < bytes.length; k += 32768) text += String.fromCharCode(...bytes.subarray(k, k + 32768));
-    packed[file.name] = btoa(text);
+  const asked = { session: session ?? "", name: file.name, full_scale: byId<HTMLInputElement>("full-scale").value };
+  byId("answer").textContent = "the recording is decoded…";
+  try {
+    const heard: any = unpack(await (await handIn("/recordings", asked, file)).arrayBuffer());
+    if (heard.revision !== revision) throw new Error("The design was changed meanwhile: replay the recording again.");
+    touch.hear(heard);
+  } catch (error) {
+    touch.failed();
+    problem.textContent = (error as Error).message;
   }
-  const answer = await fetch(`/recognizers?${new URLSearchParams({ session: session ?? "" })}`, { method: "POST", body: JSON.stringify(packed) });
-  const found = await answer.json();
-  problem.textContent = answer.ok ? "" : found.message;
-  if (answer.ok) byId("answer").textContent = `A recognizer of ${found.subject} on ${found.design} tells: ${found.labels.join(", ")}.`;
 }
 
-function save(): void { ask("design.toml"); }
+async function recognizer(files: File[]): Promise<void> {
+  const problem = document.querySelector("[data-problem='touch']")!;
+  problem.textContent = "";
+  try {
+    const found = await handInFolder("/recognizers", { session: session ?? "" }, files);
+    byId("answer").textContent = `A recognizer of ${found.subject} on ${found.design} tells: ${found.labels.join(", ")}.`;
+  } catch (error) {
+    problem.textContent = (error as Error).message;
+  }
+}
+
+function save(): void {
+  if (!link?.send({ do: "export", name: "design.toml" })) notice("The studio does not answer: nothing was saved yet; this page keeps the design.");
+}
 
 function ask(file: string): void {
+  if (file === "design.toml") return save();
   byId<HTMLButtonElement>("stop-export").disabled = false;
   document.querySelector("[data-problem='export']")!.textContent = "";
   link?.send({ do: "export", name: file, fidelity: byId<HTMLSelectElement>("fidelity").value });
@@ -327,14 +369,14 @@ const open = () => new Link(
   () => {
     const kept = fromAddress ? { session: null, stated: fromAddress, unsaved: true } : stated ? { session, stated, unsaved } : keptInTab();
     // Nobody knows whether a change that was under way arrived: one that can be made twice is made again.
-    if (["set", "restore", "prototype", "load"].includes(underWay?.do)) pending ??= underWay;
+    if (["set", "restore", "prototype", "load"].includes(underWay?.do)) waiting.unshift(underWay);
     underWay = null;
     return { do: "hello", page: ownName, session: kept?.session ?? null, values: kept?.stated ?? null, saved: kept ? !kept.unsaved : false };
   },
   take,
   (message) => {
     const found: any = unpack(message);
-    if (found.stage === "touch") { if (found.revision === revision) touch.hear(found); return; }
+    if (found.stage === "touch") { if (found.revision === revision) touch.hear(found); else touch.failed(); return; }
     if (found.quantity !== quantity) return;
     curves.take(found);
     byId("curves-note").textContent = "";
@@ -385,14 +427,24 @@ byId("curves-png").addEventListener("click", () => curves.picture(name));
 document.addEventListener("keydown", (event) => {
   if (!(event.ctrlKey || event.metaKey) || event.altKey) return;
   const key = event.key.toLowerCase();
-  const inText = event.target instanceof HTMLInputElement && event.target.type === "text";
+  // In a text that is being typed they are the browser's own.
+  const inText = event.target instanceof HTMLInputElement && event.target.type === "text" && event.target.value !== event.target.dataset.shown;
   if (key === "s") { event.preventDefault(); save(); }
   else if (inText) return;
   else if (key === "z" && !event.shiftKey) { event.preventDefault(); change({ do: "undo" }); }
   else if (key === "y" || (key === "z" && event.shiftKey)) { event.preventDefault(); change({ do: "redo" }); }
 });
+/** The design in the address; what is broken is said. */
+async function addressed(): Promise<any | null> {
+  try {
+    return await designInAddress();
+  } catch {
+    notice("The address holds no design that can be read: it may have been cut off.");
+    return null;
+  }
+}
 window.addEventListener("hashchange", async () => {
-  const found = await designInAddress();
+  const found = await addressed();
   if (found) change({ do: "restore", values: found, source: "the address" });
 });
 const dark = matchMedia("(prefers-color-scheme: dark)");
@@ -422,6 +474,13 @@ byId<HTMLInputElement>("recognizer").addEventListener("change", (event) => {
   if (files.length) recognizer(files);
   (event.target as HTMLInputElement).value = "";
 });
+byId("touch-png").addEventListener("click", () => touch.picture(name));
+byId("touch-csv").addEventListener("click", () => touch.table(name));
+for (const card of document.querySelectorAll("section.card")) {
+  for (const each of card.querySelectorAll("button[id$='-png'], button[id$='-csv'], button[id^='stop-']")) {
+    each.setAttribute("aria-label", `${each.textContent}, ${card.querySelector("h2")!.textContent}`);
+  }
+}
 byId("array-png").addEventListener("click", () => array.picture(name));
 const watcher = new IntersectionObserver((entries) => {
   for (const entry of entries) {
@@ -434,6 +493,6 @@ const watcher = new IntersectionObserver((entries) => {
 }, { rootMargin: "100px" });
 for (const card of document.querySelectorAll("[data-stage]")) watcher.observe(card);
 (async () => {
-  fromAddress = await designInAddress();
+  fromAddress = await addressed();
   link = open();
 })();

@@ -1,6 +1,7 @@
-// The Touch panel: a simulated touch or a recording, the microphones' signals, what the decoder answers; and a game.
-import { sized } from "./chart";
-import { button, byId, colour, words } from "./dom";
+// The Touch panel: a simulated touch, a recording or a sound card, the microphones' signals, what the decoder answers.
+import { sheet, sized } from "./chart";
+import { button, byId, colour, csv, words } from "./dom";
+import { Game } from "./game";
 
 export interface Heard {
   stage: "touch"; revision: number; touched: number | null; kind: string; microphones: string[]; samples: number;
@@ -9,9 +10,10 @@ export interface Heard {
   line?: number[][]; kinds?: [number, number, number, string, number][];
 }
 /** An event of live listening: a decision with the samples since the one before, a fault or a notice. */
-export interface LiveEvent { time: number; state?: string; point?: number; probability?: number; samples?: number[][]; microphones?: string[]; fault?: string; text?: string; latency?: number; }
-/** Signals that are shown at once, ms; moles of a game. */
-const SHOWN = 1000, MOLES = 10;
+export interface LiveEvent { time: number; event?: string; state?: string; point?: number; probability?: number; samples?: number[][]; microphones?: string[]; fault?: string; text?: string; latency?: number; }
+/** Signals that are shown at once, ms. */
+const SHOWN = 1000;
+const HINT = "Click a membrane to touch it, drag to slide over the array.";
 
 function loudest(signals: ArrayLike<number>[]): number {
   let most = 1e-9;
@@ -21,13 +23,15 @@ function loudest(signals: ArrayLike<number>[]): number {
 
 export class TouchPanel {
   private points: number[][] = [];
+  private revision = -1;
+  private run = 0;
+  private counted = 0;
   private heard: Heard | null = null;
   private begun = 0;
   private now = -1;
   private named: number | null = null;
   private queue: Heard[] = [];
-  private mole: number | null = null;
-  private score = { hit: 0, left: 0, begun: 0 };
+  private game = new Game(() => this.points.length, () => this.draw());
   private pictures = 0;
   private newly = false;
   private lightings: string[] = [];
@@ -46,7 +50,7 @@ export class TouchPanel {
       if (from && Math.hypot(to[0] - from[0], to[1] - from[1]) > 2 * this.points[0]?.[2]) this.slide(from, to);
       else if (point) this.press(point);
     });
-    byId("game").addEventListener("click", () => this.play());
+    byId("game").addEventListener("click", () => this.game.play());
     byId("write").addEventListener("click", () => this.write());
     byId<HTMLSelectElement>("touch-kind").addEventListener("change", (event) => {
       for (const id of ["letter", "write"]) byId(id).hidden = (event.target as HTMLSelectElement).value !== "letter";
@@ -54,17 +58,42 @@ export class TouchPanel {
     new ResizeObserver(() => this.draw()).observe(plan.parentElement!);
   }
 
-  take(found: { points: number[][] }): void {
+  take(found: { points: number[][] }, revision: number): void {
+    if (revision !== this.revision) this.forget();
+    this.revision = revision;
     this.points = found.points;
+    this.game.check();
     this.planned = "";
     byId("touch-points").replaceChildren(...found.points.map((_, k) => button(String(k + 1), () => this.press(k + 1), { "aria-label": `touch point ${k + 1}` })));
     this.draw();
+  }
+
+  /** What was heard of another design is not of this one. */
+  private forget(): void {
+    this.queue = [];
+    this.heard = this.shown = this.from = null;
+    this.name(null);
+    byId("answer").textContent = HINT;
+    for (const each of ["pictures", "lit", "named"]) delete byId("answer").dataset[each];
+    byId<HTMLCanvasElement>("waves").getContext("2d")!.clearRect(0, 0, 1e5, 1e5);
+  }
+
+  /** Nothing comes of the touch that was asked for. */
+  failed(): void { if (!this.heard) byId("answer").textContent = HINT; }
+
+  /** A recording, a slide or a letter that is played gives way to what is touched next. */
+  private interrupt(): void {
+    if (!this.heard || this.heard.touched !== null) return;
+    this.shown = this.heard;
+    this.heard = null;
+    this.name(null);
   }
 
   press(point: number): void {
     const kind = byId<HTMLSelectElement>("touch-kind").value, place = this.points[point - 1];
     if (kind === "letter") this.write();
     else if (kind !== "slide") {
+      this.interrupt();
       byId("answer").textContent = `point ${point} is touched…`;
       this.send({ do: "touch", point, kind });
     } else if (!this.from) {
@@ -77,12 +106,14 @@ export class TouchPanel {
 
   private write(): void {
     const letter = byId<HTMLInputElement>("letter").value.toUpperCase();
+    this.interrupt();
     byId("answer").textContent = `a finger writes ${letter}…`;
     this.send({ do: "touch", kind: "letter", letter });
   }
 
   private slide(from: number[], to: number[]): void {
     this.from = null;
+    this.interrupt();
     byId("answer").textContent = "a finger slides over the array…";
     this.send({ do: "touch", kind: "slide", start: from.slice(0, 2), end: to.slice(0, 2) });
   }
@@ -96,6 +127,7 @@ export class TouchPanel {
       this.name(event.state === "touch" ? event.point! : null);
       byId("answer").textContent = this.named ? `point ${this.named} (${words(100 * event.probability!, 2)} %)` : event.state!;
     } else if (event.fault || event.text) byId("answer").textContent = event.text ?? event.fault!;
+    if (event.event === "up") this.game.whack([event.point!]);
     if (this.asked) return;
     this.asked = true;
     requestAnimationFrame(() => { this.asked = false; this.draw(); });
@@ -113,6 +145,7 @@ export class TouchPanel {
 
   /** What was heard, played in real time, one after the other. */
   hear(heard: Heard): void {
+    this.interrupt();
     this.queue.push(heard);
     if (!this.heard) this.next();
   }
@@ -125,12 +158,14 @@ export class TouchPanel {
     this.begun = performance.now();
     this.pictures = 0;
     this.lightings = [];
-    requestAnimationFrame(() => this.frame());
+    this.counted = 0;
+    const run = ++this.run;
+    requestAnimationFrame(() => this.frame(run));
   }
 
-  private frame(): void {
+  private frame(run: number): void {
     const heard = this.heard;
-    if (!heard) return;
+    if (!heard || run !== this.run) return; // another one is played by now
     const end = heard.samples / 1000;
     this.now = Math.min((performance.now() - this.begun) / 1000, end);
     this.pictures += 1;
@@ -140,8 +175,18 @@ export class TouchPanel {
     if (this.newly) this.lightings.push(words(this.now, 5)); // the picture before this one showed it
     this.newly = this.name(named) && named !== null;
     this.draw();
-    if (this.now < end) requestAnimationFrame(() => this.frame());
+    if (heard.touched === null) this.count(heard);
+    if (this.now < end) requestAnimationFrame(() => this.frame(run));
     else this.finish(heard, (performance.now() - this.begun) / 1000);
+  }
+
+  /** Touches of a recording hit or miss as they end. */
+  private count(heard: Heard): void {
+    for (const [, stop, point] of heard.touches.slice(this.counted)) {
+      if (stop > this.now) return;
+      this.counted += 1;
+      this.game.whack([point]);
+    }
   }
 
   private finish(heard: Heard, seconds: number): void {
@@ -155,7 +200,7 @@ export class TouchPanel {
     byId("answer").dataset.pictures = String(Math.round(this.pictures / seconds));
     byId("answer").dataset.lit = this.lightings.join(",");
     byId("answer").dataset.named = heard.touches.map((each) => each[2]).join(",");
-    if (this.mole !== null && heard.touched !== null) this.whacked(heard.touches.some((each) => each[2] === this.mole));
+    if (heard.touched !== null) this.game.whack(heard.touches.map((each) => each[2]));
     // What was named last stays lit until the next touch.
     const last = heard.touches.at(-1);
     this.name(last ? last[2] : null);
@@ -164,33 +209,6 @@ export class TouchPanel {
     this.draw();
     this.next();
   }
-
-  // -- whack-a-mole: a mole is hit when the decoder names its point
-  private play(): void {
-    this.score = { hit: 0, left: MOLES, begun: performance.now() };
-    this.pop();
-  }
-
-  private pop(): void {
-    let mole = this.mole;
-    while (mole === this.mole) mole = 1 + Math.floor(Math.random() * this.points.length);
-    this.mole = mole;
-    byId("score").dataset.mole = String(mole);
-    this.tell();
-    this.draw();
-  }
-
-  private whacked(hit: boolean): void {
-    if (hit) this.score.hit += 1;
-    this.score.left -= 1;
-    if (this.score.left > 0) return this.pop();
-    this.mole = null;
-    delete byId("score").dataset.mole;
-    const seconds = (performance.now() - this.score.begun) / 1000;
-    byId("score").textContent = `Over: ${this.score.hit} of ${MOLES} moles hit in ${words(seconds, 3)} s.`;
-  }
-
-  private tell(): void { byId("score").textContent = `The mole is at point ${this.mole}. Hit: ${this.score.hit}; still to come: ${this.score.left}.`; }
 
   // -- pictures
   private place(canvas: HTMLCanvasElement): { at: (x: number, y: number) => [number, number]; scale: number } {
@@ -211,7 +229,7 @@ export class TouchPanel {
     if (!this.points.length || width === 0) return;
     const xs = this.points.map((p) => p[0]), ys = this.points.map((p) => p[1]);
     const heard = this.live ? null : this.heard ?? this.shown;
-    const shown = [width, devicePixelRatio, document.documentElement.dataset.theme, this.named, this.mole, this.heard?.touched, (heard?.paths || heard?.line) && this.now].join();
+    const shown = [width, devicePixelRatio, document.documentElement.dataset.theme, this.named, this.game.mole, this.heard?.touched, (heard?.paths || heard?.line) && this.now].join();
     if (shown === this.planned) return;
     this.planned = shown;
     const shape = (Math.max(...ys) - Math.min(...ys) + 12) / (Math.max(...xs) - Math.min(...xs) + 12);
@@ -226,8 +244,8 @@ export class TouchPanel {
       c.arc(px, py, Math.max(radius * scale, 6 * devicePixelRatio), 0, 7);
       c.fillStyle = number === this.named ? colour("--accent") : colour("--button");
       c.fill();
-      c.lineWidth = (number === this.mole ? 5 : 1) * devicePixelRatio;
-      c.strokeStyle = number === this.mole ? colour("--good") : colour("--ink-soft");
+      c.lineWidth = (number === this.game.mole ? 5 : 1) * devicePixelRatio;
+      c.strokeStyle = number === this.game.mole ? colour("--good") : colour("--ink-soft");
       c.stroke();
       if (this.heard && number === this.heard.touched) {
         c.beginPath();
@@ -307,6 +325,20 @@ export class TouchPanel {
       c.fillText(`${name}, ±${words(most, 2)} Pa`, 6 * devicePixelRatio, m * high + 14 * devicePixelRatio);
     });
   }
+
+  /** The signals that are shown, Pa, with the point that is named meanwhile. */
+  table(name: string): void {
+    const found = this.waveforms(), decisions = this.live ? [] : (this.heard ?? this.shown)?.decisions ?? [];
+    if (!found) return;
+    let at = -1;
+    const rows = Array.from({ length: found.until }, (_, k) => {
+      while (at + 1 < decisions.length && decisions[at + 1][0] <= k / 1000) at += 1;
+      return [k / 1000, ...found.names.map((_, m) => found.of(m)[k]), (at >= 0 && decisions[at][1] === "touch" && decisions[at][2]) || ""];
+    });
+    csv([["time (s)", ...found.names.map((each) => `${each} (Pa)`), "named"], ...rows], `${name}-touch.csv`);
+  }
+
+  picture(name: string): void { sheet([byId<HTMLCanvasElement>("plan"), byId<HTMLCanvasElement>("waves")], `${name}-touch.png`, 1); }
 
   /** Where in plan the mouse is, mm. */
   private placeOf(event: MouseEvent): number[] {

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from browser import PAINTED, ROOT, Studio, field, give, lit, opened, studio, until, until_lit
+from browser import PAINTED, ROOT, Studio, downloaded, field, give, lit, opened, studio, until, until_lit
 
 from geometry import load_design, prototype
 from studies.panels.points import point_figures
@@ -33,13 +33,16 @@ def test_a_changed_field_is_painted(page: Any) -> None:
 
 
 @pytest.mark.parametrize("name", ["glove", "line-2"])
-def test_every_panel_shows_a_design_and_a_click_lights_its_point(browser: Any, running: Studio, name: str) -> None:
+def test_every_panel_shows_a_design_and_a_click_lights_its_point(
+    browser: Any, running: Studio, tmp_path: Path, name: str
+) -> None:
     context = browser.new_context(viewport={"width": 1440, "height": 420})  # the curves alone: no other design is drawn
     page = opened(context, running)
     page.select_option("#prototypes", name)
     until(page, f"{ROOT}.revision === '1'")
-    page.set_viewport_size({"width": 1440, "height": 2600})
-    for stage in ("points", "model"):
+    page.click("#pin")
+    page.set_viewport_size({"width": 1440, "height": 5200})
+    for stage in ("points", "model", "mis_made", "check", "surface"):
         until(page, f"{ROOT}.shown_{stage} === {ROOT}.revision", 240)
     design = prototype(name)
     figures = point_figures(design)
@@ -51,6 +54,22 @@ def test_every_panel_shows_a_design_and_a_click_lights_its_point(browser: Any, r
     page.locator("tr[data-point='3']").click()
     assert page.locator("#point").input_value() == "3"
     until_lit(page.locator("#space canvas"), lit_pixels(before) + 100)
+    assert page.locator("#verdict").inner_text().startswith("A valid design.")
+    assert page.locator("#compared-figures tr").count() == len(figures["figures"])
+    assert page.locator("#differences").inner_text() == "no field differs"
+    assert page.locator("#mis-made").inner_text().startswith("Of 64 sensors")
+    page.click("#game")
+    mole = int(page.locator("#score").get_attribute("data-mole"))
+    page.locator("#touch-points button").nth(mole - 1).click()
+    until(page, "document.getElementById('score').textContent.endsWith('still to come: 9.')", 240)
+    assert page.locator("#answer").inner_text().startswith(f"A tap on point {mole}; named: point ")
+    page.select_option("#study-add", "tube.inner_diameter")
+    page.fill("#study-designs", "4")
+    page.click("#study-run")
+    until(page, f"{ROOT}.shown_study === '1'", 240)
+    assert page.locator("#study-effects canvas").count() == 1
+    saved = downloaded(page, lambda: page.click("[data-export='design.toml']"), tmp_path)
+    assert load_design(saved) == design
     assert page.problems == []
     context.close()
 

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import csv
+import re
+from collections import Counter
 from pathlib import Path
 from typing import Any
 from zipfile import ZipFile
@@ -18,8 +20,9 @@ from geometry.layout.arrangement import lay_out
 from geometry.layout.size import array_size
 from studies.panels.comparing import comparison
 from studies.panels.curves import CURVES, curves_of, lumped_library
-from studies.panels.making import check_figures
-from studies.panels.points import mis_made_figures, point_figures
+from studies.panels.exploring import run_study, study_figures
+from studies.panels.making import check_figures, model_of_array
+from studies.panels.points import figure_words, mis_made_figures, point_figures
 from studies.panels.touching import touched
 from studies.study import METRICS, load_study
 
@@ -29,6 +32,8 @@ ARRAY = prototype("array-2x6").with_values({"lines": [{"between": ["A", "B"], "p
 #: Two points: the whole chain, with its localizer, takes half a minute.
 PAIR = ARRAY.with_values({"lines": [{"between": ["A", "B"], "points": 2}]})
 LONGER = ARRAY.with_values({"tube.length": 14.0})
+#: Units as the page writes them, where it writes them otherwise.
+SHOWN_UNITS = {"um": "µm", "mm^2": "mm²", "mm^3": "mm³"}
 #: Gathers what the page says of its link, whenever it is lost.
 LOSSES = """() => {
   const said = document.getElementById("lost");
@@ -49,6 +54,11 @@ def numbers(text: str) -> list[float]:
     """Numbers in a text of the page."""
     plain = text.replace("\N{MINUS SIGN}", "-")
     return [float(word) for word in plain.split() if word.replace(".", "", 1).lstrip("-").isdecimal()]
+
+
+def number(text: str) -> float:
+    """The number that a text begins with."""
+    return float(text.split()[0].replace("\N{MINUS SIGN}", "-"))
 
 
 def test_all_figures_of_the_page_are_those_of_python(browser: Any, running: Studio, tmp_path: Path) -> None:
@@ -75,6 +85,17 @@ def test_all_figures_of_the_page_are_those_of_python(browser: Any, running: Stud
         np.testing.assert_allclose(found[:, 0], expected.frequency, rtol=1e-6)
         shown = found[:, 1:].T.reshape(expected.values.shape)
         np.testing.assert_allclose(shown, expected.values, rtol=2e-6, atol=1e-4)
+        plot = page.locator("#plots .u-over").nth(0)
+        low, high = expected.values.min(), expected.values.max()
+        room = max((high - low) * 0.05, 0.1)
+        box = plot.bounding_box()
+        down = box["height"] * (high + room - expected.values[1, 0, -1]) / (high - low + 2 * room)
+        plot.hover(position={"x": box["width"] - 1, "y": min(max(down, 1), box["height"] - 1)})
+        point, name, value = re.fullmatch(
+            r"point (\d+) at ([^:]+): (\S+) \S+ at 100 Hz", page.locator("#pointed-curve").inner_text()
+        ).groups()
+        own = expected.values[int(point) - 1, expected.heard_by.index(name), -1]
+        assert number(value) == pytest.approx(own, rel=1e-3, abs=1e-3)
 
     here, there = point_figures(LONGER), point_figures(ARRAY)
     keys = ("number", "named", "nearest", "distance", "level", "phase", "force")
@@ -83,9 +104,31 @@ def test_all_figures_of_the_page_are_those_of_python(browser: Any, running: Stud
         for point, counts in zip(here["points"], here["confusion"], strict=True)
     ]
     np.testing.assert_allclose(np.array(table(page, "#points-csv", tmp_path), float), rows, rtol=1e-12)
+    words = figure_words()
     for name, value in here["figures"].items():
-        shown = page.locator(f"#figures [data-figure='{name}'] dd").inner_text().split()[0]
-        assert float(shown.replace("\N{MINUS SIGN}", "-")) == pytest.approx(value, rel=1e-2 if "e" in shown else 1e-3)
+        row = page.locator(f"#compared-figures [data-figure='{name}'] td").all_inner_texts()
+        for shown, of in (
+            (page.locator(f"#figures [data-figure='{name}'] dd").inner_text(), value),
+            (row[0], there["figures"][name]),
+            (row[1], value),
+        ):
+            assert number(shown) == pytest.approx(of, rel=1e-2 if "e" in shown.split()[0] else 1e-3)
+            assert shown.split()[1:] == [SHOWN_UNITS.get(words[name]["unit"], words[name]["unit"])] * (" " in shown)
+            assert (" " in shown) == (words[name]["unit"] not in ("", "1"))
+        first, second = there["figures"][name], value
+        better = (second > first) == (words[name]["better"] == "larger")
+        assert row[2] == ("" if first == second else "better" if better else "worse")
+    hardest = "; ".join(" and ".join(map(str, pair)) for pair in here["hardest"])
+    assert page.locator("#hardest").inner_text() == f"Hardest to tell apart: {hardest}."
+    for row, point in zip(page.locator("#points-table tbody tr").all(), here["points"], strict=True):
+        shown = [number(cell) for cell in row.locator("td").all_inner_texts()]
+        factors = {"named": 100, "force": 1e6}
+        own = [factors.get(key, 1) * point[key] for key in keys]
+        assert shown == pytest.approx(own, rel=1e-2)
+    assert page.locator("#points-table th").last.inner_text() == "least force (µN)"
+    kinds = Counter(part["kind"] for part in model_of_array(LONGER)["parts"])
+    shown_kinds = [int(text.rsplit("(", 1)[1][:-1]) for text in page.locator("#kinds label").all_inner_texts()]
+    assert sorted(shown_kinds) == sorted(kinds.values())
     made = mis_made_figures(LONGER)
     shares = [made["sensors"], 100 * made["mean"], 100 * made["worst"]]
     assert numbers(page.locator("#mis-made").inner_text()) == pytest.approx(shares, rel=1e-2)
@@ -107,6 +150,21 @@ def test_all_figures_of_the_page_are_those_of_python(browser: Any, running: Stud
     assert [(row[0], row[1], row[6]) for row in printed] == findings
     np.testing.assert_allclose(np.array([[row[2], row[4]] for row in printed], float), values, rtol=1e-6)
 
+    counts = Counter(each["verdict"] for each in check["printing"]["findings"])
+    said = f": {counts['fail']} failed, {counts['warn']} to look at, {counts['ok']} in order."
+    assert page.locator("#verdict").inner_text().endswith(said)
+    for place, verdicts in (("#findings", ("fail", "warn")), ("#in-order", ("ok",))):
+        page.evaluate(f"document.querySelector('{place}').closest('details')?.setAttribute('open', '')")
+        shown = [numbers(text)[-2:] for text in page.locator(f"{place} .finding").all_inner_texts()]
+        own = [
+            [each["value"], each["limit"]]
+            for verdict in verdicts
+            for each in check["printing"]["findings"]
+            if each["verdict"] == verdict
+        ]
+        assert len(shown) == len(own)
+        assert np.array(shown) == pytest.approx(np.array(own), rel=1e-2, abs=1e-3)
+
     heard = touched(LONGER, 3, "tap", 1)
     page.locator("#touch-points button").nth(2).click()
     until(page, "document.getElementById('answer').dataset.named")
@@ -114,6 +172,9 @@ def test_all_figures_of_the_page_are_those_of_python(browser: Any, running: Stud
     said = page.locator("#answer").inner_text().split("named: ")[1]
     assert said.startswith(f"point {point} from ")
     assert numbers(said.replace("(", " "))[:4] == pytest.approx([point, start, end, 100 * probability], rel=2e-2)
+    shown = np.array([row[1:3] for row in table(page, "#touch-csv", tmp_path)], float)
+    signals = np.frombuffer(heard["signals"], "<f4").reshape(2, -1)
+    np.testing.assert_allclose(shown.T, signals, rtol=1e-6)
     assert page.problems == []
     context.close()
 
@@ -131,6 +192,16 @@ def test_a_study_is_run_and_a_click_on_its_front_loads_that_design(page: Any, tm
     until(page, f"{ROOT}.shown_study === '0'")
     rows = table(page, "#study-csv", tmp_path)
     assert len(rows) == 16
+    found = study_figures(run_study(study.base, (tmp_path / "study.toml").read_text()))
+    np.testing.assert_allclose([float(row[2]) for row in rows], found["metrics"][0]["values"], rtol=1e-9)
+    shares = [float(each.get_attribute("data-share")) for each in page.locator("#study-effects canvas").all()]
+    assert shares == pytest.approx([each["share"] for each in found["effects"][0]], rel=1e-9)
+    best = page.locator("#study-best tbody tr").all()
+    listed = {row[0]: float(row[2]) for row in rows}
+    assert [number(each.locator("td").nth(1).inner_text()) for each in best] == pytest.approx(
+        [listed[each.get_attribute("data-design")] for each in best], rel=1e-3
+    )
+    assert listed[best[0].get_attribute("data-design")] == max(listed.values())
     responses = [study.base.with_values({"tube.length": float(row[1])}) for row in rows[:3]]
     expected = [METRICS["distance_smallest"].of_library(lumped_library(each, study.frequency)) for each in responses]
     np.testing.assert_allclose([float(row[2]) for row in rows[:3]], expected, rtol=1e-4)

@@ -1,0 +1,164 @@
+"""Changes of a design in the browser: none is lost on its way, and nothing stays on the page that is not so."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from browser import PAINTED, ROOT, Studio, downloaded, field, give, opened, studio, until
+
+from geometry import prototype
+from studies.panels.comparing import comparison
+
+pytestmark = pytest.mark.slow
+#: What this page keeps of its design.
+KEPT = "JSON.parse(sessionStorage.getItem('acoustic-fem-studio')).stated"
+#: Types values into fields, faster than any studio answers.
+HURRY = """(values) => {
+  for (const [name, value] of values) {
+    const box = document.querySelector(`[data-name='${name}'] .value`);
+    box.value = value;
+    box.dispatchEvent(new Event("change", { bubbles: true }));
+  }
+}"""
+
+
+def test_changes_that_come_at_once_are_all_made_in_their_order(page: Any) -> None:
+    page.evaluate(
+        HURRY, [["membrane.thickness", "0.7"], ["membrane.rim_width", "1.6"], ["resonator.cavity_height", "3"]]
+    )
+    until(page, f"{ROOT}.revision === '3'")
+    page.evaluate("[...Array(3)].forEach(() => document.getElementById('undo').click())")
+    until(page, f"{ROOT}.revision === '6'")
+    assert page.locator("#unsaved").is_hidden()
+    page.evaluate("[...Array(3)].forEach(() => document.getElementById('redo').click())")
+    until(page, f"{ROOT}.revision === '9' && {PAINTED}")
+    shown = {name: field(page, name).input_value() for name in ("membrane.rim_width", "resonator.cavity_height")}
+    assert shown == {"membrane.rim_width": "1.6", "resonator.cavity_height": "3"}
+
+
+def test_a_value_that_was_refused_does_not_stay_as_if_it_were_the_designs(page: Any) -> None:
+    give(page, "tube.length", "5000")
+    until(page, "document.querySelector(`[data-name='tube.length'] .refusal`).textContent")
+    assert field(page, "tube.length").input_value() == "5000"
+    give(page, "membrane.thickness", "0.6")
+    until(page, f"{ROOT}.revision === '1'")
+    assert field(page, "tube.length").input_value() == "12.5"
+
+
+def test_undo_by_keyboard_is_that_of_the_design_once_a_value_was_taken(page: Any) -> None:
+    give(page, "tube.length", "14")
+    until(page, f"{ROOT}.revision === '1'")
+    page.keyboard.press("Control+z")
+    until(page, f"{ROOT}.revision === '2'")
+    assert field(page, "tube.length").input_value() == "12.5"
+    page.keyboard.type("9")  # a text that is being typed is the browser's own
+    page.keyboard.press("Control+z")
+    assert page.evaluate(f"{ROOT}.revision") == "2"
+
+
+def test_a_new_form_leaves_the_keyboard_where_it_was(page: Any) -> None:
+    page.locator("#add-table").focus()
+    page.select_option("#add-table", "lines.0.tube")
+    until(page, f"{ROOT}.revision === '1'")
+    assert page.evaluate("document.activeElement.id") == "add-table"
+
+
+def test_controls_say_where_they_belong(page: Any) -> None:
+    for name in ("PNG, Curves", "CSV, Touch", "Stop, Export", "touch point 3"):
+        assert page.get_by_role("button", name=name, exact=True).count() <= 1
+    for role, name in (("button", "PNG, Curves"), ("slider", "tube length, slider"), ("combobox", "kind of touch")):
+        assert page.get_by_role(role, name=name, exact=True).count() == 1, name
+    nameless = """[...document.querySelectorAll("button, input, select")].filter((each) => !(each.labels?.length
+        || each.getAttribute("aria-label") || each.textContent.trim())).map((each) => each.outerHTML)"""
+    assert page.evaluate(nameless) == []
+
+
+def test_an_address_without_a_design_says_so(browser: Any, running: Studio) -> None:
+    context = browser.new_context()
+    page = opened(context, running)
+    for broken in ("", "%%%", "q1YqSy0qzszPU7JSSk4sTkxPVdJRSsxJTs0rUbKKrlYqS8wpTQUA"):
+        page.evaluate(f"location.hash = '#design={broken}'")
+        until(page, "document.getElementById('notice').textContent.includes('no design that can be read')")
+        page.locator("#notice button").click()
+    assert page.locator("#name").inner_text() == "array-2x6"
+    assert page.problems == []
+    context.close()
+
+
+def test_a_page_that_is_loaded_again_has_its_pinned_design_as_before(page: Any) -> None:
+    page.click("#pin")
+    until(page, "document.querySelector('#pin[aria-pressed=true]')")
+    give(page, "tube.length", "14")
+    until(page, f"{ROOT}.revision === '1' && {KEPT}.tube.length === 14")
+    page.reload()
+    until(page, f"{ROOT}.painted && {PAINTED}")
+    page.locator("#compare-title").scroll_into_view_if_needed()
+    until(page, "document.querySelectorAll('#compared-figures tr').length")
+    assert page.locator("#differences tr").count() == 1
+
+
+def test_a_studio_that_was_started_again_shows_all_panels_of_the_design_and_the_pinned_one(browser: Any) -> None:
+    context = browser.new_context(viewport={"width": 1440, "height": 3000})
+    with studio() as first:
+        page = opened(context, first)
+        page.click("#pin")
+        for length in (13, 14, 15):
+            give(page, "tube.length", str(length))
+            until(page, f"{KEPT}.tube.length === {length} && {PAINTED}")
+        for stage in ("points", "surface"):
+            until(page, f"{ROOT}.shown_{stage} === '3'")
+        first.kill()
+        give(page, "membrane.thickness", "0.6")  # while nobody hears it
+        until(page, "document.getElementById('lost').textContent.includes('does not answer')")
+    with studio(port=first.port) as second:
+        until(page, "document.getElementById('lost').textContent.includes('open the address')")
+        other = context.new_page()
+        other.goto(second.address)
+        until(page, f"document.getElementById('lost').hidden && {PAINTED} && {KEPT}.membrane.thickness === 0.6")
+        for stage in ("points", "surface"):
+            until(page, f"{ROOT}.shown_{stage} === {ROOT}.revision")
+            place = {"points": "points-shown", "surface": "touch-shown"}[stage]
+            until(page, f"!document.getElementById('{place}').classList.contains('stale')")
+        until(page, "document.querySelectorAll('#compared-figures tr').length")
+        differ = [each.split("\t") for each in page.locator("#differences").inner_text().splitlines()]
+        here = prototype("array-2x6").with_values({"tube.length": 15.0, "membrane.thickness": 0.6})
+        assert [each[0] for each in differ] == [each["name"] for each in comparison(here, prototype("array-2x6"))]
+    context.close()
+
+
+def test_the_link_of_a_page_that_sleeps_is_not_taken_for_lost(browser: Any, running: Studio) -> None:
+    context = browser.new_context()
+    page = context.new_page()
+    page.clock.install()
+    page.goto(running.address)
+    until(page, f"{ROOT}.painted !== undefined")
+    page.evaluate("""() => {
+      window.losses = 0;
+      new MutationObserver(() => { window.losses += 1; }).observe(document.getElementById("lost"), { childList: true });
+    }""")
+    for _ in range(3):
+        page.clock.fast_forward(60_000)  # timers of a hidden page go once a minute
+        page.evaluate("fetch('/studio.css', { method: 'HEAD' })")  # by then the answer to a ping has come
+    assert page.evaluate("window.losses") == 0
+    context.close()
+
+
+def test_what_was_heard_of_another_design_goes_and_what_is_shown_can_be_had(page: Any, tmp_path: Path) -> None:
+    page.locator("#touch-title").scroll_into_view_if_needed()
+    until(page, f"{ROOT}.shown_surface === '0'")
+    page.locator("#touch-points button").nth(4).click()
+    until(page, "document.getElementById('answer').dataset.named")
+    table = downloaded(page, lambda: page.click("#touch-csv"), tmp_path).read_text().splitlines()
+    assert table[0] == "time (s),A (Pa),B (Pa),named"
+    values = np.array([row.split(",")[:3] for row in table[1:]], float)
+    np.testing.assert_allclose(values[:, 0], np.arange(len(values)) / 1000)
+    assert np.abs(values[:, 1:]).max() > 0.1
+    assert {row.split(",")[3] for row in table[1:]} == {"", "5"}
+    picture = downloaded(page, lambda: page.click("#touch-png"), tmp_path)
+    assert picture.read_bytes().startswith(b"\x89PNG")
+    give(page, "tube.length", "14")
+    until(page, f"{ROOT}.shown_surface === '1'")
+    assert page.locator("#answer").inner_text().startswith("Click a membrane")
