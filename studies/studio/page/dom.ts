@@ -26,7 +26,7 @@ export function button(text: string, act: () => void, attributes: Record<string,
 export function words(value: number, digits = 4): string {
   if (!Number.isFinite(value)) return "–";
   const size = Math.abs(value);
-  if (size !== 0 && (size < 1e-3 || size >= 1e6)) return value.toExponential(digits - 2).replace("-", "−");
+  if (size !== 0 && (size < 1e-3 || size >= 1e6)) return value.toExponential(digits - 1).replace("-", "−");
   return String(Number(value.toPrecision(digits))).replace("-", "−");
 }
 

@@ -49,7 +49,7 @@ def test_every_panel_shows_a_design_and_a_click_lights_its_point(
     assert page.locator("#points-table tbody tr").count() == design.point_count
     for figure, value in figures["figures"].items():
         shown = page.locator(f"#figures [data-figure='{figure}'] dd").inner_text().split()[0]
-        assert float(shown.replace("\N{MINUS SIGN}", "-")) == pytest.approx(value, rel=1e-2 if "e" in shown else 1e-3)
+        assert float(shown.replace("\N{MINUS SIGN}", "-")) == pytest.approx(value, rel=1e-3)
     before = page.locator("#space canvas").screenshot()
     page.locator("tr[data-point='3']").click()
     assert page.locator("#point").input_value() == "3"
