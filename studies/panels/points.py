@@ -10,6 +10,7 @@ from geometry.design.array_design import ArrayDesign
 from geometry.layout.arrangement import lay_out
 from geometry.layout.mending import mend_of
 from geometry.layout.overlaps import overlaps
+from geometry.refusal import Refusal
 from studies.metrics.covered_area import FINGER
 from studies.metrics.pairs import BAND
 from studies.metrics.responses import Responses
@@ -28,6 +29,15 @@ FIGURES = (
 )  # fmt: skip
 
 
+#: Points of the largest array whose figures are predicted beside a page: memory goes with the square of them, 1 GB.
+MOST_POINTS = 256
+
+
+def _check_size(design: ArrayDesign) -> None:
+    if design.point_count > MOST_POINTS:
+        raise Refusal(f"the array has {design.point_count} points; figures are predicted of at most {MOST_POINTS}")
+
+
 def point_figures(design: ArrayDesign) -> dict[str, Any]:
     """Figures of a design and of each of its points, of the lumped library at the usual frequencies of figures.
 
@@ -41,8 +51,10 @@ def point_figures(design: ArrayDesign) -> dict[str, Any]:
         contact of ``coverage``, mm.
 
     Raises:
-        Refusal: the design has fewer than two points or microphones, or cannot be solved.
+        Refusal: the design has fewer than two points or microphones or more than :data:`MOST_POINTS` points, or cannot
+            be solved.
     """
+    _check_size(design)
     from acoustic_fem.library.noise import detection_limits
 
     library = lumped_library(design, stated_frequencies(FREQUENCIES))
@@ -93,7 +105,8 @@ def mis_made_figures(design: ArrayDesign) -> dict[str, Any]:
         ``sensors``, how many; ``mean`` and ``worst`` share of their simulated touches whose point is named.
 
     Raises:
-        Refusal: a design that the lumped batch does not take.
+        Refusal: a design that the lumped batch does not take, or one of more than :data:`MOST_POINTS` points.
     """
+    _check_size(design)
     found = scattered_accuracy(design, stated_frequencies(FREQUENCIES), sensors=SENSORS)
     return {"sensors": SENSORS, "mean": float(found.mean()), "worst": float(found.min())}

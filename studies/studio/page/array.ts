@@ -148,6 +148,8 @@ export class ArrayPanel {
     const bounds = new Box3().setFromObject(this.model);
     this.cut.constant = bounds.isEmpty() ? 1e3 : bounds.max.z - share * (bounds.max.z - bounds.min.z) + (share === 0 ? 1 : 0);
     const accent = new Color(colour("--accent"));
+    for (const [node, y] of this.home) node.position.y = y;
+    const together = new Box3().setFromObject(this.model); // of the array, however far its parts are lifted
     for (const [node, y] of this.home) {
       const part = this.parts.get(node.name)!;
       node.visible = !this.hidden.has(part.kind);
@@ -170,7 +172,7 @@ export class ArrayPanel {
       (each.material as Material).dispose();
     });
     this.lines.clear();
-    if (byId<HTMLInputElement>("dimensions").checked && !bounds.isEmpty()) this.measure(new Box3().setFromObject(this.model));
+    if (byId<HTMLInputElement>("dimensions").checked && !bounds.isEmpty()) this.measure(together);
     const [x, y, z] = this.size;
     byId("size").textContent = `${words(Math.max(x, y))} × ${words(Math.min(x, y))} × ${words(z)} mm`;
     this.ask();
@@ -178,7 +180,9 @@ export class ArrayPanel {
 
   /** Dimension lines along three edges of the array as it is shown, with what they measure, mm. */
   private measure(box: Box3): void {
-    const { min, max } = box, off = 0.06 * Math.max(max.x - min.x, max.z - min.z), tick = off / 4, ink = new Color(colour("--ink-soft"));
+    const { min, max } = box;
+    this.place.dataset.measured = [max.x - min.x, max.z - min.z, max.y - min.y].map((each) => words(1000 * each, 3)).join(" ");
+    const off = 0.06 * Math.max(max.x - min.x, max.z - min.z), tick = off / 4, ink = new Color(colour("--ink-soft"));
     const draw = (from: Vector3, to: Vector3, across: Vector3) => {
       const side = across.clone().setLength(tick), at = [from, to];
       for (const end of [from, to]) at.push(end.clone().sub(side), end.clone().add(side));

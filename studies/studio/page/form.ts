@@ -78,6 +78,7 @@ export class Form {
       const unit = row.field.unit ? ` ${row.field.unit}` : "";
       said.append(button(`Set ${words(mend, 6)}${unit}`, () => this.set(name, mend), { class: "mend" }));
     }
+    said.scrollIntoView({ block: "nearest" });
     const named = message.match(/(?:^|: )([a-z_]+(?:\.[\w-]+)+)/);
     if (named && named[1] !== name) this.rows.get(named[1])?.row.classList.add("concerned");
     return true;

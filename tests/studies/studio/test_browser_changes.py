@@ -48,6 +48,17 @@ def test_a_value_that_was_refused_does_not_stay_as_if_it_were_the_designs(page: 
     assert field(page, "tube.length").input_value() == "12.5"
 
 
+def test_a_refusal_is_in_sight_where_there_is_little_room(page: Any) -> None:
+    page.set_viewport_size({"width": 820, "height": 1180})
+    give(page, "tube.length", "5000")
+    until(page, "document.querySelector(`[data-name='tube.length'] .refusal`).textContent")
+    until(
+        page,
+        "document.querySelector('.refused .mend').getBoundingClientRect().bottom <= "
+        "document.getElementById('fields').getBoundingClientRect().bottom",
+    )
+
+
 def test_undo_by_keyboard_is_that_of_the_design_once_a_value_was_taken(page: Any) -> None:
     give(page, "tube.length", "14")
     until(page, f"{ROOT}.revision === '1'")

@@ -133,6 +133,11 @@ def test_all_figures_of_the_page_are_those_of_python(browser: Any, running: Stud
     shares = [made["sensors"], 100 * made["mean"], 100 * made["worst"]]
     assert numbers(page.locator("#mis-made").inner_text()) == pytest.approx(shares, rel=1e-2)
     x, y, z = array_size(LONGER, lay_out(LONGER))
+    page.check("#dimensions")
+    page.evaluate("document.getElementById('exploded').value = 80")
+    page.evaluate("document.getElementById('exploded').dispatchEvent(new Event('input'))")
+    measured = [float(each) for each in page.locator("#space").get_attribute("data-measured").split()]
+    assert sorted(measured) == pytest.approx(sorted([x, y, z]), rel=2e-2)  # of the array, not of its lifted parts
     assert numbers(page.locator("#size").inner_text()) == pytest.approx([max(x, y), min(x, y), z], rel=1e-3)
 
     compared = {row[0]: row[2:] for row in table(page, "#compare-csv", tmp_path)}
