@@ -62,7 +62,7 @@ export function chart(canvas: HTMLCanvasElement, width: number, height: number, 
   c.translate(2, (TOP + height - BOTTOM) / 2);
   c.rotate(-Math.PI / 2);
   c.textBaseline = "top";
-  c.fillText(up.title, 0, 0, height - 12);
+  c.fillText(up.title, 0, 0, height - BOTTOM);
   c.restore();
   return { c, x, y };
 }
