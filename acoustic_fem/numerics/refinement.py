@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
+from itertools import pairwise
 from typing import TypeVar
 
 import numpy as np
@@ -19,7 +20,9 @@ _COARSER = 1.5
 #: Orders of convergence believed of flow and heat: 4 is expected along tubes and in layers, 1 to 2 at the edges of
 #: mouths, and 2.2 to 2.8 and 2.8 to 3.2 is found of whole cells. What two changes of coarse meshes show is chance.
 FLOW_ORDER, HEAT_ORDER = 1.75, 2.5
-#: Order by which the size of the first mesh follows from the accuracy: that of most of the error.
+#: Below this scale two changes in succession show the order, and more than the least is believed.
+_FINE = 0.69
+#: Most that is believed; by it, the order of most of the error, the size of the first mesh follows from the accuracy.
 BEST_ORDER = 3.5
 _MOST_REFINEMENTS = 4
 #: A mesh that misses the accuracy is followed by one that is finer by these factors.
@@ -61,7 +64,8 @@ def refined(
         field: what is solved.
         solved_on: scale of the mesh and where to report -> the solution and the number of elements.
         change_between: a solution and a coarser one -> relative change.
-        scale: of the first mesh that may do; one 1.5 times coarser is solved before it.
+        scale: of the first mesh that may do; one 1.5 times coarser is solved before it, or two where it is so fine
+            that the three show the order.
         accuracy: relative error aimed at.
         order: of convergence that is believed, :data:`FLOW_ORDER` or :data:`HEAT_ORDER`.
         report: called with the fraction done, never less than before.
@@ -83,8 +87,9 @@ def refined(
 
     solved: list[tuple[float, Solution]] = []
     meshes: list[Refinement] = []
-    failure, following = "", scale * _COARSER
-    for step in range(-1, _MOST_REFINEMENTS + 1):
+    before = 2 if scale < _FINE else 1
+    failure, following = "", scale * _COARSER**before
+    for step in range(-before, _MOST_REFINEMENTS + 1):
         finer = following
         # How far the meshes take us, were the first that may do good enough.
         begin, end = (0.0, 0.3) if step < 0 else (0.3, 0.95)
@@ -98,14 +103,28 @@ def refined(
         change = None if coarser is None else change_between(solution, coarser[1])
         meshes.append(Refinement(field, finer, elements, change))
         solved.append((finer, solution))
-        if coarser is None or change is None:
+        if coarser is None or change is None or step < 0:
             following = finer / _COARSER
             continue
-        error_left = change / ((coarser[0] / finer) ** order - 1)
+        believed = order if finer > _FINE else _shown_order(meshes, order)
+        error_left = change / ((coarser[0] / finer) ** believed - 1)
         if error_left <= accuracy:
             report(1.0)
             return solution, error_left, meshes
         failure = f"the mesh error of the {field} is still {error_left:.2g}, above accuracy = {accuracy:g}"
-        wanted = finer * (_AIMED_AT * accuracy / error_left) ** (1 / order)
+        wanted = finer * (_AIMED_AT * accuracy / error_left) ** (1 / believed)
+        if len(solved) > before + 1:
+            # The first mesh misleads: the next one is fine enough to be compared with a later one.
+            wanted = min(wanted, solved[-2][0] / _COARSER)
         following = float(np.clip(wanted, finer / _NEXT_FINER[1], finer / _NEXT_FINER[0]))
     raise ConvergenceError(f"after {_MOST_REFINEMENTS} refinements {failure}")
+
+
+def _shown_order(meshes: list[Refinement], least: float) -> float:
+    """Order of convergence that the last three meshes show if they are 1.5 times apart; else the least."""
+    sizes, changes = [mesh.scale for mesh in meshes[-3:]], [mesh.change for mesh in meshes[-2:]]
+    steps = [coarse / fine for coarse, fine in pairwise(sizes)]
+    first, last = changes if len(changes) == 2 else (None, None)
+    if len(steps) < 2 or not first or not last or max(abs(step / _COARSER - 1) for step in steps) > 1e-6:
+        return least
+    return float(np.clip(np.log(first / last) / np.log(_COARSER), least, BEST_ORDER))

@@ -39,6 +39,15 @@ def test_two_meshes_do_where_they_agree_and_the_next_is_no_finer_than_it_must_be
     assert 1.5e-3 * scales[2] ** 2 == pytest.approx(0.8 * ACCURACY)
 
 
+def test_three_fine_meshes_show_an_order_above_the_least_and_are_believed():
+    def error_at(scale):
+        return 1.2e-2 * scale**3
+
+    error, stated, scales = converged(error_at, scale=0.4)
+    assert scales == pytest.approx([0.9, 0.6, 0.4])
+    assert stated == pytest.approx(error)
+
+
 def test_a_mesh_too_coarse_for_the_shape_is_passed_over():
     def error_at(scale):
         if scale > 1.2:
