@@ -112,7 +112,8 @@ def refined(
             report(1.0)
             return solution, error_left, meshes
         failure = f"the mesh error of the {field} is still {error_left:.2g}, above accuracy = {accuracy:g}"
-        wanted = finer * (_AIMED_AT * accuracy / error_left) ** (1 / believed)
+        # As if the change stayed as it is: orders are better than what is believed.
+        wanted = coarser[0] / (1 + change / (_AIMED_AT * accuracy)) ** (1 / believed)
         if len(solved) > before + 1:
             # The first mesh misleads: the next one is fine enough to be compared with a later one.
             wanted = min(wanted, solved[-2][0] / _COARSER)
