@@ -39,7 +39,7 @@ _FIRST_SCALE = 1.1
 
 
 #: Part of the cache key: raise it when the mesh or the equations of a cell change.
-CELL_MODEL_VERSION = 10
+CELL_MODEL_VERSION = 11
 
 
 _MODELS = ("heat", "viscous", "flow")
