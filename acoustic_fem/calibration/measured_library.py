@@ -153,7 +153,7 @@ def calibrate(manifest: Manifest, model: Library, progress: Callable[[str, float
     findings: list[RecordingNote] = []
     heard: dict[str, int] = {}
     for done, number in enumerate(sorted(manifest.points)):
-        report(f"point {number}", done / len(manifest.points))
+        report(f"point {number} ({done + 1} of {len(manifest.points)})", done / len(manifest.points))
         try:
             estimate, notes, digest = _point(manifest, number, expected, frequency)
             findings += [RecordingNote(number, note, excluded=False) for note in notes]

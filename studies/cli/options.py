@@ -93,6 +93,10 @@ NEEDS = {
 class Verb(TyperCommand):
     """A verb whose options are given once and say something."""
 
+    def __init__(self, *args: Any, help: str | None = None, **kwargs: Any) -> None:
+        """Take the docstring without the line ends of its source: a terminal has its own width."""
+        super().__init__(*args, help=None if help is None else in_paragraphs(help), **kwargs)
+
     def invoke(self, ctx: Any) -> Any:
         """Do it, where what it needs is installed.
 
@@ -119,6 +123,11 @@ class Verb(TyperCommand):
             if "" in (values[name] if isinstance(values[name], (list, tuple)) else [values[name]]):
                 raise typer.BadParameter(f"{label} is empty", ctx=ctx)
         return super().parse_args(ctx, args)
+
+
+def in_paragraphs(text: str) -> str:
+    """A text whose paragraphs are one line each."""
+    return "\n\n".join(" ".join(each.split()) for each in re.split(r"\n\s*\n", text))
 
 
 def display_on_stderr() -> Display:

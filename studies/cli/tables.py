@@ -161,9 +161,10 @@ def show_check(found: DesignCheck) -> None:
         for kind in found.kinds:
             table.add_row(kind.name or "as stated", kind.what, kind.sizes, str(kind.count))
         show(table)
+    table = table_of("fidelity", "time, and how far off it was")
     for line in found.fidelities:
-        tell(line)
-    print()
+        table.add_row(*line.split(": ", 1))
+    show(table)
     if found.part_counts:
         _show_counts(found.part_counts)
     _show_notes(found.notes, found.misfits if found.overlaps else ())
@@ -209,13 +210,15 @@ def _show_quality(quality: DesignQuality | None) -> None:
 
 def _show_wiring(wiring: WiringCounts) -> None:
     table = table_of("wiring", "", numbers=(1,))
+    lines = f"microphones joined by {counted(wiring.lines, 'line')}"
+    if wiring.most_lines > wiring.lines:
+        lines += f"; {wiring.most_lines} are possible"
     for row in (
-        ("microphones", str(wiring.microphones)),
-        ("lines, of at most", f"{wiring.lines} of {wiring.most_lines}"),
+        (lines, str(wiring.microphones)),
         ("points", str(wiring.points)),
         ("points per microphone", f"{wiring.points_per_microphone:.3g}"),
-        ("times one transducer per point", f"{wiring.gain_over_one_transducer_per_point:.3g}"),
-        ("times row-column addressing", f"{wiring.gain_over_row_column:.3g}"),
+        ("  against one microphone per point", f"{wiring.gain_over_one_transducer_per_point:.3g} times"),
+        ("  against addressing by rows + columns", f"{wiring.gain_over_row_column:.3g} times"),
     ):
         table.add_row(*row)
     show(table)

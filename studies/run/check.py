@@ -7,6 +7,7 @@ import os
 import warnings
 from collections import Counter
 from collections.abc import Mapping, Sequence
+from contextlib import AbstractContextManager
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
@@ -216,10 +217,11 @@ def check_design(
     check_new_file(drawn, ".png")
     if drawn is not None:
         check_extras("what judges points", "train")
-    with (display or Display()).stage("Check") as report:
-        found = _judged(design, report)
-        if drawn is not None or (quality and is_installed("train")):
-            report("how good it is", 0.9)
+    judge = drawn is not None or (quality and is_installed("train"))
+    steps = _Steps(display or Display(), 2 + 3 * is_installed("cad") + judge)
+    found = _judged(design, steps)
+    if judge:
+        with steps("How good it is"):
             found = replace(found, quality=design_quality(design))
     if path is not None:
         write_json(path, found.to_dict())
@@ -230,19 +232,29 @@ def check_design(
     return found
 
 
-def _judged(design: ArrayDesign, report: Report) -> DesignCheck:
+@dataclass(frozen=True)
+class _Steps:
+    """Stages of a display, of which it is known how many there are."""
+
+    display: Display
+    count: int
+
+    def __call__(self, name: str) -> AbstractContextManager[Report]:
+        return self.display.stage(name, of=self.count)
+
+
+def _judged(design: ArrayDesign, steps: _Steps) -> DesignCheck:
     import acoustic_fem
 
-    report("layout", 0.0)
-    layout = lay_out(design)
-    found = overlaps(design, layout)
-    report("attenuation", 0.1)
-    with warnings.catch_warnings():
+    with steps("Layout"):
+        layout = lay_out(design)
+        found = overlaps(design, layout)
+    with steps("Attenuation"), warnings.catch_warnings():
         # the same limits are listed under validity
         warnings.filterwarnings("ignore", "entrance loss of a tube|membrane: ", UserWarning)
         library = acoustic_fem.solve(design, ATTENUATION_AT, fidelity="lumped")
     levels = [(frequency, *worst_heard(library.transfer_function, frequency)) for frequency in ATTENUATION_AT]
-    counts, in_the_way, printing = _drawn(design, layout, report) if is_installed("cad") else ({}, (), None)
+    counts, in_the_way, printing = _drawn(design, layout, steps) if is_installed("cad") else ({}, (), None)
     return DesignCheck(
         design=design,
         wiring=wiring_counts(len(design.microphones), [line.points for line in design.lines]),
@@ -262,23 +274,22 @@ def _judged(design: ArrayDesign, report: Report) -> DesignCheck:
 
 
 def _drawn(
-    design: ArrayDesign, layout: ArrayLayout, report: Report
+    design: ArrayDesign, layout: ArrayLayout, steps: _Steps
 ) -> tuple[Mapping[str, int], tuple[str, ...], PrintReport]:
     """Numbers of the parts, what keeps them from being put together, and what the print rules say of them."""
     from geometry import build_parts, print_report
     from geometry.assembly.fit import misfits
     from geometry.assembly.model import array_model
 
-    report("parts", 0.3)
-    parts = build_parts(design, layout)
-    report("fit", 0.4)
-    try:
-        in_the_way = misfits(array_model(design, parts, layout))
-    except Refusal as error:  # a tube that bends into itself is no solid
-        in_the_way = (str(error),)
-    printing = print_report(
-        parts, design=design, progress=lambda part, fraction: report(f"print rules: {part}", 0.4 + 0.5 * fraction)
-    )
+    with steps("Parts"):
+        parts = build_parts(design, layout)
+    with steps("Fit"):
+        try:
+            in_the_way = misfits(array_model(design, parts, layout))
+        except Refusal as error:  # a tube that bends into itself is no solid
+            in_the_way = (str(error),)
+    with steps("Print rules") as report:
+        printing = print_report(parts, design=design, progress=report)
     return parts.counts, in_the_way, printing
 
 

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import itertools
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
 from command import Command
+from typer.testing import CliRunner
 
 import acoustic_fem
+from studies.cli.app import VERBS as VERBS_OF_THE_APP, app
 
 ROOT = Path(__file__).parents[3]
 VERBS = ("prototypes", "check", "solve", "parts", "train", "evaluate", "onnx", "locate", "live", "run")
@@ -21,6 +24,16 @@ def test_the_help_of_every_verb_has_an_example_and_out(command: Command, verb: s
     assert told.code == 0
     assert f"acoustic-fem {verb}" in told.out.partition("Example:")[2]
     assert "--out" in told.out
+
+
+@pytest.mark.parametrize("verb", [verb.__name__ for verb in VERBS_OF_THE_APP])
+def test_help_fills_the_lines_of_a_terminal(verb: str) -> None:
+    told = CliRunner().invoke(app, [verb, "--help"], env={"COLUMNS": "80"})
+    lines = [line.rstrip() for line in told.output.splitlines()]
+    assert max(map(len, lines)) <= 80
+    words = lines[: next(k for k, line in enumerate(lines) if line.startswith("╭"))]
+    for line, after in itertools.pairwise(words):
+        assert not line or not after or len(line) + 1 + len(after.split()[0]) > 79, f"{line} | {after}"
 
 
 def test_the_help_lists_every_verb_in_the_order_of_work(command: Command) -> None:

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import re
 from types import SimpleNamespace
 from typing import Any, cast
 
 import pytest
 
+from geometry.design.design_file import prototype
 from studies.cli.localizers import _show_evaluations
-from studies.cli.tables import show, show_fields, show_findings, table_of
+from studies.cli.tables import show, show_check, show_fields, show_findings, table_of
+from studies.run.check import check_design
 
 
 @pytest.fixture(autouse=True)
@@ -52,6 +55,18 @@ def test_into_a_file_lines_are_not_broken_to_a_terminal(
     table.add_row("a", 40 * "meaningful ")
     show(table)
     assert "a           " + 39 * "meaningful " + "meaningful" in capsys.readouterr().out
+
+
+def test_a_check_fits_and_says_of_a_wiring_what_its_figures_compare_with(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr("studies.run.check.is_installed", lambda extra: False)  # drawing the parts takes seconds
+    show_check(check_design(prototype("array-2x6")))
+    told = capsys.readouterr().out
+    assert max(len(line) for line in told.splitlines() if "pip install" not in line) <= 80
+    assert " ".join(told.split()).count("navier-stokes, the default about") == 1
+    assert re.search(r"microphones joined by 1 line +2\b", told)
+    assert re.search(r"against one microphone per point +6 times", told)
 
 
 def headline(signals: str, *beside: tuple[str, float | None]) -> Any:
