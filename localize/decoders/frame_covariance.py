@@ -34,6 +34,8 @@ SOURCE_RMS = 0.25
 INTEGRATION_STEP = 0.5
 """Step of the integrals over frequency, Hz: covariances repeat after 2 s, eight frames."""
 
+LEAST_NOISE = 1e-4
+"""Noise that every microphone has beside its own where sound is taken out of whole frames, Pa rms."""
 HUM = 3e-3
 """Level of each line of mains that is expected in every microphone, Pa rms; 1 mPa did as well with hum of 10 mPa."""
 HUM_LINES = 2
@@ -139,6 +141,43 @@ def joint_covariance(
     """
     alone = np.kron(np.eye(len(response.microphones)), floor_covariance(noise))
     return np.asarray(alone if ambient is None else alone + ambient_covariance(response, ambient))
+
+
+def whole_frame_covariance(
+    response: ArrayResponse, noise: float | NoiseSpectrum, ambient: float
+) -> NDArray[np.float64]:
+    """Covariance of noise and sound in all samples of a frame, neither filtered nor decimated, without hum.
+
+    Args:
+        response: the array, with its ``ambient_response``.
+        noise: white, Pa rms over 0 to 500 Hz, or a spectrum; :data:`LEAST_NOISE` at least.
+        ambient: level of the sound outside, dB SPL.
+
+    Returns:
+        (n, n) float64, n = n_microphone 250, microphone by microphone, Pa^2.
+    """
+    time = np.arange(FRAME) / SAMPLE_RATE
+    alone = noise_covariance(noise, time)
+    alone[0] += LEAST_NOISE**2
+    h, amplitude, frequency = ambient_waves(response, ambient)
+    sound = _second_moment(h, amplitude, np.exp(2j * math.pi * frequency[:, None] * time))
+    return np.asarray(np.kron(np.eye(len(response.microphones)), scipy.linalg.toeplitz(alone)) + sound)
+
+
+def noise_covariance(noise: float | NoiseSpectrum, lag: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Covariance of a microphone's noise.
+
+    Args:
+        noise: white, Pa rms over 0 to 500 Hz, or a spectrum.
+        lag: of any shape, float64, s.
+
+    Returns:
+        Same shape as the lags, float64, Pa^2.
+    """
+    if isinstance(noise, NoiseSpectrum):
+        frequency = np.arange(len(noise.power), dtype=np.float64)
+        return np.asarray(np.cos(2 * math.pi * lag[:, None] * frequency) @ noise.power)
+    return np.where(lag == 0, noise**2, 0.0)
 
 
 def check_level(response: ArrayResponse, level: float | None) -> None:

@@ -25,10 +25,10 @@ import scipy.signal
 from numpy.typing import ArrayLike, NDArray
 
 from geometry.refusal import Refusal, counted
-from localize.decoders.frame_covariance import SOURCE_RMS, check_noise, source_density
+from localize.decoders.frame_covariance import SOURCE_RMS, check_noise, noise_covariance, source_density
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.frames import checked_signals
-from localize.signals.noise import NoiseChoice, NoiseSpectrum
+from localize.signals.noise import NoiseChoice
 from localize.signals.stimulus import BAND, SAMPLE_RATE
 from localize.signals.threads import one_thread
 
@@ -143,7 +143,7 @@ class Reconstructor:
             turn = np.exp(2j * math.pi * self._frequency[:, None] * lag)
             # E[y_a(t + lag) y_b(t)]; tap k is the sample at -k, so rows and columns run backwards in time.
             cross = ((h[:, None, :] * h[None, :, :].conj() * self._power) @ turn).real
-            cross[np.arange(len(h)), np.arange(len(h))] += _noise_at(self._noise, lag)
+            cross[np.arange(len(h)), np.arange(len(h))] += noise_covariance(self._noise, lag)
             index = np.arange(taps)[None, :] - np.arange(taps)[:, None] + taps - 1
             covariance = cross[:, :, index].transpose(0, 2, 1, 3).reshape(len(h) * taps, -1)
             ahead = (self.latency - np.arange(taps)) / SAMPLE_RATE
@@ -194,11 +194,3 @@ def short_window_waveform(
     source = np.zeros((len(batch), *spectrum.shape[2:]), complex)
     source[:, known] = np.einsum("mf,nmft->nft", h.conj(), spectrum[:, :, known]) / (np.abs(h) ** 2).sum(0)[:, None]
     return np.asarray(transform.istft(source, k1=batch.shape[-1]))
-
-
-def _noise_at(noise: float | NoiseSpectrum, lag: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Covariance of a microphone's noise at lags in s, Pa^2."""
-    if isinstance(noise, NoiseSpectrum):
-        frequency = np.arange(len(noise.power), dtype=np.float64)
-        return np.asarray(np.cos(2 * math.pi * lag[:, None] * frequency) @ noise.power)
-    return np.where(lag == 0, noise**2, 0.0)

@@ -8,6 +8,10 @@ the phase difference and whose length falls below 1 where the phase is not stead
 One more map tells where there is a signal at all, for ratios elsewhere mean nothing: the power of all microphones
 together, in dB below its maximum over the frame. It halves the errors and is ours, not the paper's.
 
+Where touches are heard in the sound of rooms, the same maps are made once more of the frame in which noise and sound of
+a room are white, which leaves little of the sound: it presses on all membranes alike, so that it takes up one of three
+microphones' dimensions at each frequency. This is ours too.
+
 The paper's own choice is there for comparison: level and phase difference alone, two maps per pair. Its phases are
 averaged as phasors too, so that the mean of two angles beside the jump at pi lies there and not at zero.
 
@@ -40,9 +44,12 @@ AVERAGE = 16
 """Number of samples over which ratios are averaged."""
 COLUMNS = TAIL - AVERAGE + 1
 """Number of columns of a map."""
-FeatureChoice = Literal["phasors", "paper"]
-"""Choice of the maps: level, phasor and power, the default; or the paper's level and phase difference alone."""
-MAPS_PER_PAIR: dict[FeatureChoice, int] = {"phasors": 3, "paper": 2}
+FeatureChoice = Literal["phasors", "paper", "rooms"]
+"""Choice of the maps: level, phasor and power; the paper's level and phase difference alone; or the first of them
+twice, of the frame and of what is left of it where sound is taken out."""
+MAPS_PER_PAIR: dict[FeatureChoice, int] = {"phasors": 3, "paper": 2, "rooms": 6}
+OF_POWER: dict[FeatureChoice, int] = {"phasors": 1, "paper": 0, "rooms": 2}
+"""Maps of the power of all microphones."""
 GRID = 2048
 """Length of the circular wavelet grid, samples: on 512 the wavelets below 20 Hz would wrap around onto the frame."""
 BANDWIDTH = 1.0
@@ -59,14 +66,15 @@ def wavelet_frequencies() -> NDArray[np.float64]:
 
 
 def map_count(microphones: int, choice: FeatureChoice = "phasors") -> int:
-    """Number of maps of an array: three for every pair of microphones and one of the power, or the paper's two.
+    """Number of maps of an array: three for every pair of microphones and one of the power, or twice as many, or the
+    paper's two.
 
     Raises:
         Refusal: an unknown choice.
     """
     if choice not in MAPS_PER_PAIR:
         raise Refusal(f"features = {choice!r} must be one of: {', '.join(MAPS_PER_PAIR)}")
-    return MAPS_PER_PAIR[choice] * microphones * (microphones - 1) // 2 + (choice == "phasors")
+    return MAPS_PER_PAIR[choice] * microphones * (microphones - 1) // 2 + OF_POWER[choice]
 
 
 def wavelet_transform(frames: NDArray[np.float64]) -> NDArray[np.complex128]:
@@ -92,6 +100,8 @@ class PairFeatures(nn.Module):
 
     Pairs run (1, 2), (1, 3), ..., (2, 3), ...; maps of a pair are level in dB, real and imaginary part of the
     phasor, and the power comes last; with ``choice="paper"`` they are level in dB and phase in rad, and that is all.
+    With ``choice="rooms"`` those of the frame come first, then those of what :meth:`take_out` leaves of it: all, before
+    it was called.
 
     Nothing but real matrix products and functions of one value: it runs on any device and can be exported.
 
@@ -105,6 +115,9 @@ class PairFeatures(nn.Module):
     """Second factor of continuation and wavelet; (64, 2 * 64 * 47) float32, real rows first, then imaginary ones."""
     averaging: Tensor
     """Means over 16 consecutive samples as a matrix, seven times as fast as pooling; (47, 32) float32."""
+    of_white: Tensor
+    """The first factor behind what makes sound white, of rooms alone; (n_microphone * 250, n_microphone * 64)
+    float64."""
 
     def __init__(self, microphones: int, choice: FeatureChoice = "phasors") -> None:
         super().__init__()
@@ -119,6 +132,19 @@ class PairFeatures(nn.Module):
         self.pairs = tuple(combinations(range(microphones), 2))
         self.map_count = map_count(microphones, choice)
         self.choice = choice
+        if choice == "rooms":
+            self.register_buffer("of_white", torch.block_diag(*[self.analysis] * microphones))
+
+    def take_out(self, covariance: NDArray[np.float64]) -> None:
+        """Make noise and sound white in the second half of the maps of rooms, each microphone changed the least.
+
+        Args:
+            covariance: of what is heard without a touch, microphone by microphone; (n_microphone * 250,) * 2 float64,
+                Pa^2, as of :func:`localize.decoders.frame_covariance.whole_frame_covariance`.
+        """
+        power, waves = np.linalg.eigh(covariance)
+        white = torch.from_numpy((waves / np.sqrt(power)) @ waves.T).unflatten(1, (-1, FRAME))
+        self.of_white.copy_((white @ self.analysis.cpu()).flatten(1))
 
     def transform(self, frames: Tensor) -> tuple[Tensor, Tensor]:
         """Real and imaginary part of the wavelet transform.
@@ -129,9 +155,7 @@ class PairFeatures(nn.Module):
         Returns:
             Two of (..., 64, 47) float32, Pa.
         """
-        shares = (frames.double() @ self.analysis).to(self.synthesis.dtype)
-        parts = (shares @ self.synthesis).unflatten(-1, (2, FREQUENCIES, TAIL))
-        return parts.select(-3, 0), parts.select(-3, 1)
+        return self._waves(frames.double() @ self.analysis)
 
     def forward(self, frames: Tensor) -> Tensor:
         """Maps of a batch of frames; a common gain of all microphones changes nothing.
@@ -144,7 +168,21 @@ class PairFeatures(nn.Module):
         """
         # Scaled so that powers neither overflow nor vanish.
         exact = frames.double()
-        real, imag = self.transform(exact / exact.abs().amax((-2, -1), keepdim=True))
+        exact = exact / exact.abs().amax((-2, -1), keepdim=True)
+        maps = self._maps(*self.transform(exact))
+        if self.choice != "rooms":
+            return maps
+        left = (exact.flatten(1) @ self.of_white).unflatten(1, (-1, RANK))
+        left = left / left.abs().amax((-2, -1), keepdim=True)
+        return torch.cat([maps, self._maps(*self._waves(left))], 1)
+
+    def _waves(self, shares: Tensor) -> tuple[Tensor, Tensor]:
+        """What the first factor leaves, (..., 64), to real and imaginary part of the transform, (..., 64, 47)."""
+        parts = (shares.to(self.synthesis.dtype) @ self.synthesis).unflatten(-1, (2, FREQUENCIES, TAIL))
+        return parts.select(-3, 0), parts.select(-3, 1)
+
+    def _maps(self, real: Tensor, imag: Tensor) -> Tensor:
+        """(n, n_map, 64, 32) of a transform, (n, n_microphone, 64, 47) each."""
         power = (real * real + imag * imag).clamp_min(1e-30)
         level = 10 * power.log10()
         inverse = power.rsqrt()
@@ -154,7 +192,7 @@ class PairFeatures(nn.Module):
             maps.append(level[:, a] - level[:, b])
             maps.append(cosine[:, a] * cosine[:, b] + sine[:, a] * sine[:, b])
             maps.append(sine[:, a] * cosine[:, b] - cosine[:, a] * sine[:, b])
-        if self.choice == "phasors":
+        if self.choice != "paper":
             maps.append(power.mean(1))
         means = [each @ self.averaging for each in maps]
         if self.choice == "paper":

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from torch import Tensor
 
 from acoustic_fem.library.provenance import versions
+from localize.decoders.frame_covariance import whole_frame_covariance
 from localize.learned.checkpoint import Checkpoint, training_identity
 from localize.learned.classifier import NETWORKS, NetworkShape, TouchClassifier
 from localize.learned.epochs import Lesson, TrainingProgress, named_classes, run_epochs
@@ -79,9 +80,9 @@ def train(
     warn_of_uncovered(response)
     microphones = len(response.microphones)
     shape = NetworkShape(
-        maps=map_count(microphones, plan.features),
+        maps=map_count(microphones, plan.maps(response)),
         points=response.point_count,
-        features=plan.features,
+        features=plan.maps(response),
         **NETWORKS[plan.network],
     )
     seen, unseen = _split(source)
@@ -95,6 +96,9 @@ def train(
         torch.manual_seed(plan.seed)
         held_out = _held_out(plan, _touches(response, plan, "held-out", source, unseen, device))
         classifier = TouchClassifier(microphones, shape).to(device)
+        sound = plan.sound(response)
+        if shape.features == "rooms" and sound is not None:
+            classifier.features.take_out(whole_frame_covariance(response, noise, sound[1]))
         batches = _Batches(touches, recorded, plan, _steps_per_epoch(plan, response))
         classifier.fit_normalisation(batches.first(NORMALISATION_TOUCHES * response.point_count))
         identity = {**training_identity(asdict(plan), touches), **(recorded.identity() if recorded else {})}

@@ -155,15 +155,40 @@ def test_the_mean_of_phases_beside_the_jump_lies_there_and_not_at_zero(phase):
     assert np.abs(np.angle(np.exp(1j * (maps[row].numpy() - phase)))).max() < 0.06
 
 
+# -- the maps of rooms ----------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(("microphones", "maps"), [(2, 8), (3, 20), (4, 38)])
+def test_maps_of_rooms_are_those_of_the_frame_and_again_of_what_is_taken_out_of(microphones, maps):
+    x = torch.from_numpy(noise_frames(3, microphones)).float()
+    made, once = PairFeatures(microphones, "rooms")(x), PairFeatures(microphones)(x)
+    assert made.shape == (3, maps, 64, 32)
+    assert features.map_count(microphones, "rooms") == maps
+    assert torch.allclose(made[:, : maps // 2], once)
+    assert torch.allclose(made[:, maps // 2 :], once, atol=1e-4), "nothing is taken out yet"
+
+
+def test_sound_that_is_the_same_at_all_microphones_is_taken_out():
+    rooms = PairFeatures(3, "rooms")
+    rooms.take_out(1e8 * np.kron(np.ones((3, 3)), np.eye(frames.FRAME)) + np.eye(3 * frames.FRAME))
+    touch = noise_frames(4, 3)
+    alone = touch - touch.mean(1, keepdims=True)  # all that can be told of it
+    sound = 30 * np.random.default_rng(1).standard_normal((4, 1, frames.FRAME))
+    first, second = rooms(torch.from_numpy(touch + sound)).split(10, dim=1)
+    expected = PairFeatures(3)(torch.from_numpy(alone))
+    assert (second - expected).abs().mean() < 0.01
+    assert (first - expected).abs().mean() > 1
+
+
 def test_unknown_maps_are_refused():
-    with pytest.raises(ValueError, match="features = 'levels' must be one of: phasors, paper"):
+    with pytest.raises(ValueError, match="features = 'levels' must be one of: phasors, paper, rooms"):
         PairFeatures(2, "levels")
 
 
 # -- anywhere -------------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("choice", ["phasors", "paper"])
+@pytest.mark.parametrize("choice", ["phasors", "paper", "rooms"])
 def test_features_move_to_a_device_and_are_exported_as_one_graph_of_real_numbers(choice):
     maps = PairFeatures(2, choice)
     # The device without data refuses tensors of any other: no accelerator is needed to see that all of them move.

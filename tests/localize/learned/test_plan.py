@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+import torch
 from rc_line import rc_line
 
 import localize
@@ -68,7 +69,20 @@ def test_a_network_is_trained_in_the_sound_of_rooms_where_the_library_knows_it()
     assert TrainingPlan(ambient=(40.0, 50.0)).sound(heard) == (40.0, 50.0)
     trained = localize.train(heard, replace(SHORT, epochs=1))
     assert trained.training["ambient"] == ROOM_LEVELS
-    assert localize.train(array, replace(SHORT, epochs=1)).training["ambient"] is None
+    assert trained.shape.features == "rooms"
+    deaf = localize.train(array, replace(SHORT, epochs=1))
+    assert (deaf.training["ambient"], deaf.shape.features) == (None, "phasors")
+
+
+def test_a_network_of_rooms_is_saved_with_what_it_takes_out(tmp_path):
+    array = rc_line(4)
+    heard = replace(array, ambient_response=np.ones_like(array.transfer_function[0]))
+    trained = localize.train(heard, replace(SHORT, epochs=1))
+    trained.save(tmp_path)
+    read = localize.load_localizer(tmp_path)
+    assert torch.equal(read.classifier.features.of_white, trained.classifier.features.of_white)
+    signals = localize.TouchGenerator(heard, 0, "evaluation", ambient=(80.0, 80.0)).samples(0, 8).signals
+    assert (read.locate(signals) == trained.locate(signals)).all()
 
 
 def test_touches_are_as_loud_as_the_plan_says():
