@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 import acoustic_fem
+import geometry
 from acoustic_fem.atlas import cell_atlas
 from studies.findings.result_table import table_of_sweep, with_base_metrics
 from studies.study.file import read_study
@@ -65,7 +66,15 @@ def test_it_is_the_default_and_a_study_that_names_another_keeps_that():
 
 
 @pytest.mark.slow
-def test_ten_random_cases_are_within_the_stated_error_of_3_d(tmp_path):
+def test_ten_random_cases_are_within_the_stated_error_of_3_d_where_closed_forms_are_not(tmp_path):
+    """Wide bores in small cavities: what 3-D adds counts there."""
+    base = geometry.prototype("array-2x6").with_values(
+        {
+            **{f"{tube}.inner_diameter": 0.7 for tube in ("tube", "microphone_tube")},
+            **{f"{tube}.outer_diameter": 1.3 for tube in ("tube", "microphone_tube")},
+            "resonator.cavity_diameter": 3.6,
+        }
+    )
     text = """
 base = "array-2x6"
 sampling = "random"
@@ -76,16 +85,20 @@ frequencies = "1:200:9"
 transfer_functions = true
 
 [parameters]
-"resonator.cavity_height" = [2.3, 3.4]
+"resonator.cavity_height" = [2.0, 2.4]
 "tube.length" = {from = 9, to = 25}
 "membrane.thickness" = {from = 0.4, to = 1.2}
 """
     kept = {}
-    for fidelity in ("atlas", "navier-stokes"):
+    for fidelity in ("lumped", "atlas", "navier-stokes"):
         store = tmp_path / f"{fidelity}.zarr"
-        assert run_sweep(read_study(f'fidelity = "{fidelity}"\n{text}'), store, workers=1).computed == 10
+        study = read_study(f'fidelity = "{fidelity}"\n{text}', base=base)
+        assert run_sweep(study, store, workers=1).computed == 10
         data = open_sweep(store).dataset
         kept[fidelity] = data["transfer_function_real"].values + 1j * data["transfer_function_imag"].values
-    exact = kept["navier-stokes"]
-    off = np.abs(kept["atlas"] / exact - 1) / (1 + np.abs(np.log(np.abs(exact))))
-    assert 0 < off.max() < cell_atlas().errors["transfer function by 1 + |ln H|"]
+    exact = kept.pop("navier-stokes")
+    off = {
+        fidelity: (np.abs(found / exact - 1) / (1 + np.abs(np.log(np.abs(exact))))).max()
+        for fidelity, found in kept.items()
+    }
+    assert 0 < off["atlas"] < cell_atlas().errors["transfer function by 1 + |ln H|"] < off["lumped"]
