@@ -63,7 +63,7 @@ def cell(_: bool) -> Subject:
         flows.append(Level(label, scale, unknowns, float(entries.max())))
         totals.append(Level(label, scale, unknowns, float(total.max())))
     studies = (
-        Study("cell Y", "reference cell, Y₁₁ and Y₁₂", "finest mesh", "scale", tuple(flows), 2.0, 1.0,
+        Study("cell Y", "reference cell, Y₁₁ and Y₁₂", "finest mesh", "scale", tuple(flows), 2.5, 1.5,
               "between 1.1 (edge of the mouth) and 4"),
         Study("cell sum", "reference cell, Y₁₁ + Y₁₂", "finest mesh", "scale", tuple(totals), 3.0, 1.0,
               "thermal layer on unresolved meshes"),
