@@ -76,9 +76,16 @@ def serve_studio(
         ws_ping_timeout=20,
         timeout_graceful_shutdown=2,
     )
+    server, ended = uvicorn.Server(config), list[int]()
+
+    def end(number: int, frame: object) -> None:
+        # Nothing is raised here: in the middle of an import that would leave its lock to nobody.
+        ended.append(number)
+        server.should_exit = True
+
     if threading.current_thread() is threading.main_thread():
-        # The server hands the signal on when it has ended: then what was written is still to be removed.
-        signal.signal(signal.SIGTERM, _end)
+        # Before the server runs, and when it hands the signal on: then what was written is still to be removed.
+        signal.signal(signal.SIGTERM, end)
     try:
         with threadpool_limits(1):
             workplace.warm_up(design)
@@ -86,16 +93,14 @@ def serve_studio(
             tell("The address holds the key: give it to nobody. Ctrl-C ends.")
             if browser:
                 webbrowser.open(address)
-            uvicorn.Server(config).run(sockets=[listening])
+            server.run(sockets=[listening])
     except KeyboardInterrupt:
         tell("The studio has ended; pages keep their designs until it is there again.")
     finally:
         workplace.close()
         listening.close()
-
-
-def _end(number: int, frame: object) -> None:
-    raise SystemExit(128 + number)
+    if ended:
+        raise SystemExit(128 + ended[0])
 
 
 def _check(host: str, token: str | None) -> None:

@@ -455,7 +455,7 @@ def test_one_motion_of_the_cell_wall_stands_for_every_mode_of_the_membrane_up_to
     shapes = np.vstack([bowl, model.shapes])
     motions = [WallMotion(OPENING, np.column_stack([model.radius * 3.0, each]), air.centre) for each in shapes]
     faces = {**air.ports, OPENING: air.opening, MIRROR: air.mirror}
-    meshes = [mesh_solid(air.solid, faces, tuple(air.ports), size) for size in mesh_sizes(1.6, 2.5, medium, 2000.0)]
+    meshes = [mesh_solid(air.solid, faces, tuple(air.ports), size) for size in mesh_sizes(1.05, 2.5, medium, 2000.0)]
     body = condense(
         *meshes, BodyFaces(tuple(air.ports), motions, MIRROR), AirModel(medium, (1.0, 2000.0)), tolerance=1e-5
     )
