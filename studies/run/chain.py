@@ -24,10 +24,10 @@ from studies.metrics.separation import Separability, separability
 from studies.output.display import Display, Report
 from studies.output.folders import claim_folder, replaced_folder
 from studies.output.frequencies import LIBRARY_FREQUENCIES, stated_frequencies
-from studies.run.check import model_validity
 from studies.run.findings import AGREEMENT, write_results
 from studies.run.part_folder import ALL_THE_SAME
 from studies.run.result import RunResult
+from studies.run.validity import model_validity
 
 if TYPE_CHECKING:
     from acoustic_fem import Library

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import os
 import warnings
 from collections import Counter
@@ -29,43 +28,18 @@ from studies.metrics.pairs import BAND, worst_heard
 from studies.output.display import Display, Report
 from studies.output.folders import check_new_file, write_json
 from studies.run.quality import DesignQuality, design_quality, draw_quality
+from studies.run.validity import Validity, model_validity
 
 if TYPE_CHECKING:
-    from acoustic_fem.quantities.medium import Medium
     from geometry.printing.report import PrintReport
     from geometry.stated.parts import Tube
 
 #: Frequencies of the estimated attenuation, Hz.
 ATTENUATION_AT = (1.0, 10.0, 100.0)
-#: Weakest sinusoid of the paper's stimuli, Pa, and length of the localizer's frames, s.
-WEAKEST_SINUSOID, FRAME_SECONDS = 0.02, 0.25
 #: Largest difference of lumped from Navier-Stokes transfer functions as `run` measured it: percent, degrees.
 LUMPED_IS_OFF = (("array-2x6", 0.3, 0.2), ("line-3", 1.7, 0.6))
 #: The same for the scalar model, which is wrong where a tube opens into a cavity.
 HELMHOLTZ_IS_OFF = (("array-2x6", 6.2, 1.2), ("fingertip-3x4", 9.8, 2.0))
-
-
-@dataclass(frozen=True)
-class Validity:
-    """Assumption of the models, in a number that can be compared with a limit."""
-
-    assumption: str
-    """Name of the assumption, in words."""
-    value: float
-    """Value for the design, in the unit."""
-    relation: Literal["at least", "at most"]
-    """Relation that the value must have to the limit."""
-    limit: float
-    """Limit, in the unit."""
-    unit: str
-    """Unit of value and limit; empty for ratios."""
-    meaning: str
-    """Explanation of the value, in words."""
-
-    @property
-    def holds(self) -> bool:
-        """Whether the value keeps the limit."""
-        return self.value >= self.limit if self.relation == "at least" else self.value <= self.limit
 
 
 @dataclass(frozen=True)
@@ -355,91 +329,3 @@ def kind_uses(design: ArrayDesign) -> tuple[KindUse, ...]:
     for (kind, tube), count in tubes.items():
         found.append(KindUse(kind, "tube", f"{tube.length:g} mm long, bore {tube.inner_diameter:g} mm", count))
     return tuple(found)
-
-
-def model_validity(design: ArrayDesign, medium: Medium, weakest_level: float) -> tuple[Validity, ...]:
-    """Assumptions of the models, each against its limit, for the band up to 100 Hz.
-
-    Slip: the flow through a round tube of diameter d is 1 + 8 l/d times that without slip, with the mean free
-    path l = mu sqrt(pi / (2 p rho)) (Kennard, Kinetic Theory of Gases, 1938, section 175, full accommodation).
-
-    Args:
-        design: the design.
-        medium: its air.
-        weakest_level: of the point that is heard worst, at its second-loudest microphone and 100 Hz, dB.
-
-    Raises:
-        Refusal: the membrane's proportions are outside what can be solved.
-    """
-    from acoustic_fem.duct.opening import LARGEST_SHEAR_NUMBER
-    from acoustic_fem.membrane.disc import design_disc
-    from acoustic_fem.membrane.rubber import causal_slope
-    from localize.signals.noise import input_density
-
-    highest = BAND[1]
-    microphone, alike = design.microphone, [design.of_kind(kind) for kind in design.kinds]
-    widest = max(
-        design.resonator.cavity_diameter,
-        *(each.resonator.cavity_height for each in alike),
-        microphone.chamber_diameter,
-        microphone.chamber_height,
-    )
-    bores = [tube.inner_diameter for tube in design.tubes]
-    mean_free_path = medium.viscosity * math.sqrt(math.pi / (2 * medium.pressure * medium.density))
-    slip = 8 * mean_free_path / (min(bores) * 1e-3)
-    shear = max(bores) / 2 * 1e-3 * math.sqrt(2 * math.pi * highest / medium.kinematic_viscosity)
-    material = design.material(design.membrane.material)
-    missing = causal_slope(material.loss_factor or 0.0) if material.law == "constant" else 0.0
-    noise = float(input_density(microphone, highest, medium)) / math.sqrt(FRAME_SECONDS)
-    heard = weakest_level + 20 * math.log10(WEAKEST_SINUSOID / math.sqrt(2) / noise)
-    return (
-        Validity(
-            "plane waves and uniform cavity pressure up to",
-            medium.sound_speed / (10 * widest * 1e-3),
-            "at least",
-            highest,
-            "Hz",
-            f"where the widest cavity, {widest:g} mm, is a tenth of the wavelength",
-        ),
-        Validity(
-            "first resonance of the membrane, without air",
-            min(design_disc(each).first_frequency for each in alike),
-            "at least",
-            3 * highest,
-            "Hz",
-            f"the membrane moves in one shape up to a third of it; the band ends at {highest:g} Hz",
-        ),
-        Validity(
-            "stiffening of the membrane that its loss asks for and its law lacks",
-            100 * ((BAND[1] / BAND[0]) ** float(missing) - 1),
-            "at most",
-            5.0,
-            "%",
-            f"from {BAND[0]:g} to {BAND[1]:g} Hz; {design.membrane.material}: {material.law_in_words}",
-        ),
-        Validity(
-            "slip of the air in the narrowest bore",
-            100 * slip,
-            "at most",
-            0.5,
-            "%",
-            f"more flow than computed through a bore of {min(bores):g} mm; the models let the air stick to walls",
-        ),
-        Validity(
-            f"shear number of the widest bore at {highest:g} Hz",
-            shear,
-            "at most",
-            LARGEST_SHEAR_NUMBER,
-            "",
-            f"a sqrt(w/nu) of a bore of {max(bores):g} mm; above, the entrance loss of lumped is not fit",
-        ),
-        Validity(
-            f"weakest touch over the microphone's noise at {highest:g} Hz",
-            heard,
-            "at least",
-            10.0,
-            "dB",
-            f"a sinusoid of {WEAKEST_SINUSOID:g} Pa in the worst-heard cavity at its second-loudest microphone, in "
-            f"{FRAME_SECONDS:g} s; noise of the microphone: {microphone.source}",
-        ),
-    )

@@ -12,7 +12,7 @@ from geometry.design.array_design import ArrayDesign
 from geometry.layout.placement import ArrayLayout
 from studies.metrics.pairs import Disagreement
 from studies.metrics.separation import Separability
-from studies.run.check import Validity
+from studies.run.validity import Validity
 
 if TYPE_CHECKING:
     from acoustic_fem import Library

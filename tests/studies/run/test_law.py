@@ -6,7 +6,7 @@ import pytest
 
 import geometry
 from acoustic_fem.quantities.medium import Medium
-from studies.run.check import model_validity
+from studies.run.validity import model_validity
 
 WHAT = "stiffening of the membrane"
 

@@ -18,7 +18,8 @@ from studies.metrics import build
 from studies.optimization.printable import measures
 from studies.optimization.problem import read_optimization
 from studies.optimization.search import search_designs
-from studies.run.check import kind_uses, model_validity
+from studies.run.check import kind_uses
+from studies.run.validity import model_validity
 from studies.study.file import load_study, read_study
 from studies.study.metric_registry import METRICS
 from studies.study.study import StudyError
