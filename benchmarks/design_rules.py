@@ -62,7 +62,8 @@ RULES = (
          "points joined by thinner tubes are told apart better", -1),
     Rule("membrane_stiffness", "membrane.thickness", "thickness of the membranes (mm)",
          "points under softer membranes are told apart better", -1),
-    Rule("points", "lines.0.points", "points on the line", "more points are harder to tell apart", -1),
+    Rule("points", "lines.0.points", "points on the line",
+         "more points are harder to tell apart (ours, not the paper's)", -1),
 )  # fmt: skip
 
 

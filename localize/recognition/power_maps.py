@@ -45,6 +45,8 @@ def maps_of(waveforms: ArrayLike) -> Tensor:
         wavelet's value, a share of the largest magnitude of the window.
     """
     given = torch.as_tensor(np.asarray(waveforms, np.float32))
+    if not len(given):  # of which FFTs make an error
+        return torch.zeros(0, MAPS, len(_wavelets()), COLUMNS)
     centred = given - given.mean(1, keepdim=True)
     spectrum = torch.fft.rfft(centred, _GRID)[:, None, :_KEPT] * _wavelets()
     # A quarter of the lines gives every fourth sample, of which the window has the first half.

@@ -245,7 +245,8 @@ def recorded_takes(
         else:
             own = maps_of(windows_of(through, heard, frames, each.point - 1, each.speed, BEFORE))
         if not len(own):
-            raise TouchManifestError(f"{each.path}: holds no window of {WINDOW} samples in which something is heard")
+            sought = "letter" if isinstance(through, LineReader) else f"window of {WINDOW} samples"
+            raise TouchManifestError(f"{each.path}: holds no {sought} in which something is heard")
         signals.append(heard.astype(np.float32))
         touched.append(frames)
         parts.append((own, torch.full((len(own),), labels.index(each.label))))

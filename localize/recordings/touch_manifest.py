@@ -54,7 +54,7 @@ class _Recording(BaseModel):
     point: Annotated[int, Field(ge=1)]
     part: Part | None = None
     label: Annotated[str, Field(min_length=1, max_length=100)] | None = None
-    speed: Annotated[float, Field(ge=1.0, le=100.0, strict=False)] | None = None
+    speed: Annotated[float, Field(ge=1.0, le=100.0)] | None = None
 
 
 class _File(BaseModel):

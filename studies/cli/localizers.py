@@ -155,10 +155,13 @@ def _train_kinds(
         )
         recognizer = train_kinds(library, out, kind, plan=plan, recordings=recordings, display=display)
     record = recognizer.training
-    sensor = "recordings" if recordings is not None else "simulated takes on the sensor of the library"
+    # A touch makes several windows, a letter six pictures.
+    cut = "pictures" if kind == "letters" else "windows"
+    simulated = "held-out simulated takes on the sensor of the library"
+    judged = simulated if recordings is None else f"{cut} of held-out recordings"
     tell(
         f"{out}: {counted(len(recognizer.labels), 'kind')}, {counted(record['epochs'], 'epoch')}, "
-        f"{record['held_out_accuracy'][-1]:.1%} of {record['held_out_takes']} held-out {sensor} told right"
+        f"{record['held_out_accuracy'][-1]:.1%} of {record['held_out_takes']} {judged} told right"
     )
 
 

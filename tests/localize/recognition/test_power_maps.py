@@ -32,3 +32,7 @@ def test_loudness_and_offset_say_nothing_and_the_sign_does() -> None:
     np.testing.assert_allclose(maps, louder, atol=0.02)
     np.testing.assert_allclose(maps[:, 0], negative[:, 0], atol=1e-4)
     np.testing.assert_allclose(maps[:, 1], -negative[:, 1], atol=1e-5)
+
+
+def test_no_waveform_has_no_maps() -> None:
+    assert maps_of(np.zeros((0, WINDOW))).shape == (0, MAPS, 64, 32)

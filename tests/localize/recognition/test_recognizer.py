@@ -146,6 +146,13 @@ def recorded(folder: Path, takes: int = 3, labels: tuple[str, ...] = ("knock", "
     return folder / "touches.toml"
 
 
+def test_recordings_in_which_nothing_is_heard_are_refused(tmp_path: Path) -> None:
+    manifest = recorded(tmp_path, takes=2)
+    write_wav(tmp_path / "rub-1.wav", 1e-5 * np.random.default_rng(0).standard_normal((2, 4000)), 1000, 32)
+    with pytest.raises(TouchManifestError, match=r"rub-1\.wav: holds no window of 1024 samples in which something"):
+        localize.train_recognizer(ARRAY, "labels", PLAN, recordings=manifest)
+
+
 @pytest.mark.slow
 def test_labels_of_recordings_are_learnt_and_told_of_another(tmp_path: Path) -> None:
     manifest = recorded(tmp_path)
@@ -172,6 +179,7 @@ def test_labels_of_recordings_are_learnt_and_told_of_another(tmp_path: Path) -> 
             "'x' has one rec",
         ),
         ("point = 2", "point = 9", "recordings.0.point = 9 must be from 1 to 3"),
+        ("point = 2", 'point = 2\nspeed = "12"', "recordings.0.speed"),
     ],
 )
 def test_a_manifest_that_cannot_be_used_is_refused(tmp_path: Path, old: str, new: str, message: str) -> None:
