@@ -25,7 +25,7 @@ from localize.recognition.plan import RecognitionPlan
 from localize.recognition.power_maps import MAPS
 from localize.recognition.recognizer import Recognizer
 from localize.recognition.recorded_takes import recorded_takes
-from localize.recognition.takes import SUBJECTS, TakeMaker
+from localize.recognition.takes import PASSING, SUBJECTS, TakeMaker
 from localize.recognition.writing import VARIANTS, WRITTEN, LetterMaker, LineReader
 from localize.signals.array_response import ArrayResponse, response_of, warn_of_uncovered
 from localize.signals.noise import NoiseSpectrum
@@ -142,9 +142,11 @@ def _takes(
         written = LetterMaker((reader,), (response,), plan.seed, plan.microphone_noise, Hand(speed=SPEEDS))
         seen = written.maps("training", plan.takes * len(kinds), making, VARIANTS)
         return Takes(kinds, *seen, *written.maps("held-out", held), {}), False
-    maker = TakeMaker(subject, reconstructor, (response,), plan.seed, plan.microphone_noise)
+    slides = SUBJECTS[subject].speeds is not None
+    passing = PASSING if slides and response.membrane_radius is not None else 0.0
+    maker = TakeMaker(subject, reconstructor, (response,), plan.seed, plan.microphone_noise, passing=passing)
     seen = maker.maps("training", plan.takes * len(kinds), making)
-    return Takes(kinds, *seen, *maker.maps("held-out", held), {}), SUBJECTS[subject].speeds is not None
+    return Takes(kinds, *seen, *maker.maps("held-out", held), {}), slides
 
 
 def reconstructor_of(response: ArrayResponse, plan: RecognitionPlan) -> Reconstructor:

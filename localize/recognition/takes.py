@@ -18,7 +18,7 @@ from localize.decoders.reconstruct import Reconstructor
 from localize.live.front_end import HighPass
 from localize.recognition.events import EVENTS, event_pressure
 from localize.recognition.power_maps import WINDOW, maps_of
-from localize.recognition.textures import PROFILES, SPEED, texture_pressure
+from localize.recognition.textures import PROFILES, SPEED, passing_pressure, texture_pressure
 from localize.signals.array_response import ArrayResponse
 from localize.signals.disturbances import MAINS
 from localize.signals.frames import FRAME
@@ -40,6 +40,10 @@ DRIFT = (1e-3, 2e-2)
 """Lowest and highest amplitude of the wander of the zero in simulated takes, Pa."""
 SLOWEST, FASTEST = 0.75 * SPEED, 1.7 * SPEED
 """Lowest and highest speed of textures that are trained on, mm/s."""
+OFF_MIDDLE = 100.0
+"""Samples by which a window of what passes a point is off the time at which it is nearest, at most."""
+PASSING = 0.5
+"""Share of the textures that are trained on in which the contact passes the point."""
 _EASE = 2000
 """Samples before and behind a take in which its pressure comes and goes."""
 _TOP = 0.8
@@ -214,6 +218,8 @@ class TakeMaker:
     """Standard deviation of the speed that is known, a share of it."""
     blunter: float = 1.0
     """Radius of the finger over the usual one, a ratio."""
+    passing: float = 0.0
+    """Share of the takes of what slides in which it passes the point, and does not stay on its membrane."""
 
     def signals(self, purpose: Purpose, number: int) -> tuple[Array, int, int, float]:
         """Signals of one take, (n_microphone, n_sample) Pa; its kind and point, from 0; and its speed, mm/s."""
@@ -225,7 +231,13 @@ class TakeMaker:
         point = int(random.integers(sensor.point_count))
         speeds = self.speeds or subject.speeds
         speed = SPEED if speeds is None else float(np.exp(random.uniform(*np.log(speeds))))
+        # of a stream of its own: takes that stay are the same whatever share of them passes
+        chance = random.spawn(1)[0] if self.passing else None
         pressure = subject.make(kind, speed, random, self.blunter)
+        if chance is not None and chance.random() < self.passing:
+            middle = len(pressure) - WINDOW / 2 * SPEED / speed + chance.uniform(-OFF_MIDDLE, OFF_MIDDLE)
+            radius = float(sensor.membrane_radius[point])
+            pressure = passing_pressure(PROFILES[kind], len(pressure), speed, chance, radius, middle)
         return heard(sensor, point, pressure, self.noise, random), kind, point, speed
 
     def waveform(self, purpose: Purpose, number: int) -> tuple[Array, int]:

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from geometry.refusal import Refusal
+from localize.contacts.contact import hertz_share
 from localize.recognition.events import band_noise
 from localize.signals.stimulus import SAMPLE_RATE
 
@@ -24,6 +25,10 @@ RADIUS = (0.27, 0.33)
 """Smallest and largest radius of the contact, mm."""
 INDENTATION = 0.2
 """Indentation by which the contact is pressed, mm."""
+PADS = (5.0, 8.0)
+"""Smallest and largest radius of a finger's pad that passes points, mm."""
+BESIDE = (0.0, 2.0)
+"""Smallest and largest distance at which it passes their middles, mm."""
 _HARMONICS = 24
 
 
@@ -110,6 +115,33 @@ def texture_force(
     """
     felt, share = _felt(profile, count, speed, random, blunter)
     return np.maximum(1 + share * felt, 0.0)
+
+
+def passing_pressure(
+    profile: Profile, count: int, speed: float, random: np.random.Generator, membrane: float, middle: float
+) -> Array:
+    """Pressure in the cavity of a point that a finger's pad passes, which slides over a profile: it comes, presses with
+    what :func:`texture_force` says while it is over the membrane, and goes.
+
+    Args:
+        profile: the ridges.
+        count: samples at 1 kHz.
+        speed: mean speed, mm/s.
+        random: draws the pad, its way past the middle of the membrane, the contact and its level.
+        membrane: radius of the membrane, mm.
+        middle: sample at which the pad is nearest.
+
+    Returns:
+        (count,) float64, Pa.
+
+    Raises:
+        Refusal: a speed that is not between 1 and 100 mm/s.
+    """
+    felt, share = _felt(profile, count, speed, random, 1.0)
+    along = (np.arange(count) - middle) * speed / SAMPLE_RATE
+    covered = hertz_share(np.hypot(along, random.uniform(*BESIDE)), random.uniform(*PADS), membrane)
+    level = np.exp(random.uniform(np.log(0.05), np.log(1.0)))
+    return np.asarray(level / share * covered / covered.max() * np.maximum(1 + share * felt, 0.0))
 
 
 def _felt(
