@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from geometry.refusal import Refusal
 from localize.decoders.reconstruct import Reconstructor
 from localize.evaluation.accuracy import Locator
+from localize.live.front_end import HIGH_PASS, HighPass
 from localize.recognition.power_maps import WINDOW
 from localize.recognition.recognizer import Recognizer
 from localize.recognition.recorded_takes import (
@@ -140,7 +141,7 @@ class Ear:
 
     @staticmethod
     def _named(locator: Locator, signals: Array, each: Stretch) -> int:
-        """Most probable point over the frames of a touch."""
+        """Most probable point over the frames of a touch, which are heard as a stream hears them."""
         begin = max(0, min(each.begin - FRAME // 5, signals.shape[1] - FRAME))
-        heard = signals[:, begin : max(each.end + FRAME // 5, begin + FRAME)]
+        heard = HighPass(len(signals), HIGH_PASS).begin(signals)[:, begin : max(each.end + FRAME // 5, begin + FRAME)]
         return int(locator.locate(heard).argmax())

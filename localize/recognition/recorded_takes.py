@@ -234,16 +234,19 @@ def recorded_takes(
     moving = {each.speed is not None for each in found.recordings}
     if len(moving) > 1:
         raise TouchManifestError(f"{found.path}: some recordings state a speed and some do not; all must, or none")
+    if isinstance(through, LineReader) and moving == {True}:
+        raise TouchManifestError(f"{found.path}: recordings of letters must state no speed: it is of no use")
     held = split([(0, each.label, each.file) for each in found.recordings], seed, labels)
     signals, touched, parts = [], [], []
-    for each in found.recordings:
+    for each, judged in zip(found.recordings, held, strict=True):  # what is judged is cut as what is to be told
         full_scale = found.full_scale if each.path.suffix.lower() == ".wav" else None
         heard = read_recording(each.path, response.microphones, full_scale).signals
         frames = heard_frames(heard, response.microphones, noise_rms)
         if isinstance(through, LineReader):
-            own = written_maps(through, heard, frames, VARIANTS)[0]
+            own = written_maps(through, heard, frames, 0 if judged else VARIANTS)[0]
         else:
-            own = maps_of(windows_of(through, heard, frames, each.point - 1, each.speed, BEFORE))
+            before = BEFORE[1:2] if judged else BEFORE
+            own = maps_of(windows_of(through, heard, frames, each.point - 1, each.speed, before))
         if not len(own):
             sought = "letter" if isinstance(through, LineReader) else f"window of {WINDOW} samples"
             raise TouchManifestError(f"{each.path}: holds no {sought} in which something is heard")
@@ -251,13 +254,13 @@ def recorded_takes(
         touched.append(frames)
         parts.append((own, torch.full((len(own),), labels.index(each.label))))
     refuse_same_take(found, signals, touched)
-    seen, judged = ([part for part, h in zip(parts, held, strict=True) if h is side] for side in (False, True))
+    trained, kept = ([part for part, h in zip(parts, held, strict=True) if h is side] for side in (False, True))
     return RecordedTakes(
         labels=labels,
-        maps=torch.cat([maps for maps, _ in seen]),
-        kind=torch.cat([kind for _, kind in seen]),
-        held_out_maps=torch.cat([maps for maps, _ in judged]),
-        held_out_kind=torch.cat([kind for _, kind in judged]),
+        maps=torch.cat([maps for maps, _ in trained]),
+        kind=torch.cat([kind for _, kind in trained]),
+        held_out_maps=torch.cat([maps for maps, _ in kept]),
+        held_out_kind=torch.cat([kind for _, kind in kept]),
         at_usual_speed=moving == {True},
         files={
             each.file: f"{each.sha256[:16]}, point {each.point}, {each.label}, {'held out' if h else 'training'}"

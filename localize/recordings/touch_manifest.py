@@ -53,7 +53,7 @@ class _Recording(BaseModel):
     file: Annotated[str, Field(min_length=1)]
     point: Annotated[int, Field(ge=1)]
     part: Part | None = None
-    label: Annotated[str, Field(min_length=1, max_length=100)] | None = None
+    label: Annotated[str, Field(min_length=1, max_length=100, pattern=r"\S")] | None = None
     speed: Annotated[float, Field(ge=1.0, le=100.0)] | None = None
 
 

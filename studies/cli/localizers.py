@@ -55,7 +55,10 @@ def train(
     seed: Annotated[int, typer.Option(help="Of the touches and the network.")] = TrainingPlan.seed,
     network: Annotated[
         str | None,
-        typer.Option(help="patches, stride-2, or paper: ever larger and slower.", show_default="patches; paper: paper"),
+        typer.Option(
+            help="patches, stride-2, or paper: ever larger and slower; two-stage, the paper's of letters.",
+            show_default="patches; --plan paper: paper; --kind letters: two-stage",
+        ),
     ] = None,
     stimuli: Annotated[
         list[str] | None,

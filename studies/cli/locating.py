@@ -249,6 +249,7 @@ def recognize(
     from acoustic_fem.quantities.local_air import LocalAir
 
     options = {"microphone_noise": "--noise", "loudest": "--ambient", "speed": "--speed", "point": "--point"}
+    options["ambient"] = "--ambient"
     with named(full_scale="--full-scale", **options, **AIR_OPTIONS):
         decoding = Decoding(noise=noise, ambient=ambient, air=LocalAir(pressure, altitude, temperature))
         found = recognize_recording(

@@ -55,14 +55,15 @@ def recognize_recording(
 
     Raises:
         Refusal: a file that cannot be read or written; a library of another array than the recognizer's; a point that
-            the array does not have; a speed of no use; a point without a speed; no speed, and what is heard is no
-            straight slide.
+            the array does not have; a speed of no use, or of letters a point or a level of sound; a point without a
+            speed; no speed, and what is heard is no straight slide.
     """
     path = None if out is None else Path(out)
     check_new_file(path, ".jsonl", reads=(model, library, recording))
     from acoustic_fem.sound.sound_file import check_sound_there
     from localize import load_recognizer, read_recording
     from localize.recognition.hearing import Ear
+    from localize.recognition.writing import WRITTEN
 
     check_sound_there(recording)
     recognizer = load_recognizer(model)
@@ -73,6 +74,10 @@ def recognize_recording(
             f"{model}: is of {recognizer.design} with the microphones {', '.join(recognizer.microphones)}, {library} "
             f"of {localizer.design} with {', '.join(localizer.microphones)}; they must be of one array"
         )
+    if recognizer.subject == WRITTEN:
+        for name, value in (("point", point), ("ambient", given.ambient)):
+            if value is not None:
+                raise Refusal(f"{name} = {value:g} is of no use: {model} tells letters, of the path over all points")
     if recognizer.at_usual_speed and speed is None and point is not None:
         raise Refusal("`speed` must be given where `point` is: else it is told by the points that a slide passes")
     if speed is not None and not recognizer.at_usual_speed:

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 import torch
 from rc_line import rc_line
+from shared import solved
 
 import localize
 from acoustic_fem.sound.sound_file import write_wav
@@ -22,6 +23,7 @@ from localize.recognition.hearing import Ear
 from localize.recognition.recorded_takes import Stretch, cut, stretches
 from localize.recognition.takes import TakeMaker, heard
 from localize.recordings.touch_manifest import TouchManifestError, read_labelled_manifest
+from localize.signals import response_of
 
 ARRAY = rc_line(3, np.arange(1.0, 501.0, 2.0))
 PLAN = localize.RecognitionPlan(takes=12, epochs=5, batch=16, microphone_noise=1e-3, seed=3)
@@ -159,6 +161,7 @@ def test_labels_of_recordings_are_learnt_and_told_of_another(tmp_path: Path) -> 
     own = localize.train_recognizer(ARRAY, "labels", replace(PLAN, epochs=12), recordings=manifest)
     assert own.labels == ("knock", "rub")
     assert sum("held out" in said for said in own.training["recordings"].values()) == 2
+    assert own.training["held_out_takes"] == 7  # of six touches, cut as `recognize` cuts them: one is long
     random, pressure = np.random.default_rng(77), np.zeros(6000)
     for begin, name in ((700, "rub"), (3200, "knock")):
         pressure[begin : begin + 1024] = event_pressure(name, 1024, random) * np.hanning(1024) ** 0.25
@@ -180,6 +183,7 @@ def test_labels_of_recordings_are_learnt_and_told_of_another(tmp_path: Path) -> 
         ),
         ("point = 2", "point = 9", "recordings.0.point = 9 must be from 1 to 3"),
         ("point = 2", 'point = 2\nspeed = "12"', "recordings.0.speed"),
+        ('label = "rub"', 'label = " "', "recordings.3.label"),
     ],
 )
 def test_a_manifest_that_cannot_be_used_is_refused(tmp_path: Path, old: str, new: str, message: str) -> None:
@@ -187,6 +191,14 @@ def test_a_manifest_that_cannot_be_used_is_refused(tmp_path: Path, old: str, new
     manifest.write_text(manifest.read_text().replace(old, new))
     with pytest.raises(TouchManifestError, match=message):
         read_labelled_manifest(manifest, 3)
+
+
+def test_letters_of_recordings_state_no_speed(tmp_path: Path) -> None:
+    manifest = recorded(tmp_path, takes=2)
+    manifest.write_text(manifest.read_text().replace("point = 2", "point = 2\nspeed = 40.0"))
+    array = response_of(solved("array-2x6", np.arange(1.0, 501.0, 4.0)))
+    with pytest.raises(TouchManifestError, match="recordings of letters must state no speed"):
+        localize.train_recognizer(array, "letters", PLAN, recordings=manifest)
 
 
 def test_a_take_given_twice_and_speeds_of_some_are_refused(tmp_path: Path) -> None:

@@ -5,13 +5,17 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from rc_line import rc_line
+from shared import solved
 
 from geometry.refusal import Refusal
+from localize.contacts import Contact
+from localize.contacts.contact import covered_force
 from localize.decoders.reconstruct import Reconstructor
 from localize.recognition.events import EVENTS, PEAK, event_pressure
 from localize.recognition.power_maps import WINDOW
 from localize.recognition.takes import LEAD, SUBJECTS, TakeMaker, at_usual_speed, heard
-from localize.recognition.textures import PROFILES, SPEED, Profile, felt_height, texture_pressure
+from localize.recognition.textures import PROFILES, SPEED, Profile, felt_height, passing_pressure, texture_pressure
+from localize.signals import response_of
 
 ARRAY = rc_line(3, np.arange(1.0, 501.0, 2.0))
 FILTERS = Reconstructor(ARRAY, 1e-3)
@@ -70,6 +74,35 @@ def test_a_point_contact_feels_the_ridges_and_a_blunt_one_nothing_of_fine_ones()
     assert np.ptp(felt_height(profile, place, 3.0)) < 0.01
     with pytest.raises(Refusal, match="speed = 200 mm/s must be between"):
         texture_pressure(profile, 1000, 200.0, np.random.default_rng(0))
+
+
+def test_a_pad_that_passes_presses_as_its_contact_does_with_the_ridges_on_top(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("localize.recognition.textures.PADS", (6.0, 6.0))
+    monkeypatch.setattr("localize.recognition.textures.BESIDE", (1.5, 1.5))
+    array = response_of(solved("array-2x6", np.arange(1.0, 101.0, 3.0)))
+    assert array.position is not None
+    assert array.membrane_radius is not None
+    speed, middle = 12.0, 1300.0
+    pressure = passing_pressure(PROFILES[0], 2600, speed, np.random.default_rng(3), array.membrane_radius[4], middle)
+    along = np.array([1.0, 0.0])
+    path = array.position[4] + [0.0, 1.5] + (np.arange(2600)[:, None] - middle) / 1000 * speed * along
+    covered = covered_force(Contact(np.arange(2600) / 1000, path, np.ones(2600), 6.0), array)[:, 4]
+    smooth = np.convolve(pressure, np.ones(125) / 125, "same")  # three ridges at that speed
+    inside = covered > 0.05 * covered.max()
+    ratio = smooth[inside] / covered[inside]
+    assert np.abs(ratio / np.median(ratio) - 1).max() < 0.25
+    assert pressure[covered == 0].max(initial=0.0) == 0.0
+    top = np.abs(np.fft.rfft(np.diff(pressure) * np.hanning(2599)))
+    assert top.argmax() * 1000 / 2599 == pytest.approx(speed / PROFILES[0].period, rel=0.05)
+
+
+def test_takes_that_stay_are_the_same_whatever_share_passes() -> None:
+    array = response_of(solved("array-2x6", np.arange(1.0, 501.0, 2.0)))
+    filters = Reconstructor(array, 1e-3)
+    still, mixed = (TakeMaker("textures", filters, (array,), 4, passing=share) for share in (0.0, 0.5))
+    alike = [np.array_equal(still.signals("training", k)[0], mixed.signals("training", k)[0]) for k in range(24)]
+    assert 4 < sum(alike) < 20
+    assert all(still.signals("training", k)[1:] == mixed.signals("training", k)[1:] for k in range(24))
 
 
 def test_every_texture_has_a_name_of_its_own() -> None:

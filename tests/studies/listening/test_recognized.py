@@ -14,6 +14,29 @@ import localize
 import studies
 from acoustic_fem.quantities.local_air import LocalAir
 from acoustic_fem.sound import write_wav
+from geometry.refusal import Refusal
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"point": 3}, "point = 3 is of no use: .* tells letters"),
+        ({"decoding": studies.Decoding(ambient=60.0)}, "ambient = 60 is of no use: .* tells letters"),
+        ({"speed": 12.0}, "speed = 12 is of no use"),
+    ],
+)
+def test_what_says_nothing_of_letters_is_refused(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, options: dict, message: str
+) -> None:
+    library = solved("array-2x6", np.arange(1.0, 101.0, 3.0))
+    acoustic_fem.save(library, tmp_path / "library.nc")
+    write_wav(tmp_path / "take.wav", 1e-3 * np.random.default_rng(0).standard_normal((2, 400)), 1000)
+    own = SimpleNamespace(
+        microphones=("A", "B"), design=library.design.name, at_usual_speed=False, labels=(), subject="letters"
+    )
+    monkeypatch.setattr(localize, "load_recognizer", lambda _: own, raising=False)
+    with pytest.raises(Refusal, match=message):
+        studies.recognize_recording("model", tmp_path / "library.nc", tmp_path / "take.wav", **options)
 
 
 def test_kinds_are_told_in_the_noise_and_air_of_the_place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
