@@ -1,5 +1,5 @@
 """Letters A to Z written on arrays. ``python benchmarks/letters.py`` trains a recognizer for each array, prints the
-table of docs/evidence/moving-touches.md and writes it there, in half an hour of one core; names of arrays make those
+table of docs/evidence/moving-touches.md and writes it there, in three quarters of an hour of one core; names of arrays make those
 columns anew.
 
 Simulated handwriting, the noise of the design's microphone, lumped fidelity. Made sensors are the virtual rig's, read
@@ -32,7 +32,7 @@ ROOT = Path(__file__).parents[1]
 PAGE, PICTURE = ROOT / "docs" / "evidence" / "moving-touches.md", ROOT / "docs" / "images" / "letters-confusion.png"
 BEGIN, END = "<!-- letters: made by benchmarks/letters.py -->", "<!-- end letters -->"
 DESIGNS, SEED, SENSORS = ("large-area-64", "fingertip-4x6", "array-2x6"), 7421, range(7420, 7426)
-OF_EACH, OF_TARGETS = 6, 12
+OF_EACH, OF_TARGETS = 6, 36
 """Number of each letter, and where a target was set."""
 FREQUENCY = np.arange(0.5, 501.0, 1.5)
 SLOW = Hand()

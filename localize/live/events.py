@@ -1,4 +1,4 @@
-"""What a stream says: a decision for every frame, faults, and the beginnings, moves and ends of touches."""
+"""What a stream says: a decision for every frame, faults, the beginnings, moves and ends of touches, and gestures."""
 
 from __future__ import annotations
 
@@ -127,3 +127,28 @@ class TrackedPlace:
         x, y = (round(value, 3) for value in self.place)
         line = {"time": round(self.time, 6), "x": x, "y": y, "deviation": round(self.deviation, 3)}
         return json.dumps(line | {"latency": round(self.latency, 5)})
+
+
+@dataclass(frozen=True)
+class TrackedGesture:
+    """What a contact did, told when its path has ended."""
+
+    time: float
+    """Time at which it is told, s: a second after the last that was heard of the contact."""
+    start: float
+    """Time at which it began, s."""
+    end: float
+    """Time at which it ended, s."""
+    kind: str
+    """Kind, as of :class:`localize.tracking.Gesture`."""
+    direction: str
+    """Direction of a swipe or a circle; empty where it has none."""
+    length: float
+    """Length of the path, mm; 0 of a contact that stays."""
+
+    def json_line(self) -> str:
+        """Gesture as one line of JSON."""
+        line: dict[str, object] = {"time": round(self.time, 6), "gesture": self.kind}
+        line |= {"direction": self.direction} if self.direction else {}
+        line |= {"start": round(self.start, 4), "end": round(self.end, 4), "length": round(self.length, 2)}
+        return json.dumps(line)

@@ -16,7 +16,7 @@ from typing import Literal, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from localize.live.events import Decision, Fault, TouchEvent, TrackedPlace
+from localize.live.events import Decision, Fault, TouchEvent, TrackedGesture, TrackedPlace
 from localize.live.recorder import LiveRecorder
 from localize.live.sources import Block, BlockQueue, Source, SourceError
 from localize.live.stream import TouchStream
@@ -53,8 +53,8 @@ class Notice:
 class Heard:
     """Event of a stream, with the time at which its samples were there."""
 
-    event: Decision | Fault | TouchEvent | TrackedPlace | Notice
-    """Decision or fault of the stream, touch, place, or notice of the listener."""
+    event: Decision | Fault | TouchEvent | TrackedPlace | TrackedGesture | Notice
+    """Decision or fault of the stream, touch, place, gesture, or notice of the listener."""
     available: float | None = None
     """Time at which what the frame of a decision shows last was there, s on the clock of ``time.perf_counter``: its
     last sample, less the delay of the stream's high-pass."""
@@ -64,16 +64,18 @@ class Heard:
         if isinstance(self.event, (TouchEvent, TrackedPlace)):
             return replace(self.event, latency=self.event.latency + (latency or 0.0)).json_line()
         line = self.event.json_line()
-        return line if latency is None else f'{line[:-1]}, "latency": {latency:.5f}}}'
+        if latency is None or isinstance(self.event, TrackedGesture):
+            return line
+        return f'{line[:-1]}, "latency": {latency:.5f}}}'
 
 
 class Tracker(Protocol):
     """What tells more than each frame alone does."""
 
-    def take(self, event: object) -> Sequence[TouchEvent | TrackedPlace]:
+    def take(self, event: object) -> Sequence[TouchEvent | TrackedPlace | TrackedGesture]:
         """Take the next event of a stream and say what it means."""
 
-    def finish(self) -> Sequence[TouchEvent | TrackedPlace]:
+    def finish(self) -> Sequence[TouchEvent | TrackedPlace | TrackedGesture]:
         """Say what is left to say when the stream ends."""
 
 
@@ -85,7 +87,7 @@ class LiveListener:
         stream: listens to them; new.
         recorder: writes them as they come in.
         wait: called with the time to wait, s, before a lost source is opened again.
-        trackers: tell touches and places while they happen; by default nobody does.
+        trackers: tell touches, places and gestures while they happen; by default nobody does.
     """
 
     def __init__(

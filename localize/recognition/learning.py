@@ -143,6 +143,7 @@ def _takes(
         seen = written.maps("training", plan.takes * len(kinds), making, VARIANTS)
         return Takes(kinds, *seen, *written.maps("held-out", held), {}), False
     slides = SUBJECTS[subject].speeds is not None
+    # Over bare transfer functions nothing can pass, and no speed is told.
     passing = PASSING if slides and response.membrane_radius is not None else 0.0
     maker = TakeMaker(subject, reconstructor, (response,), plan.seed, plan.microphone_noise, passing=passing)
     seen = maker.maps("training", plan.takes * len(kinds), making)

@@ -42,7 +42,7 @@ SLOWEST, FASTEST = 0.75 * SPEED, 1.7 * SPEED
 """Lowest and highest speed of textures that are trained on, mm/s."""
 OFF_MIDDLE = 100.0
 """Samples by which a window of what passes a point is off the time at which it is nearest, at most."""
-PASSING = 0.5
+PASSING = 1 / 3
 """Share of the textures that are trained on in which the contact passes the point."""
 _EASE = 2000
 """Samples before and behind a take in which its pressure comes and goes."""
@@ -221,6 +221,10 @@ class TakeMaker:
     passing: float = 0.0
     """Share of the takes of what slides in which it passes the point, and does not stay on its membrane."""
 
+    def __post_init__(self) -> None:
+        if self.passing and any(each.membrane_radius is None for each in self.sensors):
+            raise Refusal(f"passing = {self.passing:g} must be 0 of bare transfer functions, which have no membranes")
+
     def signals(self, purpose: Purpose, number: int) -> tuple[Array, int, int, float]:
         """Signals of one take, (n_microphone, n_sample) Pa; its kind and point, from 0; and its speed, mm/s."""
         subject = SUBJECTS[self.subject]
@@ -235,6 +239,7 @@ class TakeMaker:
         chance = random.spawn(1)[0] if self.passing else None
         pressure = subject.make(kind, speed, random, self.blunter)
         if chance is not None and chance.random() < self.passing:
+            assert sensor.membrane_radius is not None  # checked when the maker was made
             middle = len(pressure) - WINDOW / 2 * SPEED / speed + chance.uniform(-OFF_MIDDLE, OFF_MIDDLE)
             radius = float(sensor.membrane_radius[point])
             pressure = passing_pressure(PROFILES[kind], len(pressure), speed, chance, radius, middle)

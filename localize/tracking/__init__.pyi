@@ -1,5 +1,5 @@
 from .footprints import pitch_of as pitch_of
-from .gestures import Gesture as Gesture, gesture_of as gesture_of
+from .gestures import Gesture as Gesture, GestureTracker as GestureTracker, gesture_of as gesture_of
 from .path import PathTracker as PathTracker, Track as Track
 from .position import PositionDecoder as PositionDecoder, Positions as Positions
 from .recorded import track as track, tracks_of as tracks_of

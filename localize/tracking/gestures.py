@@ -13,7 +13,8 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from localize.tracking.path import Track
+from localize.live.events import Decision, TrackedGesture, TrackedPlace
+from localize.tracking.path import PathTracker, Track
 from localize.tracking.smoothing import HOP_TIME
 
 Array = NDArray[np.float64]
@@ -69,6 +70,36 @@ def gesture_of(track: Track) -> Gesture:
     if abs(turned) >= TURNED and straight < CLOSED * float(np.ptp(track.place, axis=0).max()):
         return Gesture(start, end, "circle", "anticlockwise" if turned > 0 else "clockwise", length)
     return Gesture(start, end, "stroke", "", length)
+
+
+class GestureTracker:
+    """Tracker of places that tells what a contact did, too, as soon as its path has ended.
+
+    Args:
+        places: tracker of the paths; new.
+    """
+
+    def __init__(self, places: PathTracker) -> None:
+        self._places = places
+        self._told = 0
+        self._time = 0.0
+
+    def take(self, event: object) -> list[TrackedPlace | TrackedGesture]:
+        """Take the next event of a stream and say where the contact is, and what the one that has ended did."""
+        if isinstance(event, Decision):
+            self._time = event.time
+        return [*self._places.take(event), *self._ended()]
+
+    def finish(self) -> list[TrackedPlace | TrackedGesture]:
+        """End the path that the stream ends in, and say what the contact did."""
+        return [*self._places.finish(), *self._ended()]
+
+    def _ended(self) -> list[TrackedGesture]:
+        new = [gesture_of(track) for track in self._places.tracks[self._told :]]
+        self._told += len(new)
+        return [
+            TrackedGesture(self._time, each.start, each.end, each.kind, each.direction, each.length) for each in new
+        ]
 
 
 def _aside(place: Array, start: Array, way: Array) -> float:

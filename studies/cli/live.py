@@ -93,7 +93,7 @@ def live(
         float | None,
         typer.Option(
             metavar="MM",
-            help="Tell also where on the surface a contact of this radius is, for a library.",
+            help="Tell also where on the surface a contact of this radius is, and its gestures, for a library.",
             show_default="points alone",
         ),
     ] = None,

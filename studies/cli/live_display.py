@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from rich.live import Live
     from rich.text import Text
 
-    from localize.live.events import TrackedPlace
+    from localize.live.events import TrackedGesture, TrackedPlace
     from localize.live.listener import Heard, Latencies
     from localize.live.touches import Array
 
@@ -73,13 +73,14 @@ class LivePicture:
         ]
         self._last: Heard | None = None
         self._place: TrackedPlace | None = None
+        self._gesture: TrackedGesture | None = None
         self._wrong: deque[str] = deque(maxlen=LINES)
         self._faults: Counter[str] = Counter()
         self._waveform: deque[float] | None = deque(maxlen=500) if waveform else None
 
     def hear(self, heard: Heard) -> None:
         """Take an event."""
-        from localize.live.events import Fault, TouchEvent, TrackedPlace
+        from localize.live.events import Fault, TouchEvent, TrackedGesture, TrackedPlace
         from localize.live.listener import Notice
 
         event = heard.event
@@ -92,6 +93,8 @@ class LivePicture:
             self._wrong.append(f"{event.time:9.2f} s  {event.kind}: {event.text}")
         elif isinstance(event, TrackedPlace):
             self._place = event
+        elif isinstance(event, TrackedGesture):
+            self._gesture = event
         elif not isinstance(event, TouchEvent):
             self._last = heard
             if self._waveform is not None:
@@ -162,5 +165,7 @@ class LivePicture:
         if self._place is not None and event.state == "touch":
             x, y = self._place.place
             place = f"   at {x:.0f}, {y:.0f} ± {self._place.deviation:.0f} mm"
+        elif self._gesture is not None:
+            place = f"   last: {self._gesture.kind} {self._gesture.direction}".rstrip()
         level = f"   level {number(event.level)} Pa"
         return Text(f"{event.time:9.2f} s  {event.state}{named}{sure}{level}{place}", no_wrap=True)

@@ -149,8 +149,8 @@ def listen(
         out: a file for a line of JSON for every frame, 16 ms apart, written as it comes; an earlier one is replaced.
         record: a new WAV file for what comes in, at the rate at which it does; readable even if the program is killed.
         decoding: how signals are read, and what is told beside the point.
-        radius: of a contact whose place on the surface is told beside its point, for a library as model, mm; by
-            default none is.
+        radius: of a contact whose place on the surface is told beside its point, and what it did when its path has
+            ended, for a library as model, mm; by default neither is.
         hear: called with every event.
 
     Raises:
@@ -201,6 +201,7 @@ def _opened(
     from localize.live.recorder import LiveRecorder
     from localize.live.touches import TouchTracker
     from localize.signals.resampling import check_full_scale
+    from localize.tracking import GestureTracker
 
     check_full_scale(source.full_scale)
     locator = open_localizer(model, decoding)
@@ -209,7 +210,7 @@ def _opened(
     recorder = None
     if record is not None:
         recorder = LiveRecorder(Path(record), samples.rate, len(locator.microphones), source.full_scale)
-    places = () if radius is None else (open_tracker(model, decoding, radius)[1],)
+    places = () if radius is None else (GestureTracker(open_tracker(model, decoding, radius)[1]),)
     listener = LiveListener(samples, stream, recorder, trackers=(TouchTracker(locator), *places))
     return listener, LiveSession(listener, locator, recorder, assumed_by(model, locator, decoding))
 

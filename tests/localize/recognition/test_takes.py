@@ -102,6 +102,8 @@ def test_takes_that_stay_are_the_same_whatever_share_passes() -> None:
     still, mixed = (TakeMaker("textures", filters, (array,), 4, passing=share) for share in (0.0, 0.5))
     alike = [np.array_equal(still.signals("training", k)[0], mixed.signals("training", k)[0]) for k in range(24)]
     assert 4 < sum(alike) < 20
+    with pytest.raises(Refusal, match=r"passing = 0\.5 must be 0 of bare transfer functions"):
+        TakeMaker("textures", FILTERS, (ARRAY,), 4, passing=0.5)
     assert all(still.signals("training", k)[1:] == mixed.signals("training", k)[1:] for k in range(24))
 
 

@@ -13,10 +13,11 @@ import geometry
 import localize
 from geometry.refusal import Refusal
 from localize.contacts import Contact, record
-from localize.live.events import Decision
+from localize.live.events import Decision, TrackedGesture
 from localize.signals import response_of
 from localize.signals.array_response import ArrayResponse
 from localize.tracking.footprints import footprints_over
+from localize.tracking.gestures import GestureTracker
 from localize.tracking.path import PathTracker, Track
 from localize.tracking.smoothing import HOP_TIME, Cells, smoothed
 
@@ -77,6 +78,25 @@ def test_a_path_is_the_same_however_the_stream_is_cut() -> None:
     off = np.linalg.norm(np.array([each.place for each in told]) - true, axis=1)
     assert np.median(off) < whole.pitch
     assert {"time", "x", "y", "deviation", "latency"} <= set(json.loads(told[0].json_line()))
+
+
+def test_a_gesture_is_told_once_its_path_has_ended_and_at_the_end_of_the_stream() -> None:
+    assert array().position is not None
+    row = array().position[:3]
+    signals, _ = moved(row[[0, 2]], 60.0)
+    noise = 1e-3 * np.random.default_rng(2).standard_normal((2, 1500))
+    decoder = localize.BayesDecoder(array(), microphone_noise=1e-3)
+    for heard, at_the_end in ((np.concatenate([signals, noise], axis=1), False), (signals[:, :1400], True)):
+        tracker = GestureTracker(PathTracker(array(), microphone_noise=1e-3))
+        stream = localize.TouchStream(decoder, listening=localize.Listening(frames=True))
+        during = [told for event in stream.push(heard) for told in tracker.take(event)]
+        after = tracker.finish()
+        (gesture,) = [each for each in (*during, *after) if isinstance(each, TrackedGesture)]
+        assert (gesture in after) is at_the_end
+        assert gesture.kind == "swipe"
+        assert gesture.end < gesture.time <= heard.shape[1] / 1e3
+        assert json.loads(gesture.json_line())["direction"] == gesture.direction != ""
+        assert not tracker.finish()
 
 
 def test_silence_has_no_path() -> None:
