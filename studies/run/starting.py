@@ -68,8 +68,9 @@ _SCALED = (
 #: Sizes of the shells, against those of the prototype or as much of them as the pitch leaves, that are tried in turn.
 _SIZES = (1.0, 0.9, 0.8, 0.7, 0.6, 0.5)
 _LIMITS = {"points": (2, 1000), "pitch": (3.0, 100.0), "microphones": (2, 16), "diameter": (10.0, 500.0)}
-#: Other designs that have room and are tried for one that can be built; their pitches are whole millimetres.
-_TRIES = 6
+#: Other designs that have room and are tried for one that can be built, and their most points, as it takes seconds with
+#: more; their pitches are whole millimetres.
+_TRIES, _TRIED_POINTS = 6, 300
 
 
 @dataclass(frozen=True)
@@ -197,7 +198,7 @@ def _instead(asked: _Asked) -> str:
 
 def _next(others: Iterable[_Asked]) -> _Asked | None:
     """The first of them that can be built, of the first few that have room."""
-    roomy = (each for each in others if next(_candidates(each), None))
+    roomy = (each for each in others if each.points <= _TRIED_POINTS and next(_candidates(each), None))
     return next((each for each in itertools.islice(roomy, _TRIES) if not isinstance(_buildable(each), Refusal)), None)
 
 
