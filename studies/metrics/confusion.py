@@ -19,6 +19,7 @@ designs are compared by what differs in them. docs/metrics.md compares predictio
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import reduce
@@ -35,7 +36,7 @@ if TYPE_CHECKING:
 
 POWERS = 10.0 ** np.arange(-4.0, 2.1)
 """Values of g that are tried."""
-_MEMORY = 4_000_000
+_MEMORY = 5_000_000
 """Bytes of simulated frames and what they score at once: what the processor keeps near."""
 
 Array = NDArray[np.float64]
@@ -111,88 +112,121 @@ def predict_confusions(
     powers = [noise_of_filters(noise, designs, listener) for noise in noises]
     ear = ear_of(grid.tobytes(), listener, touches, seed)
     standard = standard_noise(points, microphones, listener, touches, seed)
-    if assumed is None:
-        hypotheses = ear.covariance(h)[None]
-    else:
-        known = np.asarray(assumed, np.complex128)
-        if known.ndim != 4 or known.shape[1:] != h.shape[1:] or not len(known) or not np.all(np.isfinite(known)):
-            raise Refusal(
-                f"assumed has shape {known.shape}; it must be (n, {', '.join(map(str, h.shape[1:]))}), all finite"
-            )
-        hypotheses = ear.covariance(known)[:, None]
+    common = () if assumed is None else tuple(ear.covariance(_assumed(assumed, h)))
     shape = designs, points, points
     found = [PredictedConfusion(np.zeros(shape), np.zeros(shape), touches) for _ in powers]
-    numbers, matrix = ear.factors(h)
-    room = _Room(points, microphones, ear.shape, designs)
-    for first in range(0, designs, room.step):
-        part = slice(first, first + room.step)
-        frames = room.frames[: len(numbers[part])]
-        rows = frames.reshape(-1, matrix.shape[1])
-        np.matmul(numbers[part].reshape(len(rows), -1), matrix, out=rows)
-        assumptions = [one[part if len(one) > 1 else slice(None)] for one in hypotheses]
-        for result, power in zip(found, powers, strict=True):
-            own = power[part if len(power) > 1 else slice(None)]
-            observed = room.products(frames, 1 / np.sqrt(own), standard)
-            scores = [room.scores(observed, one / own[:, None, None, None]) for one in assumptions]
-            result.confusion[part], result.pairwise[part] = _counted(reduce(np.logaddexp, scores))
+    room = _Room(points, microphones, ear.shape)
+    weights: dict[tuple[int, int], list[Array]] = {}
+    for first in range(0, designs, room.designs):
+        part = slice(first, first + room.designs)
+        own = ear.covariance(h[part])[:, None] if assumed is None else ()
+        if assumed is None or max(map(len, powers)) > 1:
+            weights.clear()
+        for start in range(0, points, room.points):
+            touched = slice(start, start + room.points)
+            for number, frames in enumerate(ear.frames(h[part, touched], room.frames_of(h[part, touched])), first):
+                for level, (result, power) in enumerate(zip(found, powers, strict=True)):
+                    noise = power[min(number, len(power) - 1)]
+                    key = level, number if assumed is None or len(power) > 1 else 0
+                    if key not in weights:
+                        hypotheses = own[number - first] if assumed is None else common
+                        weights[key] = [_weights(covariance, noise) for covariance in hypotheses]
+                    observed = room.products(frames, room.noise(level, start, standard[touched], noise))
+                    scores = reduce(np.logaddexp, (room.scores(observed, each) for each in weights[key]))
+                    _count(scores, start, result.confusion[number, touched], result.pairwise[number, touched])
+    for result in found:
+        result.confusion[:] /= touches
+        result.pairwise[:] = (result.pairwise + result.pairwise.swapaxes(1, 2)) / (2 * touches)
     return tuple(found)
 
 
+def _assumed(assumed: ArrayLike, h: Complex) -> Complex:
+    """Transfer functions that the listener goes by, those of each sensor of shape ``h``."""
+    known = np.asarray(assumed, np.complex128)
+    if known.ndim != 4 or known.shape[1:] != h.shape[1:] or not len(known) or not np.all(np.isfinite(known)):
+        raise Refusal(
+            f"assumed has shape {known.shape}; it must be (n, {', '.join(map(str, h.shape[1:]))}), all finite"
+        )
+    return known
+
+
 class _Room:
-    """Arrays of a few designs at a time that are written over and over: fresh memory would cost more than the sums."""
+    """Arrays that are written over and over, for a few designs at a time, or a few points of a large one.
 
-    def __init__(self, points: int, microphones: int, shape: Sequence[int], designs: int) -> None:
+    Fresh memory would cost more than the sums.
+    """
+
+    def __init__(self, points: int, microphones: int, shape: tuple[int, int, int]) -> None:
         _, filters, touches = shape
-        size = 8 * points * touches * (microphones * (4 + microphones) * filters + points * len(POWERS))
-        #: how many designs at a time
-        self.step = min(max(1, _MEMORY // size), designs)
-        self.frames = np.empty((self.step, points, microphones, 2, filters, touches))
-        self._signal = np.empty_like(self.frames)
-        self._products = np.empty((self.step, points, microphones**2, filters, touches))
-        self._other = np.empty((self.step, points, filters, touches))
-        self._scores = np.empty((self.step, points, len(POWERS), points, touches))
+        of_frame, of_products = 2 * microphones * filters * touches, microphones**2 * filters * touches
+        size = 8 * (2 * of_frame + of_products + points * (len(POWERS) + 1) * touches)
+        #: how many points at a time, and how many designs
+        self.points = -(-points // -(-points * size // _MEMORY))
+        self.designs = max(1, _MEMORY // (8 * of_frame * points))
+        self._frames = np.empty((self.designs, self.points, microphones, 2, filters, touches))
+        self._signal = np.empty_like(self._frames[0])
+        # the last row stands for what a likelihood has beside products
+        self._products = np.ones((self.points, microphones**2 * filters + 1, touches))
+        self._other = np.empty((self.points, filters, touches))
+        self._scores = np.empty((self.points, len(POWERS), points, touches))
+        self._noise: dict[int, tuple[int, bytes, Array]] = {}
 
-    def products(self, frames: Array, scale: Array, noise: Array) -> Array:
+    def frames_of(self, h: Complex) -> Array:
+        """Where the frames of transfer functions (n_design, n_point, n_microphone, n_freq) go, contiguous."""
+        shape = *h.shape[:2], *self._frames.shape[2:]
+        return self._frames.reshape(-1)[: math.prod(shape)].reshape(shape)
+
+    def noise(self, level: int, first: int, standard: Array, power: Array) -> Array:
+        """Noise of some points behind the filters; designs with the same microphones share it.
+
+        Args:
+            level: number of the noise.
+            first: first of the points.
+            standard: of variance 1, (n_point, n_microphone, 2, n_filter, n_touch).
+            power: mean square behind each filter, (n_filter,).
+        """
+        known = self._noise.get(level)
+        if known is None or known[:2] != (first, power.tobytes()):
+            known = self._noise[level] = first, power.tobytes(), standard * np.sqrt(power)[:, None]
+        return known[2]
+
+    def products(self, frames: Array, noise: Array) -> Array:
         """What likelihoods are linear in: products of the microphones' signals, |x_a|^2 and parts of conj(x_a) x_b.
 
         Args:
-            frames: (n_design, n_point, n_microphone, 2, n_filter, n_touch).
-            scale: of each filter, (n_design, n_filter) or (1, n_filter).
-            noise: what is added to scaled frames, shaped as those of one design.
+            frames: (n_point, n_microphone, 2, n_filter, n_touch) of one design.
+            noise: what is added to them, shaped as they are.
 
         Returns:
-            (n_design, n_point, n_microphone^2 n_filter, n_touch), in the order of :func:`_pairs`.
+            (n_point, n_microphone^2 n_filter + 1, n_touch), in the order of :func:`_pairs`, and 1.
         """
-        count, points, microphones, _, _, touches = frames.shape
-        signal, products, other = (each[:count] for each in (self._signal, self._products, self._other))
-        np.multiply(frames, scale[:, None, None, None, :, None], out=signal)
-        signal += noise
-        real, imaginary = signal[:, :, :, 0], signal[:, :, :, 1]
+        points, microphones, _, filters, _ = frames.shape
+        signal, products, other = (each[:points] for each in (self._signal, self._products, self._other))
+        np.add(frames, noise, out=signal)
+        real, imaginary = signal[:, :, 0], signal[:, :, 1]
         for number, (a, b) in enumerate(_pairs(microphones)):
-            own = products[:, :, number]
+            own = products[:, number * filters : (number + 1) * filters]
             if a <= b:
-                np.multiply(real[:, :, a], real[:, :, b], out=own)
-                own += np.multiply(imaginary[:, :, a], imaginary[:, :, b], out=other)
+                np.multiply(real[:, a], real[:, b], out=own)
+                own += np.multiply(imaginary[:, a], imaginary[:, b], out=other)
             else:  # the imaginary part of the pair b, a
-                np.multiply(real[:, :, b], imaginary[:, :, a], out=own)
-                own -= np.multiply(imaginary[:, :, b], real[:, :, a], out=other)
-        return products.reshape(count, points, -1, touches)
+                np.multiply(real[:, b], imaginary[:, a], out=own)
+                own -= np.multiply(imaginary[:, b], real[:, a], out=other)
+        return products
 
-    def scores(self, observed: Array, covariance: Complex) -> Array:
-        """Log-likelihoods up to a constant per touch, maximised over g; noise of variance 1.
+    def scores(self, observed: Array, weights: Array) -> Array:
+        """Log-likelihoods up to a constant per touch, maximised over g.
 
         Args:
-            observed: (n_design, n_point, n_microphone^2 n_filter, n_touch), those of :meth:`products`.
-            covariance: (n_design, n_point, n_microphone, n_microphone, n_filter).
+            observed: (n_point, n_microphone^2 n_filter + 1, n_touch), those of :meth:`products`.
+            weights: of the hypotheses, as :func:`_weights`.
 
         Returns:
-            (n_design, n_point, n_point, n_touch), the first point the touched one, the second the hypothesis.
+            (n_point, n_point, n_touch), the first point the touched one, the second the hypothesis.
         """
-        weights, cost = _weights(covariance)
         # one product per power and point: small ones are faster than their sum
-        score = np.matmul(weights[:, None], observed[:, :, None], out=self._scores[: len(observed)])
-        score -= cost[:, None, :, :, None]
-        return np.asarray(score.max(axis=2))
+        score = np.matmul(weights, observed[:, None], out=self._scores[: len(observed)])
+        return np.asarray(score.max(axis=1))
 
 
 def _pairs(microphones: int) -> list[tuple[int, int]]:
@@ -200,56 +234,80 @@ def _pairs(microphones: int) -> list[tuple[int, int]]:
     return [(a, b) for a in range(microphones) for b in range(microphones)]
 
 
-def _weights(covariance: Complex) -> tuple[Array, Array]:
-    """Weights of the products in I - (I + g C)^-1 for all g, and log det (I + g C) summed over the filters.
+def _weights(covariance: Complex, noise: Array) -> Array:
+    """Weights of the products in N^-1 - (N + g C)^-1 for all g, and at last -log det (I + g C / N) over the filters.
 
     Args:
-        covariance: C, (n_design, n_point, n_microphone, n_microphone, n_filter).
+        covariance: C, (n_point, n_microphone, n_microphone, n_filter).
+        noise: N, mean square behind each filter, (n_filter,).
 
     Returns:
-        (n_design, n_power, n_point, n_microphone^2 n_filter) and (n_design, n_power, n_point).
+        (n_power, n_point, n_microphone^2 n_filter + 1).
     """
-    designs, points, microphones, _, filters = covariance.shape
+    points, microphones, _, filters = covariance.shape
     gain = POWERS[:, None, None]
-    # Of the Hermitian matrix what is on the diagonal and above; (design, power, point, filter) each.
-    entry: dict[tuple[int, int], Complex | Array] = {}
+    # of the Hermitian matrix what is on the diagonal and above; (power, point, filter) each, in real numbers
+    real: dict[tuple[int, int], Array] = {}
+    imaginary: dict[tuple[int, int], Array] = {}
     for a, b in _pairs(microphones):
+        if a <= b:
+            real[a, b] = gain * (covariance[:, a, b].real / noise)
+        if a < b:
+            imaginary[a, b] = gain * (covariance[:, a, b].imag / noise)
         if a == b:
-            entry[a, a] = 1 + gain * covariance[:, None, :, a, a].real
-        elif a < b:
-            entry[a, b] = gain * covariance[:, None, :, a, b]
+            real[a, a] += 1
     # The sweep operator (Goodnight, The American Statistician 33 (1979) 149) leaves the negative inverse.
-    determinant: Array = np.ones(())
+    determinant = np.ones(())
     for k in range(microphones):
-        pivot = entry[k, k].real
-        determinant, inverse = np.asarray(determinant * pivot), 1 / pivot
-        column = {a: entry[a, k] if a < k else entry[k, a].conj() for a in range(microphones) if a != k}
-        for a, own in column.items():
-            entry[a, a] = entry[a, a] - (own.real**2 + own.imag**2) * inverse
-            for b, other in column.items():
+        determinant, inverse = determinant * real[k, k], 1 / real[k, k]
+        column = {a: (real[a, k], imaginary[a, k]) if a < k else (real[k, a], -imaginary[k, a])
+                  for a in range(microphones) if a != k}  # fmt: skip
+        swept = {a: (one * inverse, other * inverse) for a, (one, other) in column.items()}
+        for a, (one, other) in column.items():
+            for b, (swept_one, swept_other) in swept.items():
+                if a <= b:
+                    real[a, b] -= one * swept_one + other * swept_other
                 if a < b:
-                    entry[a, b] = entry[a, b] - own * other.conj() * inverse
-        for a in column:
-            entry[min(a, k), max(a, k)] = entry[min(a, k), max(a, k)] * inverse
-        entry[k, k] = -inverse
-    weights = np.empty((designs, len(POWERS), points, microphones**2, filters))
+                    imaginary[a, b] -= other * swept_one - one * swept_other
+        for a, (swept_one, swept_other) in swept.items():
+            real[min(a, k), max(a, k)] = swept_one
+            imaginary[min(a, k), max(a, k)] = swept_other if a < k else -swept_other
+        real[k, k] = -inverse
+    weights = np.empty((len(POWERS), points, microphones**2 * filters + 1))
+    once, twice = 1 / noise, 2 / noise
     for number, (a, b) in enumerate(_pairs(microphones)):
+        own = weights[:, :, number * filters : (number + 1) * filters]
         if a == b:
-            weights[:, :, :, number] = 1 + entry[a, a]
+            np.multiply(1 + real[a, a], once, out=own)
         else:  # conj(x_a) S_ab x_b and its mirror image: twice the real part
-            weights[:, :, :, number] = 2 * entry[a, b].real if a < b else -2 * entry[b, a].imag
-    return weights.reshape(designs, len(POWERS), points, -1), np.log(determinant).sum(axis=-1)
+            np.multiply(real[a, b] if a < b else imaginary[b, a], twice if a < b else -twice, out=own)
+    np.negative(np.log(determinant).sum(axis=-1), out=weights[:, :, -1])
+    return weights
 
 
-def _counted(score: Array) -> tuple[Array, Array]:
-    """Shares named, and shares where the wrong one of two is the likelier; a tie counts half."""
-    _, points, _, touches = score.shape
-    named = score.argmax(axis=2)
-    confusion = np.count_nonzero(named[:, :, None] == np.arange(points)[:, None], axis=-1) / touches
-    own = np.einsum("dppn->dpn", score)[:, :, None]
-    wrong = (np.count_nonzero(score > own, axis=-1) + 0.5 * np.count_nonzero(score == own, axis=-1)) / touches
-    wrong[:, np.arange(points), np.arange(points)] = 0.0
-    return confusion, (wrong + wrong.swapaxes(1, 2)) / 2
+def _count(score: Array, first: int, named: Array, wrong: Array) -> None:
+    """Numbers of touches named, and of those for which the wrong one of two is the likelier; a tie counts half.
+
+    Args:
+        score: (n, n_point, n_touch) of touches of points ``first`` and on.
+        first: the first of them.
+        named: (n, n_point), written.
+        wrong: (n, n_point), written.
+    """
+    count = _true(score == score.max(axis=1, keepdims=True))
+    if count.sum() != len(score) * score.shape[2]:  # of equal ones the first is named
+        count = _true(score.argmax(axis=1)[:, None] == np.arange(score.shape[1])[:, None])
+    named[:] = count
+    rows = np.arange(len(score))
+    own = score[rows, first + rows][:, None]
+    np.add(_true(score > own), _true(score >= own), out=wrong)
+    wrong *= 0.5
+    wrong[rows, first + rows] = 0
+
+
+def _true(values: NDArray[np.bool_]) -> NDArray[np.int64]:
+    """How many of the last axis are true."""
+    return np.asarray(np.bitwise_count(np.packbits(values, axis=-1)).sum(axis=-1, dtype=np.int64))
 
 
 def _check(h: Complex, grid: Array, touches: int) -> None:

@@ -44,25 +44,14 @@ def coverage(design: ArrayDesign, radius: float = FINGER, layout: ArrayLayout | 
     height, left, right = _hull(place, own)
     half = np.sqrt(np.maximum((own + radius) ** 2 - (height[:, None] - place[:, 1]) ** 2, 0.0))
     ends = np.stack([place[:, 0] - half, place[:, 0] + half])
-    np.clip(ends, left[:, None], right[:, None], out=ends)
+    np.maximum(ends, left[:, None], out=ends)
+    np.minimum(ends, right[:, None], out=ends)
     return min(float(_together(*ends) / (right - left).sum()), 1.0)
 
 
 def _hull(place: Array, radius: Array) -> tuple[Array, Array, Array]:
     """Lines across the hull of discs, their height y and the ends of them inside it, each (n_line,) mm."""
-    from scipy.spatial import ConvexHull
-
-    # Where one disc reaches furthest square to both edges beside a corner, it does so at that corner alone.
-    furthest = (place @ _SIDE.T + radius[:, None] * _REACH).argmax(axis=0)
-    only = furthest == np.roll(furthest, 1)
-    alone, several = furthest[only], np.flatnonzero(~only)
-    rim = np.concatenate(
-        [
-            place[alone] + radius[alone, None] * _CORNER[only],
-            (place[:, None] + radius[:, None, None] * _CORNER[several]).reshape(-1, 2),
-        ]
-    )
-    rim = rim[ConvexHull(rim).vertices]
+    rim = _rim(place, radius)
     low, high = rim[:, 1].min(), rim[:, 1].max()
     height = low + (np.arange(_LINES) + 0.5) / _LINES * (high - low)
     start, stop = rim, np.roll(rim, -1, axis=0)
@@ -74,6 +63,25 @@ def _hull(place: Array, radius: Array) -> tuple[Array, Array, Array]:
         order = np.argsort(corners[:, 1], kind="stable")
         sides.append(np.interp(height, corners[order, 1], corners[order, 0]))
     return height, sides[0], sides[1]
+
+
+def _rim(place: Array, radius: Array) -> Array:
+    """Corners of the hull of discs, anticlockwise, (n, 2) mm."""
+    # At a corner of the discs' polygon the hull goes on from the disc that reaches furthest square to the side before
+    # it to that of the side after it: mostly the same, mostly straight.
+    furthest = (place @ _SIDE.T + radius[:, None] * _REACH).argmax(axis=0)
+    before = np.concatenate([furthest[-1:], furthest[:-1]])
+    start, stop = (place[own] + radius[own, None] * _CORNER for own in (before, furthest))
+    turns = np.flatnonzero(furthest != before)
+    way = stop[turns] - start[turns]
+    others = place[:, None] + radius[:, None, None] * _CORNER[turns] - start[turns]
+    beyond = way[:, 1] * others[..., 0] - way[:, 0] * others[..., 1]
+    if np.any(beyond > 1e-9 * (way**2).sum(1)):  # others reach past that way
+        from scipy.spatial import ConvexHull
+
+        every = (place[:, None] + radius[:, None, None] * _CORNER).reshape(-1, 2)
+        return np.asarray(every[ConvexHull(every).vertices])
+    return np.insert(stop, turns, start[turns], axis=0)
 
 
 def _together(begin: Array, end: Array) -> float:

@@ -62,8 +62,14 @@ def noise_of_filters(noise: float | NoiseSpectrum | ArrayLike, designs: int, lis
         )
     if not np.all(np.isfinite(power)) or np.any(power < 0) or np.any(power.sum(axis=1) <= 0):
         raise Refusal("noise must be finite and above 0")
+    return np.asarray(power @ _passed_noise(listener))
+
+
+@lru_cache(maxsize=2)
+def _passed_noise(listener: Listener) -> Array:
+    """What the filters let through of noise at each of its lines, (NOISE_LINES, n_filter)."""
     forth, back = filtered(np.arange(NOISE_LINES, dtype=np.float64), listener)
-    return np.asarray(power @ (np.abs(forth) ** 2 + np.abs(back) ** 2) / 2)
+    return np.asarray((np.abs(forth) ** 2 + np.abs(back) ** 2) / 2)
 
 
 class Ear:
@@ -84,12 +90,14 @@ class Ear:
         # Transfer functions are smooth over log f: their first polynomials, orthonormal on the grid, hold all digits.
         place = np.log(grid / grid[0]) / np.log(grid[-1] / grid[0])
         self._polynomials, _ = np.linalg.qr(np.polynomial.chebyshev.chebvander(2 * place - 1, len(grid) - 1))
-        # real numbers throughout: real and imaginary parts of transfer functions to those of frames
-        rows = []
-        for matrix, sources in zip(interpolation(grid, at), (one + other, 1j * (one - other)), strict=True):
-            seen = np.tensordot(matrix @ self._polynomials, sources, (0, 0)).reshape(len(grid), -1)
-            rows.append(np.concatenate([seen.real, seen.imag], axis=1))
-        self._matrix = np.stack(rows)
+        # Real numbers throughout: real and imaginary parts of transfer functions to those of frames. A matrix for each
+        # part and filter, in which those of a polynomial follow each other: small products need no copy.
+        seen = [
+            np.tensordot(matrix @ self._polynomials, sources, (0, 0))
+            for matrix, sources in zip(interpolation(grid, at), (one + other, 1j * (one - other)), strict=True)
+        ]
+        parts = np.stack([[each.real, each.imag] for each in seen])  # (2, 2, n_number, n_filter, n_touch)
+        self._matrix = np.ascontiguousarray(parts.transpose(1, 3, 2, 0, 4)).reshape(-1, 2 * len(grid), touches)
         source = np.arange(BAND[0], BAND[1] + 1e-9, 1.0)
         self._to_source = interpolation(grid, source)
         forth, back = filtered(source, listener)
@@ -98,32 +106,35 @@ class Ear:
         at_once, mirrored = density * np.abs(forth) ** 2, density * np.abs(back) ** 2
         self._weight = at_once + mirrored, at_once - mirrored
 
-    def factors(self, h: Complex) -> tuple[Array, Array]:
-        """Frames as a product: few numbers of each transfer function, and the matrix that all share.
+    def frames(self, h: Complex, out: Array | None = None) -> Array:
+        """Frames of the touches behind the filters, real and imaginary parts.
 
-        (n_design, n_point, n_microphone, n_number) and (n_number, values of a frame as in :meth:`frames`).
+        (n_design, n_point, n_microphone, 2, n_filter, n_touch); written to the contiguous ``out`` where it is given.
         """
         parts = np.stack([h.real, h.imag], axis=-2) @ self._polynomials
         size = np.abs(parts).max(axis=-2)
         counts = (size > _ROUNDING * size.max(axis=-1, keepdims=True)).any(axis=(0, 1, 2))
         kept = 1 + int(np.flatnonzero(counts).max(initial=0))
-        return parts[..., :kept].reshape(*h.shape[:3], -1), self._matrix[:, :kept].reshape(2 * kept, -1)
-
-    def frames(self, h: Complex) -> Array:
-        """Frames of the touches behind the filters, real and imaginary parts.
-
-        (n_design, n_point, n_microphone, 2, n_filter, n_touch).
-        """
-        numbers, matrix = self.factors(h)
-        return (numbers @ matrix).reshape(*h.shape[:3], *self.shape)
+        numbers = parts[..., :kept].swapaxes(-1, -2).reshape(-1, 2 * kept)
+        out = np.empty((*h.shape[:3], *self.shape)) if out is None else out
+        rows = out.reshape(len(numbers), -1, self.shape[-1]).swapaxes(0, 1)
+        np.matmul(numbers, self._matrix[:, : 2 * kept], out=rows)
+        return out
 
     def covariance(self, h: Complex) -> Complex:
         """C of every point at g = 1: (n_design, n_point, n_microphone, n_microphone, n_filter)."""
         real, imaginary = self._to_source
-        at = h.real @ real.T + 1j * (h.imag @ imaginary.T)
-        cross = at[:, :, :, None] * at[:, :, None].conj()
-        seen = np.empty((*cross.shape[:-1], self.shape[1]), np.complex128)
-        seen.real, seen.imag = cross.real @ self._weight[0], cross.imag @ self._weight[1]
+        at_real, at_imaginary = h.real @ real.T, h.imag @ imaginary.T
+        microphones = h.shape[2]
+        seen = np.zeros((*h.shape[:2], microphones, microphones, self.shape[1]), np.complex128)
+        for a in range(microphones):
+            for b in range(a, microphones):
+                one, other = (each[:, :, a] for each in (at_real, at_imaginary))
+                alike = one * at_real[:, :, b] + other * at_imaginary[:, :, b]
+                seen[:, :, a, b].real = alike @ self._weight[0]
+                if a < b:
+                    seen[:, :, a, b].imag = (other * at_real[:, :, b] - one * at_imaginary[:, :, b]) @ self._weight[1]
+                    seen[:, :, b, a] = seen[:, :, a, b].conj()
         return seen
 
 

@@ -11,6 +11,7 @@ import traceback
 import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from itertools import compress
 from pathlib import Path
 from typing import Any, TypeAlias
 
@@ -169,14 +170,6 @@ def _padded(block: _Block) -> Complex:
     return padded
 
 
-class _SomeOutside(Exception):
-    """Some designs of a batch have cells outside the atlas."""
-
-    def __init__(self, designs: NDArray[np.bool_]) -> None:
-        super().__init__()
-        self.designs = designs
-
-
 # -- responses --------------------------------------------------------------------------------------
 def _responses(
     job: Job, designs: Mapping[int, ArrayDesign], cells: Mapping[CellKey, SolvedCell], block: _Block
@@ -191,20 +184,18 @@ def _responses(
         else:
             groups.setdefault(Topology.of(design), []).append(number)
     found: list[tuple[list[int], Responses]] = []
-    waiting = list(groups.items())
-    for topology, numbers in waiting:
+    for topology, numbers in groups.items():
         try:
-            found.append((numbers, _batch(job, topology, [designs[number] for number in numbers])))
-        except _SomeOutside as error:
-            alone += [number for number, outside in zip(numbers, error.designs, strict=True) if outside]
-            if not error.designs.all():
-                inside = [number for number, outside in zip(numbers, error.designs, strict=True) if not outside]
-                waiting.append((topology, inside))
+            inside, responses = _batch(job, topology, [designs[number] for number in numbers])
         except FAILURES:
             alone += numbers  # one of them is at fault; which one shows case by case
         except _MISTAKES as error:
             for number in numbers:
                 block.fail(number, _reason(error))
+        else:
+            alone += compress(numbers, ~inside)
+            if responses is not None:
+                found.append((list(compress(numbers, inside)), responses))
     single: dict[tuple[int, ...], list[tuple[int, Responses]]] = {}
     for number in sorted(alone):
         try:
@@ -217,12 +208,8 @@ def _responses(
     return found
 
 
-def _batch(job: Job, topology: Topology, designs: Sequence[ArrayDesign]) -> Responses:
-    """Many designs whose cells are closed forms in one call.
-
-    Raises:
-        _SomeOutside: cells of some designs are outside the atlas.
-    """
+def _batch(job: Job, topology: Topology, designs: Sequence[ArrayDesign]) -> tuple[NDArray[np.bool_], Responses | None]:
+    """Which of many designs a batch can hold, and these in one call; cells of the others are outside the atlas."""
     states: dict[Any, Medium] = {}
     for design in designs:
         if design.air not in states:
@@ -235,12 +222,17 @@ def _batch(job: Job, topology: Topology, designs: Sequence[ArrayDesign]) -> Resp
         for air, state in states.items()
     ]
     joined = parameters[0] if len(parameters) == 1 else _in_order(parameters, designs, list(states))
+    inside = np.ones(len(designs), dtype=bool)
     if job.fidelity == "atlas":
-        outside = designs_outside(joined, topology, job.frequency, medium)
-        if outside.any():
-            raise _SomeOutside(outside)
+        inside = ~designs_outside(joined, topology, job.frequency, medium)
+    if not inside.any():
+        return inside, None
+    if not inside.all():
+        designs, media = list(compress(designs, inside)), list(compress(media, inside))
+        joined = joined.map(lambda values: values[inside])
+        medium = media[0] if len(set(media)) == 1 else MediumParameters.from_media(media)
     response = batch_response(joined, topology, job.frequency, medium, job.fidelity)
-    return Responses(
+    return inside, Responses(
         frequency=job.frequency,
         transfer_function=response.transfer_function,
         designs=tuple(designs),

@@ -10,7 +10,7 @@ from rc_line import rc_line
 import localize
 from localize.signals import stimulus
 from localize.signals.propagation import microphone_signals
-from studies.metrics import filtered_touches
+from studies.metrics import confusion, filtered_touches
 from studies.metrics.confusion import POWERS, predict_confusion, predict_confusions
 from studies.metrics.filtered_touches import noise_of_filters
 
@@ -62,6 +62,17 @@ def test_noises_predicted_together_are_those_of_each_alone() -> None:
         alone = predict_confusion(batch, GRID, noise)
         assert np.array_equal(found.confusion, alone.confusion)
         assert np.array_equal(found.pairwise, alone.pairwise)
+
+
+def test_points_taken_one_by_one_are_predicted_as_all_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    batch = np.concatenate([line(5, spread) for spread in (0.5, 1.0, 2.0)])
+    noises = 0.003, np.full((3, 500), 0.05**2 / 500) * np.array([[1.0], [2.0], [3.0]])
+    whole = [predict_confusions(batch, GRID, noises, assumed=each) for each in (None, batch[:2])]
+    monkeypatch.setattr(confusion, "_MEMORY", 1)
+    for assumed, expected in zip((None, batch[:2]), whole, strict=True):
+        for one, other in zip(predict_confusions(batch, GRID, noises, assumed=assumed), expected, strict=True):
+            assert np.array_equal(one.confusion, other.confusion)
+            assert np.array_equal(one.pairwise, other.pairwise)
 
 
 def test_three_microphones_are_scored_by_their_likelihood() -> None:

@@ -8,7 +8,7 @@ import geometry
 from geometry.layout.arrangement import lay_out
 from geometry.refusal import Refusal
 from studies.metrics import coverage
-from studies.metrics.covered_area import _together
+from studies.metrics.covered_area import _CORNER, _rim, _together
 
 
 def by_points(design, radius, count=40_000):
@@ -52,6 +52,17 @@ def test_kinds_of_one_width_and_single_points_are_covered_as_they_are():
 def test_a_radius_below_zero_is_refused():
     with pytest.raises(Refusal, match="radius = -1 mm must be between 0 and 1000 mm"):
         coverage(geometry.prototype("array-2x6"), -1.0)
+
+
+@pytest.mark.parametrize("count", [1, 2, 3, 12, 200])
+def test_the_rim_is_that_of_the_hull_of_all_corners(count):
+    random = np.random.default_rng(count)
+    bent = np.linspace(0.0, 0.05, count)
+    for place in (random.normal(size=(count, 2)), 900 * np.stack([np.sin(bent), np.cos(bent)], 1)):
+        radius = random.uniform(0.01, 0.5, count)
+        hull = ConvexHull((place[:, None] + radius[:, None, None] * _CORNER).reshape(-1, 2))
+        x, y = (_rim(place, radius) - place.mean(axis=0)).T
+        assert (x * np.roll(y, -1) - y * np.roll(x, -1)).sum() / 2 == pytest.approx(hull.volume, rel=1e-9)
 
 
 def test_intervals_that_overlap_touch_or_are_empty_count_once():
