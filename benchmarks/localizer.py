@@ -31,6 +31,8 @@ from localize.signals.touch_generator import SHARD
 
 FREQUENCY = np.arange(1.0, 501.0)
 LATENCY_FRAMES = 300
+QUIET = localize.TrainingPlan(ambient=None, batch=128)
+"""Plan in silence, in large steps: what networks cost without what rooms add."""
 
 
 ENOUGH = 0.94
@@ -73,25 +75,27 @@ def signal_rates(response: ArrayResponse) -> dict[str, float]:
     return rates
 
 
-def step_rate(response: ArrayResponse, network: str, bfloat16: bool, batch: int = 128) -> float:
-    """Training touches per second, signals and features included."""
-    channels = len(response.microphones)
-    shape = NetworkShape(maps=map_count(channels), points=response.point_count, **NETWORKS[network])
+def step_rate(response: ArrayResponse, plan: localize.TrainingPlan) -> float:
+    """Training touches per second by a plan: signals, features, network and optimizer."""
+    channels, choice = len(response.microphones), plan.maps(response)
+    shape = NetworkShape(map_count(channels, choice), response.point_count, features=choice, **NETWORKS[plan.network])
     classifier = TouchClassifier(channels, shape).train()
-    optimizer = torch.optim.AdamW(classifier.parameters(), lr=1e-3)
-    touches = localize.TouchGenerator(response, 0, "training", 1e-3)
+    optimizer = torch.optim.AdamW(classifier.parameters(), lr=1e-3, fused=True)
+    noise, sound = plan.microphone_noise, plan.sound(response)
+    touches = localize.TouchGenerator(response, 0, "training", noise, stimuli=plan.source, ambient=sound)
 
-    def step() -> int:
-        part = touches.samples(0, batch)
-        maps = classifier.maps(part.signals[..., -FRAME:])
-        with torch.autocast("cpu", torch.bfloat16, enabled=bfloat16):
-            logits = classifier.network(maps)
-        nn.functional.cross_entropy(logits.float(), part.point).backward()
-        optimizer.step()
-        optimizer.zero_grad()
-        return batch
+    def steps() -> int:
+        part = touches.samples(0, SHARD)
+        for frames, point in zip(*(each.split(plan.batch) for each in (part.signals, part.point)), strict=True):
+            maps = classifier.maps(frames[..., -FRAME:])
+            with torch.autocast("cpu", torch.bfloat16, enabled=plan.bfloat16):
+                logits = classifier.network(maps)
+            optimizer.zero_grad()
+            nn.functional.cross_entropy(logits.float(), point).backward()
+            optimizer.step()
+        return SHARD
 
-    return rate(step)
+    return rate(steps)
 
 
 def main(name: str) -> None:
@@ -112,7 +116,8 @@ def main(name: str) -> None:
         speed = rate(lambda maps=maps: len(maps(frames[:SHARD])))
         table.add_row(f"features in batches: {choice}", f"{speed:,.0f}", "frames/s")
     for network in NETWORKS:
-        speeds = " / ".join(f"{step_rate(response, network, bfloat16):,.0f}" for bfloat16 in (False, True))
+        plans = (replace(QUIET, network=network, bfloat16=bfloat16) for bfloat16 in (False, True))
+        speeds = " / ".join(f"{step_rate(response, plan):,.0f}" for plan in plans)
         table.add_row(f"training {network}, signals and features included, float32 / bfloat16", speeds, "samples/s")
 
     plan, reached = localize.TrainingPlan(microphone_noise=0.0), []

@@ -8,7 +8,7 @@ from rc_line import rc_line
 from torch import nn
 
 import localize
-from localize.learned.classifier import NETWORKS, NetworkShape, TouchClassifier, TouchNetwork
+from localize.learned.classifier import NETWORKS, NetworkShape, PatchConvolution, TouchClassifier, TouchNetwork
 from localize.learned.features import map_count
 
 
@@ -74,6 +74,38 @@ def test_other_networks_maps_and_precisions_learn_and_are_saved(change, tmp_path
     localizer.save(tmp_path)
     signals = localize.TouchGenerator(array, 0, "evaluation").samples(0, 8).signals
     assert (localize.load_localizer(tmp_path).locate(signals) == localizer.locate(signals)).all()
+
+
+@pytest.mark.parametrize("features", ["phasors", "paper", "rooms"])
+def test_maps_network_and_gradients_follow_the_device(features):
+    # The device without data refuses tensors of any other: no accelerator is needed to see that all of them move.
+    classifier = TouchClassifier(3, shape("patches", 3, 4, features)).to("meta").train()
+    optimizer = torch.optim.AdamW(classifier.parameters())
+    logits = classifier(torch.randn(8, 3, 250, device="meta"))
+    logits.sum().backward()
+    optimizer.step()
+    assert logits.device.type == "meta"
+    assert logits.shape == (8, 4)
+
+
+@pytest.mark.skipif(not torch.cuda.is_available(), reason="no graphics processor: what is trained there is not tested")
+@pytest.mark.parametrize("bfloat16", [False, True])
+def test_a_graphics_processor_trains_and_goes_on(bfloat16, tmp_path):
+    plan = localize.TrainingPlan(seconds_per_point=60, epochs=4, seed=1, bfloat16=bfloat16)
+    kept = tmp_path / "checkpoint.safetensors"
+    localizer = localize.train(rc_line(4, spread=3.0), plan, checkpoint=kept)
+    assert localizer.training["device"] == "cuda"
+    assert localizer.training["held_out_accuracy"][-1] > 0.6
+    again = localize.train(rc_line(4, spread=3.0), plan, checkpoint=kept)
+    signals = localize.TouchGenerator(rc_line(4, spread=3.0), 0, "evaluation").samples(0, 8).signals
+    assert (again.locate(signals) == localizer.locate(signals)).all()
+
+
+def test_in_training_patches_are_cut_as_by_the_convolution():
+    for size, layout in ((1, torch.channels_last), (2, torch.channels_last), ((4, 8), torch.contiguous_format)):
+        layer = PatchConvolution(6, 10, size).double()
+        inputs = torch.randn(3, 6, 16, 8).double().contiguous(memory_format=layout)
+        assert torch.allclose(layer.train()(inputs), layer.eval()(inputs), atol=1e-12)
 
 
 def test_training_takes_gains_and_finger_stimuli():
