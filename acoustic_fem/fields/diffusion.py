@@ -19,7 +19,8 @@ import skfem
 from numpy.typing import NDArray
 from scipy.spatial import KDTree
 
-from acoustic_fem.fields.navier_stokes import dirichlet_nodes, laplace, tetrahedral_mesh, weighted_mass
+from acoustic_fem.fields.assembly import mass_matrix, stiffness_matrix
+from acoustic_fem.fields.navier_stokes import dirichlet_nodes, tetrahedral_mesh
 from acoustic_fem.numerics.rational_sweep import ReducedModel, reduce_system
 from acoustic_fem.quantities.units import metres
 from geometry.air.mesh import SolidMesh
@@ -86,8 +87,7 @@ def diffusion_field(
     tetrahedra, facets = tetrahedral_mesh(mesh)
     basis = skfem.Basis(tetrahedra, skfem.ElementTetP2(), intorder=4)
     free = np.setdiff1d(np.arange(basis.N), dirichlet_nodes(basis, facets, open_faces))
-    stiffness = laplace.assemble(basis).tocsr()[free][:, free]
-    mass = weighted_mass.assemble(basis, weight=np.ones_like(basis.dx)).tocsr()
+    stiffness, mass = stiffness_matrix(basis)[free][:, free], mass_matrix(basis)
     load = np.asarray(mass @ np.ones(basis.N))[free]
     model = reduce_system(
         [sp.csr_array(stiffness), sp.csr_array(mass[free][:, free])],
