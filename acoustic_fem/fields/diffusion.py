@@ -89,8 +89,30 @@ def diffusion_field(
     free = np.setdiff1d(np.arange(basis.N), dirichlet_nodes(basis, facets, open_faces))
     stiffness, mass = stiffness_matrix(basis)[free][:, free], mass_matrix(basis)
     load = np.asarray(mass @ np.ones(basis.N))[free]
+    model, found = field_model(stiffness, mass[free][:, free], load, diffusivity, band)
+    functions = np.zeros((basis.N, found.shape[1]))
+    functions[free] = found
+    return DiffusionField(basis, functions, model)
+
+
+def field_model(
+    stiffness: sp.csr_array,
+    mass: sp.csr_array,
+    load: NDArray[np.float64],
+    diffusivity: float,
+    band: tuple[float, float],
+) -> tuple[ReducedModel, NDArray[np.float64]]:
+    """Reduced model of a field, and the functions v_k at its free degrees of freedom, (n, r) float64.
+
+    Args:
+        stiffness: integral of grad p . grad q, (n, n), mm.
+        mass: integral of p q, (n, n), mm^3.
+        load: integral of p, (n,) float64, mm^3.
+        diffusivity: nu or alpha, m^2/s.
+        band: lowest and highest frequency, Hz.
+    """
     model = reduce_system(
-        [sp.csr_array(stiffness), sp.csr_array(mass[free][:, free])],
+        [sp.csr_array(stiffness), sp.csr_array(mass)],
         lambda frequency: _system_coefficients(frequency, diffusivity)[0],
         [load[:, None]],
         lambda frequency: _system_coefficients(frequency, diffusivity)[1],
@@ -100,9 +122,7 @@ def diffusion_field(
     )
     if model.basis is None:
         raise RuntimeError("the reduced model was asked to keep its basis and did not")
-    functions = np.zeros((basis.N, model.basis.shape[1]))
-    functions[free] = model.basis
-    return DiffusionField(basis, functions, model)
+    return model, model.basis
 
 
 def field_coefficients(
