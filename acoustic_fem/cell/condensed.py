@@ -8,12 +8,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import TypeAlias
 
 import numpy as np
 import scipy.sparse as sp
 from numpy.typing import NDArray
 
 from acoustic_fem.duct.known_bores import known_port_admittance
+from acoustic_fem.fields.cylinder_heat import CylinderField
 from acoustic_fem.fields.diffusion import DiffusionField, diffusion_field, field_coefficients
 from acoustic_fem.fields.helmholtz import pressure_system
 from acoustic_fem.fields.navier_stokes import WallMotion, cell_system, compliance_mass
@@ -26,6 +28,9 @@ from geometry.air.straight_bores import StraightBore
 from geometry.refusal import Refusal
 
 Array = NDArray[np.complex128]
+
+#: A solved thermal field: on a mesh of its own, or of the sections of a cylinder and its bores.
+ThermalField: TypeAlias = DiffusionField | CylinderField
 
 _LENGTH = metres(1.0)  # meshes are in mm
 
@@ -114,7 +119,7 @@ class CondensedBody:
 
 def condense(
     flow_mesh: SolidMesh,
-    heat: SolidMesh | DiffusionField,
+    heat: SolidMesh | ThermalField,
     faces: BodyFaces,
     air: AirModel,
     tolerance: float = 1e-6,
@@ -166,7 +171,7 @@ def condense(
 
 def _condense_navier_stokes(
     mesh: SolidMesh,
-    heat: DiffusionField,
+    heat: ThermalField,
     faces: BodyFaces,
     air: AirModel,
     tolerance: float,
@@ -219,7 +224,7 @@ def _navier_stokes_response(body: CondensedBody, frequency: NDArray[np.float64])
 
 def _condense_helmholtz(
     mesh: SolidMesh,
-    heat: DiffusionField,
+    heat: ThermalField,
     viscous: DiffusionField,
     faces: BodyFaces,
     air: AirModel,

@@ -6,7 +6,7 @@ import json
 from collections.abc import Callable
 from dataclasses import asdict, dataclass
 from importlib.metadata import version
-from typing import Any, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,6 +20,9 @@ from geometry.refusal import Refusal, said_by
 from geometry.stated.cavity_shapes import Box, Dome
 from geometry.stated.ports import CellPort
 from geometry.system.loading import MissingLibrary
+
+if TYPE_CHECKING:
+    from acoustic_fem.fields.cylinder_heat import CylinderAir
 
 #: Cells of a design are solved over at least this band (Hz), so that another grid finds them in the cache.
 DESIGN_BAND = (1.0, 500.0)
@@ -39,7 +42,7 @@ _FIRST_SCALE = 1.1
 
 
 #: Part of the cache key: raise it when the mesh or the equations of a cell change.
-CELL_MODEL_VERSION = 11
+CELL_MODEL_VERSION = 12
 
 
 _MODELS = ("heat", "viscous", "flow")
@@ -168,7 +171,24 @@ def marked_solid(cell: Cell) -> MarkedSolid:
     profile = np.column_stack([radius, bowl**2 if cell.opening_length == 0 else bowl])
     faces = {**air.ports, OPENING: air.opening, **({} if air.mirror is None else {MIRROR: air.mirror})}
     motions = (WallMotion(OPENING, profile, air.centre),)
-    return MarkedSolid(air.solid, faces, BodyFaces(tuple(air.ports), motions, None if air.mirror is None else MIRROR))
+    marked = BodyFaces(tuple(air.ports), motions, None if air.mirror is None else MIRROR)
+    return MarkedSolid(air.solid, faces, marked, _cylinder(cell))
+
+
+def _cylinder(cell: Cell) -> CylinderAir | None:
+    """The air of a cell whose cavity is a cylinder."""
+    from acoustic_fem.fields.cylinder_heat import CylinderAir, SideBore
+
+    if cell.shape is not None:
+        return None
+    bores = []
+    for port in cell.ports:
+        radius = port.bore_diameter / 2
+        # The wall falls back beside the axis, on an average by a^2 / (8 R).
+        bores.append(SideBore(radius, cell.bore_of(port) + radius**2 / (4 * cell.diameter), cell.height_of(port)))
+    if cell.opening_length > 0:
+        bores.append(SideBore(cell.opening_diameter / 2, cell.opening_length, None))
+    return CylinderAir(cell.diameter / 2, cell.height, tuple(bores))
 
 
 def solve_task(task: CellTask, report: Callable[[float], None]) -> CellRecord:

@@ -25,7 +25,8 @@ from geometry.refusal import Refusal
 if TYPE_CHECKING:
     import cadquery
 
-    from acoustic_fem.cell.condensed import AirModel, BodyFaces, CondensedBody
+    from acoustic_fem.cell.condensed import AirModel, BodyFaces, CondensedBody, ThermalField
+    from acoustic_fem.fields.cylinder_heat import CylinderAir, CylinderField
     from acoustic_fem.fields.diffusion import DiffusionField
     from geometry.air.mesh import MeshSizes, Point, SolidMesh
 
@@ -51,6 +52,8 @@ class MarkedSolid:
     """Name -> a point on the face, mm: of ports, moving walls and the mirror."""
     faces: BodyFaces
     """Which of the names are tube ports, moving walls and the mirror."""
+    cylinder: CylinderAir | None = None
+    """The same air, or twice it at a mirror, told as a cylinder with bores, the ports first; None where it is none."""
 
     def mesh(self, sizes: MeshSizes, beat: Callable[[], None]) -> SolidMesh:
         """The body meshed; ``beat`` is called while gmsh is at work."""
@@ -63,7 +66,9 @@ class MarkedSolid:
         from geometry.air.straight_bores import shortened
 
         short = shortened(self.shape, self.points, self.faces.tubes)
-        return MarkedSolid(short.solid, short.points, replace(self.faces, bores=short.bores))
+        lengths = [bore.length for bore in short.bores]
+        cylinder = None if self.cylinder is None else self.cylinder.shortened(lengths)
+        return MarkedSolid(short.solid, short.points, replace(self.faces, bores=short.bores), cylinder)
 
 
 @dataclass(frozen=True)
@@ -216,14 +221,29 @@ def converge(
     started = time.perf_counter()
     solid = solid.shortened()
     highest = float(goal.frequencies(air.band)[-1])
-    for usual, number, most in ((_USUAL_FLOW_SCALE, 0, MOST_FLOW_ELEMENTS), (_USUAL_HEAT_SCALE, 1, MOST_ELEMENTS)):
+    closed = _closed_heat(solid, air, goal)
+    meshed = [(_USUAL_FLOW_SCALE, 0, MOST_FLOW_ELEMENTS), (_USUAL_HEAT_SCALE, 1, MOST_ELEMENTS)]
+    for usual, number, most in meshed if closed is None else meshed[:1]:
         # Coarser meshes come first: what the one that may do costs is known before any of them.
         sizes = mesh_sizes(goal.first_scale(usual), goal.width, air.medium, highest)[number]
         for each in solid.shape.Solids():
             refuse_large_mesh(each, sizes, most)
-    heat, heat_error, heat_meshes = _converged_heat(solid, air, goal, lambda done: report(0.2 * done))
+    heat, heat_error, heat_meshes = closed or _converged_heat(solid, air, goal, lambda done: report(0.2 * done))
     flow, flow_error, flow_meshes = _converged_flow(solid, heat, air, goal, lambda done: report(0.2 + 0.8 * done))
     return SolvedBody(flow, max(heat_error, flow_error), (*heat_meshes, *flow_meshes), time.perf_counter() - started)
+
+
+def _closed_heat(
+    solid: MarkedSolid, air: AirModel, goal: MeshGoal
+) -> tuple[CylinderField, float, list[Refinement]] | None:
+    """The thermal field of a cylinder with bores, its error in the compliance, no mesh; None where it will not do."""
+    from acoustic_fem.fields.cylinder_heat import cylinder_field
+
+    if solid.cylinder is None or (air.medium.gamma - 1) * solid.cylinder.mean_error > goal.accuracy / 2:
+        return None
+    field = cylinder_field(solid.cylinder, air.medium.thermal_diffusivity, air.band)
+    # The compliance is V (gamma - (gamma - 1) <Psi>) / (gamma p), isothermal at least.
+    return field, (air.medium.gamma - 1) * solid.cylinder.mean_error, []
 
 
 def _converged_heat(
@@ -251,7 +271,7 @@ def _converged_heat(
 
 
 def _converged_flow(
-    solid: MarkedSolid, heat: DiffusionField, air: AirModel, goal: MeshGoal, report: Callable[[float], None]
+    solid: MarkedSolid, heat: ThermalField, air: AirModel, goal: MeshGoal, report: Callable[[float], None]
 ) -> tuple[CondensedBody, float, list[Refinement]]:
     """The condensed body, its error in the admittances and its meshes."""
     from acoustic_fem.cell.condensed import condense

@@ -19,7 +19,8 @@ import skfem
 from numpy.typing import NDArray
 from scipy.spatial import KDTree
 
-from acoustic_fem.fields.navier_stokes import dirichlet_nodes, laplace, tetrahedral_mesh, weighted_mass
+from acoustic_fem.fields.assembly import mass_matrix, stiffness_matrix
+from acoustic_fem.fields.navier_stokes import dirichlet_nodes, tetrahedral_mesh
 from acoustic_fem.numerics.rational_sweep import ReducedModel, reduce_system
 from acoustic_fem.quantities.units import metres
 from geometry.air.mesh import SolidMesh
@@ -86,11 +87,32 @@ def diffusion_field(
     tetrahedra, facets = tetrahedral_mesh(mesh)
     basis = skfem.Basis(tetrahedra, skfem.ElementTetP2(), intorder=4)
     free = np.setdiff1d(np.arange(basis.N), dirichlet_nodes(basis, facets, open_faces))
-    stiffness = laplace.assemble(basis).tocsr()[free][:, free]
-    mass = weighted_mass.assemble(basis, weight=np.ones_like(basis.dx)).tocsr()
+    stiffness, mass = stiffness_matrix(basis)[free][:, free], mass_matrix(basis)
     load = np.asarray(mass @ np.ones(basis.N))[free]
+    model, found = field_model(stiffness, mass[free][:, free], load, diffusivity, band)
+    functions = np.zeros((basis.N, found.shape[1]))
+    functions[free] = found
+    return DiffusionField(basis, functions, model)
+
+
+def field_model(
+    stiffness: sp.csr_array,
+    mass: sp.csr_array,
+    load: NDArray[np.float64],
+    diffusivity: float,
+    band: tuple[float, float],
+) -> tuple[ReducedModel, NDArray[np.float64]]:
+    """Reduced model of a field, and the functions v_k at its free degrees of freedom, (n, r) float64.
+
+    Args:
+        stiffness: integral of grad p . grad q, (n, n), mm.
+        mass: integral of p q, (n, n), mm^3.
+        load: integral of p, (n,) float64, mm^3.
+        diffusivity: nu or alpha, m^2/s.
+        band: lowest and highest frequency, Hz.
+    """
     model = reduce_system(
-        [sp.csr_array(stiffness), sp.csr_array(mass[free][:, free])],
+        [sp.csr_array(stiffness), sp.csr_array(mass)],
         lambda frequency: _system_coefficients(frequency, diffusivity)[0],
         [load[:, None]],
         lambda frequency: _system_coefficients(frequency, diffusivity)[1],
@@ -100,9 +122,7 @@ def diffusion_field(
     )
     if model.basis is None:
         raise RuntimeError("the reduced model was asked to keep its basis and did not")
-    functions = np.zeros((basis.N, model.basis.shape[1]))
-    functions[free] = model.basis
-    return DiffusionField(basis, functions, model)
+    return model, model.basis
 
 
 def field_coefficients(

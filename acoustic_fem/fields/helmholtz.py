@@ -23,16 +23,10 @@ import numpy as np
 import scipy.sparse as sp
 import skfem
 from numpy.typing import NDArray
-from skfem.helpers import dot, grad
 
-from acoustic_fem.fields.navier_stokes import WallMotion, tetrahedral_mesh, weighted_mass
+from acoustic_fem.fields.assembly import mass_matrix, stiffness_matrix
+from acoustic_fem.fields.navier_stokes import WallMotion, tetrahedral_mesh
 from geometry.air.mesh import SolidMesh
-
-
-@skfem.BilinearForm
-def weighted_laplace(p: Any, q: Any, form: Any) -> Any:
-    """Weak form of conduction: weight grad p . grad q."""
-    return form.weight * dot(grad(p), grad(q))
 
 
 @skfem.LinearForm
@@ -61,11 +55,11 @@ class PressureSystem:
 
     def conduction(self, weight: NDArray[np.float64]) -> sp.csr_array:
         """Integral of weight grad p . grad q, (n_dof, n_dof), mm; weight at quadrature points (n_element, q)."""
-        return sp.csr_array(weighted_laplace.assemble(self.basis, weight=weight))
+        return stiffness_matrix(self.basis, weight)
 
     def storage(self, weight: NDArray[np.float64]) -> sp.csr_array:
         """Integral of weight p q, (n_dof, n_dof), mm^3; weight at quadrature points (n_element, q)."""
-        return sp.csr_array(weighted_mass.assemble(self.basis, weight=weight))
+        return mass_matrix(self.basis, weight)
 
 
 def pressure_system(mesh: SolidMesh, ports: Sequence[str], motions: Sequence[WallMotion] = ()) -> PressureSystem:

@@ -29,27 +29,9 @@ import numpy as np
 import scipy.sparse as sp
 import skfem
 from numpy.typing import NDArray
-from skfem.helpers import dot, grad
 
+from acoustic_fem.fields.assembly import divergence_matrix, mass_matrix, stiffness_matrix
 from geometry.air.mesh import SolidMesh
-
-
-@skfem.BilinearForm
-def divergence(u: Any, q: Any, form: Any) -> Any:
-    """Weak form of one term of the coupling of velocity and pressure: q du/dx_i."""
-    return u.grad[form.axis] * q
-
-
-@skfem.BilinearForm
-def weighted_mass(p: Any, q: Any, form: Any) -> Any:
-    """Weak form of storage: weight p q."""
-    return form.weight * p * q
-
-
-@skfem.BilinearForm
-def laplace(p: Any, q: Any, _: Any) -> Any:
-    """Weak form of diffusion: grad p . grad q."""
-    return dot(grad(p), grad(q))
 
 
 @skfem.LinearForm
@@ -96,8 +78,7 @@ class CellSystem:
 
 def compliance_mass(pressure: skfem.CellBasis, weight: NDArray[np.float64]) -> sp.csr_array:
     """Integral of weight p q over the cell, (n_pressure, n_pressure), mm^3; the weight, a ratio, is (n_element,)."""
-    at_points = np.broadcast_to(weight[:, None], pressure.dx.shape)
-    return sp.csr_array(weighted_mass.assemble(pressure, weight=at_points))
+    return mass_matrix(pressure, weight[:, None])
 
 
 def tetrahedral_mesh(mesh: SolidMesh) -> tuple[skfem.MeshTet2, dict[str, NDArray[np.int64]]]:
@@ -195,10 +176,9 @@ def _full_matrices(
 ) -> tuple[sp.csr_array, sp.csr_array, sp.csr_array]:
     """Viscous, inertia and divergence of all velocities, those on walls included."""
     # The three components of the velocity share one scalar matrix each.
-    stiffness, mass = laplace.assemble(quadratic), weighted_mass.assemble(quadratic, weight=np.ones_like(quadratic.dx))
-    viscous, inertia = (sp.block_diag([block] * 3, format="csr") for block in (stiffness, mass))
-    parts = [divergence.assemble(quadratic, linear, axis=axis) for axis in range(3)]
-    return sp.csr_array(viscous), sp.csr_array(inertia), sp.csr_array(sp.hstack(parts, format="csr"))
+    scalars = stiffness_matrix(quadratic), mass_matrix(quadratic)
+    viscous, inertia = (sp.csr_array(sp.block_diag([block] * 3, format="csr")) for block in scalars)
+    return viscous, inertia, divergence_matrix(quadratic, linear)
 
 
 def _flux_through(face: NDArray[np.int64], quadratic: skfem.CellBasis) -> NDArray[np.float64]:

@@ -267,9 +267,11 @@ def require_passive(admittance: NDArray[np.complex128], frequency: NDArray[np.fl
 
 
 def _combined(coefficients: NDArray, matrices: Sequence[sp.csr_array]) -> sp.csr_array:
-    total = matrices[0] * coefficients[0]
-    for coefficient, matrix in zip(coefficients[1:], matrices[1:], strict=True):
-        total = total + matrix * coefficient
+    # The sparse ones first: a sum costs what its larger term holds.
+    first, *others = np.argsort([matrix.nnz for matrix in matrices])
+    total = matrices[first] * coefficients[first]
+    for number in others:
+        total = total + matrices[number] * coefficients[number]
     return sp.csr_array(total)
 
 
