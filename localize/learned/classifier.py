@@ -80,6 +80,34 @@ NETWORKS: Mapping[str, Mapping[str, Any]] = {
 }
 
 
+class PatchConvolution(nn.Conv2d):
+    """Convolution whose stride is the size of its kernel, without bias; in training it is one matrix product, which
+    takes two thirds of the time of a convolution and its gradients on a processor.
+    """
+
+    def __init__(self, inputs: int, outputs: int, size: int | tuple[int, int]) -> None:
+        super().__init__(inputs, outputs, size, stride=size, bias=False)
+
+    def forward(self, x: Tensor) -> Tensor:
+        """Channels of each patch.
+
+        Args:
+            x: (n, inputs, rows, columns).
+
+        Returns:
+            (n, outputs, rows of patches, columns of patches).
+        """
+        if not self.training:
+            return super().forward(x)
+        (high, wide), (_, _, rows, columns) = self.kernel_size, x.shape
+        parts = x.unflatten(3, (columns // wide, wide)).unflatten(2, (rows // high, high))
+        if x.is_contiguous():
+            patches, weight = parts.permute(0, 2, 4, 1, 3, 5), self.weight
+        else:  # channels last, the layout of what comes out of any layer here
+            patches, weight = parts.permute(0, 2, 4, 3, 5, 1), self.weight.permute(0, 2, 3, 1)
+        return nn.functional.linear(patches.flatten(3), weight.flatten(1)).permute(0, 3, 1, 2)
+
+
 class PartialBlock(nn.Module):
     """Block of a 3 x 3 filter on the first quarter of the channels, then 1 x 1 up and down, added to its input."""
 
@@ -88,10 +116,10 @@ class PartialBlock(nn.Module):
         self.part = width // PARTIAL
         self.spatial = nn.Conv2d(self.part, self.part, 3, padding=1, bias=False)
         self.mix = nn.Sequential(
-            nn.Conv2d(width, EXPANSION * width, 1, bias=False),
+            PatchConvolution(width, EXPANSION * width, 1),
             nn.BatchNorm2d(EXPANSION * width),
             nn.ReLU(inplace=True),
-            nn.Conv2d(EXPANSION * width, width, 1, bias=False),
+            PatchConvolution(EXPANSION * width, width, 1),
         )
 
     def forward(self, x: Tensor) -> Tensor:
@@ -114,13 +142,13 @@ class TouchNetwork(nn.Module):
         super().__init__()
         width = shape.width
         layers: list[nn.Module] = [
-            nn.Conv2d(shape.maps, width, shape.patch, stride=shape.patch, bias=False),
+            PatchConvolution(shape.maps, width, shape.patch),
             nn.BatchNorm2d(width),
         ]
         for stage, depth in enumerate(shape.depths):
             layers += [PartialBlock(width) for _ in range(depth)]
             if stage < shape.mergings:
-                layers += [nn.Conv2d(width, 2 * width, 2, stride=2, bias=False), nn.BatchNorm2d(2 * width)]
+                layers += [PatchConvolution(width, 2 * width, 2), nn.BatchNorm2d(2 * width)]
                 width *= 2
         self.stages = nn.Sequential(*layers)
         self.head = nn.Linear(width, shape.points)
@@ -186,8 +214,7 @@ class MapClassifier(nn.Module):
             (n, n_map, 64, 32) float32.
         """
         with torch.no_grad():
-            maps = (self.raw_maps(inputs) - self.mean) / self.scale
-        return maps.contiguous(memory_format=torch.channels_last)
+            return (self.raw_maps(inputs) - self.mean) / self.scale
 
     def forward(self, inputs: Tensor) -> Tensor:
         """Logits of a batch of inputs.

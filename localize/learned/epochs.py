@@ -109,7 +109,10 @@ def run_epochs(
     Raises:
         CheckpointError: as :meth:`localize.learned.checkpoint.Checkpoint.load`.
     """
-    optimizer = torch.optim.AdamW(classifier.parameters(), lr=plan.learning_rate, weight_decay=plan.weight_decay)
+    # fused: a quarter of the time of a loop over small tensors
+    optimizer = torch.optim.AdamW(
+        classifier.parameters(), lr=plan.learning_rate, weight_decay=plan.weight_decay, fused=True
+    )
     at = (checkpoint.load(classifier, optimizer) if checkpoint else None) or Progress()
     curve = [TrainingProgress(int(entry[0]), int(entry[1]), *entry[2:]) for entry in at.curve]
     if report:

@@ -167,14 +167,15 @@ class PairFeatures(nn.Module):
             (n, n_map, 64, 32) float32.
         """
         # Scaled so that powers neither overflow nor vanish.
-        exact = frames.double()
-        exact = exact / exact.abs().amax((-2, -1), keepdim=True)
-        maps = self._maps(*self.transform(exact))
-        if self.choice != "rooms":
-            return maps
-        left = (exact.flatten(1) @ self.of_white).unflatten(1, (-1, RANK))
-        left = left / left.abs().amax((-2, -1), keepdim=True)
-        return torch.cat([maps, self._maps(*self._waves(left))], 1)
+        exact = _scaled(frames.double())
+        shares = exact @ self.analysis
+        if self.choice == "rooms":
+            left = _scaled((exact.flatten(1) @ self.of_white).unflatten(1, (-1, RANK)))
+            shares = torch.stack([shares, left], 1)
+        else:
+            shares = shares[:, None]
+        maps = self._maps(*self._waves(shares.flatten(0, 1)))
+        return maps.unflatten(0, (-1, shares.shape[1])).flatten(1, 2)
 
     def _waves(self, shares: Tensor) -> tuple[Tensor, Tensor]:
         """What the first factor leaves, (..., 64), to real and imaginary part of the transform, (..., 64, 47)."""
@@ -183,24 +184,26 @@ class PairFeatures(nn.Module):
 
     def _maps(self, real: Tensor, imag: Tensor) -> Tensor:
         """(n, n_map, 64, 32) of a transform, (n, n_microphone, 64, 47) each."""
-        power = (real * real + imag * imag).clamp_min(1e-30)
-        level = 10 * power.log10()
+        power = torch.addcmul(real * real, imag, imag).clamp_min(1e-30)
+        level = power.log10() @ (10 * self.averaging)
         inverse = power.rsqrt()
         cosine, sine = real * inverse, imag * inverse
         maps: list[Tensor] = []
         for a, b in self.pairs:
-            maps.append(level[:, a] - level[:, b])
-            maps.append(cosine[:, a] * cosine[:, b] + sine[:, a] * sine[:, b])
-            maps.append(sine[:, a] * cosine[:, b] - cosine[:, a] * sine[:, b])
-        if self.choice != "paper":
-            maps.append(power.mean(1))
-        means = [each @ self.averaging for each in maps]
+            along = torch.addcmul(cosine[:, a] * cosine[:, b], sine[:, a], sine[:, b])
+            across = torch.addcmul(sine[:, a] * cosine[:, b], cosine[:, a], sine[:, b], value=-1)
+            maps += [level[:, a] - level[:, b], along @ self.averaging, across @ self.averaging]
         if self.choice == "paper":
-            averaged = torch.stack(means, 1).unflatten(1, (len(self.pairs), 3))
+            averaged = torch.stack(maps, 1).unflatten(1, (len(self.pairs), 3))
             phase = torch.atan2(averaged[:, :, 2], averaged[:, :, 1])
             return torch.stack([averaged[:, :, 0], phase], 2).flatten(1, 2)
-        total = 10 * means.pop().log10()
-        return torch.stack([*means, (total - total.amax((-2, -1), keepdim=True)).clamp_min(-POWER_RANGE)], 1)
+        total = 10 * (power.mean(1) @ self.averaging).log10()
+        return torch.stack([*maps, (total - total.amax((-2, -1), keepdim=True)).clamp_min(-POWER_RANGE)], 1)
+
+
+def _scaled(values: Tensor) -> Tensor:
+    """Values (n, n_microphone, k) of a frame over their largest one."""
+    return values / values.abs().amax((-2, -1), keepdim=True)
 
 
 def _wavelet_spectra() -> NDArray[np.float64]:

@@ -29,7 +29,7 @@ from localize.signals.noise import NoiseSpectrum
 from localize.signals.random_streams import Purpose
 from localize.signals.stimulus import Device
 from localize.signals.threads import one_thread
-from localize.signals.touch_generator import TouchGenerator, TouchSignals
+from localize.signals.touch_generator import SHARD, TouchGenerator, TouchSignals
 
 if TYPE_CHECKING:
     from acoustic_fem import Library
@@ -184,6 +184,7 @@ class _Batches:
         self.touches, self.recordings, self.plan = touches, recordings, plan
         self._share = 0.0 if recordings is None else plan.recorded
         self._steps = steps_per_epoch
+        self._made = lru_cache(maxsize=1)(self._together)
 
     def first(self, count: int) -> Tensor:
         """(count, n_microphone, 250): frames from which the maps are normalised."""
@@ -192,6 +193,11 @@ class _Batches:
     def frames(self, step: int, size: int) -> tuple[Tensor, Tensor]:
         """(size, n_microphone, 250) and (size,) points, from 0: batch ``step`` of batches of this size."""
         return self._frames(step, size, lambda simulated: self._runs(step, simulated))
+
+    def _together(self, first: int, count: int) -> tuple[Tensor, Tensor]:
+        """Frames and points of consecutive touches."""
+        made = self.touches.samples(first, count)
+        return _frames(made).clone(), made.point
 
     def _runs(self, step: int, size: int) -> list[tuple[int, int]]:
         """First touch and number of the runs of consecutive touches of a step."""
@@ -208,8 +214,11 @@ class _Batches:
         simulated = size - recorded
         parts = []
         for first, count in runs(simulated) if simulated else ():
-            made = self.touches.samples(first, count)
-            parts.append((_frames(made), made.point))
+            # Several small steps are made at once, always the same ones, whichever of them is asked for first.
+            whole = SHARD // count * count if self.plan.new_touches and count < SHARD else count
+            begin = first // whole * whole
+            frames, point = self._made(begin, whole)
+            parts.append((frames[first - begin :][:count], point[first - begin :][:count]))
         if recorded and self.recordings is not None:
             parts.append(self.recordings.samples(step * recorded, recorded))
         frames, point = zip(*parts, strict=True)

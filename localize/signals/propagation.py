@@ -19,7 +19,7 @@ from __future__ import annotations
 import torch
 from torch import Tensor
 
-from localize.signals.stimulus import PERIOD, SAMPLE_LENGTH, TOGETHER, time_signal
+from localize.signals.stimulus import LINE_COUNT, PERIOD, SAMPLE_LENGTH, TOGETHER, time_signal
 
 WINDOW, HOP = 32, 16
 """Window and hop of the short-window transform, samples: those that the paper states for reconstruction. For its data
@@ -43,11 +43,15 @@ def microphone_signals(
     several = TOGETHER if spectrum.device.type == "cpu" else max(len(spectrum), 1)
     shape = len(spectrum), transfer_function.shape[1], sample_count
     signals = torch.empty(shape, dtype=spectrum.real.dtype, device=spectrum.device)
+    product = spectrum.new_zeros((min(several, len(spectrum)), transfer_function.shape[1], LINE_COUNT + 1))
+    stop = min(spectrum.shape[-1], LINE_COUNT + 1)
     for first in range(0, len(spectrum), several):
         part = slice(first, first + several)
         # by index_select, which copies whole rows: ten times as fast as an index
         heard = transfer_function[part] if rows is None else transfer_function.index_select(0, rows[part])
-        signals[part] = time_signal(heard * spectrum[part, None, :], sample_count)
+        made = product[: len(heard)]
+        torch.mul(heard, spectrum[part, None, :], out=made[..., :stop])
+        signals[part] = time_signal(made, sample_count)
     return signals
 
 

@@ -53,7 +53,8 @@ _KINDS: tuple[Kind, ...] = get_args(Kind)
 
 
 #: Words that are made into numbers together.
-_TOGETHER = 2**16
+_TOGETHER = 2**14
+_LEAST, _MOST = np.float32(2.0**-26), np.float32(1 - 2.0**-24)
 
 
 def random_words(seed: int, purpose: Purpose, kind: Kind, start: int, count: int, words: int) -> NDArray[np.uint64]:
@@ -92,7 +93,7 @@ def uniform(words: NDArray[np.uint64], device: torch.device | str = "cpu") -> Te
 
     halves = torch.from_numpy(np.ascontiguousarray(words).view(np.int32).reshape(*words.shape, 2)).to(device)
     # The ends are kept out: zero has no logarithm, and one would be a choice beyond the last.
-    return halves.to(torch.float32).mul_(2.0**-32).add_(0.5).clamp_(2.0**-26, 1 - 2.0**-24)
+    return halves.to(torch.float32).mul_(2.0**-32).add_(0.5).clamp_(float(_LEAST), float(_MOST))
 
 
 def complex_normal(words: NDArray[np.uint64], device: torch.device | str = "cpu") -> Tensor:
@@ -103,19 +104,25 @@ def complex_normal(words: NDArray[np.uint64], device: torch.device | str = "cpu"
         device: where the result shall be.
 
     Returns:
-        Same shape as the words, complex64.
+        Same shape as the words, complex64, the same on all devices.
     """
     import torch
 
-    # Several samples at a time, whose numbers stay in the processor's cache: three times as fast as all at once.
-    several = max(1, _TOGETHER // max(words[:1].size, 1)) if torch.device(device).type == "cpu" else len(words)
-    numbers = torch.empty(words.shape, dtype=torch.complex64, device=device)
-    for first in range(0, len(words), several):
-        parts = uniform(words[first : first + several], device)
-        radius, angle = parts[..., 0].log().mul_(-2).sqrt_(), (2 * math.pi) * parts[..., 1]
-        sine = angle.sin()
-        numbers[first : first + several] = torch.complex(angle.cos_().mul_(radius), sine.mul_(radius))
-    return numbers
+    numbers = np.empty((words.size, 2), np.float32)
+    halves = np.ascontiguousarray(words).view(np.int32).reshape(-1, 2)
+    # By NumPy, whose functions take a third of the time of torch's; as many at once as stay in the processor's cache.
+    for first in range(0, len(halves), _TOGETHER):
+        part, made = halves[first : first + _TOGETHER], numbers[first : first + _TOGETHER]
+        radius, angle = (half.astype(np.float32) for half in part.T)
+        radius *= np.float32(2.0**-32)
+        radius += np.float32(0.5)
+        np.log(np.maximum(radius, _LEAST, out=radius), out=radius)
+        radius *= np.float32(-2)
+        np.sqrt(radius, out=radius)
+        angle *= np.float32(2 * math.pi * 2.0**-32)  # from -pi to pi, which is half a turn off
+        np.multiply(np.cos(angle), np.negative(radius, out=radius), out=made[:, 0])
+        np.multiply(np.sin(angle, out=angle), radius, out=made[:, 1])
+    return torch.from_numpy(numbers.view(np.complex64).reshape(words.shape)).to(device)
 
 
 def choice(number: Tensor, count: Tensor | int) -> Tensor:

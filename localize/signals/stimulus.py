@@ -123,12 +123,20 @@ def multi_sines(
     sine = torch.polar(amplitude / 2, (2 * math.pi) * rest[..., 1])
     spectrum = torch.empty(count, LINE_COUNT, dtype=torch.complex64, device=device)
     band, level = lines_within(noise_band), NOISE / math.sqrt(2 * PERIOD)
-    several = TOGETHER if spectrum.device.type == "cpu" else max(count, 1)
+    on_processor = spectrum.device.type == "cpu"
+    several = TOGETHER if on_processor else max(count, 1)
+    sines_alone = spectrum.new_zeros(min(several, count), LINE_COUNT + 1)
     for part in (slice(first, first + several) for first in range(0, count, several)):
-        own = spectrum[part].zero_().scatter_add_(1, line[part], sine[part])
-        peak = time_signal(own[:, : sines.stop]).abs().amax(-1)
-        own[:, : sines.stop] *= (PEAK / peak.clamp(min=PEAK))[:, None]
-        own[:, band] += complex_normal(words[part, _COMPONENT_WORDS:][:, band], device).mul_(level)
+        own = sines_alone[: len(line[part])]
+        own[:, : sines.stop] = 0
+        own.scatter_add_(1, line[part], sine[part])
+        # Weaker ones cannot reach the peak; an accelerator does them all rather than wait for their number.
+        strong = torch.nonzero(amplitude[part].sum(-1) > PEAK)[:, 0] if on_processor else slice(None)
+        peak = time_signal(own[strong]).abs().amax(-1)
+        own[strong, : sines.stop] *= (PEAK / peak.clamp(min=PEAK))[:, None]
+        spectrum[part, : band.start] = spectrum[part, band.stop :] = 0
+        spectrum[part, band] = complex_normal(words[part, _COMPONENT_WORDS:][:, band], device).mul_(level)
+        spectrum[part, : sines.stop] += own[:, : sines.stop]
     return Stimuli(spectrum=spectrum, interval=interval, components=components)
 
 
@@ -136,7 +144,8 @@ def time_signal(spectrum: Tensor, sample_count: int = SAMPLE_LENGTH) -> Tensor:
     """First samples of the periodic signal with the given lines.
 
     Args:
-        spectrum: (..., n_line) complex amplitudes of the lowest lines, in any unit; n_line may be below LINE_COUNT.
+        spectrum: (..., n_line) complex amplitudes of the lowest lines, in any unit; n_line may be below LINE_COUNT, and
+            nothing is copied where it is LINE_COUNT + 1.
         sample_count: at most PERIOD.
 
     Returns:
