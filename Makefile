@@ -38,6 +38,7 @@ slow-test: $(VENV)/.installed-dev
 docs: $(VENV)/.installed-docs
 	$(BIN)/sphinx-build --quiet --fail-on-warning --keep-going -b html docs docs/build/html
 	$(BIN)/python docs/site/built.py docs/build/html
+	$(BIN)/python docs/site/in_browser.py docs/build/html
 	@echo "The manual: $(abspath docs/build/html/index.html)"
 
 # The package is installed in place: changed code needs no new installation, changed dependencies do.

@@ -74,26 +74,35 @@ def new(
         typer.Option(metavar="MM", help="Distance of neighbours.", show_default="asked, or usual at the place"),
     ] = None,
     microphones: Annotated[int | None, typer.Option(help="How many.", show_default="asked, or 2; 3 on a hand")] = None,
-    diameter: Annotated[float, typer.Option(metavar="MM", help="Of what a wrist's array goes around.")] = _DIAMETER,
+    diameter: Annotated[
+        float | None,
+        typer.Option(metavar="MM", help="Of what a wrist's goes around.", show_default=f"asked, or {_DIAMETER:g}"),
+    ] = None,
     out: Annotated[Path | None, typer.Option(help="A new file.", show_default="NAME.toml")] = None,
 ) -> None:
     """Start a design of your own: where it goes, how many points, how far apart, how many microphones.
 
     What no option says is asked on a terminal, and usual elsewhere. The design has the parts of a prototype, in a
-    layout that can be built; every value of the file is yours to change.
+    layout that can be built and has room there; every value of the file is yours to change.
 
     Example: [bold]acoustic-fem new mine --place wrist --points 16 --pitch 15[/bold]
     """
+    from geometry.layout.size import array_size
+
     place = asked(place, f"Where does it go ({', '.join(PLACES)})?", _PLACE) or _PLACE
     usual = PLACES.get(place)
     if usual is not None:  # an unknown place is refused below
         points = asked(points, "How many points?", usual.points)
         pitch = asked(pitch, "How far apart, mm?", usual.pitch)
         microphones = asked(microphones, "How many microphones?", usual.microphones)
+        if usual.layout == "cylinder":
+            diameter = asked(diameter, "Diameter of what it goes around, mm?", _DIAMETER)
+    diameter = _DIAMETER if diameter is None else diameter
     design = new_design(name, out, place=place, points=points, pitch=pitch, microphones=microphones, diameter=diameter)
     path = out or Path(f"{name}.toml")
     print(path)
-    tell(f"{design.description}; {counted(len(design.microphones), 'microphone')}, {design.layout.kind}")
+    size = " x ".join(f"{side:.0f}" for side in array_size(design))
+    tell(f"{design.description}; {counted(len(design.microphones), 'microphone')}, {design.layout.kind}, {size} mm")
     tell(f"next: acoustic-fem check {path} --picture {path.with_suffix('.png')}")
 
 

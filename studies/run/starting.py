@@ -5,8 +5,9 @@ from __future__ import annotations
 import itertools
 import math
 import os
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from numbers import Integral, Real
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -35,14 +36,27 @@ class Place:
     """Kind of the layout with two microphones."""
     joined: str
     """Kind of the layout with more."""
+    room: tuple[float, float] = (math.inf, math.inf)
+    """Longer and shorter side of what the shells may cover, mm; along a limb or a finger the first alone counts."""
+    room_words: str = ""
+    """The room in words."""
 
 
-#: Where a new design may go.
+#: Where a new design may go. The rooms are assumed, those of a large hand and forearm.
 PLACES = {
     "flat": Place("on a flat surface", "array-2x6", 12, 18.5, 2, "serpentine", "area"),
-    "fingertip": Place("on a fingertip", "fingertip-3x4", 12, 4.0, 2, "serpentine", "area"),
-    "wrist": Place("around a wrist or a tool", "array-2x6", 12, 18.5, 2, "cylinder", "cylinder"),
-    "hand": Place("along the fingers of a glove", "glove", 12, 21.0, 3, "hand", "hand"),
+    "fingertip": Place(
+        *("on a fingertip", "fingertip-3x4", 12, 4.0, 2, "serpentine", "area"),
+        *((40.0, 35.0), "a fingertip has room for 40 x 35 mm"),
+    ),
+    "wrist": Place(
+        *("around a wrist or a tool", "array-2x6", 12, 18.5, 2, "cylinder", "cylinder"),
+        *((300.0, math.inf), "a wrist or a tool has 300 mm of length"),
+    ),
+    "hand": Place(
+        *("along the fingers of a glove", "glove", 12, 21.0, 3, "hand", "hand"),
+        *((110.0, math.inf), "a hand has five fingers of 110 mm"),
+    ),
 }
 #: Below this pitch the parts are those of a fingertip, mm.
 _SMALL = 9.0
@@ -54,6 +68,21 @@ _SCALED = (
 #: Sizes of the shells, against those of the prototype or as much of them as the pitch leaves, that are tried in turn.
 _SIZES = (1.0, 0.9, 0.8, 0.7, 0.6, 0.5)
 _LIMITS = {"points": (2, 1000), "pitch": (3.0, 100.0), "microphones": (2, 16), "diameter": (10.0, 500.0)}
+#: Other designs that have room and are tried for one that can be built, and their most points, as it takes seconds with
+#: more; their pitches are whole millimetres.
+_TRIES, _TRIED_POINTS = 6, 300
+
+
+@dataclass(frozen=True)
+class _Asked:
+    """What the design is to be; lengths in mm."""
+
+    name: str
+    place: Place
+    points: int
+    pitch: float
+    microphones: int
+    diameter: float
 
 
 def new_design(
@@ -66,7 +95,7 @@ def new_design(
     microphones: int | None = None,
     diameter: float = 60.0,
 ) -> ArrayDesign:
-    """Write a design that can be built, made from the parts of a prototype.
+    """Write a design that can be built and has room where it goes, made from the parts of a prototype.
 
     Tubes lie straight, as long as the pitch leaves between two cavities. Where shells of the prototype's size would be
     in each other's way they are made smaller; grids are tried from the most nearly square on.
@@ -75,17 +104,18 @@ def new_design(
         name: of the design.
         out: a new TOML file; by default NAME.toml.
         place: one of :data:`PLACES`.
-        points: number of points; by default what is usual at the place.
+        points: number of points, a whole number; by default what is usual at the place.
         pitch: distance of neighbours along their tube, mm, a few percent less in space around a wrist; by default
             what is usual at the place.
-        microphones: number of microphones; by default what is usual at the place.
+        microphones: number of microphones, a whole number; by default what is usual at the place.
         diameter: of what a ``wrist`` array goes around, mm.
 
     Returns:
         The design, as it is in the file.
 
     Raises:
-        Refusal: a value out of range, no layout of them that can be built, or a file that exists or cannot be written.
+        Refusal: a value out of range, no layout of them that can be built or has room at the place (the next values
+            that have are named), or a file that exists or cannot be written.
     """
     if place not in PLACES:
         raise Refusal(f"place = {place!r} must be of {', '.join(PLACES)}")
@@ -95,27 +125,44 @@ def new_design(
     microphones = usual.microphones if microphones is None else microphones
     chosen = {"points": points, "pitch": pitch, "microphones": microphones, "diameter": diameter}
     for field, (least, most) in _LIMITS.items():
-        if not least <= chosen[field] <= most:
-            raise Refusal(f"{field} = {chosen[field]:g} must be from {least:g} to {most:g}")
+        kind, words = (Integral, "a whole number ") if isinstance(least, int) else (Real, "")
+        if not (isinstance(chosen[field], kind) and least <= chosen[field] <= most):
+            raise Refusal(f"{field} = {chosen[field]!r} must be {words}from {least:g} to {most:g}")
+    if microphones > (most := _most_microphones(usual, points)):
+        allowed = "2" if most == 2 else f"from 2 to {most}"
+        raise Refusal(f"microphones = {microphones} must be {allowed} for {points} points {usual.words}")
+    from geometry.design.design_file import prototype, save_design
+
+    prototype(usual.base).with_values({"name": name})
     path = Path(f"{name}.toml" if out is None else out)
     check_new_file(path, ".toml", kept="a design")
-    design = _buildable(name, usual, points, pitch, microphones, diameter)
-    from geometry.design.design_file import save_design
-
+    asked = _Asked(name, usual, points, pitch, microphones, diameter)
+    design = _buildable(asked)
+    if isinstance(design, Refusal):
+        raise Refusal(f"points = {points}, {pitch:g} mm apart, cannot lie {usual.words}: {design}{_instead(asked)}")
     save_design(design, path)
     return design
 
 
-def _buildable(name: str, place: Place, points: int, pitch: float, microphones: int, diameter: float) -> ArrayDesign:
-    """The first design of those that can be had whose parts are not in each other's way."""
+def _most_microphones(place: Place, points: int) -> int:
+    """A line from microphone to microphone has one point or more; on a hand two, and a finger of its own."""
+    if place.layout == "hand":
+        from geometry.plan.hand import FINGERS
+
+        return max(min(points // 2, FINGERS) + 1, 2)
+    return min(points + 1, int(_LIMITS["microphones"][1]))
+
+
+def _buildable(asked: _Asked) -> ArrayDesign | Refusal:
+    """The first design of those that can be had whose parts are not in each other's way, or why there is none."""
     from geometry.layout.arrangement import lay_out
     from geometry.layout.overlaps import OverlapError, refuse_overlaps, schematic_notes
     from geometry.stated.fields import DesignError
 
     problem: Refusal | None = None
-    for values, arranged in _candidates(name, place, points, pitch, microphones, diameter):
+    for values, arranged in _candidates(asked):
         try:
-            design = _from_base(values, arranged, _parts(place, pitch)[0])
+            design = _from_base(values, arranged, _parts(asked.place, asked.pitch)[0])
             layout = lay_out(design)
             refuse_overlaps(design, layout)
             if notes := schematic_notes(design, layout):
@@ -124,7 +171,56 @@ def _buildable(name: str, place: Place, points: int, pitch: float, microphones: 
             problem = problem or error
         else:
             return design
-    raise Refusal(f"{name}: no layout of {points} points {pitch:g} mm apart can be built: {problem}")
+    return problem or Refusal(asked.place.room_words)
+
+
+def _instead(asked: _Asked) -> str:
+    """In words, the next numbers of points and the next pitch that can be had, each with all else as asked."""
+    from geometry.plan.hand import FINGERS
+
+    (least, most), (closest, widest) = _LIMITS["points"], _LIMITS["pitch"]
+    # more than these have no room, however they lie
+    long, short = (side / asked.pitch + 1 for side in asked.place.room)
+    rows = {"hand": FINGERS, "cylinder": math.pi * (asked.diameter / asked.pitch + 4)}.get(asked.place.layout, short)
+    top = int(min(most, long * rows))
+    counts = (range(min(asked.points - 1, top), int(least) - 1, -1), range(asked.points + 1, top + 1))
+    steps = (range(math.ceil(asked.pitch) - 1, int(closest) - 1, -1), range(int(asked.pitch) + 1, int(widest) + 1))
+    fields = {
+        "points": [(replace(asked, points=count) for count in each) for each in counts],
+        "pitch": [(replace(asked, pitch=pitch) for pitch in each) for each in steps],
+    }
+    found = []
+    for field, sides in fields.items():
+        if known := [f"{getattr(each, field):g}" for each in map(_next, sides) if each]:
+            found.append(f"{field} = {' or '.join(known)}")
+    return f"; what can be built there: {', or '.join(found)}" if found else ""
+
+
+def _next(others: Iterable[_Asked]) -> _Asked | None:
+    """The first of them that can be built, of the first few that have room."""
+    roomy = (each for each in others if each.points <= _TRIED_POINTS and next(_candidates(each), None))
+    return next((each for each in itertools.islice(roomy, _TRIES) if not isinstance(_buildable(each), Refusal)), None)
+
+
+def _has_room(asked: _Asked, shell: Mapping[str, float], columns: int, lines: list[dict[str, Any]]) -> bool:
+    """Whether the shells of a layout lie on what the place offers."""
+    from geometry.plan import cylinder, hand
+
+    rows = sum(math.ceil(line["points"] / columns) for line in lines)
+    across, along = ((count - 1) * asked.pitch + shell["outer"] for count in (columns, rows))
+    long, short = asked.place.room
+    if asked.place.layout == "cylinder":
+        radii = ((shell["inner"] / 2,) * 2, (shell["outer"] / 2,) * 2, asked.diameter / 2 + shell["port"])
+        try:
+            turn = cylinder.wound_turn(asked.pitch - shell["inner"], *radii)
+        except Refusal:
+            return False
+        return along <= long and columns * turn <= 2 * math.pi
+    if asked.place.layout == "hand":
+        over = 2 * math.sin(math.radians(hand.SPREAD) / 2) * (hand.PALM + (columns - 1) * asked.pitch)
+        reached = over <= asked.pitch or all(line["points"] <= columns for line in lines)
+        return across <= long and rows <= hand.FINGERS and reached
+    return max(across, along) <= long and min(across, along) <= short
 
 
 def _parts(place: Place, pitch: float) -> tuple[str, float]:
@@ -144,33 +240,39 @@ def _from_base(values: dict[str, Any], layout: dict[str, Any], base: str) -> Arr
     return validated(changed(data, dotted, str(values["name"])), str(values["name"]))
 
 
-def _candidates(
-    name: str, place: Place, points: int, pitch: float, microphones: int, diameter: float
-) -> Iterator[tuple[dict[str, Any], dict[str, Any]]]:
-    """Changes of a prototype by field, and the layout, of designs that are tried in turn."""
+def _candidates(asked: _Asked) -> Iterator[tuple[dict[str, Any], dict[str, Any]]]:
+    """Changes of a prototype by field, and the layout, of designs that have room and are tried in turn."""
     from geometry.design.design_file import prototype, value_of
 
+    place, points, pitch = asked.place, asked.points, asked.pitch
     named, usual = _parts(place, pitch)
     base = prototype(named)
     own = {field: value_of(base, field) for field in _SCALED}
     outer = base.resonator.outer_diameter
     # the shells keep the share of the pitch that they have in the prototype, and are never larger than there
     fit = max(1.0, pitch / usual) if pitch < _SMALL else min(1.0, pitch / usual)
-    names = [chr(ord("A") + k) for k in range(microphones)]
+    names = [chr(ord("A") + k) for k in range(asked.microphones)]
     for size in _SIZES:
         scaled = {field: round(value * fit * size, 3) for field, value in own.items()}
-        if outer * fit * size > pitch:
+        shell = {
+            "inner": scaled["resonator.cavity_diameter"],
+            "outer": outer * fit * size,
+            "port": base.resonator.floor_thickness + base.resonator.port_axis_height * fit * size,
+        }
+        if shell["outer"] > pitch:
             continue
         length = round(pitch - scaled["resonator.cavity_diameter"], 3)
         values = {
-            "name": name,
+            "name": asked.name,
             "description": f"{points} points {place.words}, {pitch:g} mm apart",
             "microphones": names,
             **scaled,
             "tube.length": length,
         }
-        for layout in _layouts(place, points, microphones, diameter):
+        for layout in _layouts(place, points, asked.microphones, asked.diameter):
             lines = _lines(names, points, layout["columns"])
+            if not _has_room(asked, shell, layout["columns"], lines):
+                continue
             yield {**values, "lines": lines}, layout
             if (longest_last := [line["points"] for line in reversed(lines)]) != [line["points"] for line in lines]:
                 turned = zip(lines, longest_last, strict=True)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib
 import json
 import re
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -30,7 +31,7 @@ def site(monkeypatch: pytest.MonkeyPatch):
         return importlib.import_module(name)
 
     yield load
-    for name in ("public_names", "built", "accessible", "fields", "models", "make_architecture"):
+    for name in ("public_names", "built", "accessible", "in_browser", "fields", "models", "make_architecture"):
         sys.modules.pop(name, None)
 
 
@@ -220,10 +221,47 @@ def test_a_newcomer_gets_through_the_first_minutes() -> None:
 
 def test_pages_are_put_right_for_readers_of_screens_once(site) -> None:
     accessible = pytest.importorskip("sphinx") and site("accessible").accessible
-    page = '<p class="caption" role="heading">x</p><pre id="a"></pre><dl>\n<dd>n: int</dd>\n</dl><dl><dt>a</dt></dl>'
+    page = '<pre id="a"></pre><dl>\n<dd>n: int</dd>\n</dl><dl><dt>a</dt></dl>'
     better = accessible(page)
     assert better == (
-        '<p class="caption" role="heading" aria-level="2">x</p><pre tabindex="0" id="a"></pre>'
+        '<pre tabindex="0" id="a"></pre>'
         '<span class="arguments">\n<span class="argument">n: int</span>\n</span><dl><dt>a</dt></dl>'
     )
     assert accessible(better) == better
+
+
+@pytest.mark.parametrize(("page", "opened"), [(' class="current-page"', "Guides"), ("", "Start")])
+def test_sections_of_the_navigation_close_but_that_of_the_page(site, page: str, opened: str) -> None:
+    accessible = pytest.importorskip("sphinx") and site("accessible").accessible
+    caption = '<p class="caption" role="heading"><span class="caption-text">{}</span></p>\n<ul>\n<li{}>x</li>\n</ul>\n'
+    text = f"<div>\n{caption.format('Start', '')}{caption.format('Guides', page)}\n</div>"
+    better = accessible(text)
+    parts = re.findall(r"<details( open)?><summary class=\"caption\"><span class=\"caption-text\">(\w+)<", better)
+    assert parts == [(" open" if name == opened else "", name) for name in ("Start", "Guides")]
+    assert better.count("</ul></details>") == 2
+    assert accessible(better) == better
+
+
+@pytest.mark.end_to_end
+def test_the_browser_finds_what_is_too_wide_and_what_axe_core_calls_serious(site, tmp_path: Path, capsys) -> None:
+    in_browser = site("in_browser")
+    if not (shutil.which("chromium") or shutil.which("chromium-browser")):
+        pytest.skip("there is no chromium; Debian: apt install chromium")
+    pytest.importorskip("axe_playwright_python")
+    page = '<!doctype html><html lang="en"><title>x</title><main><h1>x</h1>{}</main></html>'
+    (tmp_path / "good.html").write_text(page.format("<p>x</p>"), "utf-8")
+    (tmp_path / "bad.html").write_text(page.format('<div style="width: 800px">x</div><img src="x.png">'), "utf-8")
+    assert in_browser.main(tmp_path, ("good",)) == 0
+    assert capsys.readouterr().err == ""
+    assert in_browser.main(tmp_path, ("good", "bad")) == 1
+    found = capsys.readouterr().err
+    assert "good" not in found
+    assert "bad, 390 px, dark: 4" in found
+    assert "bad, 1280 px, light: image-alt (critical): img" in found
+    assert "bad, 1280 px, light: 4" not in found
+
+
+def test_without_chromium_the_site_is_not_looked_at_and_that_is_said(site, tmp_path: Path, capsys, monkeypatch) -> None:
+    monkeypatch.setenv("PATH", str(tmp_path))
+    assert site("in_browser").main(tmp_path) == 0
+    assert "there is no chromium" in capsys.readouterr().out

@@ -42,15 +42,44 @@ def test_a_new_design_has_what_was_asked_for_and_can_be_built(asked, tmp_path):
 
 
 @pytest.mark.parametrize(
+    ("asked", "others"),
+    [
+        ({"place": "wrist", "points": 37}, [{"points": 36}, {"points": 39}, {"pitch": 8}]),
+        ({"place": "hand", "points": 20, "pitch": 10}, [{"pitch": 24}]),
+        ({"place": "fingertip", "points": 500}, [{"points": 90}]),
+    ],
+    ids=str,
+)
+def test_what_a_refusal_names_instead_can_be_built(asked, others, tmp_path):
+    with pytest.raises(Refusal) as refused:
+        studies.new_design("mine", tmp_path / "mine.toml", **asked)
+    for number, other in enumerate(others):
+        for field, value in other.items():
+            assert str(value) in str(refused.value).split(field + " = ")[-1]
+        studies.new_design("mine", tmp_path / f"{number}.toml", **asked | other)
+
+
+@pytest.mark.parametrize(
     ("asked", "words"),
     [
         ({"place": "moon"}, "place = 'moon' must be of flat, fingertip, wrist, hand"),
-        ({"points": 1}, "points = 1 must be from 2 to 1000"),
+        ({"name": "../up"}, "name = '../up' must be a text of 1 to 80 characters"),
+        ({"points": 1}, "points = 1 must be a whole number from 2 to 1000"),
+        ({"points": 12.5}, "points = 12.5 must be a whole number from 2 to 1000"),
         ({"pitch": float("nan")}, "pitch = nan must be from 3 to 100"),
-        ({"place": "fingertip", "points": 24, "microphones": 3}, "no layout of 24 points 4 mm apart can be built"),
+        ({"place": "fingertip", "points": 24, "microphones": 3}, "points = 24, 4 mm apart, cannot lie on a fingertip"),
+        ({"place": "fingertip", "pitch": 100}, "a fingertip has room for 40 x 35 mm; .* pitch = 12"),
+        (
+            {"place": "wrist", "points": 37},
+            "300 mm of length; .* points = 36 or 39, or pitch = 8",
+        ),
+        ({"place": "wrist", "points": 1000}, "points = 1000, 18.5 mm apart, .* points = 160"),
+        ({"place": "hand", "points": 500}, "five fingers of 110 mm; what can be built there: points = 15"),
+        ({"place": "hand", "points": 2}, "microphones = 3 must be 2 for 2 points"),
+        ({"points": 3, "microphones": 16}, "microphones = 16 must be from 2 to 4 for 3 points"),
     ],
 )
 def test_what_cannot_be_is_refused_and_nothing_is_written(asked, words, tmp_path):
     with pytest.raises(Refusal, match=words):
-        studies.new_design("mine", tmp_path / "mine.toml", **asked)
+        studies.new_design(**{"name": "mine", "out": tmp_path / "mine.toml"} | asked)
     assert list(tmp_path.iterdir()) == []
