@@ -54,6 +54,9 @@ SMOOTH = 0.02
 AFTER = {"tidal": (0.07, 0.22), "dicrotic": (0.24, 0.44)}
 """Time after the percussion wave in which each other wave is looked for, at 75 beats a minute, s; it goes with the root
 of the beat's length."""
+END_APART = 0.15
+"""Difference of the first or last interval from the median one, a share of it, from which the beat at that end is
+none."""
 LEAST_BEND = 0.02
 """Bend of a wave, as a share of that of the percussion wave, from which it is there."""
 
@@ -207,7 +210,17 @@ def waves_of(waveform: Array) -> dict[str, Array]:
             peaks, _ = scipy.signal.find_peaks(bend[low : high + 1], height=LEAST_BEND * bend[at])
             own.append((begin + low + peaks[bend[low + peaks].argmax()]) / SAMPLE_RATE if len(peaks) else np.nan)
         found[name] = np.array(own)
-    return found
+    beats = _between_ends(found["percussion"])
+    return {name: own[beats] for name, own in found.items()}
+
+
+def _between_ends(percussion: Array) -> slice:
+    """Beats without the first or the last where that stands apart: a contact that comes or goes bends, too."""
+    between = np.diff(percussion)
+    if len(between) < 3:
+        return slice(None)
+    apart = np.abs(between / np.median(between) - 1) > END_APART
+    return slice(int(apart[0]), len(percussion) - int(apart[-1]))
 
 
 def _beat(bend: Array) -> float:

@@ -40,6 +40,15 @@ def test_a_pulse_without_a_dicrotic_wave_has_none() -> None:
     assert np.isnan(found["dicrotic"]).all()
 
 
+def test_a_contact_that_comes_and_goes_is_no_beat() -> None:
+    time = np.arange(8000) / 1000
+    true = np.arange(0.9, 7.0, 0.8)
+    edges = [np.exp(-0.5 * ((time - at) / 0.045) ** 2) for at in (true[0] - 0.55, *true, true[-1] + 1.1)]
+    found = waves_of(sum(edges))
+    np.testing.assert_allclose(found["percussion"], true, atol=2e-3)
+    assert all(len(own) == len(true) for own in found.values())
+
+
 def test_a_reader_names_point_and_rate() -> None:
     contact, truth = pulse_wave((0.0, 0.0), 70.0, 6.0, seed=5), pulse_times(70.0, 6.0, seed=5)["percussion"]
     random = np.random.default_rng(0)
