@@ -214,8 +214,8 @@ class _Batches:
         simulated = size - recorded
         parts = []
         for first, count in runs(simulated) if simulated else ():
-            # Several small steps are made at once, always the same ones, whichever of them is asked for first.
-            whole = SHARD // count * count if self.plan.new_touches and count < SHARD else count
+            # New touches of several small steps are made at once, always of the same ones.
+            whole = max(count, SHARD // count * count) if self.plan.new_touches else count
             begin = first // whole * whole
             frames, point = self._made(begin, whole)
             parts.append((frames[first - begin :][:count], point[first - begin :][:count]))

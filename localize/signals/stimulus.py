@@ -132,8 +132,9 @@ def multi_sines(
         own.scatter_add_(1, line[part], sine[part])
         # Weaker ones cannot reach the peak; an accelerator does them all rather than wait for their number.
         strong = torch.nonzero(amplitude[part].sum(-1) > PEAK)[:, 0] if on_processor else slice(None)
-        peak = time_signal(own[strong]).abs().amax(-1)
-        own[strong, : sines.stop] *= (PEAK / peak.clamp(min=PEAK))[:, None]
+        if not on_processor or len(strong):
+            peak = time_signal(own[strong]).abs().amax(-1)
+            own[strong, : sines.stop] *= (PEAK / peak.clamp(min=PEAK))[:, None]
         spectrum[part, : band.start] = spectrum[part, band.stop :] = 0
         spectrum[part, band] = complex_normal(words[part, _COMPONENT_WORDS:][:, band], device).mul_(level)
         spectrum[part, : sines.stop] += own[:, : sines.stop]

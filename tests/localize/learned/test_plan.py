@@ -8,46 +8,46 @@ import torch
 from rc_line import rc_line
 
 import localize
+from localize.learned import training
+from localize.learned.epochs import run_epochs
 from localize.learned.plan import PLANS, TrainingPlan
 from localize.learned.training import labels_of
 from localize.signals.disturbances import ROOM_LEVELS
 from localize.signals.finger_stimuli import Louder
 from localize.signals.stimulus import multi_sines
-from localize.signals.touch_generator import TouchGenerator
 
 SHORT = TrainingPlan(seconds_per_point=16, epochs=2, batch=32, microphone_noise=1e-3)
 
 
-def touches_of(plan, monkeypatch):
-    """First touches and numbers of the runs that are trained on, by epoch, behind the normalisation; the generator."""
-    runs, made = [], []
-    samples = TouchGenerator.samples
+def frames_of(plan, monkeypatch):
+    """Frames that are trained on, (n, n_microphone, 250), by epoch; those of as many of the first touches."""
+    lessons = []
 
-    def told(self, start, count):
-        if self.purpose == "training":
-            runs.append((start, count))
-            made.append(self)
-        return samples(self, start, count)
+    def told(classifier, lesson, *others):
+        lessons.append(lesson)
+        return run_epochs(classifier, lesson, *others)
 
-    monkeypatch.setattr(TouchGenerator, "samples", told)
-    trained = localize.train(rc_line(4), plan)
-    assert trained.training["epochs"] == plan.epochs
-    each = (len(runs) - 1) // plan.epochs
-    return [runs[1 + k * each : 1 + (k + 1) * each] for k in range(plan.epochs)], made[0]
+    monkeypatch.setattr(training, "run_epochs", told)
+    assert localize.train(rc_line(4), plan).training["epochs"] == plan.epochs
+    (lesson,) = lessons
+    of_epoch = [range(k * lesson.steps_per_epoch, (k + 1) * lesson.steps_per_epoch) for k in range(plan.epochs)]
+    frames = [torch.cat([lesson.batch(step, plan.batch)[0] for step in steps]) for steps in of_epoch]
+    touches = localize.TouchGenerator(rc_line(4), plan.seed, "training", plan.microphone_noise, method=plan.method)
+    return frames, touches.samples(0, sum(map(len, frames))).signals[..., -250:]
 
 
 def test_every_epoch_draws_new_touches_unless_the_plan_says_that_they_stay(monkeypatch):
-    (first, second), touches = touches_of(SHORT, monkeypatch)
-    assert (first, second) == ([(0, 32), (32, 32)], [(64, 32), (96, 32)])
-    assert touches.method == "exact"
+    frames, touches = frames_of(SHORT, monkeypatch)
+    assert torch.allclose(torch.cat(frames), touches, atol=1e-6)
 
 
 def test_touches_that_stay_come_in_another_order_in_every_epoch(monkeypatch):
-    plan = replace(SHORT, new_touches=False, method="stft")
-    (first, second), touches = touches_of(plan, monkeypatch)
-    assert sorted(first) == sorted(second) == [(0, 16), (16, 16), (32, 16), (48, 16)]
-    assert first != second
-    assert touches.method == "stft"
+    (first, second), touches = frames_of(replace(SHORT, new_touches=False, method="stft"), monkeypatch)
+    orders = [[int((touches[:64] - frame).abs().sum((1, 2)).argmin()) for frame in epoch] for epoch in (first, second)]
+    for epoch, order in zip((first, second), orders, strict=True):
+        assert sorted(order) == list(range(64))
+        assert torch.allclose(epoch, touches[order], atol=1e-6)
+    assert orders[0] != orders[1]
 
 
 def test_labels_are_shared_along_a_line_or_by_number():

@@ -108,3 +108,10 @@ def test_microphone_noise_is_white_gaussian_and_of_the_level_asked_for():
     assert stats.kstest(noise.ravel() / 1e-3, stats.norm.cdf).pvalue > 1e-3
     assert abs(np.mean(noise[..., 1:] * noise[..., :-1])) < 1e-8
     assert abs(np.mean(noise[:, 0] * noise[:, 1])) < 1e-8
+
+
+def test_a_touch_that_is_too_weak_for_its_peak_can_be_made_alone():
+    made = stimulus.multi_sines(0, "training", 0, 64, FULL)
+    weak = int(made.components.argmin())
+    alone = stimulus.multi_sines(0, "training", weak, 1, FULL).spectrum[0]
+    assert torch.allclose(alone, made.spectrum[weak], atol=1e-7)
