@@ -71,6 +71,11 @@ def test_a_library_says_that_it_is_of_the_atlas_and_what_its_errors_are(design):
         assert 0 < cell["errors"]["transfer function by 1 + |ln H|"] < 0.01
 
 
+def test_frequencies_above_those_at_which_its_errors_were_found_are_told(design):
+    with pytest.warns(UserWarning, match="its errors were found up to 200 Hz; above they are not known"):
+        acoustic_fem.solve(design, [1.0, 201.0], "atlas")
+
+
 def test_the_gradient_is_that_of_finite_differences(design):
     topology, parameters = Topology.of(design), ArrayParameters.from_design(design, AIR)
 
