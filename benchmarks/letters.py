@@ -1,6 +1,6 @@
 """Letters A to Z written on arrays. ``python benchmarks/letters.py`` trains a recognizer for each array, prints the
-table of docs/evidence/moving-touches.md and writes it there, in three quarters of an hour of one core; names of arrays make those
-columns anew.
+table of docs/evidence/moving-touches.md and writes it there, in three quarters of an hour of one core; names of arrays
+make those columns anew.
 
 Simulated handwriting, the noise of the design's microphone, lumped fidelity. Made sensors are the virtual rig's, read
 with the nominal library, with their own, and with those that `calibrate` makes of recordings. No constant was chosen on
