@@ -6,6 +6,7 @@ each other, impedances of openings in mu / a^3, inertances of cavities in rho / 
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
@@ -77,6 +78,18 @@ class CellAtlas:
     def known_up_to(self) -> float:
         """Frequency up to which the errors were found, Hz."""
         return float(self.provenance["held-out designs"]["highest"])
+
+    def warn_above(self, frequency: NDArray[np.float64]) -> None:
+        """Warn that errors are not known at the highest of frequencies.
+
+        Args:
+            frequency: (n_freq,) Hz, ascending.
+        """
+        if frequency[-1] > self.known_up_to:
+            warnings.warn(
+                f"atlas of cells: its errors were found up to {self.known_up_to:g} Hz; above they are not known",
+                stacklevel=3,
+            )
 
     def impedance(self, house: House, opening: Opening, square: Array) -> Array:
         """Impedance of openings in series with their tubes, in mu / a^3.

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Callable
 from typing import Any
 
@@ -74,11 +73,7 @@ def _cell_admittances(
         from acoustic_fem.atlas.table import cell_atlas
 
         atlas = cell_atlas()
-        if frequency[-1] > atlas.known_up_to:
-            warnings.warn(
-                f"atlas of cells: its errors were found up to {atlas.known_up_to:g} Hz; above they are not known",
-                stacklevel=2,
-            )
+        atlas.warn_above(frequency)
         about = {
             "method": f"atlas of cells, version {atlas.version}",
             "errors": dict(atlas.errors),

@@ -140,8 +140,8 @@ def stated(designs: Mapping[int, Mapping[str, Errors]]) -> dict[str, float]:
     """The errors that the table states: the worst of all held-out designs."""
     worst = {name: max(getattr(each["atlas"], name) for each in designs.values()) for name in Errors.__annotations__}
     return {
-        "admittance of a resonator": worst["cell"],
-        "transfer function of 1e-3 and more": worst["heard"],
+        "admittance of a resonator, held-out designs": worst["cell"],
+        "transfer function of 1e-3 and more, held-out designs": worst["heard"],
         "transfer function by 1 + |ln H|": worst["per_log"],
     }
 

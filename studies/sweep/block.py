@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 
 from acoustic_fem import Medium
 from acoustic_fem.atlas.cell_in_atlas import atlas_admittance
+from acoustic_fem.atlas.table import cell_atlas
 from acoustic_fem.batch.network import batch_response
 from acoustic_fem.batch.openings import designs_outside
 from acoustic_fem.batch.parameters import ArrayParameters, MediumParameters
@@ -142,6 +143,8 @@ def solve_block(
     block = _Block(len(cases), {metric.name: np.full(len(cases), np.nan) for metric in metrics}, [""] * len(cases))
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
+        if job.fidelity == "atlas":
+            cell_atlas().warn_above(job.frequency)
         designs: dict[int, ArrayDesign] = {}
         for number in range(len(cases)):
             try:

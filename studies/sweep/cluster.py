@@ -37,7 +37,7 @@ AHEAD = 2
 #: Workers that a task may end before it is given up.
 DEATHS = 2
 #: Distributions that change results, or how they are handed on.
-LIBRARIES = ("acoustic-fem", "numpy", "scipy", "scikit-fem", "gmsh", "pydantic", "dask", "distributed")
+LIBRARIES = ("acoustic-fem", "numpy", "scipy", "scikit-fem", "gmsh", "mkl", "pydantic", "dask", "distributed")
 _CODE = ("geometry", "acoustic_fem", "localize", "studies")
 
 
