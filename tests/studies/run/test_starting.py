@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
 import geometry
@@ -17,6 +19,8 @@ SIZES = [
     {"place": "hand", "points": 15},
     {"points": 64, "microphones": 4},
     {"points": 13, "pitch": 11.0},
+    {"points": 97, "microphones": 3},
+    {"place": "fingertip", "points": 23},
 ]
 
 
@@ -39,6 +43,13 @@ def test_a_new_design_has_what_was_asked_for_and_can_be_built(asked, tmp_path):
         assert 0.9 * pitch < apart < pitch  # around it the shells lean towards each other
     else:
         assert apart == pytest.approx(pitch)
+
+
+@pytest.mark.parametrize(("points", "rows"), [(7, 1), (11, 3), (12, 3), (13, 2), (64, 4), (97, 7), (997, 27)])
+def test_a_number_that_fills_no_rows_leaves_the_last_one_short_in_the_plane(points, rows, tmp_path):
+    made = studies.new_design("mine", tmp_path / "mine.toml", points=points)
+    assert math.ceil(points / made.layout.columns) == rows
+    assert -points % made.layout.columns <= 2  # places without a point
 
 
 @pytest.mark.parametrize(
