@@ -47,7 +47,7 @@ PLACES = {
     "flat": Place("on a flat surface", "array-2x6", 12, 18.5, 2, "serpentine", "area"),
     "fingertip": Place(
         *("on a fingertip", "fingertip-3x4", 12, 4.0, 2, "serpentine", "area"),
-        *((40.0, 35.0), "a fingertip has room for 40 x 35 mm"),
+        *((40.0, 35.0), "a fingertip has room for shells on 40 x 35 mm"),
     ),
     "wrist": Place(
         *("around a wrist or a tool", "array-2x6", 12, 18.5, 2, "cylinder", "cylinder"),
@@ -134,7 +134,7 @@ def new_design(
         raise Refusal(f"microphones = {microphones} must be {allowed} for {points} points {usual.words}")
     from geometry.design.design_file import prototype, save_design
 
-    prototype(usual.base).with_values({"name": name})
+    _from_base({"name": name}, prototype(usual.base).layout.model_dump(), usual.base)
     path = Path(f"{name}.toml" if out is None else out)
     check_new_file(path, ".toml", kept="a design")
     asked = _Asked(name, usual, points, pitch, microphones, diameter)
