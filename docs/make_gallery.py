@@ -26,7 +26,7 @@ _HEAD = """# Gallery
 
 Every prototype, and designs of ours. Figures of `acoustic-fem check`: predicted at fidelity lumped, for sums of sines
 and the noise of the design's microphone, of a localizer trained on the nominal design. *Mis-made*: mean and worst of
-64 sensors (fewer of more than 24 points) with assumed [scatter](tolerances.md), not calibrated;
+64 sensors (of more than 24 points fewer, four at least) with assumed [scatter](tolerances.md), not calibrated;
 [calibration](calibration.md) brings most of it back. Cost: materials of one array at assumed prices, no molds. In the
 pictures each point has the colour of its own share; the hardest pair is ringed. `acoustic-fem prototypes NAME`
 prints the file of a prototype, `acoustic-fem parts NAME --out parts` makes the parts, of ours with the file's path in

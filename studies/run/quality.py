@@ -25,10 +25,11 @@ from studies.output.frequencies import FREQUENCIES, stated_frequencies
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-#: Mis-made sensors for designs of up to so many points; of larger ones fewer, as each takes the square of its points.
-SENSORS, SENSORS_UP_TO = 64, 24
+#: Mis-made sensors for designs of up to so many points; of larger ones fewer, as each takes the square of its points,
+#: and never less than the last.
+SENSORS, SENSORS_UP_TO, _LEAST_SENSORS = 64, 24, 4
 #: Designs of more points have none here.
-_MOST_POINTS = 128
+_MOST_POINTS = 256
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,7 +39,7 @@ class DesignQuality:
     named: float
     """Share of touches on the nominal sensor whose point a trained localizer is predicted to name, 0 to 1."""
     sensors: int
-    """Number of mis-made sensors; 0 where the lumped batch does not take the design, or it has over 128 points."""
+    """Number of mis-made sensors; 0 where the lumped batch does not take the design, or it has over 256 points."""
     mis_made: float
     """The same share on sensors with a workshop's scatter, not calibrated, by their mean; NaN without sensors."""
     worst: float
@@ -121,7 +122,8 @@ def _mis_made(design: ArrayDesign) -> NDArray[np.float64]:
 
     if design.point_count > _MOST_POINTS:
         return np.zeros(0)
-    count = min(SENSORS, math.ceil(SENSORS * (SENSORS_UP_TO / design.point_count) ** 2))
+    count = math.ceil(SENSORS * (SENSORS_UP_TO / design.point_count) ** 2)
+    count = max(_LEAST_SENSORS, min(SENSORS, count))
     try:
         return scattered_accuracy(design, stated_frequencies(FREQUENCIES), sensors=count)
     except Refusal:

@@ -47,7 +47,7 @@ PLACES = {
     "flat": Place("on a flat surface", "array-2x6", 12, 18.5, 2, "serpentine", "area"),
     "fingertip": Place(
         *("on a fingertip", "fingertip-3x4", 12, 4.0, 2, "serpentine", "area"),
-        *((40.0, 35.0), "a fingertip has room for 40 x 35 mm"),
+        *((40.0, 35.0), "a fingertip has room for shells on 40 x 35 mm"),
     ),
     "wrist": Place(
         *("around a wrist or a tool", "array-2x6", 12, 18.5, 2, "cylinder", "cylinder"),
@@ -98,7 +98,8 @@ def new_design(
     """Write a design that can be built and has room where it goes, made from the parts of a prototype.
 
     Tubes lie straight, as long as the pitch leaves between two cavities. Where shells of the prototype's size would be
-    in each other's way they are made smaller; grids are tried from the most nearly square on.
+    in each other's way they are made smaller; grids are tried from that of half as many rows as columns on. In a plane
+    the last row may be short, where full ones would be over twice as long or short as that.
 
     Args:
         name: of the design.
@@ -133,7 +134,7 @@ def new_design(
         raise Refusal(f"microphones = {microphones} must be {allowed} for {points} points {usual.words}")
     from geometry.design.design_file import prototype, save_design
 
-    prototype(usual.base).with_values({"name": name})
+    _from_base({"name": name}, prototype(usual.base).layout.model_dump(), usual.base)
     path = Path(f"{name}.toml" if out is None else out)
     check_new_file(path, ".toml", kept="a design")
     asked = _Asked(name, usual, points, pitch, microphones, diameter)
@@ -206,7 +207,8 @@ def _has_room(asked: _Asked, shell: Mapping[str, float], columns: int, lines: li
     """Whether the shells of a layout lie on what the place offers."""
     from geometry.plan import cylinder, hand
 
-    rows = sum(math.ceil(line["points"] / columns) for line in lines)
+    each = [line["points"] for line in lines]
+    rows = sum(math.ceil(points / columns) for points in ([sum(each)] if asked.place.joined == "area" else each))
     across, along = ((count - 1) * asked.pitch + shell["outer"] for count in (columns, rows))
     long, short = asked.place.room
     if asked.place.layout == "cylinder":
@@ -282,17 +284,30 @@ def _candidates(asked: _Asked) -> Iterator[tuple[dict[str, Any], dict[str, Any]]
 def _lines(names: list[str], points: int, columns: int) -> list[dict[str, Any]]:
     """A chain of lines from microphone to microphone, of whole rows where these suffice, as equal as can be."""
     pairs = list(itertools.pairwise(names))
-    unit = columns if points // columns >= len(pairs) else 1
+    unit = columns if points % columns == 0 and points // columns >= len(pairs) else 1
     each, more = divmod(points // unit, len(pairs))
     return [{"between": list(pair), "points": unit * (each + (k < more))} for k, pair in enumerate(pairs)]
 
 
 def _layouts(place: Place, points: int, microphones: int, diameter: float) -> Iterator[dict[str, Any]]:
     kind = place.layout if microphones == 2 else place.joined
-    whole = [columns for columns in range(1, points + 1) if points % columns == 0]
     # rows half as many as columns; of a hand four fingers
     wished = points / 4 if kind == "hand" else math.sqrt(2 * points)
-    for columns in sorted(whole, key=lambda columns: abs(math.log(columns / wished))):
+
+    def unlike(columns: int) -> float:
+        return abs(math.log(columns / wished))
+
+    def last(columns: int) -> tuple[bool, int, float]:
+        # a last row that is not full, in the plane, rather than rows over twice as long or short
+        return unlike(columns) > math.log(2), -points % columns, unlike(columns)
+
+    broken = kind in ("serpentine", "area")
+    possible = [
+        columns
+        for columns in range(1, points + 1)
+        if points % columns == 0 or (broken and unlike(columns) <= math.log(2))
+    ]
+    for columns in sorted(possible, key=last):
         layout: dict[str, Any] = {"kind": kind, "columns": columns}
         if kind == "cylinder":
             layout["diameter"] = diameter

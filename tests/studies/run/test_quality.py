@@ -32,6 +32,13 @@ def test_the_figures_are_those_of_the_metrics(tmp_path):
     assert json.loads(json.dumps(found.to_dict()))["hardest"] == list(found.hardest)
 
 
+def test_a_large_design_has_a_few_mis_made_sensors_and_never_one_alone(monkeypatch):
+    monkeypatch.setattr(quality, "SENSORS_UP_TO", 0.1)
+    found = design_quality(small_design())
+    assert found.sensors == 4
+    assert found.worst <= found.mis_made
+
+
 def test_what_takes_too_long_is_said_not_to_be_known(monkeypatch):
     monkeypatch.setattr(quality, "_MOST_POINTS", 2)
     found = design_quality(small_design())

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
 import geometry
@@ -17,6 +19,8 @@ SIZES = [
     {"place": "hand", "points": 15},
     {"points": 64, "microphones": 4},
     {"points": 13, "pitch": 11.0},
+    {"points": 97, "microphones": 3},
+    {"place": "fingertip", "points": 23},
 ]
 
 
@@ -41,6 +45,13 @@ def test_a_new_design_has_what_was_asked_for_and_can_be_built(asked, tmp_path):
         assert apart == pytest.approx(pitch)
 
 
+@pytest.mark.parametrize(("points", "rows"), [(7, 1), (11, 3), (12, 3), (13, 2), (64, 4), (97, 7), (997, 27)])
+def test_a_number_that_fills_no_rows_leaves_the_last_one_short_in_the_plane(points, rows, tmp_path):
+    made = studies.new_design("mine", tmp_path / "mine.toml", points=points)
+    assert math.ceil(points / made.layout.columns) == rows
+    assert -points % made.layout.columns <= 2  # places without a point
+
+
 @pytest.mark.parametrize(
     ("asked", "others"),
     [
@@ -63,12 +74,12 @@ def test_what_a_refusal_names_instead_can_be_built(asked, others, tmp_path):
     ("asked", "words"),
     [
         ({"place": "moon"}, "place = 'moon' must be of flat, fingertip, wrist, hand"),
-        ({"name": "../up"}, "name = '../up' must be a text of 1 to 80 characters"),
+        ({"name": "../up"}, r"^\.\./up: name = '../up' must be a text of 1 to 80 characters"),
         ({"points": 1}, "points = 1 must be a whole number from 2 to 1000"),
         ({"points": 12.5}, "points = 12.5 must be a whole number from 2 to 1000"),
         ({"pitch": float("nan")}, "pitch = nan must be from 3 to 100"),
         ({"place": "fingertip", "points": 24, "microphones": 3}, "points = 24, 4 mm apart, cannot lie on a fingertip"),
-        ({"place": "fingertip", "pitch": 100}, "a fingertip has room for 40 x 35 mm; .* pitch = 12"),
+        ({"place": "fingertip", "pitch": 100}, "a fingertip has room for shells on 40 x 35 mm; .* pitch = 12"),
         (
             {"place": "wrist", "points": 37},
             "300 mm of length; .* points = 36 or 39, or pitch = 8",
