@@ -92,10 +92,10 @@ class PatchConvolution(nn.Conv2d):
         """Channels of each patch.
 
         Args:
-            x: (n, inputs, rows, columns).
+            x: (n, n_input, m, k) float32.
 
         Returns:
-            (n, outputs, rows of patches, columns of patches).
+            (n, n_output, m, k) float32, m rows and k columns of patches.
         """
         if not self.training:
             return super().forward(x)

@@ -217,8 +217,8 @@ class _Batches:
             # New touches of several small steps are made at once, always of the same ones.
             whole = max(count, SHARD // count * count) if self.plan.new_touches else count
             begin = first // whole * whole
-            frames, point = self._made(begin, whole)
-            parts.append((frames[first - begin :][:count], point[first - begin :][:count]))
+            made = self._made(begin, whole)
+            parts.append((made[0][first - begin :][:count], made[1][first - begin :][:count]))
         if recorded and self.recordings is not None:
             parts.append(self.recordings.samples(step * recorded, recorded))
         frames, point = zip(*parts, strict=True)

@@ -131,8 +131,9 @@ def multi_sines(
         own[:, : sines.stop] = 0
         own.scatter_add_(1, line[part], sine[part])
         # Weaker ones cannot reach the peak; an accelerator does them all rather than wait for their number.
-        strong = torch.nonzero(amplitude[part].sum(-1) > PEAK)[:, 0] if on_processor else slice(None)
-        if not on_processor or len(strong):
+        reached = amplitude[part].sum(-1) > PEAK if on_processor else torch.ones(len(own), dtype=torch.bool)
+        strong = torch.nonzero(reached)[:, 0].to(device)
+        if len(strong):
             peak = time_signal(own[strong]).abs().amax(-1)
             own[strong, : sines.stop] *= (PEAK / peak.clamp(min=PEAK))[:, None]
         spectrum[part, : band.start] = spectrum[part, band.stop :] = 0
