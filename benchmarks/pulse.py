@@ -141,7 +141,7 @@ def picture(response: ArrayResponse) -> None:
             own = times[(times > time[0]) & (times < time[-1])]
             axes.plot(own, np.interp(own, time, 1e6 * read), "o", label=name, markersize=4)
         axes.set(xlabel="time  (s)", ylabel="force  (uN)")
-        axes.legend(ncols=5, fontsize="small")
+        axes.legend(ncols=5, fontsize="small", loc="lower center", bbox_to_anchor=(0.5, 1.0))
         save_figure(figure, PICTURE)
 
 

@@ -64,7 +64,7 @@ class DesignQuality:
         """Rows of a table: what, value, and what the value is of."""
         first, second = self.hardest
         made = f"{100 * self.mis_made:.1f} % ({100 * self.worst:.1f} %)" if self.sensors else "not known"
-        of = f"mean of {self.sensors} (the worst), not calibrated" if self.sensors else "judged by: acoustic-fem tolerance"
+        of = f"mean of {self.sensors} (the worst), not calibrated" if self.sensors else "told by acoustic-fem tolerance"
         return (
             ("named right, nominal sensor", f"{100 * self.named:.1f} %", "sums of sines, predicted for a localizer"),
             ("named right, mis-made sensors", made, of),
