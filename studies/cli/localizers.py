@@ -158,8 +158,8 @@ def _train_kinds(
         )
         recognizer = train_kinds(library, out, kind, plan=plan, recordings=recordings, display=display)
     record = recognizer.training
-    # A touch makes several windows, a letter six pictures.
-    cut = "pictures" if kind == "letters" else "windows"
+    # A long touch makes several windows.
+    cut = "letters" if kind == "letters" else "windows"
     simulated = "held-out simulated takes on the sensor of the library"
     judged = simulated if recordings is None else f"{cut} of held-out recordings"
     tell(
