@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from geometry.refusal import Refusal
 from localize.contacts.contact import hertz_share
 from localize.recognition.events import band_noise
+from localize.recognition.letters import PAD
 from localize.signals.stimulus import SAMPLE_RATE
 
 Array = NDArray[np.float64]
@@ -25,8 +26,8 @@ RADIUS = (0.27, 0.33)
 """Smallest and largest radius of the contact, mm."""
 INDENTATION = 0.2
 """Indentation by which the contact is pressed, mm."""
-PADS = (5.0, 8.0)
-"""Smallest and largest radius of a finger's pad that passes points, mm."""
+PADS = PAD.radius
+"""Smallest and largest radius of a finger's pad that passes points, mm: that of one that writes."""
 BESIDE = (0.0, 2.0)
 """Smallest and largest distance at which it passes their middles, mm."""
 _HARMONICS = 24
