@@ -28,7 +28,7 @@ from acoustic_fem.quantities.units import metres
 from benchmarks.one_mesh import CELL, in_one_mesh, in_pieces
 from geometry.air.cells import Cell
 from geometry.air.mesh import SolidMesh, mesh_solid
-from geometry.air.volume import MIRROR, OPENING, air_volume
+from geometry.air.volume import MIDPLANE, MIRROR, air_volume
 from geometry.stated.ports import CellPort
 from tests.support.reference_data import AIR
 
@@ -43,12 +43,11 @@ CELLS = {
 
 
 def direct(
-    flow: SolidMesh, heat: SolidMesh, ports: tuple[str, ...], mirror: str | None, frequency: NDArray[np.float64]
+    flow: SolidMesh, heat: SolidMesh, faces: BodyFaces, frequency: NDArray[np.float64]
 ) -> NDArray[np.complex128]:
     """Port admittance by one complex factorisation per frequency, (n_freq, n_port, n_port)."""
-    open_faces = [*ports] if mirror is None else [*ports, mirror]
-    system = cell_system(flow, ports, (), mirror)
-    field = diffusion_field(heat, open_faces, AIR.thermal_diffusivity, BAND)
+    system = cell_system(flow, faces.tubes, (), faces.planes)
+    field = diffusion_field(heat, faces.open, AIR.thermal_diffusivity, BAND)
     means = [compliance_mass(system.pressure, mean) for mean in field.means_over(system.pressure)]
     coefficients = field_coefficients(field.model, frequency, AIR.thermal_diffusivity)
     blank = sp.csr_array((system.n_velocity, system.n_velocity))
@@ -65,7 +64,7 @@ def direct(
             matrix = matrix - system.coupling - sp.block_diag([blank, stored], format="csr")
             flux = system.port_flux.astype(complex)
             answers.append(flux.T @ solver.solve(sp.csr_array(matrix), flux))
-    return np.stack(answers) * length**3 / AIR.viscosity * (1 if mirror is None else 2)
+    return np.stack(answers) * length**3 / AIR.viscosity * 2 ** len(faces.planes)
 
 
 def cells(names: list[str]) -> None:
@@ -74,17 +73,17 @@ def cells(names: list[str]) -> None:
     for name in names:
         cell = CELLS[name]
         air = air_volume(cell)
-        mirror = None if air.mirror is None else MIRROR
-        faces = {**air.ports, **({} if air.mirror is None else {MIRROR: air.mirror}), OPENING: air.opening}
         ports = tuple(air.ports)
+        mirror, midplane = (name if name in air.mirrors else None for name in (MIRROR, MIDPLANE))
+        marked = BodyFaces(ports, mirror=mirror, midplane=midplane)
         flow, heat = (
-            mesh_solid(air.solid, faces, ports, sizes) for sizes in mesh_sizes(1.0, cell.height, AIR, BAND[1])
+            mesh_solid(air.solid, air.faces, ports, sizes) for sizes in mesh_sizes(1.0, cell.height, AIR, BAND[1])
         )
         start = time.process_time()
-        body = condense(flow, heat, BodyFaces(ports, mirror=mirror), AirModel(AIR, BAND), tolerance=1e-2 * ACCURACY)
+        body = condense(flow, heat, marked, AirModel(AIR, BAND), tolerance=1e-2 * ACCURACY)
         swept = body.nodal_admittance(FREQUENCY)
         middle = time.process_time()
-        exact = direct(flow, heat, ports, mirror, FREQUENCY)
+        exact = direct(flow, heat, marked, FREQUENCY)
         end = time.process_time()
         scale = np.sqrt(np.abs(np.einsum("fii->fi", exact)))
         difference = np.max(np.abs(swept - exact) / (scale[:, :, None] * scale[:, None, :]))

@@ -7,7 +7,8 @@ from which the nodal admittance follows. What a condensed body keeps is small, s
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import partial
 from typing import TypeAlias
 
 import numpy as np
@@ -45,13 +46,22 @@ class BodyFaces:
     """Moving walls, in order."""
     mirror: str | None = None
     """Name of the plane that halves the body, if any."""
+    midplane: str | None = None
+    """Name of the plane that halves the body, but of each moving wall makes one there and a resting one beyond, if any.
+    All tubes lie in it.
+    """
     bores: Sequence[StraightBore] = ()
     """Straight bores beyond the tube ports, one each where any is given; their far ends are then the ports."""
 
     @property
     def open(self) -> list[str]:
-        """Names of the faces that are no wall: tube ports, then the mirror."""
-        return [*self.tubes] if self.mirror is None else [*self.tubes, self.mirror]
+        """Names of the faces that are no wall: tube ports, then the planes."""
+        return [*self.tubes, *self.planes]
+
+    @property
+    def planes(self) -> list[str]:
+        """Names of the planes that halve the body."""
+        return [name for name in (self.mirror, self.midplane) if name is not None]
 
 
 @dataclass(frozen=True)
@@ -67,6 +77,19 @@ class AirModel:
 
 
 @dataclass(frozen=True, eq=False)
+class Pumped:
+    """Half a body whose walls pump air through its midplane, as walls do that move alike on either side of it.
+
+    No tube takes part. A wall that moves while the one beyond rests is the mean of that and of both moving inwards.
+    """
+
+    flow: ReducedModel
+    """Reduced model of the flow, driven by the wall motions."""
+    energies: NDArray[np.float64]
+    """As :attr:`CondensedBody.energies`."""
+
+
+@dataclass(frozen=True, eq=False)
 class CondensedBody:
     """Responses of a body of air over a band of frequencies."""
 
@@ -77,13 +100,15 @@ class CondensedBody:
     n_port: int
     """Number of tube ports; wall motions follow them."""
     copies: int
-    """How often the body repeats: 2 where a mirror plane halves it, else 1."""
+    """How often the body repeats: twice for each plane that halves it."""
     heat: ReducedModel
     """Reduced model of the thermal field."""
     viscous: ReducedModel | None
     """Reduced model of the viscous field; None but for Helmholtz."""
     flow: ReducedModel
     """Reduced model of the flow."""
+    pumped: Pumped | None
+    """What a midplane leaves out: None without one."""
     bores: tuple[StraightBore, ...]
     """Straight bores beyond the tube ports, exact ones: one per port, or none."""
     energies: NDArray[np.float64]
@@ -124,6 +149,7 @@ def condense(
     air: AirModel,
     tolerance: float = 1e-6,
     report: Callable[[float], None] = lambda done: None,
+    pumped: Pumped | None = None,
 ) -> CondensedBody:
     """Solve a body of air over a band of frequencies.
 
@@ -134,6 +160,7 @@ def condense(
         air: gas, frequencies and equations.
         tolerance: of the frequency sweep, relative.
         report: called with the fraction done.
+        pumped: what the midplane leaves out, from another mesh; None: it is solved on this one, where there is one.
 
     Raises:
         LinearSolverError: a solve misses its residual limit.
@@ -144,19 +171,25 @@ def condense(
         heat = diffusion_field(heat, faces.open, medium.thermal_diffusivity, air.band)
     viscous: DiffusionField | None = None
     if air.physics == "navier-stokes":
-        flow, energies, unknowns = _condense_navier_stokes(flow_mesh, heat, faces, air, tolerance, report)
+        solve = partial(_condense_navier_stokes, flow_mesh, heat, air=air, tolerance=tolerance)
     else:
         moving = {motion.face for motion in faces.motions}
         viscous = diffusion_field(flow_mesh, [*faces.open, *moving], medium.kinematic_viscosity, air.band)
-        flow, energies, unknowns = _condense_helmholtz(flow_mesh, heat, viscous, faces, air, tolerance, report)
+        solve = partial(_condense_helmholtz, flow_mesh, heat, viscous, air=air, tolerance=tolerance)
+    if faces.midplane is not None and pumped is None:
+        # Its pressure is zero in the midplane, as in one more port.
+        through = replace(faces, tubes=[*faces.tubes, faces.midplane], midplane=None)
+        pumped = Pumped(*solve(through, report=lambda done: None, driven=False)[:2])
+    flow, energies, unknowns = solve(faces, report=report)
     body = CondensedBody(
         air.physics,
         medium,
         len(faces.tubes),
-        1 if faces.mirror is None else 2,
+        2 ** len(faces.planes),
         heat.model,
         None if viscous is None else viscous.model,
         flow,
+        pumped,
         tuple(faces.bores),
         energies,
         unknowns,
@@ -176,15 +209,17 @@ def _condense_navier_stokes(
     air: AirModel,
     tolerance: float,
     report: Callable[[float], None],
+    driven: bool = True,
 ) -> tuple[ReducedModel, NDArray[np.float64], int]:
-    system = cell_system(mesh, faces.tubes, faces.motions, faces.mirror)
+    """Model of the flow, energies of the motions and unknowns; where not driven, ports hold no pressure."""
+    system = cell_system(mesh, faces.tubes, faces.motions, faces.planes)
     blank = sp.csr_array((system.n_velocity, system.n_velocity))
     parts = [system.compliance, *(compliance_mass(system.pressure, mean) for mean in heat.means_over(system.pressure))]
     matrices = [system.viscous, system.inertia, system.coupling]
     matrices += [sp.csr_array(sp.block_diag([blank, part], format="csr")) for part in parts]
-    n_port = len(faces.tubes)
+    n_port = len(faces.tubes) if driven else 0
     excitations = [np.zeros((system.size, n_port + len(faces.motions))) for _ in range(4)]
-    excitations[0][:, :n_port] = system.port_flux
+    excitations[0][:, :n_port] = system.port_flux[:, :n_port]
     for excitation, term in zip(excitations[1:], system.motion_terms, strict=True):
         excitation[:, n_port:] = term
     model = reduce_system(
@@ -216,6 +251,10 @@ def _navier_stokes_response(body: CondensedBody, frequency: NDArray[np.float64])
     rate = _inertia_coefficient(frequency, medium)[:, None, None]
     y, b = response[:, :n, :n], response[:, :n, n:]
     z = body.energies[0] + rate * body.energies[1] - response[:, n:, n:]
+    if body.pumped is not None:
+        energies = body.pumped.energies
+        alike = body.pumped.flow.response(*_navier_stokes_coefficients(frequency, body.heat, medium))
+        z = z + energies[0] + rate * energies[1] - alike
     return _nodal(y, b, z) * (_LENGTH**3 / medium.viscosity)
 
 
@@ -230,17 +269,19 @@ def _condense_helmholtz(
     air: AirModel,
     tolerance: float,
     report: Callable[[float], None],
+    driven: bool = True,
 ) -> tuple[ReducedModel, NDArray[np.float64], int]:
+    """Model of the pressure, energies of the ports and unknowns; where not driven, ports hold no pressure."""
     system = pressure_system(mesh, faces.tubes, faces.motions)
     whole = [system.conduction(weight) for weight in viscous.at_quadrature()]
     uniform = np.ones_like(system.basis.dx)
     per_element = [mean[:, None] * uniform for mean in heat.means_over(system.basis)]
     whole += [system.storage(weight) for weight in (uniform, *per_element)]
-    free, n_port = system.free, len(faces.tubes)
+    free, on_ports = system.free, system.on_ports if driven else system.on_ports[:, :0]
     zeros = np.zeros((len(free), len(faces.motions)))
-    excitations = [np.hstack([(matrix @ system.on_ports)[free], zeros]) for matrix in whole]
-    excitations.append(np.hstack([np.zeros((len(free), n_port)), system.sources[free]]))
-    energies = np.stack([system.on_ports.T @ (matrix @ system.on_ports) for matrix in whole])
+    excitations = [np.hstack([(matrix @ on_ports)[free], zeros]) for matrix in whole]
+    excitations.append(np.hstack([np.zeros((len(free), on_ports.shape[1])), system.sources[free]]))
+    energies = np.stack([on_ports.T @ (matrix @ on_ports) for matrix in whole])
     model = reduce_system(
         [sp.csr_array(matrix[free][:, free]) for matrix in whole],
         lambda f: _helmholtz_coefficients(f, heat.model, viscous.model, air.medium)[0],
@@ -275,7 +316,8 @@ def _helmholtz_response(body: CondensedBody, frequency: NDArray[np.float64]) -> 
     # With the free pressures p_f eliminated from K_ff p_f + K_fP p = S U, Q = K_PP p + K_Pf p_f, F = S^T p_f.
     response = body.flow.response(theta, phi)
     y = np.einsum("fk,kij->fij", theta, body.energies) - response[:, :n, :n]
-    return _nodal(y, response[:, :n, n:], response[:, n:, n:])
+    z = response[:, n:, n:] if body.pumped is None else response[:, n:, n:] + body.pumped.flow.response(theta, phi)
+    return _nodal(y, response[:, :n, n:], z)
 
 
 # -- shared -----------------------------------------------------------------------------------------------

@@ -42,10 +42,10 @@ _FIRST_SCALE = 1.1
 
 
 #: Part of the cache key: raise it when the mesh or the equations of a cell change.
-CELL_MODEL_VERSION = 12
+CELL_MODEL_VERSION = 13
 
 
-_MODELS = ("heat", "viscous", "flow")
+_MODELS, _PUMPED = ("heat", "viscous", "flow"), "pumped"
 
 
 #: Shapes of cavities by the word that tells them in the text of a task.
@@ -163,16 +163,15 @@ def marked_solid(cell: Cell) -> MarkedSolid:
     """
     from acoustic_fem.cell.condensed import BodyFaces
     from acoustic_fem.fields.navier_stokes import WallMotion
-    from geometry.air.volume import MIRROR, OPENING, air_volume
+    from geometry.air.volume import MIDPLANE, MIRROR, OPENING, air_volume
 
     air = air_volume(cell)
     radius = np.linspace(0, cell.opening_diameter / 2, 200)
     bowl = 1 - (radius / radius[-1]) ** 2
     profile = np.column_stack([radius, bowl**2 if cell.opening_length == 0 else bowl])
-    faces = {**air.ports, OPENING: air.opening, **({} if air.mirror is None else {MIRROR: air.mirror})}
     motions = (WallMotion(OPENING, profile, air.centre),)
-    marked = BodyFaces(tuple(air.ports), motions, None if air.mirror is None else MIRROR)
-    return MarkedSolid(air.solid, faces, marked, _cylinder(cell))
+    mirror, midplane = (name if name in air.mirrors else None for name in (MIRROR, MIDPLANE))
+    return MarkedSolid(air.solid, air.faces, BodyFaces(tuple(air.ports), motions, mirror, midplane), _cylinder(cell))
 
 
 def _cylinder(cell: Cell) -> CylinderAir | None:
@@ -219,8 +218,11 @@ def solve_task(task: CellTask, report: Callable[[float], None]) -> CellRecord:
     body = solved.body
     arrays = {"energies": body.energies}
     models = {}
-    for name in _MODELS:
-        model = getattr(body, name)
+    parts = {name: getattr(body, name) for name in _MODELS}
+    if body.pumped is not None:
+        arrays["pumped_energies"] = body.pumped.energies
+        parts[_PUMPED] = body.pumped.flow
+    for name, model in parts.items():
         if model is not None:
             arrays[f"{name}_matrices"], arrays[f"{name}_excitations"] = model.matrices, model.excitations
             models[name] = {key: getattr(model, key) for key in ("sampled", "error", "lowest", "highest")}
@@ -239,7 +241,7 @@ def solve_task(task: CellTask, report: Callable[[float], None]) -> CellRecord:
 
 def rebuilt(task: CellTask, record: CellRecord, grid: NDArray[np.float64], cached: bool) -> CellSolution:
     """Solution of a cell on a grid of frequencies, (n_freq,) float64 in Hz, from its record."""
-    from acoustic_fem.cell.condensed import CondensedBody
+    from acoustic_fem.cell.condensed import CondensedBody, Pumped
     from acoustic_fem.numerics.rational_sweep import ReducedModel
 
     arrays, about = record
@@ -264,6 +266,7 @@ def rebuilt(task: CellTask, record: CellRecord, grid: NDArray[np.float64], cache
         heat=model("heat"),
         viscous=model("viscous") if "viscous" in about["models"] else None,
         flow=model("flow"),
+        pumped=Pumped(model(_PUMPED), arrays["pumped_energies"]) if _PUMPED in about["models"] else None,
         bores=tuple(StraightBore(**bore) for bore in about["bores"]),
         energies=arrays["energies"],
         unknowns=about["unknowns"],

@@ -111,29 +111,28 @@ class WallMotion:
 
 
 def cell_system(
-    mesh: SolidMesh, ports: Sequence[str], motions: Sequence[WallMotion] = (), mirror: str | None = None
+    mesh: SolidMesh, ports: Sequence[str], motions: Sequence[WallMotion] = (), mirrors: Sequence[str] = ()
 ) -> CellSystem:
     """Assemble a cell.
 
     Args:
-        mesh: the air, with every port, moving wall and the mirror plane named.
+        mesh: the air, with every port, moving wall and mirror plane named.
         ports: names of the ports, in order.
         motions: walls that move, in order; several may share a face.
-        mirror: name of the plane that halves the cell; ports and moving walls are then halves as well.
+        mirrors: names of the planes that halve the cell; the ports and moving walls they cut are then halves as well.
     """
     tetrahedra, facets = tetrahedral_mesh(mesh)
     # Each component of the velocity is a field on the same quadratic elements; they follow one another.
     quadratic = skfem.Basis(tetrahedra, skfem.ElementTetP2(), intorder=4)
     linear = quadratic.with_element(skfem.ElementTetP1())
 
-    across = {name: mesh.normals[name][:, None] for name in ports}
-    if mirror is not None:
-        # Listed first: where a port meets the mirror, the port's direction, which lies in the plane, holds.
-        across = {mirror: _tangents(mesh.normals[mirror]), **across}
+    # Through a port the flow is straight, along a mirror it is free.
+    barred = {name: _tangents(mesh.normals[name]) for name in ports}
+    barred |= {name: mesh.normals[name][:, None] for name in mirrors}
     reduction = _velocity_reduction(
         quadratic.N,
-        dirichlet_nodes(quadratic, facets, [*across]),
-        [(quadratic.get_dofs(facets[name]).all(), directions) for name, directions in across.items()],
+        dirichlet_nodes(quadratic, facets, [*barred]),
+        [(quadratic.get_dofs(facets[name]).all(), directions) for name, directions in barred.items()],
     )
     full_viscous, full_inertia, full_divergence = _full_matrices(quadratic, linear)
     n_velocity, n_pressure = reduction.shape[1], linear.N
@@ -149,7 +148,7 @@ def cell_system(
 
     lift = np.zeros((3 * quadratic.N, len(motions)))
     for k, motion in enumerate(motions):
-        resting = [index for name, index in facets.items() if name not in (motion.face, mirror)]
+        resting = [index for name, index in facets.items() if name not in (motion.face, *mirrors)]
         lift[:, k] = _wall_motion(quadratic, facets[motion.face], resting, mesh.normals[motion.face], motion)
     terms = (full_viscous @ lift, full_inertia @ lift)
     zeros = np.zeros((n_pressure, len(motions)))
@@ -215,7 +214,13 @@ def _facets(mesh: skfem.MeshTet2, triangles: NDArray[np.int64]) -> NDArray[np.in
 
 def _tangents(normal: NDArray[np.float64]) -> NDArray[np.float64]:
     """(3, 2): an orthonormal pair across the normal."""
-    return np.linalg.svd(normal[None, :])[2][1:].T
+    return _free_directions(normal[:, None])
+
+
+def _free_directions(barred: NDArray[np.float64]) -> NDArray[np.float64]:
+    """(3, d): orthonormal, across all of the barred directions, (3, n) float64."""
+    left, length, _ = np.linalg.svd(barred)
+    return np.asarray(left[:, np.count_nonzero(length > 1e-6) :])
 
 
 def _velocity_reduction(
@@ -223,16 +228,18 @@ def _velocity_reduction(
     wall_nodes: NDArray[np.int64],
     guided: Sequence[tuple[NDArray[np.int64], NDArray[np.float64]]],
 ) -> sp.csr_array:
-    """Map from free velocities to all: none on walls, only the given directions (3, d) on guided nodes."""
+    """Map from free velocities to all: none on walls, none along the directions (3, d) that guided nodes are barred."""
     components = np.arange(3 * n_scalar).reshape(3, -1)
-    kind = np.zeros(n_scalar, dtype=np.int64)
-    for number, (nodes, _) in enumerate(guided, start=1):
-        kind[nodes] = number
-    kind[wall_nodes] = -1
+    faces = np.zeros((len(guided), n_scalar), dtype=bool)
+    for on_face, (nodes, _) in zip(faces, guided, strict=True):
+        on_face[nodes] = True
+    inner = np.ones(n_scalar, dtype=bool)
+    inner[wall_nodes] = False
     rows, columns, values, count = [], [], [], 0
-    for number, directions in enumerate([np.eye(3), *(directions for _, directions in guided)]):
-        nodes = np.flatnonzero(kind == number)
-        for direction in directions.T:
+    for met in np.unique(faces.T, axis=0):
+        nodes = np.flatnonzero(inner & (faces.T == met).all(axis=1))
+        barred = [directions for on_face, (_, directions) in zip(met, guided, strict=True) if on_face]
+        for direction in _free_directions(np.hstack(barred)).T if barred else np.eye(3):
             rows.append(components[:, nodes].ravel())
             columns.append(np.tile(count + np.arange(len(nodes)), 3))
             values.append(np.repeat(direction, len(nodes)))

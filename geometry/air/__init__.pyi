@@ -12,7 +12,7 @@ from .mesh import (
     mesh_solid as mesh_solid,
 )
 from .mirror_symmetry import mirror_half as mirror_half
-from .volume import MIRROR as MIRROR, OPENING as OPENING, air_volume as air_volume
+from .volume import MIDPLANE as MIDPLANE, MIRROR as MIRROR, OPENING as OPENING, air_volume as air_volume
 from .wound_tube import (
     FIRST as FIRST,
     LAST as LAST,

@@ -334,12 +334,12 @@ def _clearance(solid: cadquery.Solid, port: cadquery.Face, mouth: list[int]) -> 
 
 
 def _port_radius(surface: int, others: set[int], face: cadquery.Face) -> float:
-    """Radius of the circle with the port's area; a mirror plane leaves half of it."""
+    """Radius of the circle with the port's area; each mirror plane leaves half of it."""
     import gmsh
 
     edges = [tag for _, tag in gmsh.model.getBoundary([(2, surface)], oriented=False)]
-    halved = any(set(gmsh.model.getAdjacencies(1, edge)[0]) & others for edge in edges)
-    return math.sqrt((2 if halved else 1) * face.Area() / math.pi)
+    planes = {int(beside) for edge in edges for beside in gmsh.model.getAdjacencies(1, edge)[0]} & others
+    return math.sqrt(2 ** len(planes) * face.Area() / math.pi)
 
 
 def _curvature_radius(surface: int) -> float:

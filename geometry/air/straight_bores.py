@@ -88,8 +88,11 @@ def _round_bore(
 ) -> tuple[float, float]:
     """Radius and undisturbed length of the round bore that a flat face ends, mm; length 0 where there is none.
 
-    The face is a disc, or half of one at a mirror plane, and all walls beside it are one cylinder that ends at a mouth.
+    The face is a disc, or what mirror planes leave of one, and all walls beside it are one cylinder that ends at a
+    mouth.
     """
+    from OCP.BRepAdaptor import BRepAdaptor_Surface
+
     place, normal = _vector(end.Center()), _normal(end)
     edges = {edge.hashCode() for edge in end.Edges()}
     walls = [
@@ -105,7 +108,7 @@ def _round_bore(
         for face in walls
     ):
         return radius, 0.0
-    cylinders = [face._geomAdaptor().Cylinder() for face in round_walls]
+    cylinders = [BRepAdaptor_Surface(face.wrapped).Cylinder() for face in round_walls]
     radius = cylinders[0].Radius()
     axis, origin = (_point(part) for part in (cylinders[0].Axis().Direction(), cylinders[0].Location()))
     shares = end.Area() / (math.pi * radius**2)
@@ -115,7 +118,7 @@ def _round_bore(
         for each in cylinders
     )
     along = np.linalg.norm(np.cross(axis, normal)) < _SAME
-    if not coaxial or not along or min(abs(shares - 1), abs(shares - 0.5)) > _SAME:
+    if not coaxial or not along or min(abs(shares - part) for part in (1, 0.5, 0.25)) > _SAME:
         return radius, 0.0
     # The bore is free as far as the nearest place where its wall ends.
     far_ends = {edge.hashCode() for name in ports for edge in others[name].Edges()}

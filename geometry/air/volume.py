@@ -19,8 +19,8 @@ if TYPE_CHECKING:
 
 #: Name of the face that the membrane or the microphone's diaphragm closes.
 OPENING = "opening"
-#: Name of the plane that halves a symmetric cell.
-MIRROR = "mirror"
+#: Names of the planes that halve a symmetric cell: upright, through all tubes, and level, through all tubes.
+MIRROR, MIDPLANE = "mirror", "midplane"
 
 
 @dataclass(frozen=True)
@@ -28,15 +28,22 @@ class AirVolume:
     """Air of a cell, mm. The cavity's floor lies at z = 0, its axis is z."""
 
     solid: cadquery.Solid
-    """The air, or one half of it, mm."""
+    """The air, or what is left of it on one side of each mirror plane, mm."""
     ports: dict[str, Point]
     """A point on the flat end of the stub of each tube port, mm, in the order of ``Cell.ports``."""
     opening: Point
     """A point on the membrane, or on the inner end of the microphone's sound hole, mm."""
     centre: Point
     """Centre of the opening, mm."""
-    mirror: Point | None
-    """A point on the plane y = 0, mm, where only one half of the cell is drawn, that of positive y; else None."""
+    mirrors: dict[str, Point]
+    """A point on each mirror plane, mm: :data:`MIRROR` is y = 0, of which the side of positive y is drawn,
+    :data:`MIDPLANE` that at half the height, below a membrane that is no mirror image of the floor.
+    """
+
+    @property
+    def faces(self) -> dict[str, Point]:
+        """A point on every face that is no wall, mm."""
+        return {**self.ports, OPENING: self.opening, **self.mirrors}
 
 
 def port_names(cell: Cell) -> tuple[str, ...]:
@@ -59,7 +66,8 @@ def air_solid(cell: Cell) -> cadquery.Solid:
 def air_volume(cell: Cell) -> AirVolume:
     """Draw the air of a cell as :func:`air_solid` does, with its faces.
 
-    Where every tube lies in the plane y = 0 the cell is its own mirror image and one half is drawn.
+    Where every tube lies in the plane y = 0 the cell is its own mirror image and one half is drawn; so it is for a
+    cylinder under a membrane whose tubes all lie at half its height.
 
     Raises:
         Refusal: no port, two ports overlap, or the drawn solid is not one valid solid.
@@ -72,17 +80,24 @@ def air_volume(cell: Cell) -> AirVolume:
     for name, port in zip(port_names(cell), cell.ports, strict=True):
         end = _direction(port) * (radius + port.stub_length)
         ports[name] = (end.x, end.y, cell.height_of(port))
-    opening = centre = (0.0, 0.0, cell.height + cell.opening_length)
-    mirror = None
-    if all(port.angle in (0.0, 180.0) for port in cell.ports):
-        size = 2 * max(radius + port.stub_length for port in cell.ports) + 2 * (cell.height + cell.opening_length)
-        half = cq.Solid.makeBox(2 * size, size, 2 * size, cq.Vector(-size, 0, -size))
-        air = air.intersect(half)
-        inwards = 0.1 * min(cell.opening_diameter, *(port.bore_diameter for port in cell.ports))
-        ports = {name: (x, y + inwards, z) for name, (x, y, z) in ports.items()}
-        opening = (0.0, inwards, centre[2])
-        mirror = (0.0, 0.0, cell.height / 2)
-    return AirVolume(_checked(air, cell), ports, opening, centre, mirror)
+    centre = (0.0, 0.0, cell.height + cell.opening_length)
+    upright = all(port.angle in (0.0, 180.0) for port in cell.ports)
+    level = cell.shape is None and cell.opening_length == 0
+    level = level and all(cell.height_of(port) == cell.height / 2 for port in cell.ports)
+    size = 2 * max(radius + port.stub_length for port in cell.ports) + 2 * (cell.height + cell.opening_length)
+    corner = cq.Vector(-size, 0 if upright else -size, cell.height / 2 if level else -size)
+    if upright or level:
+        air = air.intersect(cq.Solid.makeBox(2 * size, 2 * size, 2 * size, corner))
+    # Points leave the planes that cut their faces.
+    inwards = 0.1 * min(cell.opening_diameter, *(port.bore_diameter for port in cell.ports))
+    along, up = inwards if upright else 0.0, inwards if level else 0.0
+    ports = {name: (x, y + along, z + up) for name, (x, y, z) in ports.items()}
+    mirrors = {}
+    if upright:
+        mirrors[MIRROR] = (0.0, 0.0, cell.height / 2 + up)
+    if level:
+        mirrors[MIDPLANE] = (0.0, along, cell.height / 2)
+    return AirVolume(_checked(air, cell), ports, (0.0, along, centre[2]), centre, mirrors)
 
 
 def _drawn(cell: Cell) -> cadquery.Shape:

@@ -18,7 +18,7 @@ from acoustic_fem.quantities.medium import Medium
 from geometry import DesignError
 from geometry.air.cells import cell_catalogue
 from geometry.air.mesh import mesh_solid
-from geometry.air.volume import MIRROR, OPENING, air_volume
+from geometry.air.volume import MIDPLANE, MIRROR, OPENING, air_volume
 from geometry.design.design_file import prototype
 from geometry.layout.arrangement import lay_out
 from geometry.solids.membrane import membrane_radius
@@ -454,11 +454,10 @@ def test_one_motion_of_the_cell_wall_stands_for_every_mode_of_the_membrane_up_to
     bowl = (1 - model.radius**2) ** 2
     shapes = np.vstack([bowl, model.shapes])
     motions = [WallMotion(OPENING, np.column_stack([model.radius * 3.0, each]), air.centre) for each in shapes]
-    faces = {**air.ports, OPENING: air.opening, MIRROR: air.mirror}
-    meshes = [mesh_solid(air.solid, faces, tuple(air.ports), size) for size in mesh_sizes(1.05, 2.5, medium, 2000.0)]
-    body = condense(
-        *meshes, BodyFaces(tuple(air.ports), motions, MIRROR), AirModel(medium, (1.0, 2000.0)), tolerance=1e-5
-    )
+    sizes = mesh_sizes(1.05, 2.5, medium, 2000.0)
+    meshes = [mesh_solid(air.solid, air.faces, tuple(air.ports), size) for size in sizes]
+    marked = BodyFaces(tuple(air.ports), motions, MIRROR, MIDPLANE)
+    body = condense(*meshes, marked, AirModel(medium, (1.0, 2000.0)), tolerance=1e-5)
     nodal = body.nodal_admittance(frequency)
     stub = cell.ports[0].stub_length * 1e-3
     tube = port_admittance(0.22e-3, 12.5e-3 - stub, frequency, medium)

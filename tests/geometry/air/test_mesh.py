@@ -6,7 +6,7 @@ import pytest
 
 from geometry.air.cells import Cell, canonical_ports
 from geometry.air.mesh import WALL, MeshError, MeshSizes, mesh_solid
-from geometry.air.volume import MIRROR, OPENING, air_volume
+from geometry.air.volume import MIDPLANE, MIRROR, OPENING, air_volume
 from geometry.stated.ports import CellPort
 
 SIZES = MeshSizes(mouth_edge=0.4, tube=0.8, growth=0.7, largest=1.0)
@@ -28,23 +28,27 @@ def test_curved_elements_hold_the_cad_volume_where_straight_ones_lose_it(cell):
 
 
 def mesh_of(air):
-    mirror = {} if air.mirror is None else {MIRROR: air.mirror}
-    return mesh_solid(air.solid, {**air.ports, OPENING: air.opening, **mirror}, tuple(air.ports), SIZES)
+    return mesh_solid(air.solid, air.faces, tuple(air.ports), SIZES)
 
 
-def test_air_of_a_symmetric_cell_is_half_of_the_cylinder_and_its_stubs():
-    stubs = 2 * np.pi * 0.25**2 * STRAIGHT.ports[0].stub_length
+@pytest.mark.parametrize(
+    ("height", "second", "parts"), [(None, 180.0, 4), (1.0, 180.0, 2), (None, 90.0, 2), (1.0, 90.0, 1)]
+)
+def test_air_of_a_symmetric_cell_is_cut_at_each_of_its_mirror_planes(height, second, parts):
+    cell = Cell("resonator", 6.0, 2.5, 1.25, tuple(CellPort(a, 0.5, height) for a in (0.0, second)), 6.0, 0.0)
+    stubs = 2 * np.pi * 0.25**2 * cell.ports[0].stub_length
     # The stub starts on the curved wall, up to a^2 / (2 R) behind the point where its axis meets it.
-    assert 2 * air_volume(STRAIGHT).solid.Volume() == pytest.approx(np.pi * 9 * 2.5 + stubs, rel=2e-4)
+    assert parts * air_volume(cell).solid.Volume() == pytest.approx(np.pi * 9 * 2.5 + stubs, rel=2e-4)
 
 
 def test_ports_membrane_and_mirror_are_named_with_their_area_and_outward_normal():
     mesh = mesh_of(air_volume(STRAIGHT))
-    assert set(mesh.faces) == {"port-0", "port-1", OPENING, MIRROR, WALL}
+    assert set(mesh.faces) == {"port-0", "port-1", OPENING, MIRROR, MIDPLANE, WALL}
     np.testing.assert_allclose(mesh.normals["port-0"], [1, 0, 0], atol=1e-12)
     np.testing.assert_allclose(mesh.normals["port-1"], [-1, 0, 0], atol=1e-12)
     np.testing.assert_allclose(mesh.normals[OPENING], [0, 0, 1], atol=1e-12)
     np.testing.assert_allclose(mesh.normals[MIRROR], [0, -1, 0], atol=1e-12)
+    np.testing.assert_allclose(mesh.normals[MIDPLANE], [0, 0, -1], atol=1e-12)
     corners = mesh.nodes[mesh.faces[OPENING]]
     np.testing.assert_allclose(corners[..., 2], 2.5, atol=1e-9)
     area = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1).sum() / 2

@@ -14,8 +14,8 @@ from geometry.stated.ports import CellPort
 RADIUS = 0.25
 
 
-def cell(*angles):
-    return Cell("resonator", 6.0, 2.5, 1.25, tuple(CellPort(angle, 2 * RADIUS) for angle in angles), 6.0, 0.0)
+def cell(*angles, height=None):
+    return Cell("resonator", 6.0, 2.5, 1.25, tuple(CellPort(angle, 2 * RADIUS, height) for angle in angles), 6.0, 0.0)
 
 
 def with_bore(bore):
@@ -23,13 +23,14 @@ def with_bore(bore):
     return cq.Workplane().box(3, 3, 3).union(bore).val(), {"a": (4.0, 0.0, 0.0)}
 
 
+@pytest.mark.parametrize("height", [None, 1.0])
 @pytest.mark.parametrize("angles", [(0.0, 90.0), (0.0, 180.0), (0.0, 100.0, 240.0)], ids=str)
-def test_of_each_bore_of_a_cell_two_radii_are_left_before_its_mouth(angles):
-    """Of a cell with tubes in one line half is drawn: its bores are half round."""
-    air = air_volume(cell(*angles))
-    points = {**air.ports, "opening": air.opening, **({"mirror": air.mirror} if air.mirror else {})}
+def test_of_each_bore_of_a_cell_two_radii_are_left_before_its_mouth(angles, height):
+    """Of symmetric cells a half or a quarter is drawn: so it is of their bores."""
+    air = air_volume(cell(*angles, height=height))
+    points = air.faces
     short = shortened(air.solid, points, list(air.ports))
-    share = 0.5 if air.mirror else 1.0
+    share = 0.5 ** len(air.mirrors)
     gone = sum(share * np.pi * bore.radius**2 * bore.length for bore in short.bores)
     assert [bore.radius for bore in short.bores] == pytest.approx([RADIUS] * len(angles))
     # the wall of a cylinder is nearest above and below the axis, where it was drawn from

@@ -11,7 +11,7 @@ from scipy.integrate import quad
 
 import geometry
 from geometry.air.cells import cell_catalogue
-from geometry.air.volume import air_volume
+from geometry.air.volume import air_solid
 from geometry.assembly.model import array_model
 from geometry.assembly.parts import PartSet, build_parts, part_counts, place_parts
 from geometry.design.design_file import read_design
@@ -119,7 +119,7 @@ def test_printed_material_and_air_do_not_overlap(name, shape):
                 break
         else:
             pytest.fail(f"{part.label}: its cell has other port angles")
-        air = air_volume(use.cell).solid
+        air = air_solid(use.cell)
         air = (air if sense == 1 else air.mirror("XZ")).rotate((0, 0, 0), (0, 0, 1), turn)
         # Port angles of parts and cells are rounded to 0.1 degrees: 0.01 mm at most.
         assert solid.intersect(air).Volume() < 2e-3 * air.Volume()
