@@ -172,15 +172,17 @@ def condense(
     viscous: DiffusionField | None = None
     if air.physics == "navier-stokes":
         solve = partial(_condense_navier_stokes, flow_mesh, heat, air=air, tolerance=tolerance)
+        if faces.midplane is not None and pumped is None:
+            # Its pressure is zero in the midplane, as in one more port.
+            through = replace(faces, tubes=[*faces.tubes, faces.midplane], midplane=None)
+            pumped = Pumped(*solve(through, report=lambda done: None, driven=False)[:2])
+        flow, energies, unknowns = solve(faces, report=report)
     else:
+        if faces.midplane is not None:
+            raise ValueError("a lossy Helmholtz body has no midplane: its viscous field is another below a membrane")
         moving = {motion.face for motion in faces.motions}
         viscous = diffusion_field(flow_mesh, [*faces.open, *moving], medium.kinematic_viscosity, air.band)
-        solve = partial(_condense_helmholtz, flow_mesh, heat, viscous, air=air, tolerance=tolerance)
-    if faces.midplane is not None and pumped is None:
-        # Its pressure is zero in the midplane, as in one more port.
-        through = replace(faces, tubes=[*faces.tubes, faces.midplane], midplane=None)
-        pumped = Pumped(*solve(through, report=lambda done: None, driven=False)[:2])
-    flow, energies, unknowns = solve(faces, report=report)
+        flow, energies, unknowns = _condense_helmholtz(flow_mesh, heat, viscous, faces, air, tolerance, report)
     body = CondensedBody(
         air.physics,
         medium,
@@ -269,19 +271,17 @@ def _condense_helmholtz(
     air: AirModel,
     tolerance: float,
     report: Callable[[float], None],
-    driven: bool = True,
 ) -> tuple[ReducedModel, NDArray[np.float64], int]:
-    """Model of the pressure, energies of the ports and unknowns; where not driven, ports hold no pressure."""
     system = pressure_system(mesh, faces.tubes, faces.motions)
     whole = [system.conduction(weight) for weight in viscous.at_quadrature()]
     uniform = np.ones_like(system.basis.dx)
     per_element = [mean[:, None] * uniform for mean in heat.means_over(system.basis)]
     whole += [system.storage(weight) for weight in (uniform, *per_element)]
-    free, on_ports = system.free, system.on_ports if driven else system.on_ports[:, :0]
+    free, n_port = system.free, len(faces.tubes)
     zeros = np.zeros((len(free), len(faces.motions)))
-    excitations = [np.hstack([(matrix @ on_ports)[free], zeros]) for matrix in whole]
-    excitations.append(np.hstack([np.zeros((len(free), on_ports.shape[1])), system.sources[free]]))
-    energies = np.stack([on_ports.T @ (matrix @ on_ports) for matrix in whole])
+    excitations = [np.hstack([(matrix @ system.on_ports)[free], zeros]) for matrix in whole]
+    excitations.append(np.hstack([np.zeros((len(free), n_port)), system.sources[free]]))
+    energies = np.stack([system.on_ports.T @ (matrix @ system.on_ports) for matrix in whole])
     model = reduce_system(
         [sp.csr_array(matrix[free][:, free]) for matrix in whole],
         lambda f: _helmholtz_coefficients(f, heat.model, viscous.model, air.medium)[0],
@@ -316,8 +316,7 @@ def _helmholtz_response(body: CondensedBody, frequency: NDArray[np.float64]) -> 
     # With the free pressures p_f eliminated from K_ff p_f + K_fP p = S U, Q = K_PP p + K_Pf p_f, F = S^T p_f.
     response = body.flow.response(theta, phi)
     y = np.einsum("fk,kij->fij", theta, body.energies) - response[:, :n, :n]
-    z = response[:, n:, n:] if body.pumped is None else response[:, n:, n:] + body.pumped.flow.response(theta, phi)
-    return _nodal(y, response[:, :n, n:], z)
+    return _nodal(y, response[:, :n, n:], response[:, n:, n:])
 
 
 # -- shared -----------------------------------------------------------------------------------------------

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from acoustic_fem.cell.solid import MarkedSolid, MeshGoal, checked_physics, converge
 from acoustic_fem.numerics import disk_cache
+from acoustic_fem.quantities.fidelity import Physics
 from acoustic_fem.quantities.medium import Medium
 from geometry.air.cells import Cell
 from geometry.air.straight_bores import StraightBore
@@ -38,7 +39,7 @@ CHECKED_UP_TO = 200.0
 
 
 #: Scale of the first mesh; most cells of the prototypes are then within 3e-3.
-_FIRST_SCALE = 1.1
+_FIRST_SCALE = 1.25
 
 
 #: Part of the cache key: raise it when the mesh or the equations of a cell change.
@@ -152,11 +153,12 @@ def _stated(description: dict[str, Any]) -> dict[str, Any]:
     return plain
 
 
-def marked_solid(cell: Cell) -> MarkedSolid:
+def marked_solid(cell: Cell, physics: Physics = "navier-stokes") -> MarkedSolid:
     """The air of a cell with its faces, and the shape in which its membrane, or a microphone's diaphragm, moves.
 
     Args:
         cell: lengths in mm.
+        physics: the model it is to be solved with.
 
     Raises:
         Refusal: its air cannot be made.
@@ -165,7 +167,7 @@ def marked_solid(cell: Cell) -> MarkedSolid:
     from acoustic_fem.fields.navier_stokes import WallMotion
     from geometry.air.volume import MIDPLANE, MIRROR, OPENING, air_volume
 
-    air = air_volume(cell)
+    air = air_volume(cell, level=physics == "navier-stokes")
     radius = np.linspace(0, cell.opening_diameter / 2, 200)
     bowl = 1 - (radius / radius[-1]) ** 2
     profile = np.column_stack([radius, bowl**2 if cell.opening_length == 0 else bowl])
@@ -203,11 +205,12 @@ def solve_task(task: CellTask, report: Callable[[float], None]) -> CellRecord:
 
     cell = task.cell
     try:
-        solid = marked_solid(cell)
+        physics = checked_physics(task.fidelity)
+        solid = marked_solid(cell, physics)
         checked_band = (task.band[0], task.band[1] if task.band[1] > DESIGN_BAND[1] else CHECKED_UP_TO)
         solved = converge(
             solid,
-            AirModel(task.medium, task.band, checked_physics(task.fidelity)),
+            AirModel(task.medium, task.band, physics),
             MeshGoal(DESIGN_ACCURACY, cell.smallest_extent, checked_band, _FIRST_SCALE),
             report,
         )

@@ -16,12 +16,12 @@ if TYPE_CHECKING:
 def mesh_sizes(scale: float, width: float, medium: Medium, highest: float) -> tuple[MeshSizes, MeshSizes]:
     """Element sizes for the flow and for heat at a scale.
 
-    In cells like the reference cell 1 gives about 3e-4 in the admittances from the flow and 1.5e-3 in the
-    compliance from heat; both fall with the third to fourth power of the scale.
+    In cells of designs 1 gives 2e-4 to 5e-4 in the admittances from the flow and in those like the reference cell 1.5e-3
+    in the compliance from heat; both fall with the third to fourth power of the scale.
 
     Mouths and tubes count in bore radii. The viscous layer at the highest frequency limits the sizes along
-    tubes, the thermal layer those along walls. Elements of 1.4 viscous layers leave 7e-3 of a wide bore's admittance,
-    and meshes coarser than that agree with each other.
+    tubes and in the cavity, the thermal layer those along walls. Elements of 1.4 viscous layers leave 7e-3 of a wide
+    bore's admittance, those of 6 in a wide cavity 1.6e-3, and meshes coarser than that agree with each other.
 
     Args:
         scale: of the sizes, a ratio; 1 is the usual mesh.
@@ -32,15 +32,18 @@ def mesh_sizes(scale: float, width: float, medium: Medium, highest: float) -> tu
     from geometry.air.mesh import MeshSizes
 
     largest = 0.35 * scale * width
-    # The flow is singular at the edge of a mouth: fine meshes get finer there than elsewhere.
-    mouth_edge = 0.2 * scale * min(1.0, scale)
     viscous = _layer_thickness(medium.kinematic_viscosity, highest)
     thermal = _layer_thickness(medium.thermal_diffusivity, highest)
-    # What growing elements leave falls with its fourth power: it goes down with the scale as all else does.
-    growth = min(0.5 * scale, 0.8)
     return (
         MeshSizes(
-            mouth_edge=mouth_edge, tube=0.5 * scale, growth=growth, largest=largest, tube_layer=0.8 * scale * viscous
+            # The flow is singular at the edge of a mouth, and what is left there falls with the size alone, or little
+            # faster; elsewhere it falls with the third power and more, and has the other sign. With the square here all
+            # falls alike: otherwise the two cancel on one mesh and not on the next.
+            mouth_edge=0.1 * scale**2,
+            tube=0.42 * scale,
+            growth=min(0.42 * scale, 0.8),
+            largest=min(largest, 4.5 * scale * viscous),
+            tube_layer=0.67 * scale * viscous,
         ),
         MeshSizes(mouth_edge=scale, tube=0.7 * scale, growth=1.5, largest=largest, wall=1.3 * scale * thermal),
     )

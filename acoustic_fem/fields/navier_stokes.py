@@ -237,7 +237,7 @@ def _velocity_reduction(
     inner[wall_nodes] = False
     rows, columns, values, count = [], [], [], 0
     for met in np.unique(faces.T, axis=0):
-        nodes = np.flatnonzero(inner & (faces.T == met).all(axis=1))
+        nodes = np.flatnonzero(inner & (met == faces.T).all(axis=1))
         barred = [directions for on_face, (_, directions) in zip(met, guided, strict=True) if on_face]
         for direction in _free_directions(np.hstack(barred)).T if barred else np.eye(3):
             rows.append(components[:, nodes].ravel())

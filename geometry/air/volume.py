@@ -63,11 +63,15 @@ def air_solid(cell: Cell) -> cadquery.Solid:
     return _checked(_drawn(cell), cell)
 
 
-def air_volume(cell: Cell) -> AirVolume:
+def air_volume(cell: Cell, level: bool = True) -> AirVolume:
     """Draw the air of a cell as :func:`air_solid` does, with its faces.
 
     Where every tube lies in the plane y = 0 the cell is its own mirror image and one half is drawn; so it is for a
     cylinder under a membrane whose tubes all lie at half its height.
+
+    Args:
+        cell: lengths in mm.
+        level: whether to cut at :data:`MIDPLANE` too.
 
     Raises:
         Refusal: no port, two ports overlap, or the drawn solid is not one valid solid.
@@ -82,7 +86,7 @@ def air_volume(cell: Cell) -> AirVolume:
         ports[name] = (end.x, end.y, cell.height_of(port))
     centre = (0.0, 0.0, cell.height + cell.opening_length)
     upright = all(port.angle in (0.0, 180.0) for port in cell.ports)
-    level = cell.shape is None and cell.opening_length == 0
+    level = level and cell.shape is None and cell.opening_length == 0
     level = level and all(cell.height_of(port) == cell.height / 2 for port in cell.ports)
     size = 2 * max(radius + port.stub_length for port in cell.ports) + 2 * (cell.height + cell.opening_length)
     corner = cq.Vector(-size, 0 if upright else -size, cell.height / 2 if level else -size)
