@@ -38,10 +38,6 @@ DESIGN_ACCURACY = 3e-3
 CHECKED_UP_TO = 200.0
 
 
-#: Scale of the first mesh; most cells of the prototypes are then within 3e-3.
-_FIRST_SCALE = 1.25
-
-
 #: Part of the cache key: raise it when the mesh or the equations of a cell change.
 CELL_MODEL_VERSION = 13
 
@@ -211,7 +207,7 @@ def solve_task(task: CellTask, report: Callable[[float], None]) -> CellRecord:
         solved = converge(
             solid,
             AirModel(task.medium, task.band, physics),
-            MeshGoal(DESIGN_ACCURACY, cell.smallest_extent, checked_band, _FIRST_SCALE),
+            MeshGoal(DESIGN_ACCURACY, cell.smallest_extent, checked_band),
             report,
         )
     except MissingLibrary:

@@ -36,7 +36,7 @@ Progress: TypeAlias = Callable[[str, float], None]
 #: Most elements, as estimated, of the mesh of the flow that should do: its solution takes gigabytes.
 MOST_FLOW_ELEMENTS = 1e5
 _ACCURACY_RANGE = (2e-4, 3e-3)
-_USUAL_FLOW_SCALE, _USUAL_HEAT_SCALE = 1.0, 0.7
+_USUAL_FLOW_SCALE, _USUAL_HEAT_SCALE = 0.95, 0.7
 """Scales (see :func:`mesh_sizes`) that give an accuracy of 1e-3 in most bodies."""
 _BELIEVED = 0.6e-3
 """Least error of the flow that is believed at its usual scale: where two meshes are nearer than that it is chance."""
@@ -85,8 +85,6 @@ class MeshGoal:
     """Smallest extent of the cavity, mm."""
     checked_band: tuple[float, float] | None = None
     """Lowest and highest frequency at which the accuracy must hold, Hz; None: the whole band."""
-    scale: float | None = None
-    """Scale of the first mesh of the flow, see :func:`mesh_sizes`; None: guessed from the accuracy."""
 
     def frequencies(self, band: tuple[float, float]) -> NDArray[np.float64]:
         """Where the accuracy is looked at in a body solved over a band: (5,) float64, Hz, or (1,) in a band of one."""
@@ -296,7 +294,7 @@ def _converged_flow(
                 pumped, least = body.pumped, left
         return body, len(mesh.tetrahedra)
 
-    first = goal.first_scale(_USUAL_FLOW_SCALE) if goal.scale is None else goal.scale
+    first = goal.first_scale(_USUAL_FLOW_SCALE)
 
     def change(fine: CondensedBody, coarse: CondensedBody) -> float:
         return _difference(fine, coarse, checked)

@@ -16,8 +16,8 @@ if TYPE_CHECKING:
 def mesh_sizes(scale: float, width: float, medium: Medium, highest: float) -> tuple[MeshSizes, MeshSizes]:
     """Element sizes for the flow and for heat at a scale.
 
-    In cells of designs 1 gives 2e-4 to 5e-4 in the admittances from the flow and in those like the reference cell 1.5e-3
-    in the compliance from heat; both fall with the third to fourth power of the scale.
+    In cells of designs 1 gives 2e-4 to 4e-4 in the admittances from the flow and, in those like the reference cell,
+    1.5e-3 in the compliance from heat; both fall with the third to fourth power of the scale.
 
     Mouths and tubes count in bore radii. The viscous layer at the highest frequency limits the sizes along
     tubes and in the cavity, the thermal layer those along walls. Elements of 1.4 viscous layers leave 7e-3 of a wide

@@ -303,7 +303,7 @@ def _set_sizes(
         at_mouth = min(sizes.mouth_edge * room, sizes.tube_layer)
         fields.append(_size_around("CurvesList", mouth, at_mouth, 0.0, sizes))
         along = min(sizes.tube * radius, sizes.tube_layer)
-        fields.append(_size_around("SurfacesList", sorted(walls), along, 1.2 * radius, sizes))
+        fields.append(_size_around("SurfacesList", sorted(walls), along, 0.5 * radius, sizes))
     if sizes.wall is not None:
         everywhere = [tag for _, tag in gmsh.model.getEntities(2)]
         fields.append(_size_around("SurfacesList", everywhere, sizes.wall, sizes.wall, sizes))

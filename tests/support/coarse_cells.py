@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 # The accuracy is a part of the key of the cache.
-_COARSE = {"DESIGN_ACCURACY": 0.09, "_FIRST_SCALE": 2.5}
+_COARSE = {"DESIGN_ACCURACY": 0.03}
 
 
 @contextmanager

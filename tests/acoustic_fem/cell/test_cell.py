@@ -250,7 +250,7 @@ def test_only_what_the_kernel_or_the_memory_refuses_is_a_cell_without_solution(m
     mistakes: list[Exception] = [ValueError("shapes differ"), RuntimeError("broken"), ZeroDivisionError(), KeyError()]
     for error in (*raised, *mistakes):
 
-        def fails(_: object, error: Exception = error) -> None:
+        def fails(*_: object, error: Exception = error, **__: object) -> None:
             raise error
 
         monkeypatch.setattr("geometry.air.volume.air_volume", fails)
@@ -368,7 +368,7 @@ def test_a_mistake_in_a_process_that_solves_a_cell_is_not_taken_for_a_cell_witho
     tmp_path, monkeypatch, capfd
 ):
     (tmp_path / "sitecustomize.py").write_text(
-        "import geometry.air.volume\ngeometry.air.volume.air_volume = lambda cell: cell.nonsense\n"
+        "import geometry.air.volume\ngeometry.air.volume.air_volume = lambda cell, **_: cell.nonsense\n"
     )
     monkeypatch.syspath_prepend(tmp_path)
     monkeypatch.setenv("ACOUSTIC_FEM_CACHE", str(tmp_path / "cache"))
