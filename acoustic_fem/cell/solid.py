@@ -38,7 +38,7 @@ MOST_FLOW_ELEMENTS = 1e5
 _ACCURACY_RANGE = (2e-4, 3e-3)
 _USUAL_FLOW_SCALE, _USUAL_HEAT_SCALE = 0.95, 0.7
 """Scales (see :func:`mesh_sizes`) that give an accuracy of 1e-3 in most bodies."""
-_BELIEVED = 0.6e-3
+_BELIEVED = 0.85e-3
 """Least error of the flow that is believed at its usual scale: where two meshes are nearer than that it is chance."""
 
 
