@@ -63,8 +63,8 @@ def cell(_: bool) -> Subject:
         flows.append(Level(label, scale, unknowns, float(entries.max())))
         totals.append(Level(label, scale, unknowns, float(total.max())))
     studies = (
-        Study("cell Y", "reference cell, Y₁₁ and Y₁₂", "finest mesh", "scale", tuple(flows), 2.5, 1.5,
-              "between 1.1 (edge of the mouth) and 4"),
+        Study("cell Y", "reference cell, Y₁₁ and Y₁₂", "finest mesh", "scale", tuple(flows), 3.2, 1.0,
+              "between 2.2 (edge of the mouth, by the square of the scale) and 4"),
         Study("cell sum", "reference cell, Y₁₁ + Y₁₂", "finest mesh", "scale", tuple(totals), 3.0, 1.0,
               "thermal layer on unresolved meshes"),
     )  # fmt: skip
