@@ -15,7 +15,7 @@ from studies.sweep.survey import surveyed, try_metrics
 
 #: Memory of a worker that has loaded everything, and of one that solves a 3-D cell, bytes.
 _WORKER_MEMORY = 0.25e9
-_CELL_MEMORY = 1.5e9
+_CELL_MEMORY = 1.0e9
 #: Arrays of a block that exist at the same time, in transfer functions.
 _ARRAYS = 12
 
