@@ -86,7 +86,7 @@ class Pumped:
     flow: ReducedModel
     """Reduced model of the flow, driven by the wall motions."""
     energies: NDArray[np.float64]
-    """As :attr:`CondensedBody.energies`."""
+    """Terms that the wall motions add to the response themselves, (n_term, m, m) float64."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -179,7 +179,7 @@ def condense(
         flow, energies, unknowns = solve(faces, report=report)
     else:
         if faces.midplane is not None:
-            raise ValueError("a lossy Helmholtz body has no midplane: its viscous field is another below a membrane")
+            raise RuntimeError("a lossy Helmholtz body has no midplane: its viscous field is another below a membrane")
         moving = {motion.face for motion in faces.motions}
         viscous = diffusion_field(flow_mesh, [*faces.open, *moving], medium.kinematic_viscosity, air.band)
         flow, energies, unknowns = _condense_helmholtz(flow_mesh, heat, viscous, faces, air, tolerance, report)
