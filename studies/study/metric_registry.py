@@ -287,7 +287,7 @@ def _touches() -> Iterable[Metric]:
 def _build() -> Iterable[Metric]:
     for name, unit, long_name, definition, compute, better in (
         ("coverage", "1", "coverage", "Share of the area within the hull of all membranes, in plan, in which a "
-         f"contact of {FINGER:g} mm radius reaches a membrane.", _coverage, "larger"),
+         f"contact of {FINGER:g} mm radius reaches a membrane.", partial(_of_designs, coverage), "larger"),
         ("length", "mm", "length", "Longer side of the box around all that is built, tubes and boards included.",
          lambda figures: figures.sizes()[:, 0], "smaller"),
         ("width", "mm", "width", "Shorter side of that box.", lambda figures: figures.sizes()[:, 1], "smaller"),
@@ -306,11 +306,6 @@ def _build() -> Iterable[Metric]:
             name=name, unit=unit, long_name=long_name, definition=definition, needs=frozenset({"designs"}),
             better=better, compute=compute,
         )  # fmt: skip
-
-
-def _coverage(figures: SharedFigures) -> Values:
-    placed = zip(known(figures.responses.designs), figures.layouts(), strict=True)
-    return np.array([coverage(design, FINGER, layout) for design, layout in placed])
 
 
 def _of_designs(of_design: Callable[[ArrayDesign], float], figures: SharedFigures) -> Values:
