@@ -57,7 +57,8 @@ def one_part_off(topology: Topology, parts: PartsOff) -> Array:
         before, behind = as_designed(1 + sum(own[:number])), as_designed(sum(own[number + 1 :]) + microphones)
         return xp.concatenate([before, values[:, 1:-1], behind, values[:, -1:]], 1)
 
-    shunts, ratios = [], []
+    shunts: list[Array] = []
+    ratios: list[Array] = []
     for number, column in enumerate(topology.microphones):
         off = [0] * (2 + sum(own) + microphones)
         off[1 + sum(own) + number] = 1

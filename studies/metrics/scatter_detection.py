@@ -204,9 +204,7 @@ def _parts(nominal: ArrayParameters, air: Medium) -> tuple[PartsOff, Points]:
 
 
 def _responses(topology: Topology, parts: PartsOff, designed: Points, own: slice) -> tuple[Any, Any]:
-    """Transfer functions of some designs, (n_design, n_point, n_microphone, n_freq), and what their sensors hear: that of
-    :func:`acoustic_fem.batch.one_part_off.one_part_off`.
-    """
+    """Transfer functions of some designs, (n_design, n_point, n_microphone, n_freq), and what their sensors hear."""
 
     def cut(part: Any) -> Any:
         return type(part)(*(None if values is None else values[own] for values in part))
@@ -222,7 +220,8 @@ def _of_responses(h: Any, heard: Any, noise: Array) -> Any:
 
     Args:
         h: (n_design, n_point, n_microphone, n_freq), those of :func:`_responses`.
-        heard: (n_design, n_sensor, n_point, n_microphone, n_freq), what its sensors hear.
+        heard: (n_design, n_sensor, n_point, n_microphone, n_freq), that of
+            :func:`acoustic_fem.batch.one_part_off.one_part_off`.
         noise: (n_design, n_freq).
     """
     xp = namespace(h)
