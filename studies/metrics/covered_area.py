@@ -64,15 +64,13 @@ def _hull(place: Array, radius: Array, lines: int = _LINES) -> tuple[Array, Arra
     rim = _rim(place, radius)
     low, high = rim[:, 1].min(), rim[:, 1].max()
     height = low + (np.arange(lines) + 0.5) / _LINES * (high - low)
-    start, stop = rim, np.concatenate([rim[1:], rim[:1]])
-    # Anticlockwise: the edges that go up are the right side, those that go down the left one.
-    sides = []
-    for rising in (False, True):
-        kept = (stop[:, 1] > start[:, 1]) == rising
-        corners = np.concatenate([start[kept], stop[kept]])
-        order = np.argsort(corners[:, 1], kind="stable")
-        sides.append(np.interp(height, corners[order, 1], corners[order, 0]))
-    return height, sides[0], sides[1]
+    # anticlockwise: what goes up from the lowest corner is the right side, what comes down to it again the left one
+    lowest, highest = rim[:, 1].argmin(), rim[:, 1].argmax()
+    right, left = (
+        np.concatenate([rim, rim])[start : start + (stop - start) % len(rim) + 1].T
+        for start, stop in ((lowest, highest), (highest, lowest))
+    )
+    return height, np.interp(height, *left[::-1, ::-1]), np.interp(height, *right[::-1])
 
 
 def _rim(place: Array, radius: Array) -> Array:
