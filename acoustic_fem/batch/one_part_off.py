@@ -31,70 +31,62 @@ class PartsOff(NamedTuple):
     """As designed, and off."""
 
 
-def one_part_off(topology: Topology, parts: PartsOff) -> Array:
-    """Pressures at the microphones from a source at each point, up to a factor that all microphones have in common.
+def one_part_off(topology: Topology, parts: PartsOff) -> tuple[Array, ...]:
+    """Pressures at each microphone from a source at each point, up to a factor that all microphones have in common.
 
     Args:
         topology: the wiring, with the columns that the parts have.
         parts: what is off, each in turn.
 
     Returns:
-        (n_design, n_sensor, n_point, n_microphone, n_freq) complex128. The first sensor is as designed; then, line by
-        line, one tube after the other is off, one point after the other by each of its deviations; then each chamber;
-        in the last, all points together.
+        For each microphone (n_design, n_sensor, n_point, n_freq) complex128. The first sensor is as designed; then, line
+        by line, one tube after the other is off, one point after the other by each of its deviations; then each
+        chamber; in the last, all points together.
     """
     xp = namespace(parts.shunts[0])
-    chains = [_chain(xp, line, parts) for line in topology.lines]
-    own = [chain.series.shape[1] - 2 for chain in chains]
-    microphones = len(topology.microphones)
-
-    def in_all(number: int, values: Array) -> Array:
-        """Values of a line, (n_design, n_own + 2, ...), in all sensors: as designed where another part is off."""
-
-        def as_designed(count: int) -> Array:
-            return xp.broadcast_to(values[:, :1], (len(values), count, *values.shape[2:]))
-
-        before, behind = as_designed(1 + sum(own[:number])), as_designed(sum(own[number + 1 :]) + microphones)
-        return xp.concatenate([before, values[:, 1:-1], behind, values[:, -1:]], 1)
-
-    shunts: list[Array] = []
+    microphones, deviations = len(topology.microphones), len(parts.shunts) - 2
+    own = [len(line.tubes) + deviations * len(line.points) for line in topology.lines]
+    chains = [
+        _chain(xp, line, parts, 1 + sum(own[:number]), sum(own[number + 1 :]) + microphones)
+        for number, line in enumerate(topology.lines)
+    ]
+    grounds: list[Array] = []
     ratios: list[Array] = []
     for number, column in enumerate(topology.microphones):
         off = [0] * (2 + sum(own) + microphones)
         off[1 + sum(own) + number] = 1
-        for name, found in (("shunt", shunts), ("ratio", ratios)):
+        for name, found in (("shunt", grounds), ("ratio", ratios)):
             found.append(xp.stack([getattr(each, name)[:, column] for each in parts.chambers], 1)[:, off])
     series: dict[tuple[int, int], Array] = {}
-    for number, (line, chain) in enumerate(zip(topology.lines, chains, strict=True)):
+    for line, chain in zip(topology.lines, chains, strict=True):
         between = min(line.first, line.last), max(line.first, line.last)
-        admittance, *grounds = (in_all(number, values) for values in chain[:3])
-        series[between] = series[between] + admittance if between in series else admittance
-        for end, ground in zip((line.first, line.last), grounds, strict=True):
-            shunts[end] = shunts[end] + ground
-    impedance = impedance_between(xp, shunts, series)
-    pressures = []
-    for number, (line, chain) in enumerate(zip(topology.lines, chains, strict=True)):
-        to_last, to_first = in_all(number, chain.to_last), in_all(number, chain.to_first)
-        near, far = (
-            [(impedance[:, end, k] * ratio)[:, :, None] for k, ratio in enumerate(ratios)]
-            for end in (line.first, line.last)
-        )
-        heard = [to_last * one + to_first * other for one, other in zip(near, far, strict=True)]
-        pressures.append(xp.stack(heard, 3))
-    return pressures[0] if len(pressures) == 1 else xp.concatenate(pressures, 2)
+        series[between] = series[between] + chain.series if between in series else chain.series
+        grounds[line.first] = grounds[line.first] + chain.first
+        grounds[line.last] = grounds[line.last] + chain.last
+    impedance = impedance_between(xp, grounds, series)
+
+    def heard(microphone: int) -> Array:
+        received = impedance[:, :, microphone] * ratios[microphone][:, None]  # from each end
+        lines = [
+            chain.to_last * received[:, line.first][:, :, None] + chain.to_first * received[:, line.last][:, :, None]
+            for line, chain in zip(topology.lines, chains, strict=True)
+        ]
+        return lines[0] if len(lines) == 1 else xp.concatenate(lines, 2)
+
+    return tuple(map(heard, range(microphones)))
 
 
 class _Chain(NamedTuple):
-    """A line in the sensors of its own, (n_design, n_own + 2, ...): as designed, one part off each, all points off."""
+    """A line in all sensors."""
 
     series: Array
-    """Admittance between its ends, (n_design, n_own + 2, n_freq)."""
+    """Admittance between its ends, (n_design, n_sensor, n_freq)."""
     first: Array
     """Admittance to ground at its first end, shaped as ``series``."""
     last: Array
     """Admittance to ground at its last end, shaped as ``series``."""
     to_first: Array
-    """Inverse of the series admittance from each point to the first end, (n_design, n_own + 2, n_point, n_freq)."""
+    """Inverse of the series admittance from each point to the first end, (n_design, n_sensor, n_point, n_freq)."""
     to_last: Array
     """That to the last end, shaped as ``to_first``."""
 
@@ -115,25 +107,24 @@ class _Links(NamedTuple):
     """D - 1."""
 
 
-def _chain(xp: ModuleType, line: LineWiring, parts: PartsOff) -> _Chain:
+def _chain(xp: ModuleType, line: LineWiring, parts: PartsOff, before: int, behind: int) -> _Chain:
+    """A line which is as designed in so many sensors before and behind those in which a part of it is off."""
     columns, count = list(line.tubes), len(line.points)
     designed, off = (_links(xp, Tubes(*(values[:, columns] for values in tube))) for tube in parts.tubes)
     change = _Links(*(one - other for one, other in zip(off, designed, strict=True)))
     loads, *others, together = (_both_ways(xp, values[:, list(line.points)]) for values in parts.shunts)
-    nominal, behind = _from_the_end(xp, designed, loads)
-    rows = [nominal]
-    rows.append(nominal + _changes(xp, designed, change, loads, [each - loads for each in others], nominal, behind))
-    rows.append(_from_the_end(xp, designed, together)[0])
-    forth, back = xp.concatenate(rows, 2)
-    # backwards the parts and the points come in the opposite order
-    tubes, points = list(range(count, -1, -1)), list(range(count - 1, -1, -1))
-    sizes = [count + 1 + count * number for number in range(len(others) + 1)]
-    order = [0, *(1 + place for place in tubes), *(1 + start + place for start in sizes[:-1] for place in points)]
-    back = back[:, [*order, sizes[-1] + 1]]
+    nominal, followed = _from_the_end(xp, designed, loads)
+    off_alone = _each_off(xp, designed, change, loads, [each - loads for each in others], nominal, followed)
+    last = _from_the_end(xp, designed, together)[0]
+    ways = []
+    for way in (0, 1):  # backwards the parts come in the opposite order
+        each = [group[::-1] if way else group for group in off_alone]
+        own = [values[way] for group in each for values in group]
+        ways.append(xp.stack([*[nominal[way]] * before, *own, *[nominal[way]] * behind, last[way]], 1))
+    forth, back = ways
     series = inverse(forth[:, :, 1])
-    return _Chain(
-        series, forth[:, :, 0] * series, back[:, :, 0] * series, back[:, :, [2 + k for k in points]], forth[:, :, 2:]
-    )
+    of_ends = (each[:, :, 0] * series for each in ways)
+    return _Chain(series, *of_ends, back[:, :, list(range(count + 1, 1, -1))], forth[:, :, 2:])
 
 
 def _links(xp: ModuleType, tubes: Tubes) -> _Links:
@@ -154,23 +145,22 @@ def _from_the_end(xp: ModuleType, tubes: _Links, loads: Array) -> tuple[Array, l
     """Products of all matrices from the end of a chain to each of its parts.
 
     Returns:
-        D - 1 and B of the whole chain and B from each point to the end, (2, n_design, 1, 2 + n_point, n_freq); and the
+        D - 1 and B of the whole chain and B from each point to the end, (2, n_design, 2 + n_point, n_freq); and the
         entries B and D of what lies between each tube and the end, (2, n_design, n_freq) each.
     """
-    count = loads.shape[2]
     b, rest = xp.zeros_like(loads[:, :, 0]), xp.zeros_like(loads[:, :, 0])  # rest: D - 1
     behind, found = [], []
-    for place in range(count, -1, -1):
+    for place in range(loads.shape[2], -1, -1):
         behind.append((b, 1 + rest))
         own = [each[:, :, place] for each in tubes]
         b, rest = b + own[0] * b + own[1] * (1 + rest), own[2] * b + own[3] + rest + own[3] * rest
         found.append(b)
         if place:
             rest = rest + loads[:, :, place - 1] * b
-    return xp.stack([rest, found[-1], *found[-2::-1]], 2)[:, :, None], behind[::-1]
+    return xp.stack([rest, found[-1], *found[-2::-1]], 2), behind[::-1]
 
 
-def _changes(
+def _each_off(
     xp: ModuleType,
     tubes: _Links,
     change: _Links,
@@ -178,32 +168,26 @@ def _changes(
     changes: Sequence[Array],
     nominal: Array,
     behind: Sequence[tuple[Array, Array]],
-) -> Array:
-    """What each tube, then each load by each of its changes, adds to what :func:`_from_the_end` returns.
-
-    (2, n_design, n_changed, 2 + n_point, n_freq).
-    """
+) -> list[list[Array]]:
+    """What :func:`_from_the_end` returns first, with each tube off; then with each load by each of its changes."""
     count = loads.shape[2]
-    nothing = xp.zeros_like(loads)
-    one = 1 + nothing[:, :, :1]
+    nothing = xp.zeros_like(loads[:, :, :1])
+    one = 1 + nothing
     # rows of the products of all matrices up to a place: from the other end (0, 1) and (1, 0), from each point (1, 0)
-    first, second = xp.concatenate([nothing[:, :, :1], one], 2), xp.concatenate([one, nothing[:, :, :1]], 2)
-    of_tubes: list[Array] = []
-    of_loads: list[list[Array]] = [[] for _ in changes]
+    first, second = xp.concatenate([nothing, one], 2), xp.concatenate([one, nothing], 2)
+    found: list[list[Array]] = [[] for _ in range(1 + len(changes))]
     for place in range(count + 1):
+        begun, still = nominal[:, :, : place + 2], nominal[:, :, place + 2 :]
         a, b, c, d = (each[:, :, place, None] for each in tubes)
         more_a, more_b, more_c, more_d = (each[:, :, place, None] for each in change)
         b_behind, d_behind = (each[:, :, None] for each in behind[place])
-        none_yet = nothing[:, :, place:]
-        added = (first * more_b + second * more_d) * d_behind
-        if place < count:
-            added = added + (first * more_a + second * more_c) * b_behind
-        of_tubes.append(xp.concatenate([added, none_yet], 2))
+        added = first * (more_a * b_behind + more_b * d_behind) + second * (more_c * b_behind + more_d * d_behind)
+        found[0].append(xp.concatenate([begun + added, still], 2))
         first, second = first + first * a + second * c, first * b + second + second * d
         if place < count:
-            seen = second * nominal[:, :, :, 2 + place]
-            for found, each in zip(of_loads, changes, strict=True):
-                found.append(xp.concatenate([seen * each[:, :, place, None], none_yet], 2))
+            seen = second * nominal[:, :, 2 + place, None]
+            for group, each in zip(found[1:], changes, strict=True):
+                group.append(xp.concatenate([begun + seen * each[:, :, place, None], still], 2))
             first = xp.concatenate([first + second * loads[:, :, place, None], one], 2)
-            second = xp.concatenate([second, nothing[:, :, :1]], 2)
-    return xp.stack([*of_tubes, *(each for found in of_loads for each in found)], 2)
+            second = xp.concatenate([second, nothing], 2)
+    return found

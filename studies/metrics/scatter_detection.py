@@ -215,18 +215,17 @@ def _responses(topology: Topology, parts: PartsOff, designed: Points, own: slice
     return nominal.transfer_function, one_part_off(topology, off)
 
 
-def _of_responses(h: Any, heard: Any, noise: Array) -> Any:
+def _of_responses(h: Any, heard: Sequence[Any], noise: Array) -> Any:
     """Logarithms of the predicted errors, (n_design,).
 
     Args:
         h: (n_design, n_point, n_microphone, n_freq), those of :func:`_responses`.
-        heard: (n_design, n_sensor, n_point, n_microphone, n_freq), that of
-            :func:`acoustic_fem.batch.one_part_off.one_part_off`.
+        heard: what its sensors hear, as :func:`acoustic_fem.batch.one_part_off.one_part_off` has it.
         noise: (n_design, n_freq).
     """
     xp = namespace(h)
     first, second = np.triu_indices(h.shape[2], 1)
-    ratio = heard[:, :, :, first] / heard[:, :, :, second]  # (design, sensor, point, pair, frequency)
+    ratio = xp.stack([heard[a] / heard[b] for a, b in zip(first, second, strict=True)], 3)
     power = h.real**2 + h.imag**2
     weight = power[:, :, first] * power[:, :, second] / power.sum(2)[:, :, None]
     unknown = UNKNOWN**2 + xp.asarray(noise)[:, None, None] * (1 / power[:, :, first] + 1 / power[:, :, second])
