@@ -39,7 +39,7 @@ def one_part_off(topology: Topology, parts: PartsOff) -> tuple[Array, ...]:
         parts: what is off, each in turn.
 
     Returns:
-        For each microphone (n_design, n_sensor, n_point, n_freq) complex128. The first sensor is as designed; then, line
+        Of each microphone (n_design, n_sensor, n_point, n_freq) complex128. The first sensor is as designed; then line
         by line, one tube after the other is off, one point after the other by each of its deviations; then each
         chamber; in the last, all points together.
     """
