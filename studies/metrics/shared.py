@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from geometry.layout.size import array_size
+from studies.metrics.build import Volumes, volumes_of
 from studies.metrics.confusion import PredictedConfusion, predict_confusions
 from studies.metrics.responses import Complex, Responses, known
 from studies.metrics.separation import PairDistances, pair_distances
@@ -37,6 +38,7 @@ class SharedFigures:
         self._touches: dict[str, Complex] = {}
         self._vacuum: DiscResponse | None = None
         self._sizes: Array | None = None
+        self._volumes: list[Volumes] | None = None
 
     def distances(self, band: tuple[float, float]) -> PairDistances:
         """Distances of all pairs of points over a band, Hz."""
@@ -75,6 +77,12 @@ class SharedFigures:
             sizes = [array_size(design) for design in known(self.responses.designs)]
             self._sizes = np.array([(max(x, y), min(x, y), z) for x, y, z in sizes])
         return self._sizes
+
+    def volumes(self) -> list[Volumes]:
+        """Volumes of the parts of each design, as :func:`studies.metrics.build.volumes_of`."""
+        if self._volumes is None:
+            self._volumes = [volumes_of(design) for design in known(self.responses.designs)]
+        return self._volumes
 
 
 def _design_noise(responses: Responses) -> Array:

@@ -294,11 +294,11 @@ def _build() -> Iterable[Metric]:
         ("height", "mm", "height", "Of that box, from the lowest floor to the highest membrane or microphone.",
          lambda figures: figures.sizes()[:, 2], "smaller"),
         ("volume", "mm^3", "volume of all parts", "Shells, housings, boards, membranes and tubes, without their air.",
-         partial(_of_designs, build.volume), "smaller"),
-        ("mass", "g", "mass", "Of those parts and the microphones.", partial(_of_designs, build.mass),
+         partial(_of_parts, build.volume), "smaller"),
+        ("mass", "g", "mass", "Of those parts and the microphones.", partial(_of_parts, build.mass),
          "smaller"),
         ("cost", "USD", "cost of materials", "That of the bill of materials for one array; molds are left out.",
-         partial(_of_designs, build.cost), "smaller"),
+         partial(_of_parts, build.cost), "smaller"),
         ("smallest_wall", "mm", "thinnest printed wall", "Of walls, floors, lips and the cover of sockets.",
          partial(_of_designs, build.smallest_wall), "larger"),
     ):  # fmt: skip
@@ -310,6 +310,11 @@ def _build() -> Iterable[Metric]:
 
 def _of_designs(of_design: Callable[[ArrayDesign], float], figures: SharedFigures) -> Values:
     return np.array([of_design(design) for design in known(figures.responses.designs)])
+
+
+def _of_parts(of_design: Callable[[ArrayDesign, build.Volumes], float], figures: SharedFigures) -> Values:
+    designs = known(figures.responses.designs)
+    return np.array([of_design(*each) for each in zip(designs, figures.volumes(), strict=True)])
 
 
 #: All metrics by name.

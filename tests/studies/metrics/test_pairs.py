@@ -19,7 +19,7 @@ from acoustic_fem.library.noise import detection_limits
 from geometry.assembly.bill import Prices, bill_of_materials
 from geometry.layout.size import array_size
 from studies.metrics import build, shared
-from studies.metrics.build import _volumes
+from studies.metrics.build import volumes_of
 from studies.metrics.confusion import predict_confusion
 from studies.metrics.pairs import (
     DECIBEL,
@@ -286,7 +286,7 @@ def test_parts_have_the_volume_of_their_solids() -> None:
     parts = geometry.build_parts(design)
     solids = {name: parts[name].val().Volume() * count for name, count in parts.counts.items()}
     drawn = sum(volume for name, volume in solids.items() if not name.startswith("mold"))
-    tubes = sum(_volumes(design)[name][0] for name in ("wire", "sheath"))
+    tubes = sum(volumes_of(design)[name][0] for name in ("wire", "sheath"))
     # sockets are counted as straight cylinders in a flat wall
     assert build.volume(design) - tubes == pytest.approx(drawn, rel=0.025)
 
