@@ -115,16 +115,16 @@ def _chain(xp: ModuleType, line: LineWiring, parts: PartsOff, before: int, behin
     loads, *others, together = (_both_ways(xp, values[:, list(line.points)]) for values in parts.shunts)
     nominal, followed = _from_the_end(xp, designed, loads)
     off_alone = _each_off(xp, designed, change, loads, [each - loads for each in others], nominal, followed)
-    last = _from_the_end(xp, designed, together)[0]
+    all_off = _from_the_end(xp, designed, together)[0]
     ways = []
     for way in (0, 1):  # backwards the parts come in the opposite order
         each = [group[::-1] if way else group for group in off_alone]
         own = [values[way] for group in each for values in group]
-        ways.append(xp.stack([*[nominal[way]] * before, *own, *[nominal[way]] * behind, last[way]], 1))
+        ways.append(xp.stack([*[nominal[way]] * before, *own, *[nominal[way]] * behind, all_off[way]], 1))
     forth, back = ways
     series = inverse(forth[:, :, 1])
-    of_ends = (each[:, :, 0] * series for each in ways)
-    return _Chain(series, *of_ends, back[:, :, list(range(count + 1, 1, -1))], forth[:, :, 2:])
+    first, last = (each[:, :, 0] * series for each in ways)
+    return _Chain(series, first, last, back[:, :, list(range(count + 1, 1, -1))], forth[:, :, 2:])
 
 
 def _links(xp: ModuleType, tubes: Tubes) -> _Links:

@@ -225,7 +225,7 @@ def _of_responses(h: Any, heard: Sequence[Any], noise: Array) -> Any:
     """
     xp = namespace(h)
     first, second = np.triu_indices(h.shape[2], 1)
-    ratio = xp.stack([heard[a] / heard[b] for a, b in zip(first, second, strict=True)], 3)
+    ratio = xp.stack([heard[a] / heard[b] for a, b in zip(first.tolist(), second.tolist(), strict=True)], 3)
     power = h.real**2 + h.imag**2
     weight = power[:, :, first] * power[:, :, second] / power.sum(2)[:, :, None]
     unknown = UNKNOWN**2 + xp.asarray(noise)[:, None, None] * (1 / power[:, :, first] + 1 / power[:, :, second])
