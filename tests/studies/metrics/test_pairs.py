@@ -230,7 +230,7 @@ def test_distances_are_those_of_their_definition(h: xr.DataArray) -> None:
 
 def test_what_several_metrics_share_is_computed_once(monkeypatch: pytest.MonkeyPatch) -> None:
     asked: list[str] = []
-    for name in ("pair_distances", "predict_confusions", "touch_response", "lay_out", "array_size"):
+    for name in ("pair_distances", "predict_confusions", "touch_response", "array_size", "volumes_of"):
         own = getattr(shared, name)
         monkeypatch.setattr(shared, name, partial(lambda *given, _own, _name: (asked.append(_name), _own(*given))[1],
                                                   _own=own, _name=name))  # fmt: skip
@@ -241,10 +241,10 @@ def test_what_several_metrics_share_is_computed_once(monkeypatch: pytest.MonkeyP
             metric.of_batch(responses, figures)
     assert sorted(asked) == [
         "array_size",
-        "lay_out",
         *["pair_distances"] * 2,
         "predict_confusions",
         *["touch_response"] * 2,
+        "volumes_of",
     ]
 
 
