@@ -178,7 +178,7 @@ def join_parts(topology: Topology, tube: Tubes, point: Points, chamber: Chambers
             grounds[line.first] = grounds[line.first] + chain.shunts[0][of_line]
             grounds[line.last] = grounds[line.last] + chain.shunts[1][of_line]
             _add(series, (min(line.first, line.last), max(line.first, line.last)), chain.series[of_line])
-    impedance = _impedance(xp, grounds, series)
+    impedance = impedance_between(xp, grounds, series)
     received = impedance * chamber.ratio[:, None]  # (design, chamber, microphone, freq)
 
     sources, at_points = {}, {}
@@ -243,7 +243,7 @@ def _star_mesh(first: Array, ground: Array, last: Array) -> tuple[Array, Array, 
     return first * (last * total), last * share, first * share
 
 
-def _impedance(xp: ModuleType, grounds: list[Array], series: dict[tuple[int, int], Array]) -> Array:
+def impedance_between(xp: ModuleType, grounds: list[Array], series: dict[tuple[int, int], Array]) -> Array:
     """Impedance between nodes with admittances to ground and between them: (n_design, n, n, n_freq).
 
     Nodes are eliminated from the last to the first and put back, by the star-mesh rule.

@@ -22,7 +22,7 @@ def changed(data: Mapping[str, Any], values: Mapping[str, Any], name: str) -> di
     Raises:
         UnknownField: no such field.
     """
-    copy: dict[str, Any] = as_lists(data)
+    copy = dict(data)
     for field, value in values.items():
         _set(copy, field, value.model_dump() if isinstance(value, BaseModel) else value, name)
     return copy
@@ -32,7 +32,7 @@ def check_name(data: Any, name: str, source: str) -> None:
     """Refuse a dotted name at which nothing can be set.
 
     Args:
-        data: the design as :func:`as_lists` gives it.
+        data: tables as dictionaries, tuples or lists of tables.
         name: for example ``lines.0.points``.
         source: name of the design, for messages.
 
@@ -50,16 +50,18 @@ def check_name(data: Any, name: str, source: str) -> None:
         known = keys_of(place)
         if step not in known and not (free and depth == len(steps) - 1):
             raise UnknownField(f"{source}: {name} is not a field of this design{nearest(step, known)}")
-        place = place[int(step)] if isinstance(place, list) else place.get(step)
+        place = place[int(step)] if isinstance(place, (list, tuple)) else place.get(step)
 
 
-def _set(data: Any, name: str, value: Any, source: str) -> None:
-    """Put a value at a dotted name of a design as lists and dictionaries."""
+def _set(data: dict[str, Any], name: str, value: Any, source: str) -> None:
+    """Put a value at a dotted name of a design; tables on the way to it are copied, all others are left as they are."""
     check_name(data, name, source)
     *way, last = name.split(".")
-    place = data
+    place: Any = data
     for step in way:
-        place = place[int(step)] if isinstance(place, list) else place[step]
+        key = int(step) if isinstance(place, list) else step
+        place[key] = dict(place[key]) if isinstance(place[key], dict) else list(place[key])
+        place = place[key]
     if isinstance(place, list):
         place[int(last)] = value
         return
@@ -71,7 +73,7 @@ def _set(data: Any, name: str, value: Any, source: str) -> None:
 
 def keys_of(place: Any) -> list[str]:
     """Names that may follow in a dotted name: indices of a list, keys of a table and what may stand in their place."""
-    if isinstance(place, list):
+    if isinstance(place, (list, tuple)):
         return [str(index) for index in range(len(place))]
     if not isinstance(place, dict):
         return []

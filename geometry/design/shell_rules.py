@@ -162,6 +162,12 @@ def seat_underside(microphone: Microphone, hole: float) -> float:
     return underside
 
 
+def membrane_top(design: StatedArray) -> float:
+    """Height of the membrane's top with its rim or boss above the floor of the cavity, mm; of points that are alike."""
+    membrane = design.membrane
+    return design.resonator.cavity_height + membrane.mounted_thickness + membrane.total_height - membrane.thickness
+
+
 def ledge_height(resonator: Resonator, membrane: Membrane, printing: Printing) -> float:
     """Height of the ledge that centres the membrane on the seat of a shell, mm; 0 where the shell is too narrow."""
     seat = resonator.cavity_diameter / 2 + membrane.rim_width + printing.glue_gap

@@ -56,8 +56,12 @@ def place_housings(design: ArrayDesign) -> Housings:
     return _housed(design)[0]
 
 
-def _housed(design: ArrayDesign) -> tuple[Housings, list[Run], list[list[float]]]:
-    """The housings, the lines they lie on, and how far each tube between the points of a line bows, degrees."""
+def point_axes(design: ArrayDesign) -> NDArray[np.float64]:
+    """Axes of all points in plan, those of :func:`lay_out`; (n_point, 2) float64, mm."""
+    return np.vstack([run.positions for run in _runs(design, surface_of(design))])
+
+
+def _runs(design: ArrayDesign, surface: Plane | Cylinder) -> list[Run]:
     builders = {
         "serpentine": serpentine_runs,
         "cylinder": serpentine_runs,
@@ -65,8 +69,13 @@ def _housed(design: ArrayDesign) -> tuple[Housings, list[Run], list[list[float]]
         "area": area_runs,
         "hand": hand_runs,
     }
+    return builders[design.layout.kind](design, surface)
+
+
+def _housed(design: ArrayDesign) -> tuple[Housings, list[Run], list[list[float]]]:
+    """The housings, the lines they lie on, and how far each tube between the points of a line bows, degrees."""
     surface = surface_of(design)
-    runs = builders[design.layout.kind](design, surface)
+    runs = _runs(design, surface)
     ends = [end for run in runs for end in run.ends]
     microphones = _microphones(design, ends, np.vstack([run.positions for run in runs]))
     bows = [_bows(design, index, run, surface) for index, run in enumerate(runs)]

@@ -8,9 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from geometry.design.array_design import ArrayDesign
-from geometry.design.shell_rules import FOOT_EDGE, ledge_height
+from geometry.design.shell_rules import FOOT_EDGE, ledge_height, membrane_top
 from geometry.layout.arrangement import lay_out
 from geometry.layout.placement import ArrayLayout, MicrophonePlacement, TubePlacement, microphone_ports, point_ports
+from geometry.layout.straight_rows import is_wide_apart, straight_size
 from geometry.plan.cylinder import Frame
 from geometry.plan.routing import unit
 from geometry.stated.ports import ANGLE_STEP, foot_directions, in_common_rotation
@@ -27,6 +28,8 @@ def array_size(design: ArrayDesign, layout: ArrayLayout | None = None) -> tuple[
         design: the array.
         layout: where its parts lie, where it is known already.
     """
+    if layout is None and not design.shell.feet and is_wide_apart(design):
+        return straight_size(design)
     layout = lay_out(design) if layout is None else layout
     low, high = np.full(3, np.inf), np.full(3, -np.inf)
     for ends in _ends(design, layout):
@@ -60,10 +63,8 @@ def _shells(design: ArrayDesign, points: Sequence[Frame]) -> Iterator[Array]:
     resonator, membrane = design.resonator, design.membrane
     outer, top = resonator.outer_diameter / 2, resonator.cavity_height
     disc = resonator.cavity_diameter / 2 + membrane.rim_width
-    ledge = ledge_height(resonator, membrane, design.printing)
-    yield _upright(points, outer, -resonator.floor_thickness, top + ledge)
-    raised = membrane.total_height - membrane.thickness
-    yield _upright(points, disc, top, top + membrane.mounted_thickness + raised)
+    yield _upright(points, outer, -resonator.floor_thickness, top + ledge_height(resonator, membrane, design.printing))
+    yield _upright(points, disc, top, membrane_top(design))
 
 
 def _upright(frames: Sequence[Frame], radius: float, bottom: float, top: float) -> Array:

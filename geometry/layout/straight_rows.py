@@ -1,11 +1,13 @@
-"""Serpentines of straight tubes whose parts lie so far apart that nothing can overlap: known from lengths alone."""
+"""Serpentines of straight tubes, told from lengths alone: whether nothing can overlap, and how large they are."""
 
 from __future__ import annotations
 
 import math
 
 from geometry.design.array_design import ArrayDesign
-from geometry.design.shell_rules import FOOT_EDGE
+from geometry.design.shell_rules import FOOT_EDGE, ledge_height, membrane_top
+from geometry.layout.lines_in_plan import serpentine_runs
+from geometry.plan.cylinder import Plane
 from geometry.stated.cavity_shapes import wall_distance
 from geometry.stated.ports import Port, web_problem
 
@@ -47,6 +49,44 @@ def is_wide_apart(design: ArrayDesign) -> bool:
             if web_problem((widest[0], widest[1]), (mouths[0], mouths[1]), shoulder, gap):
                 return False
     return True
+
+
+def straight_size(design: ArrayDesign) -> tuple[float, float, float]:
+    """Extent along x, y and z, mm, of an array without feet that :func:`is_wide_apart` holds of.
+
+    That of :func:`geometry.layout.size.array_size`, from lengths alone: its tubes lie between housings that are wider,
+    and every seat of a board along x or y.
+    """
+    microphone, axis = design.microphone, design.resonator.port_axis_height
+    bottom = axis - microphone.chamber_height / 2
+    seat = bottom + microphone.chamber_height
+    reach, heights = 0.0, [bottom - microphone.wall_thickness, seat]
+    heights.append(seat + microphone.sound_hole_length + microphone.package_height)
+    heights += [axis + side * tube.outer_diameter / 2 for tube in design.tubes for side in (-1, 1)]
+    for kind in design.kinds:
+        alike = design.of_kind(kind)
+        resonator, membrane = alike.resonator, alike.membrane
+        reach = max(reach, resonator.outer_diameter / 2, resonator.cavity_diameter / 2 + membrane.rim_width)
+        wall = resonator.cavity_height + ledge_height(resonator, membrane, design.printing)
+        heights += [-resonator.floor_thickness, wall, membrane_top(alike)]
+    chamber = microphone.chamber_diameter / 2 + microphone.wall_thickness
+    length, width = (
+        max(side / 2 + microphone.board_gap + microphone.wall_thickness, chamber) for side in microphone.board_size
+    )
+    across: list[float] = []
+    along: list[float] = []
+    for run in serpentine_runs(design, Plane()):
+        x, y = run.positions.T.tolist()
+        across += (min(x) - reach, max(x) + reach)
+        along += (min(y) - reach, max(y) + reach)
+        for end in run.ends:
+            x, y = end.target.tolist()
+            beside, before = (width, length) if end.direction in (90.0, 270.0) else (length, width)
+            across += (x - beside, x + beside)
+            along += (y - before, y + before)
+    size = (max(values) - min(values) for values in (across, along, heights))
+    x, y, z = (round(side, 9) for side in size)
+    return x, y, z
 
 
 def _points_upwards(points: int, columns: int) -> bool:

@@ -19,25 +19,31 @@ DENSITIES = {
     "sheath": (950.0, "polyethylene, polyurethane 1100: assumed"),
     "boards": (1850.0, "glass-fibre epoxy laminate"),
 }
+#: Name -> volume of all such parts, mm^3, and density, kg/m^3.
+Volumes = dict[str, tuple[float, float]]
 MICROPHONE_MASS = (0.025, "g, a MEMS package of 3.5 x 2.65 x 1 mm: assumed")
 
 
-def volume(design: ArrayDesign) -> float:
-    """Volume of shells, housings, boards, membranes and tubes, without the air in them, mm^3."""
-    return sum(part for part, _ in _volumes(design).values())
+def volume(design: ArrayDesign, parts: Volumes | None = None) -> float:
+    """Volume of shells, housings, boards, membranes and tubes, without the air in them, mm^3.
+
+    Here and below ``parts`` are those of :func:`volumes_of`, where they are known already.
+    """
+    return sum(part for part, _ in (parts or volumes_of(design)).values())
 
 
-def mass(design: ArrayDesign) -> float:
+def mass(design: ArrayDesign, parts: Volumes | None = None) -> float:
     """Mass of all parts and the microphones, g."""
-    own = sum(part * density * 1e-6 for part, density in _volumes(design).values())
+    own = sum(part * density * 1e-6 for part, density in (parts or volumes_of(design)).values())
     return own + len(design.microphones) * MICROPHONE_MASS[0]
 
 
-def cost(design: ArrayDesign) -> float:
+def cost(design: ArrayDesign, parts: Volumes | None = None) -> float:
     """Cost of one array, as :func:`geometry.bill_of_materials` has it, molds left out, at its assumed prices, USD."""
     from geometry.assembly.bill import Prices
 
-    volumes, prices, tubes, microphones = _volumes(design), Prices(), list(_tubes(design)), len(design.microphones)
+    volumes, prices, tubes = parts or volumes_of(design), Prices(), list(_tubes(design))
+    microphones = len(design.microphones)
     resin = sum(volumes[name][0] for name in ("shells", "housings"))
     # As if no spring were bent: the bends are not worth a layout.
     length = sum(count * (tube.length - 2 * design.printing.port_lip + prices.cutting_loss) for tube, count in tubes)
@@ -71,7 +77,7 @@ def _walls(design: ArrayDesign) -> Iterator[float]:
         yield microphone.chamber_height / 2 - hole
 
 
-def _volumes(design: ArrayDesign) -> dict[str, tuple[float, float]]:
+def volumes_of(design: ArrayDesign) -> Volumes:
     """Name -> volume of all such parts, mm^3, and density, kg/m^3."""
     resonator, microphone, membrane = design.resonator, design.microphone, design.membrane
     resin = design.material(design.printing.material).density

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from acoustic_fem.quantities.checks import in_range
 from geometry.design.array_design import ArrayDesign
-from geometry.layout.arrangement import lay_out
+from geometry.layout.arrangement import point_axes
 from geometry.layout.placement import ArrayLayout
 
 Array = NDArray[np.float64]
@@ -26,7 +26,8 @@ def coverage(design: ArrayDesign, radius: float = FINGER, layout: ArrayLayout | 
     """Share of an array's area in which the middle of a round contact may lie and it still touches a membrane.
 
     The area is the convex hull of all membranes, in plan; what lies between lines that are far apart counts, for
-    whoever touches it is not felt. Summed over lines along x that are 1/720 of its height apart: within 1e-3.
+    whoever touches it is not felt. Summed over lines along x that are 1/720 of its height apart, within 1e-3; where one
+    half of the array is the mirror image of the other, over those of one half.
 
     Args:
         design: the array.
@@ -37,32 +38,39 @@ def coverage(design: ArrayDesign, radius: float = FINGER, layout: ArrayLayout | 
         Refusal: a radius out of range.
     """
     in_range("radius", radius, 0.0, 1000.0, "mm")
-    layout = lay_out(design) if layout is None else layout
-    place = np.array([point.position for point in layout.points])
+    place = point_axes(design) if layout is None else np.array([point.position for point in layout.points])
     kinds = [design.of_kind(kind).resonator.cavity_diameter / 2 for kind in design.kinds]
     own = np.array(kinds)[list(design.kind_of_point)]
-    height, left, right = _hull(place, own)
-    half = np.sqrt(np.maximum((own + radius) ** 2 - (height[:, None] - place[:, 1]) ** 2, 0.0))
-    ends = np.stack([place[:, 0] - half, place[:, 0] + half])
-    np.maximum(ends, left[:, None], out=ends)
-    np.minimum(ends, right[:, None], out=ends)
-    return min(float(_together(*ends) / (right - left).sum()), 1.0)
+    height, left, right = _hull(place, own, _LINES // 2 if _is_mirrored(place, own) else _LINES)
+    # a row for each point: the long axis is the last one
+    x, y, reach = place[:, :1], place[:, 1:], own[:, None] + radius
+    half = np.sqrt(np.maximum(reach**2 - (height - y) ** 2, 0.0))
+    begin, end = x - half, x + half
+    for ends in (begin, end):
+        np.clip(ends, left, right, out=ends)
+    return min(float(_together(begin.T, end.T) / (right - left).sum()), 1.0)
 
 
-def _hull(place: Array, radius: Array) -> tuple[Array, Array, Array]:
-    """Lines across the hull of discs, their height y and the ends of them inside it, each (n_line,) mm."""
+def _is_mirrored(place: Array, radius: Array) -> bool:
+    """Whether the lines of the lower half of the discs' hull cross it as those of the upper half do, to rounding."""
+    seen = np.column_stack([place[:, 1], place[:, 0], radius])
+    image = seen * (-1, 1, 1) + (place[:, 1].min() + place[:, 1].max(), 0, 0)
+    one, other = (each[np.lexsort(each.T[::-1])] for each in (seen, image))
+    return bool(np.abs(one - other).max() <= 1e-13 * np.abs(seen).max())
+
+
+def _hull(place: Array, radius: Array, lines: int = _LINES) -> tuple[Array, Array, Array]:
+    """The lowest of the lines across the hull of discs, their height y and the ends inside it, each (lines,) mm."""
     rim = _rim(place, radius)
     low, high = rim[:, 1].min(), rim[:, 1].max()
-    height = low + (np.arange(_LINES) + 0.5) / _LINES * (high - low)
-    start, stop = rim, np.roll(rim, -1, axis=0)
-    # Anticlockwise: the edges that go up are the right side, those that go down the left one.
-    sides = []
-    for rising in (False, True):
-        kept = (stop[:, 1] > start[:, 1]) == rising
-        corners = np.concatenate([start[kept], stop[kept]])
-        order = np.argsort(corners[:, 1], kind="stable")
-        sides.append(np.interp(height, corners[order, 1], corners[order, 0]))
-    return height, sides[0], sides[1]
+    height = low + (np.arange(lines) + 0.5) / _LINES * (high - low)
+    # anticlockwise: what goes up from the lowest corner is the right side, what comes down to it again the left one
+    lowest, highest = rim[:, 1].argmin(), rim[:, 1].argmax()
+    right, left = (
+        np.concatenate([rim, rim])[start : start + (stop - start) % len(rim) + 1].T
+        for start, stop in ((lowest, highest), (highest, lowest))
+    )
+    return height, np.interp(height, *left[::-1, ::-1]), np.interp(height, *right[::-1])
 
 
 def _rim(place: Array, radius: Array) -> Array:
@@ -81,7 +89,9 @@ def _rim(place: Array, radius: Array) -> Array:
 
         every = (place[:, None] + radius[:, None, None] * _CORNER).reshape(-1, 2)
         return np.asarray(every[ConvexHull(every).vertices])
-    return np.insert(stop, turns, start[turns], axis=0)
+    corners = np.repeat(stop, 1 + (furthest != before), axis=0)
+    corners[turns + np.arange(len(turns))] = start[turns]
+    return corners
 
 
 def _together(begin: Array, end: Array) -> float:
@@ -90,5 +100,5 @@ def _together(begin: Array, end: Array) -> float:
     Between the first begin and the last end it leaves out where as many have ended as have begun.
     """
     begin, end = np.sort(begin, axis=1), np.sort(end, axis=1)
-    between = np.maximum(begin[:, 1:] - end[:, :-1], 0.0)
-    return float((end[:, -1] - begin[:, 0]).sum() - between.sum())
+    between = begin[:, 1:] - end[:, :-1]
+    return float((end[:, -1] - begin[:, 0]).sum() - np.maximum(between, 0.0, out=between).sum())

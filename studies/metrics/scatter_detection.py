@@ -23,9 +23,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from acoustic_fem.batch.elements import Chambers, Conditions, Points, Tubes, chambers, points, tubes
+from acoustic_fem.batch.elements import Conditions, Points, chambers, points, tubes
 from acoustic_fem.batch.network import join_parts
 from acoustic_fem.batch.numpy_or_torch import namespace
+from acoustic_fem.batch.one_part_off import PartsOff, one_part_off
 from acoustic_fem.batch.parameters import PART, ArrayParameters
 from acoustic_fem.batch.topology import Topology
 from acoustic_fem.quantities.local_air import design_air
@@ -55,7 +56,7 @@ frame of 250 ms has in that band."""
 #: Deviation of each part, a fraction.
 _DEVIATIONS = {each.quantity: each.deviation for each in UNCALIBRATED}
 #: Values of sensors worked on at once (designs x sensors x points x frequencies).
-_CHUNK = 20_000
+_CHUNK = 100_000
 #: Step by which a field of the design is changed for a slope, as a fraction.
 _STEP = 1e-3
 
@@ -153,18 +154,20 @@ def _logarithms(topology: Topology, parameters: ArrayParameters, air: Medium, no
     if count < 2:
         raise Refusal(f"lines.0.points = {count} must be at least 2: of one point nothing is confused")
     xp = parameters.namespace
-    parts, places = _parts(parameters, air), _places(topology)
-    step = max(1, _CHUNK // (len(places[0]) * count * len(FREQUENCIES)))
+    parts, designed = _parts(parameters, air)
+    step = max(1, _CHUNK // ((4 * count + 3) * count * len(FREQUENCIES)))
     with np.errstate(divide="ignore"):  # where nothing is confused
         pieces = [
-            _of_responses(_responses(topology, parts, places, slice(first, first + step)), noise[first : first + step])
+            _of_responses(
+                *_responses(topology, parts, designed, slice(first, first + step)), noise[first : first + step]
+            )
             for first in range(0, len(noise), step)
         ]
     return xp.concatenate(pieces)
 
 
-def _parts(nominal: ArrayParameters, air: Medium) -> tuple[Tubes, Points, Chambers]:
-    """Parts in the columns of :func:`_places`: as designed, and with each of their deviations."""
+def _parts(nominal: ArrayParameters, air: Medium) -> tuple[PartsOff, Points]:
+    """Parts as designed and with each of their deviations, and the points as designed."""
     xp = nominal.namespace
     columns = {"tube": 2, "point": 4, "microphone": 2}
     wide: dict[str, Any] = {}
@@ -185,59 +188,45 @@ def _parts(nominal: ArrayParameters, air: Medium) -> tuple[Tubes, Points, Chambe
     wide["chamber_height"] = wide["chamber_height"] * factors("chamber_height", None, "chamber_height")
     made = ArrayParameters(**wide)
     conditions = Conditions.of(xp.asarray(2 * np.pi * FREQUENCIES), air)
-    return tubes(made, conditions), points(made, conditions), chambers(made, conditions)
+    tube, point, chamber = tubes(made, conditions), points(made, conditions), chambers(made, conditions)
+
+    def groups(part: Any, count: int) -> Any:
+        """The parts as designed, then with each deviation."""
+        size = part[0].shape[1] // count
+        return tuple(
+            type(part)(*(None if values is None else values[:, start : start + size] for values in part))
+            for start in range(0, size * count, size)
+        )
+
+    of_points = groups(point, columns["point"])
+    shunts = tuple(each.shunt for each in of_points)
+    return PartsOff(groups(tube, columns["tube"]), shunts, groups(chamber, columns["microphone"])), of_points[0]
 
 
-def _places(topology: Topology) -> tuple[NDArray[np.intp], NDArray[np.intp], NDArray[np.intp]]:
-    """Columns of :func:`_parts` that the tubes, points and microphones of each sensor have, (n_sensor, n_part) each.
+def _responses(topology: Topology, parts: PartsOff, designed: Points, own: slice) -> tuple[Any, Any]:
+    """Transfer functions of some designs, (n_design, n_point, n_microphone, n_freq), and what their sensors hear."""
 
-    The first sensor is as designed; of the others each has one part one deviation off, the last all moduli.
-    """
-    tube = np.array([column for line in topology.lines for column in line.tubes])
-    point = np.array([column for line in topology.lines for column in line.points])
-    chamber = np.array(topology.microphones)
-    sizes = len(tube), len(point), len(point), len(chamber)
-    start = 1 + np.concatenate([[0], np.cumsum(sizes)])
+    def cut(part: Any) -> Any:
+        return type(part)(*(None if values is None else values[own] for values in part))
 
-    def place(own: NDArray[np.intp], *deviated: int) -> NDArray[np.intp]:
-        """Own columns everywhere, but one part after the other those of its first, second, ... deviation."""
-        rows = np.tile(own, (start[-1] + 1, 1))
-        for number, group in enumerate(deviated, 1):
-            each = np.arange(len(own))
-            rows[start[group] + each, each] += number * (own.max() + 1)
-        return rows
-
-    of_points = place(point, 1, 2)
-    of_points[-1] += 3 * (point.max() + 1)
-    return place(tube, 0), of_points, place(chamber, 3)
+    tube, chamber = (tuple(cut(each) for each in both) for both in (parts.tubes, parts.chambers))
+    off = PartsOff(tube, tuple(shunt[own] for shunt in parts.shunts), chamber)
+    nominal = join_parts(topology, tube[0], cut(designed), chamber[0], len(off.shunts[0]))
+    return nominal.transfer_function, one_part_off(topology, off)
 
 
-def _responses(
-    topology: Topology, parts: tuple[Tubes, Points, Chambers], places: Sequence[NDArray[np.intp]], designs: slice
-) -> Any:
-    """Transfer functions of all sensors of some designs, (n_design, n_sensor, n_point, n_microphone, n_freq)."""
-    tube, point, chamber = (
-        [None if each is None else each[designs][:, rows].reshape(-1, rows.shape[1], len(FREQUENCIES)) for each in part]
-        for part, rows in zip(parts, places, strict=True)
-    )
-    count, sensors = len(parts[0].series[designs]), len(places[0])
-    h = join_parts(
-        topology.individual(), Tubes(*tube), Points(*point), Chambers(*chamber), count * sensors
-    ).transfer_function
-    return h.reshape(count, sensors, *h.shape[1:])
-
-
-def _of_responses(h: Any, noise: Array) -> Any:
+def _of_responses(h: Any, heard: Sequence[Any], noise: Array) -> Any:
     """Logarithms of the predicted errors, (n_design,).
 
     Args:
-        h: (n_design, n_sensor, n_point, n_microphone, n_freq), those of :func:`_responses`.
+        h: (n_design, n_point, n_microphone, n_freq), those of :func:`_responses`.
+        heard: what its sensors hear, as :func:`acoustic_fem.batch.one_part_off.one_part_off` has it.
         noise: (n_design, n_freq).
     """
     xp = namespace(h)
-    first, second = np.triu_indices(h.shape[3], 1)
-    ratio = h[:, :, :, first] / h[:, :, :, second]  # (design, sensor, point, pair, frequency)
-    power = h[:, 0].real ** 2 + h[:, 0].imag ** 2
+    first, second = np.triu_indices(h.shape[2], 1)
+    ratio = xp.stack([heard[a] / heard[b] for a, b in zip(first.tolist(), second.tolist(), strict=True)], 3)
+    power = h.real**2 + h.imag**2
     weight = power[:, :, first] * power[:, :, second] / power.sum(2)[:, :, None]
     unknown = UNKNOWN**2 + xp.asarray(noise)[:, None, None] * (1 / power[:, :, first] + 1 / power[:, :, second])
     weight, unknown = (xp.concatenate([values, values], -1)[:, :, None] for values in (weight, unknown))
@@ -251,13 +240,13 @@ def _of_responses(h: Any, noise: Array) -> Any:
     moved = seen @ xp.moveaxis(moves, 1, 3)
     spread = (moved * moved).sum(-1) + (weighed * weighed * unknown).sum((3, 4))
     distance = (weighed * apart).sum((3, 4))
-    others = ~np.eye(h.shape[2], dtype=bool)
+    others = ~np.eye(h.shape[1], dtype=bool)
     argument = distance[:, others] / xp.sqrt(8 * spread[:, others])
     if xp is np:
         from scipy.special import erfc
     else:
         erfc = xp.special.erfc
-    error = erfc(argument).reshape(len(h), h.shape[2], -1) / 2
+    error = erfc(argument).reshape(len(h), h.shape[1], -1) / 2
     mean, worst = error.sum(2).mean(1), (error**4).sum(2).mean(1) ** 0.25
     return (xp.log(mean) + WORST * xp.log(worst)) / (1 + WORST)
 
@@ -265,7 +254,8 @@ def _of_responses(h: Any, noise: Array) -> Any:
 def _logarithm_of(values: Any) -> Any:
     """Real and imaginary parts of logarithms, (..., 2 n_freq); ten times as fast as the complex function of NumPy."""
     xp = namespace(values)
-    return xp.concatenate([xp.log(abs(values)), xp.arctan2(values.imag, values.real)], -1)
+    real, imaginary = values.real, values.imag
+    return xp.concatenate([xp.log(real * real + imaginary * imaginary) / 2, xp.arctan2(imaginary, real)], -1)
 
 
 def _of_gains(first: NDArray[np.intp], second: NDArray[np.intp]) -> Array:

@@ -8,9 +8,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from geometry.layout.arrangement import lay_out
-from geometry.layout.placement import ArrayLayout
 from geometry.layout.size import array_size
+from studies.metrics.build import Volumes, volumes_of
 from studies.metrics.confusion import PredictedConfusion, predict_confusions
 from studies.metrics.responses import Complex, Responses, known
 from studies.metrics.separation import PairDistances, pair_distances
@@ -38,8 +37,8 @@ class SharedFigures:
         self._confusion: dict[float | None, PredictedConfusion] = {}
         self._touches: dict[str, Complex] = {}
         self._vacuum: DiscResponse | None = None
-        self._layouts: list[ArrayLayout] | None = None
         self._sizes: Array | None = None
+        self._volumes: list[Volumes] | None = None
 
     def distances(self, band: tuple[float, float]) -> PairDistances:
         """Distances of all pairs of points over a band, Hz."""
@@ -72,19 +71,18 @@ class SharedFigures:
             self._touches[touch] = touch_response(self.responses, touch, self._vacuum)
         return self._touches[touch]
 
-    def layouts(self) -> list[ArrayLayout]:
-        """Where the parts of each design lie."""
-        if self._layouts is None:
-            self._layouts = [lay_out(design) for design in known(self.responses.designs)]
-        return self._layouts
-
     def sizes(self) -> Array:
         """Length, width and height of each design, (n_design, 3) float64, mm: length is the longer side."""
         if self._sizes is None:
-            placed = zip(known(self.responses.designs), self.layouts(), strict=True)
-            sizes = [array_size(design, layout) for design, layout in placed]
+            sizes = [array_size(design) for design in known(self.responses.designs)]
             self._sizes = np.array([(max(x, y), min(x, y), z) for x, y, z in sizes])
         return self._sizes
+
+    def volumes(self) -> list[Volumes]:
+        """Volumes of the parts of each design, as :func:`studies.metrics.build.volumes_of`."""
+        if self._volumes is None:
+            self._volumes = [volumes_of(design) for design in known(self.responses.designs)]
+        return self._volumes
 
 
 def _design_noise(responses: Responses) -> Array:

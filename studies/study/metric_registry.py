@@ -287,18 +287,18 @@ def _touches() -> Iterable[Metric]:
 def _build() -> Iterable[Metric]:
     for name, unit, long_name, definition, compute, better in (
         ("coverage", "1", "coverage", "Share of the area within the hull of all membranes, in plan, in which a "
-         f"contact of {FINGER:g} mm radius reaches a membrane.", _coverage, "larger"),
+         f"contact of {FINGER:g} mm radius reaches a membrane.", partial(_of_designs, coverage), "larger"),
         ("length", "mm", "length", "Longer side of the box around all that is built, tubes and boards included.",
          lambda figures: figures.sizes()[:, 0], "smaller"),
         ("width", "mm", "width", "Shorter side of that box.", lambda figures: figures.sizes()[:, 1], "smaller"),
         ("height", "mm", "height", "Of that box, from the lowest floor to the highest membrane or microphone.",
          lambda figures: figures.sizes()[:, 2], "smaller"),
         ("volume", "mm^3", "volume of all parts", "Shells, housings, boards, membranes and tubes, without their air.",
-         partial(_of_designs, build.volume), "smaller"),
-        ("mass", "g", "mass", "Of those parts and the microphones.", partial(_of_designs, build.mass),
+         partial(_of_parts, build.volume), "smaller"),
+        ("mass", "g", "mass", "Of those parts and the microphones.", partial(_of_parts, build.mass),
          "smaller"),
         ("cost", "USD", "cost of materials", "That of the bill of materials for one array; molds are left out.",
-         partial(_of_designs, build.cost), "smaller"),
+         partial(_of_parts, build.cost), "smaller"),
         ("smallest_wall", "mm", "thinnest printed wall", "Of walls, floors, lips and the cover of sockets.",
          partial(_of_designs, build.smallest_wall), "larger"),
     ):  # fmt: skip
@@ -308,13 +308,13 @@ def _build() -> Iterable[Metric]:
         )  # fmt: skip
 
 
-def _coverage(figures: SharedFigures) -> Values:
-    placed = zip(known(figures.responses.designs), figures.layouts(), strict=True)
-    return np.array([coverage(design, FINGER, layout) for design, layout in placed])
-
-
 def _of_designs(of_design: Callable[[ArrayDesign], float], figures: SharedFigures) -> Values:
     return np.array([of_design(design) for design in known(figures.responses.designs)])
+
+
+def _of_parts(of_design: Callable[[ArrayDesign, build.Volumes], float], figures: SharedFigures) -> Values:
+    designs = known(figures.responses.designs)
+    return np.array([of_design(*each) for each in zip(designs, figures.volumes(), strict=True)])
 
 
 #: All metrics by name.

@@ -56,9 +56,14 @@ class Labelled(Protocol):
 
 
 def block_size(study: Study, cases: Cases) -> int:
-    """Number of cases per block, by the study alone: enough to be fast, few enough for memory and for sharing."""
+    """Number of cases per block, by the study alone: enough to be fast, few enough for memory and for sharing.
+
+    The number of blocks is a multiple of four where it can be: two or four workers then end together.
+    """
     values = point_count(cases) * len(study.base.microphones) * len(study.frequency)
-    return max(1, min(_BLOCK_VALUES // values, -(-len(cases) // 16), _LARGEST_BLOCK))
+    largest = max(1, min(_BLOCK_VALUES // values, -(-len(cases) // 16), _LARGEST_BLOCK))
+    blocks = 4 * -(-len(cases) // (4 * largest))
+    return -(-len(cases) // blocks)
 
 
 def point_count(cases: Cases) -> int:

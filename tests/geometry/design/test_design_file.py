@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import tomllib
+from copy import deepcopy
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +16,7 @@ from rings import rectangle, triangle
 import geometry
 from acoustic_fem.duct.coil_bore import CoilBore
 from geometry.design.array_design import ArrayDesign
+from geometry.design.changes import changed
 from geometry.design.design_file import prototype_text, read_design, read_stored_design, write_design
 from geometry.stated.declared import fields_of
 from geometry.stated.fields import DesignError
@@ -455,6 +457,15 @@ def test_a_changed_copy_differs_in_that_field_only() -> None:
     assert changed.lines[1].tube.length == 20.0
     assert changed.point_count == 64 - 9
     assert changed.with_values({"lines.1.tube.length": 14.0, "lines.0.points": 16, "air.pressure": 101325.0}) == design
+
+
+def test_a_change_leaves_the_tables_it_was_made_from_as_they_were() -> None:
+    before = geometry.prototype("array-2x6").model_dump()
+    kept = deepcopy(before)
+    copy = changed(before, {"tube.inner_diameter": 0.5, "lines.0.points": 6, "lines.0.between": ["B", "A"]}, "array")
+    assert before == kept
+    assert copy["lines"][0] == {**kept["lines"][0], "points": 6, "between": ["B", "A"]}
+    assert copy["tube"] == {**kept["tube"], "inner_diameter": 0.5}
 
 
 def test_a_changed_spring_changes_the_bore() -> None:

@@ -8,7 +8,7 @@ import geometry
 from geometry.layout.arrangement import lay_out
 from geometry.refusal import Refusal
 from studies.metrics import coverage
-from studies.metrics.covered_area import _CORNER, _rim, _together
+from studies.metrics.covered_area import _CORNER, _hull, _is_mirrored, _rim, _together
 
 
 def by_points(design, radius, count=40_000):
@@ -72,3 +72,18 @@ def test_intervals_that_overlap_touch_or_are_empty_count_once():
     cells = np.arange(60) + 0.5
     covered = ((begin[..., None] < cells) & (cells < end[..., None])).any(axis=1).sum()
     assert _together(begin, end) == covered
+
+
+@pytest.mark.parametrize("columns", [1, 4, 6])
+def test_where_the_array_is_its_mirror_image_the_lines_of_one_half_cross_it_as_those_of_the_other(columns):
+    place = np.stack(np.meshgrid(np.arange(columns) * 18.5, np.arange(3) * 14.3), -1).reshape(-1, 2)
+    radius = np.full(len(place), 3.0)
+    height, left, right = _hull(place, radius)
+    widths = right - left
+    assert _is_mirrored(place, radius)
+    assert widths == pytest.approx(widths[::-1], rel=1e-12)
+    for one, other in zip(_hull(place, radius, 360), (height, left, right), strict=True):
+        assert np.array_equal(one, other[:360])
+    first = np.arange(len(place)) == 0
+    assert not _is_mirrored(place, radius + 1e-6 * first)
+    assert not _is_mirrored(place - 1e-6 * first[:, None] * [0, 1], radius)

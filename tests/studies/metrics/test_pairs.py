@@ -19,7 +19,7 @@ from acoustic_fem.library.noise import detection_limits
 from geometry.assembly.bill import Prices, bill_of_materials
 from geometry.layout.size import array_size
 from studies.metrics import build, shared
-from studies.metrics.build import _volumes
+from studies.metrics.build import volumes_of
 from studies.metrics.confusion import predict_confusion
 from studies.metrics.pairs import (
     DECIBEL,
@@ -230,7 +230,7 @@ def test_distances_are_those_of_their_definition(h: xr.DataArray) -> None:
 
 def test_what_several_metrics_share_is_computed_once(monkeypatch: pytest.MonkeyPatch) -> None:
     asked: list[str] = []
-    for name in ("pair_distances", "predict_confusions", "touch_response", "lay_out", "array_size"):
+    for name in ("pair_distances", "predict_confusions", "touch_response", "array_size", "volumes_of"):
         own = getattr(shared, name)
         monkeypatch.setattr(shared, name, partial(lambda *given, _own, _name: (asked.append(_name), _own(*given))[1],
                                                   _own=own, _name=name))  # fmt: skip
@@ -241,10 +241,10 @@ def test_what_several_metrics_share_is_computed_once(monkeypatch: pytest.MonkeyP
             metric.of_batch(responses, figures)
     assert sorted(asked) == [
         "array_size",
-        "lay_out",
         *["pair_distances"] * 2,
         "predict_confusions",
         *["touch_response"] * 2,
+        "volumes_of",
     ]
 
 
@@ -286,7 +286,7 @@ def test_parts_have_the_volume_of_their_solids() -> None:
     parts = geometry.build_parts(design)
     solids = {name: parts[name].val().Volume() * count for name, count in parts.counts.items()}
     drawn = sum(volume for name, volume in solids.items() if not name.startswith("mold"))
-    tubes = sum(_volumes(design)[name][0] for name in ("wire", "sheath"))
+    tubes = sum(volumes_of(design)[name][0] for name in ("wire", "sheath"))
     # sockets are counted as straight cylinders in a flat wall
     assert build.volume(design) - tubes == pytest.approx(drawn, rel=0.025)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import json
 import re
 import warnings
@@ -368,6 +369,29 @@ def test_a_wrong_command_line_is_refused(arguments: list[str], message: str, tmp
     result = CliRunner().invoke(app, ["sweep", str(tmp_path / "study.toml"), *arguments])
     assert result.exit_code == 2
     assert message in " ".join(result.output.replace("│", " ").split())
+
+
+def test_a_block_leaves_no_circles_of_objects_and_the_search_for_them_as_it_was(study: Study) -> None:
+    cases, job = cases_of(study), block.Job("lumped", study.frequency, study.metrics, True)
+    block.solve_block(job, cases, 0, {})  # all modules are loaded
+    gc.collect()
+    gc.disable()
+    try:
+        block.solve_block(job, cases, 0, {})
+        assert not gc.isenabled()
+        assert gc.collect() < len(cases)  # else they would pile up while a block is computed
+    finally:
+        gc.enable()
+    block.solve_block(job, cases.part(0, 1), 0, {})
+    assert gc.isenabled()
+
+
+@pytest.mark.parametrize(("cases", "blocks"), [(10_000, 40), (100_000, 388), (4096, 16)])
+def test_blocks_can_be_shared_by_two_or_four_workers(study: Study, cases: int, blocks: int) -> None:
+    many = replace(study, cases=cases, frequency=np.linspace(1.0, 100.0, 64))
+    size = block_size(many, cases_of(many))
+    assert -(-cases // size) == blocks
+    assert blocks % 4 == 0
 
 
 def test_blocks_depend_on_the_study_alone(study: Study) -> None:
