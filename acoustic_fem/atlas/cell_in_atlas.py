@@ -120,6 +120,7 @@ def _openings(cell: Cell) -> list[Opening]:
             metres(cell.diameter) / 2,
             metres(cell.height),
             metres(cell.height_of(port)),
+            metres(cell.opening_diameter) / 2 if cell.kind == "microphone" else None,
         )
         for port in cell.ports
     ]

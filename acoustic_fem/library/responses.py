@@ -75,7 +75,7 @@ def _cell_admittances(
         atlas = cell_atlas()
         atlas.warn_above(frequency)
         about = {
-            "method": f"atlas of cells, version {atlas.version}",
+            "method": f"atlas of cells, table {atlas.digest}",
             "errors": dict(atlas.errors),
             "errors_up_to_hz": atlas.known_up_to,
         }

@@ -58,6 +58,7 @@ BOUNDS = {
         "bore radius by height of its axis above the floor": (0.1, 0.56),
         "bore radius by distance of its axis from the ceiling": (0.1, 0.56),
         "cavity height by radius": (0.7, 3.0),
+        "sound hole by chamber diameter": (0.03, 0.6),
         "shear number a sqrt(w/nu) at the highest frequency": (0.0, 5.0),
     },
 }
@@ -250,7 +251,6 @@ def fitted_table(samples: dict[str, Solved]) -> dict[str, Any]:
         left_out[f"{house}, one cell left out, median"] = float(np.median(off))
         left_out[f"{house}, scatter of the mesh error"] = scatter
     return {
-        "version": 1,
         "bounds": BOUNDS,
         "openings": openings,
         "storage": _storage(samples),

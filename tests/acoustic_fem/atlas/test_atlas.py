@@ -67,7 +67,7 @@ def test_a_library_says_that_it_is_of_the_atlas_and_what_its_errors_are(design):
     library = acoustic_fem.solve(design, BAND, "atlas")
     assert library.fidelity == "atlas"
     for cell in library.provenance["cells"]:
-        assert cell["method"] == f"atlas of cells, version {cell_atlas().version}"
+        assert cell["method"] == f"atlas of cells, table {cell_atlas().digest}"
         assert 0 < cell["errors"]["transfer function by 1 + |ln H|"] < 0.01
 
 
