@@ -154,6 +154,17 @@ def test_the_table_is_small_and_says_how_it_was_made():
     assert {"made", "seeds", "gmsh", "scikit-fem", "acoustic-fem", "held-out designs"} <= about.keys()
 
 
+def test_the_digest_is_of_what_decides_answers():
+    plain = json.loads(table.FILE.read_text())
+    digest = table.atlas_of(plain).digest
+    assert digest == cell_atlas().digest
+    plain["errors"]["transfer function by 1 + |ln H|"] = 0.5
+    plain["provenance"]["made"] = "another day"
+    assert table.atlas_of(plain).digest == digest
+    plain["bounds"]["microphone"]["cavity height by radius"][1] = 3.1
+    assert table.atlas_of(plain).digest != digest
+
+
 def test_the_atlas_moves_lumped_cells_towards_the_3_d_of_the_reference(design):
     """Resistance of an opening of a flat wide cavity: 1.5 mu/a^3 alone, more where floor and ceiling are near."""
     cell = cells_of(design)[0]
