@@ -31,14 +31,20 @@ from geometry.air.cells import cell_catalogue
 from geometry.design.design_file import write_design
 from geometry.layout.arrangement import lay_out
 
+#: Wide bores in small cavities, where closed forms alone are further off than the atlas states.
+BASE = {
+    "layout.columns": 12,
+    **{f"{tube}.inner_diameter": 0.7 for tube in ("tube", "microphone_tube")},
+    **{f"{tube}.outer_diameter": 1.3 for tube in ("tube", "microphone_tube")},
+}
 SWEPT = {
-    "resonator.cavity_height": (2.0, 5.0),
-    "resonator.cavity_diameter": (4.5, 8.0),
+    "resonator.cavity_height": (2.0, 2.6),
+    "resonator.cavity_diameter": (3.2, 4.2),
     "membrane.thickness": (0.4, 1.2),
-    "tube.length": (8.0, 25.0),
+    "tube.length": (9.0, 25.0),
 }
 CASES, LOOKED_AT = 10_000, 10
-SWEEP_SEED = 1940
+SWEEP_SEED = 2640
 #: Smallest transfer function whose relative error counts, Pa/Pa.
 HEARD = 1e-3
 
@@ -85,7 +91,11 @@ def held_out() -> dict[int, dict[str, Errors]]:
     for seed in range(FIRST_SEED, FIRST_SEED + COUNT):
         design = random_design(seed)
         found[seed] = {fidelity: errors(design, fidelity) for fidelity in ("lumped", "atlas")}
-        print(seed, *(f"{e.cell:.1e} {e.chamber:.1e} {e.heard:.1e} {e.per_log:.1e} |" for e in found[seed].values()), flush=True)
+        print(
+            seed,
+            *(f"{e.cell:.1e} {e.chamber:.1e} {e.heard:.1e} {e.per_log:.1e} |" for e in found[seed].values()),
+            flush=True,
+        )
     return found
 
 
@@ -101,8 +111,7 @@ def swept() -> list[dict[str, tuple[float, float]]]:
     random = np.random.default_rng(SWEEP_SEED)
     found = []
     with TemporaryDirectory() as folder:
-        in_a_row = geometry.prototype("array-2x6").with_values({"layout.columns": 12})
-        (Path(folder) / "line.toml").write_text(write_design(in_a_row))
+        (Path(folder) / "line.toml").write_text(write_design(geometry.prototype("array-2x6").with_values(BASE)))
         path = Path(folder) / "study.toml"
         path.write_text(text)
         study = studies.load_study(path)
@@ -150,7 +159,9 @@ def stated(designs: Mapping[int, Mapping[str, Errors]]) -> dict[str, float]:
 
 def print_tables(designs: Mapping[int, Mapping[str, Errors]], cases: Sequence[Mapping[str, Any]]) -> None:
     """The tables of the documentation."""
-    print("| 40 random designs | bare resonator | bare chamber | H of 1e-3 and more | H by 1 + |ln H| |\n|---|---|---|---|---|")
+    print(
+        "| 40 random designs | bare resonator | bare chamber | H of 1e-3 and more | H by 1 + |ln H| |\n|---|---|---|---|---|"
+    )
     for fidelity in ("lumped", "atlas"):
         for what, of in (("median", np.median), ("worst", np.max)):
             figures = [

@@ -8,7 +8,7 @@ import pytest
 import torch
 
 import acoustic_fem
-from acoustic_fem.atlas import OutsideAtlas, atlas_admittance, cell_atlas, opening_node, table
+from acoustic_fem.atlas import OutsideAtlas, atlas_admittance, cell_atlas, opening_node, quick_fidelity, table
 from acoustic_fem.batch.network import batch_response
 from acoustic_fem.batch.parameters import ArrayParameters, MediumParameters
 from acoustic_fem.batch.topology import Topology
@@ -126,6 +126,7 @@ def test_cells_outside_are_refused_by_name(design):
             r"resonator 6 x 7 mm .*cavity height by radius = 2\.333 must be 0\.3 to 2\.3",
         ),
         ({"microphone.chamber_diameter": 8.0}, r"microphone 8 x 1\.8 mm .* bore by cavity diameter = 0\.05"),
+        ({"microphone.sound_hole_diameter": 1.3}, r"sound hole by chamber diameter = 0\.6842 must be 0\.03 to 0\.6"),
     ):
         outside = design.with_values(values)
         with pytest.raises(OutsideAtlas, match=message):
@@ -137,11 +138,28 @@ def test_cells_outside_are_refused_by_name(design):
         acoustic_fem.solve(design, BAND, "atlas", helium)
 
 
+def test_the_quick_fidelity_is_the_atlas_or_lumped_with_what_lies_outside(design):
+    assert quick_fidelity(design, BAND).words == "atlas"
+    for outside, why in (
+        (design.with_values({"resonator.cavity_height": 7.0}), "cavity height by radius = 2.333 must be 0.3 to 2.3"),
+        (design.with_values({"resonator.shape": "dome"}), "the atlas of cells has cylinders only"),
+    ):
+        found = quick_fidelity(outside, BAND)
+        assert found.name == "lumped"
+        assert why in found.words
+    assert "shear number" in quick_fidelity(design, [1.0, 2000.0]).words
+
+
 def test_a_batch_with_a_design_outside_is_refused_by_name(design):
     topology = Topology.of(design)
     tall = ArrayParameters.from_designs([design, design.with_values({"resonator.cavity_height": 7.0})])
     with pytest.raises(OutsideAtlas, match=r"tube at points of column 0: cavity height by radius = 2\.333 "):
         batch_response(tall, topology, BAND, AIR, "atlas")
+    wide = ArrayParameters.from_design(design.with_values({"microphone.sound_hole_diameter": 1.3}))
+    with pytest.raises(
+        OutsideAtlas, match=r"tube at a microphone's chamber: sound hole by chamber diameter = 0\.6842 "
+    ):
+        batch_response(wide, topology, BAND, AIR, "atlas")
     with pytest.raises(Refusal, match="fidelity = 'helmholtz' must be one of lumped, atlas in a batch"):
         batch_response(tall, topology, BAND, AIR, "helmholtz")
 
