@@ -91,11 +91,8 @@ def held_out() -> dict[int, dict[str, Errors]]:
     for seed in range(FIRST_SEED, FIRST_SEED + COUNT):
         design = random_design(seed)
         found[seed] = {fidelity: errors(design, fidelity) for fidelity in ("lumped", "atlas")}
-        print(
-            seed,
-            *(f"{e.cell:.1e} {e.chamber:.1e} {e.heard:.1e} {e.per_log:.1e} |" for e in found[seed].values()),
-            flush=True,
-        )
+        rows = ([f"{value:.1e}" for value in vars(each).values()] for each in found[seed].values())
+        print(seed, *(" ".join(row) + " |" for row in rows), flush=True)
     return found
 
 
@@ -159,9 +156,8 @@ def stated(designs: Mapping[int, Mapping[str, Errors]]) -> dict[str, float]:
 
 def print_tables(designs: Mapping[int, Mapping[str, Errors]], cases: Sequence[Mapping[str, Any]]) -> None:
     """The tables of the documentation."""
-    print(
-        "| 40 random designs | bare resonator | bare chamber | H of 1e-3 and more | H by 1 + |ln H| |\n|---|---|---|---|---|"
-    )
+    print("| 40 random designs | bare resonator | bare chamber | H of 1e-3 and more | H by 1 + |ln H| |")
+    print("|---|---|---|---|---|")
     for fidelity in ("lumped", "atlas"):
         for what, of in (("median", np.median), ("worst", np.max)):
             figures = [
