@@ -233,10 +233,18 @@ def scattered_accuracy(
 
 
 def quick_scattered_accuracy(design: ArrayDesign, frequency: ArrayLike, *, sensors: int) -> tuple[Array, QuickFidelity]:
-    """:func:`scattered_accuracy` at the fidelity of a quick answer, and which that is; arguments and errors as there.
+    """:func:`scattered_accuracy` at the fidelity of a quick answer, and which that is.
+
+    Args:
+        design: the nominal array.
+        frequency: (n_freq,), Hz, over 1 to 100 Hz.
+        sensors: how many.
 
     Returns:
-        (sensors,) float64, 0 to 1, and the fidelity: ``atlas`` where that has all that can be made of the design.
+        (n_sensor,) float64, 0 to 1, and the fidelity: ``atlas`` where that has all that can be made of the design.
+
+    Raises:
+        Refusal: as :func:`scattered_accuracy`.
     """
     scattered, grid = ScatteredDesign(design), frequency_grid(frequency)
     fidelity = made_fidelity(scattered, grid, design_air(design))
