@@ -8,6 +8,7 @@ import pytest
 import acoustic_fem
 import geometry
 from acoustic_fem.atlas import cell_atlas
+from studies.findings.reporting import sweep_report
 from studies.findings.result_table import table_of_sweep, with_base_metrics
 from studies.study.differences import other_table
 from studies.study.file import read_study
@@ -94,6 +95,16 @@ def test_the_base_beside_its_cases_is_of_the_atlas_too(sweep):
     table = with_base_metrics(table_of_sweep(sweep))
     library = acoustic_fem.solve(sweep.base, read_study(STUDY).frequency, "atlas")
     assert table.base_metrics["ild_smallest"] == pytest.approx(METRICS["ild_smallest"].of_library(library))
+
+
+def test_a_base_outside_has_no_figures_and_its_curves_say_that_they_are_lumped(tmp_path):
+    base = geometry.prototype("array-2x6").with_values({"resonator.cavity_height": 7.0})
+    study = read_study(STUDY.replace("[2.0, 3.0, 7.2]", "[2.0, 3.0]"), base=base)
+    run_sweep(study, tmp_path / "results.zarr", workers=1)
+    table = sweep_report(tmp_path / "results.zarr", tmp_path / "report.html")
+    assert table.base_metrics == {}
+    page = (tmp_path / "report.html").read_text(encoding="utf-8")
+    assert "the base design (lumped: resonator 6 x 7 mm" in page
 
 
 def test_it_is_the_default_and_a_study_that_names_another_keeps_that():
