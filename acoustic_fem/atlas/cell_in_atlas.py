@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
@@ -94,6 +95,12 @@ def check_cell(atlas: CellAtlas, cell: Cell, frequency: NDArray[np.float64], med
     for opening in {(opening.radius, opening.port_height): opening for opening in _openings(cell)}.values():
         square = np.array(2 * np.pi * float(np.max(frequency)) * opening.radius**2 / medium.kinematic_viscosity)
         atlas.check(cell.kind, opening, square, cell.label)
+
+
+def least_angle(cells: Iterable[Cell]) -> float:
+    """Smallest angle between the two tubes of a point of any of these cells, degrees; 180 where there is none."""
+    turns = [abs(c.ports[0].angle - c.ports[1].angle) for c in cells if c.kind == "resonator" and len(c.ports) == 2]
+    return min([180.0, *(min(turn, 360 - turn) for turn in turns)])
 
 
 def check_gas(medium: Any) -> None:

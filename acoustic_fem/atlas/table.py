@@ -97,6 +97,20 @@ class CellAtlas:
                 stacklevel=3,
             )
 
+    @property
+    def known_from(self) -> float:
+        """Angle between the tubes of a point from which on the errors were found, degrees."""
+        return float(self.provenance["held-out designs"]["least angle"])
+
+    def warn_below(self, angle: float) -> None:
+        """Warn that errors are not known at the smallest angle between the tubes of a point, degrees."""
+        if angle < self.known_from:
+            warnings.warn(
+                f"atlas of cells: its errors were found for tubes of a point at {self.known_from:g} degrees and more; "
+                f"of some at {angle:g} they are not known",
+                stacklevel=3,
+            )
+
     def impedance(self, house: House, opening: Opening, square: Array) -> Array:
         """Impedance of openings in series with their tubes, in mu / a^3.
 

@@ -76,6 +76,16 @@ def test_frequencies_above_those_at_which_its_errors_were_found_are_told(design)
         acoustic_fem.solve(design, [1.0, 201.0], "atlas")
 
 
+def test_corners_sharper_than_those_at_which_its_errors_were_found_are_told(recwarn):
+    said = r"its errors were found for tubes of a point at 26\.3 degrees and more; of some at 15\.4"
+    sharp = prototype("array-2x6").with_values({"layout.pitch": 11.0, "tube.length": 18.0})
+    with pytest.warns(UserWarning, match=said):
+        acoustic_fem.solve(sharp, BAND, "atlas")
+    recwarn.clear()
+    acoustic_fem.solve(prototype("fingertip-3x4"), BAND, "atlas")  # corners of 66 degrees
+    assert not [each for each in recwarn if "its errors were found" in str(each.message)]
+
+
 def test_the_gradient_is_that_of_finite_differences(design):
     topology, parameters = Topology.of(design), ArrayParameters.from_design(design, AIR)
 
