@@ -24,8 +24,9 @@ MADE = {
 FOUND = ("fingertip-12", "graded-line-36", "line-36", "ring-3x12")
 _HEAD = """# Gallery
 
-Every prototype, and designs of ours. Figures of `acoustic-fem check`: predicted at fidelity lumped, for sums of sines
-and the noise of the design's microphone, of a localizer trained on the nominal design. *Mis-made*: mean and worst of
+Every prototype, and designs of ours. Figures of `acoustic-fem check`: predicted at fidelity atlas (lumped where that
+has not the sensors), for sums of sines and the noise of the design's microphone, of a localizer trained on the nominal
+design. *Mis-made*: mean and worst of
 64 sensors (of more than 24 points fewer, four at least) with assumed [scatter](tolerances.md), not calibrated;
 [calibration](calibration.md) brings most of it back. Cost: materials of one array at assumed prices, no molds. In the
 pictures each point has the colour of its own share; the hardest pair is ringed. `acoustic-fem prototypes NAME`

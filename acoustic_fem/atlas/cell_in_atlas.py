@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
@@ -96,6 +97,12 @@ def check_cell(atlas: CellAtlas, cell: Cell, frequency: NDArray[np.float64], med
         atlas.check(cell.kind, opening, square, cell.label)
 
 
+def least_angle(cells: Iterable[Cell]) -> float:
+    """Smallest angle between the two tubes of a point of any of these cells, degrees; 180 where there is none."""
+    turns = [abs(c.ports[0].angle - c.ports[1].angle) for c in cells if c.kind == "resonator" and len(c.ports) == 2]
+    return min([180.0, *(min(turn, 360 - turn) for turn in turns)])
+
+
 def check_gas(medium: Any) -> None:
     """Refuse a gas that is not like air, in numbers or in arrays of the fields of a :class:`Medium`.
 
@@ -120,6 +127,7 @@ def _openings(cell: Cell) -> list[Opening]:
             metres(cell.diameter) / 2,
             metres(cell.height),
             metres(cell.height_of(port)),
+            metres(cell.opening_diameter) / 2 if cell.kind == "microphone" else None,
         )
         for port in cell.ports
     ]

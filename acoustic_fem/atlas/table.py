@@ -6,6 +6,8 @@ each other, impedances of openings in mu / a^3, inertances of cavities in rho / 
 
 from __future__ import annotations
 
+import hashlib
+import json
 import warnings
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -23,6 +25,8 @@ from geometry.refusal import Refusal
 #: What a cavity belongs to: its tubes open under a membrane or into the chamber of a microphone.
 House = Literal["resonator", "microphone"]
 
+#: What of the table decides answers.
+_DECISIVE = ("bounds", "openings", "storage", "passage", "to_membrane")
 #: The table that comes with the package.
 FILE = Path(__file__).with_name("cell_atlas.json")
 
@@ -43,6 +47,8 @@ class Opening:
     """Height of the cavity, scalar or (n_design, 1, 1) float64, m."""
     port_height: Array
     """Height of the bore's axis above the floor, scalar or (n_design, 1, 1) float64, m."""
+    hole_radius: Array | None = None
+    """Radius of the sound hole of a chamber, scalar or (n_design, 1, 1) float64, m; None under a membrane."""
 
     @property
     def ratios(self) -> tuple[Array, Array, Array]:
@@ -55,8 +61,8 @@ class Opening:
 class CellAtlas:
     """The atlas: corrections by shape, bounds and errors."""
 
-    version: int
-    """Version of the table."""
+    digest: str
+    """First 12 hexadecimal digits of the SHA-256 of what decides answers: other answers, another digest."""
     openings: Mapping[House, ShapePolynomial]
     """Resistance, and inertance by s^2, of an opening in mu / a^3, over a/R, the sum and the product of a by the
     distances to floor and ceiling."""
@@ -88,6 +94,20 @@ class CellAtlas:
         if frequency[-1] > self.known_up_to:
             warnings.warn(
                 f"atlas of cells: its errors were found up to {self.known_up_to:g} Hz; above they are not known",
+                stacklevel=3,
+            )
+
+    @property
+    def known_from(self) -> float:
+        """Angle between the tubes of a point from which on the errors were found, degrees."""
+        return float(self.provenance["held-out designs"]["least angle"])
+
+    def warn_below(self, angle: float) -> None:
+        """Warn that errors are not known at the smallest angle between the tubes of a point, degrees."""
+        if angle < self.known_from:
+            warnings.warn(
+                f"atlas of cells: its errors were found for tubes of a point at {self.known_from:g} degrees and more; "
+                f"of some at {angle:g} they are not known",
                 stacklevel=3,
             )
 
@@ -173,6 +193,8 @@ class CellAtlas:
             "cavity height by radius": opening.cavity_height / opening.cavity_radius,
             "shear number a sqrt(w/nu) at the highest frequency": square**0.5,
         }
+        if opening.hole_radius is not None:
+            values["sound hole by chamber diameter"] = opening.hole_radius / opening.cavity_radius
         for name, value in values.items():
             yield name, np.asarray(value), self.bounds[house][name]
 
@@ -197,8 +219,9 @@ def atlas_of(plain: Mapping[str, Any]) -> CellAtlas:
     def bounds(stated: Mapping[str, Sequence[float]]) -> dict[str, tuple[float, float]]:
         return {name: (low, high) for name, (low, high) in stated.items()}
 
+    decisive = json.dumps([plain[name] for name in _DECISIVE], sort_keys=True)
     return CellAtlas(
-        version=plain["version"],
+        digest=hashlib.sha256(decisive.encode()).hexdigest()[:12],
         openings={house: polynomial(stated) for house, stated in plain["openings"].items()},
         storage=polynomial(plain["storage"]),
         passage=np.array(plain["passage"]),

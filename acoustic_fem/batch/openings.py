@@ -6,7 +6,7 @@ column for each pair of openings, and points one for each pair of tubes.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any, NamedTuple
@@ -105,72 +105,77 @@ def check_openings(parameters: ArrayParameters, topology: Topology, frequency: A
         OutsideAtlas: names the kind of opening, the ratio and its range.
     """
     check_gas(medium)
-    for mouth, opening, square in _stated_openings(parameters, topology, frequency, medium):
-        atlas_part = "a microphone's chamber" if mouth.house == "microphone" else f"points of column {mouth.cavity}"
-        cell_atlas().check(mouth.house, opening, square, f"{topology.tube_names[mouth.tube]} at {atlas_part}")
+    if not designs_outside(parameters, topology, frequency, medium).any():
+        return
+    for house, mouths in _by_house(opening_columns(topology).mouths):
+        for mouth in mouths:
+            at = "a microphone's chamber" if house == "microphone" else f"points of column {mouth.cavity}"
+            opening, square = _stated_openings(parameters, [mouth], frequency, medium)
+            cell_atlas().check(house, opening, square, f"{topology.tube_names[mouth.tube]} at {at}")
 
 
 def designs_outside(parameters: ArrayParameters, topology: Topology, frequency: Array, medium: Any) -> Array:
     """Which designs :func:`check_openings` would refuse for their openings, (n_design,) bool; arguments as there."""
     outside = np.zeros(parameters.design_count, dtype=bool)
-    for mouth, opening, square in _stated_openings(parameters, topology, frequency, medium):
-        outside |= cell_atlas().is_outside(mouth.house, opening, square[:, None, None])[:, 0, 0]
+    for house, mouths in _by_house(opening_columns(topology).mouths):
+        opening, square = _stated_openings(parameters, mouths, frequency, medium)
+        outside |= cell_atlas().is_outside(house, opening, square).any((1, 2))
     return outside
 
 
+def _by_house(mouths: Sequence[Mouth]) -> list[tuple[House, list[Mouth]]]:
+    """The mouths of points, then those of chambers."""
+    houses: tuple[House, ...] = ("resonator", "microphone")
+    return [(house, [mouth for mouth in mouths if mouth.house == house]) for house in houses]
+
+
 def _stated_openings(
-    parameters: ArrayParameters, topology: Topology, frequency: Array, medium: Any
-) -> Iterator[tuple[Mouth, Opening, Array]]:
-    """Mouths with their shapes, (n_design, 1, 1), and largest squares of their shear numbers, (n_design,), NumPy."""
+    parameters: ArrayParameters, mouths: Sequence[Mouth], frequency: Array, medium: Any
+) -> tuple[Opening, Array]:
+    """Shapes of mouths of one house and the largest squares of their shear numbers, (n_design, n_mouth, 1), NumPy."""
     plain = parameters if parameters.namespace is np else parameters.map(lambda values: values.detach().cpu().numpy())
     per_viscosity = medium.density / medium.viscosity
     if not isinstance(per_viscosity, float | np.ndarray):
         per_viscosity = per_viscosity.detach().cpu().numpy()
-    for mouth in opening_columns(topology).mouths:
-        opening = _opening(plain, mouth)
-        yield mouth, opening, opening.radius[:, 0, 0] ** 2 * per_viscosity * (2 * np.pi * float(frequency[-1]))
+    opening = _opening(plain, mouths)
+    return opening, opening.radius**2 * (np.reshape(per_viscosity, (-1, 1, 1)) * (2 * np.pi * float(frequency[-1])))
 
 
 def open_parts(parameters: ArrayParameters, topology: Topology, air: Conditions) -> tuple[Tubes, Points, Chambers]:
     """Tubes, points and chambers in the columns of :func:`opening_columns`."""
     columns, atlas = opening_columns(topology), cell_atlas()
-    impedances, compliances = _at_mouths(atlas, parameters, columns.mouths, air)
-    tube = _tubes(columns, ducts(parameters, air), impedances)
+    impedance, compliance = _at_mouths(atlas, parameters, columns.mouths, air)
+    tube = _tubes(columns, ducts(parameters, air), impedance)
 
     cavity, load = yielding(parameters, air)
-    rate = 1j * air.omega
-    storage = [_at(cavity, column) + rate * sum(compliances[k] for k in at) for column, at in columns.points]
-    shared = [_shared(atlas, _opening(parameters, columns.mouths[at[0]]), air) for _, at in columns.points]
+    storage = 1j * air.omega * compliance
+    at = [column for column, _ in columns.points]
+    one, other = ([mouths[k] for _, mouths in columns.points] for k in range(2))
+    passage, through = _shared(atlas, _opening(parameters, [columns.mouths[k] for k in one]), air)
+    stored = _at(cavity, at) + _at(storage, one) + _at(storage, other)
+    point = Points(*opening_node(stored, _at(load, at), passage, through))
+
+    housing, at = chambers(parameters, air), [column for column, _ in columns.chambers]
     xp = namespace(parameters.tube_radius)
-    point = Points(
-        *opening_node(
-            _beside(xp, storage),
-            _beside(xp, [_at(load, column) for column, _ in columns.points]),
-            *(_beside(xp, list(part)) for part in zip(*shared, strict=True)),
-        )
-    )
-    extra = [rate * sum(compliances[k] for k in at) for _, at in columns.chambers]
-    housing = chambers(parameters, air)
-    chamber = [
-        (_at(housing.shunt, column) + more, _at(housing.ratio, column), _at(housing.own, column))
-        for (column, _), more in zip(columns.chambers, extra, strict=True)
-    ]
-    return tube, point, Chambers(*(_beside(xp, list(part)) for part in zip(*chamber, strict=True)))
+    more = _beside(xp, [sum(_at(storage, [k]) for k in mouths) for _, mouths in columns.chambers])
+    return tube, point, Chambers(_at(housing.shunt, at) + more, _at(housing.ratio, at), _at(housing.own, at))
 
 
 def _at_mouths(
     atlas: CellAtlas, parameters: ArrayParameters, mouths: Sequence[Mouth], air: Conditions
-) -> tuple[list[Array], list[Array]]:
-    """Impedance and compliance of each mouth, (n_design, 1, n_freq) complex128."""
-    impedances: list[Array] = []
-    compliances: list[Array] = []
-    for mouth in mouths:
-        opening = _opening(parameters, mouth)
+) -> tuple[Array, Array]:
+    """Impedance and compliance of the mouths, (n_design, n_mouth, n_freq) complex128."""
+    impedances, compliances, order = [], [], []
+    for house, of_house in _by_house(mouths):
+        opening = _opening(parameters, of_house)
         cube = opening.radius**3
         square = opening.radius**2 * air.per_viscosity * air.omega
-        impedances.append(air.medium.viscosity / cube * atlas.impedance(mouth.house, opening, square))
+        impedances.append(air.medium.viscosity / cube * atlas.impedance(house, opening, square))
         compliances.append(cube / air.medium.pressure * atlas.compliance(opening, square))
-    return impedances, compliances
+        order += of_house
+    xp, place = namespace(parameters.tube_radius), {mouth: k for k, mouth in enumerate(order)}
+    back = [place[mouth] for mouth in mouths]
+    return _at(_beside(xp, impedances), back), _at(_beside(xp, compliances), back)
 
 
 def _shared(atlas: CellAtlas, opening: Opening, air: Conditions) -> tuple[Array, Array]:
@@ -180,45 +185,41 @@ def _shared(atlas: CellAtlas, opening: Opening, air: Conditions) -> tuple[Array,
     return unit * passage, unit * to_membrane
 
 
-def _tubes(columns: OpeningColumns, duct: Ducts, impedances: Sequence[Array]) -> Tubes:
+def _tubes(columns: OpeningColumns, duct: Ducts, impedance: Array) -> Tubes:
     """Tubes between the impedances of their openings, as series and shunts."""
-    series, first, last = [], [], []
-    for column, one, other in columns.tubes:
-        total, across, rise, ratio = (_at(values, column) for values in duct)
-        before, after = impedances[one], impedances[other]
-        inward = across * ratio
-        # chain matrix [[1 + rise + before inward, b], [., 1 + rise + inward after]]
-        through = inverse(total * ratio + (before + after) * (1 + rise) + before * after * inward)
-        series.append(through)
-        first.append((rise + inward * after) * through)
-        last.append((rise + inward * before) * through)
-    xp = namespace(through)
-    return Tubes(_beside(xp, series), _beside(xp, first), _beside(xp, last))
+    of_tubes, *ends = ([each[k] for each in columns.tubes] for k in range(3))
+    total, across, rise, ratio = (_at(values, of_tubes) for values in duct)
+    before, after = (_at(impedance, mouths) for mouths in ends)
+    inward = across * ratio
+    # chain matrix [[1 + rise + before inward, b], [., 1 + rise + inward after]]
+    through = inverse(total * ratio + (before + after) * (1 + rise) + before * after * inward)
+    return Tubes(through, (rise + inward * after) * through, (rise + inward * before) * through)
 
 
-def _opening(parameters: ArrayParameters, mouth: Mouth) -> Opening:
-    """Shapes of the openings of a mouth, (n_design, 1, 1) each."""
-    radius = _at(parameters.tube_radius, mouth.tube)[..., None]
-    if mouth.house == "microphone":
-        cavity, height = (
-            _at(v, mouth.cavity)[..., None] for v in (parameters.chamber_radius, parameters.chamber_height)
-        )
-        return Opening(radius, cavity, height, height / 2)
-    sizes = (parameters.cavity_radius, parameters.cavity_height, parameters.port_height)
-    return Opening(radius, *(_at(values, mouth.cavity)[..., None] for values in sizes))
+def _opening(parameters: ArrayParameters, mouths: Sequence[Mouth]) -> Opening:
+    """Shapes of the openings of mouths of one house, (n_design, n_mouth, 1) each."""
+    cavities = [mouth.cavity for mouth in mouths]
+
+    def of_cavities(*names: str) -> list[Array]:
+        return [_at(getattr(parameters, name), cavities)[..., None] for name in names]
+
+    radius = _at(parameters.tube_radius, [mouth.tube for mouth in mouths])[..., None]
+    if mouths[0].house == "microphone":
+        cavity, height, hole = of_cavities("chamber_radius", "chamber_height", "hole_radius")
+        return Opening(radius, cavity, height, height / 2, hole)
+    return Opening(radius, *of_cavities("cavity_radius", "cavity_height", "port_height"))
 
 
-def _at(values: Array, column: int) -> Array:
-    """One column, kept as an axis."""
-    return values[:, column : column + 1]
+def _at(values: Array, columns: list[int]) -> Array:
+    """Some columns, a view where they are one."""
+    first = columns[0]
+    return values[:, first : first + 1] if len(columns) == 1 else values[:, columns]
 
 
 def _beside(xp: Any, values: list[Array]) -> Array:
-    """Columns put beside each other."""
-    if len(values) == 1:
-        return values[0]
-    shape = np.broadcast_shapes(*(tuple(value.shape) for value in values))
-    return xp.concatenate([xp.broadcast_to(value, shape) for value in values], 1)
+    """Columns put beside each other, of all designs or of each."""
+    rows = max(value.shape[0] for value in values)
+    return xp.concatenate([xp.broadcast_to(value, (rows, *value.shape[1:])) for value in values], 1)
 
 
 def _number(known: dict[Any, int], key: Any) -> int:

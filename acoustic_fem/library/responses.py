@@ -69,15 +69,17 @@ def _cell_admittances(
             [{"cell": cell.label, "method": "closed form"} for cell in cells],
         )
     if fidelity == "atlas":
-        from acoustic_fem.atlas.cell_in_atlas import atlas_admittance
+        from acoustic_fem.atlas.cell_in_atlas import atlas_admittance, least_angle
         from acoustic_fem.atlas.table import cell_atlas
 
         atlas = cell_atlas()
         atlas.warn_above(frequency)
+        atlas.warn_below(least_angle(cells))
         about = {
-            "method": f"atlas of cells, version {atlas.version}",
+            "method": f"atlas of cells, table {atlas.digest}",
             "errors": dict(atlas.errors),
             "errors_up_to_hz": atlas.known_up_to,
+            "errors_from_degrees": atlas.known_from,
         }
         return (
             {cell: atlas_admittance(cell, frequency, medium) for cell in cells},

@@ -1,4 +1,5 @@
 from .made_sensors import (
+    made_fidelity as made_fidelity,
     made_transfer_functions as made_transfer_functions,
     scatter_factors as scatter_factors,
 )

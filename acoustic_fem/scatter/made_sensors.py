@@ -4,23 +4,60 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Mapping
+from itertools import product
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from acoustic_fem.atlas.quick import QuickFidelity, quick_fidelity_by
 from acoustic_fem.batch.network import batch_transfer_function
+from acoustic_fem.batch.openings import check_openings
 from acoustic_fem.network.microphone import vent_ratio
+from acoustic_fem.scatter.tolerances import CUT, QUANTITIES
 
 if TYPE_CHECKING:
+    from acoustic_fem.quantities.fidelity import ClosedForm
     from acoustic_fem.quantities.medium import Medium
     from acoustic_fem.scatter.tolerances import ScatteredDesign
 
+#: What of the scatter counts in the bounds of the atlas.
+_BOUNDED = ("bore", "cavity_diameter", "cavity_height", "chamber_height", "ovality")
+
+
+def made_fidelity(scattered: ScatteredDesign, frequency: ArrayLike, medium: Medium) -> QuickFidelity:
+    """The fidelity of a quick answer for a design and all sensors that can be drawn about it.
+
+    It is the atlas where the design has it with every size at either end of its scatter: each ratio that is bounded
+    rises or falls with each of them.
+
+    Args:
+        scattered: the nominal design and what scatters.
+        frequency: (n_freq,) Hz, ascending.
+        medium: the air.
+    """
+    named = {tolerance.quantity for tolerance in scattered.tolerances}
+    ends = np.array(list(product(*((-CUT, CUT) if name in named else (0.0,) for name in _BOUNDED))))
+    draws = {name: np.zeros((len(ends), 1)) for name in QUANTITIES} | dict(
+        zip(_BOUNDED, ends.T[..., None], strict=True)
+    )
+    draws["ovality"] = np.maximum(draws["ovality"], 0.0)  # either sign flattens a bore
+
+    def check() -> None:
+        check_openings(scattered.nominal, scattered.topology, np.asarray(frequency, np.float64), medium)
+        check_openings(scattered.parameters(draws), scattered.topology, np.asarray(frequency, np.float64), medium)
+
+    return quick_fidelity_by(check)
+
 
 def made_transfer_functions(
-    scattered: ScatteredDesign, draws: Mapping[str, NDArray[np.float64]], frequency: ArrayLike, medium: Medium
+    scattered: ScatteredDesign,
+    draws: Mapping[str, NDArray[np.float64]],
+    frequency: ArrayLike,
+    medium: Medium,
+    fidelity: ClosedForm = "lumped",
 ) -> NDArray[np.complex128]:
-    """Transfer functions of made sensors, by the lumped network, as their microphones give them.
+    """Transfer functions of made sensors in closed form, as their microphones give them.
 
     Args:
         scattered: the nominal design and what scatters.
@@ -28,14 +65,16 @@ def made_transfer_functions(
             :meth:`acoustic_fem.scatter.ScatteredDesign.parameters` takes them.
         frequency: (n_freq,) Hz, ascending.
         medium: the air.
+        fidelity: "lumped" or "atlas".
 
     Returns:
         (count, n_point, n_microphone, n_freq) complex128, Pa/Pa, by the response of the nominal microphone.
 
     Raises:
         Refusal: a frequency out of range.
+        OutsideAtlas: a sensor that the atlas has not; see :func:`made_fidelity`.
     """
-    made = batch_transfer_function(scattered.parameters(draws), scattered.topology, frequency, medium)
+    made = batch_transfer_function(scattered.parameters(draws), scattered.topology, frequency, medium, fidelity)
     gain, corner = np.moveaxis(scattered.microphones(draws), 1, 0)[:, :, None, :, None]
     if (gain == 1).all() and (corner == 1).all():
         return np.asarray(made)

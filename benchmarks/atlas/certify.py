@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 import acoustic_fem
 import geometry
 import studies
-from acoustic_fem.atlas.cell_in_atlas import atlas_admittance
+from acoustic_fem.atlas.cell_in_atlas import atlas_admittance, least_angle
 from acoustic_fem.cell.design_cells import solve_cells
 from acoustic_fem.cell.lumped import lumped_admittance
 from acoustic_fem.quantities.local_air import design_air
@@ -31,14 +31,20 @@ from geometry.air.cells import cell_catalogue
 from geometry.design.design_file import write_design
 from geometry.layout.arrangement import lay_out
 
+#: Wide bores in small cavities, where closed forms alone are further off than the atlas states.
+BASE = {
+    "layout.columns": 12,
+    **{f"{tube}.inner_diameter": 0.7 for tube in ("tube", "microphone_tube")},
+    **{f"{tube}.outer_diameter": 1.3 for tube in ("tube", "microphone_tube")},
+}
 SWEPT = {
-    "resonator.cavity_height": (2.0, 5.0),
-    "resonator.cavity_diameter": (4.5, 8.0),
+    "resonator.cavity_height": (2.0, 2.6),
+    "resonator.cavity_diameter": (3.2, 4.2),
     "membrane.thickness": (0.4, 1.2),
-    "tube.length": (8.0, 25.0),
+    "tube.length": (9.0, 25.0),
 }
 CASES, LOOKED_AT = 10_000, 10
-SWEEP_SEED = 1940
+SWEEP_SEED = 2640
 #: Smallest transfer function whose relative error counts, Pa/Pa.
 HEARD = 1e-3
 
@@ -49,6 +55,8 @@ class Errors:
 
     cell: float
     """Of the bare admittances of its resonators, each entry against its row and column."""
+    chamber: float
+    """Of those of its microphones' chambers, sound holes included."""
     heard: float
     """Of the transfer functions of at least ``HEARD``."""
     per_log: float
@@ -59,17 +67,16 @@ def errors(design: ArrayDesign, fidelity: str) -> Errors:
     """Errors of a closed form against 3-D."""
     air = design_air(design)
     closed = lumped_admittance if fidelity == "lumped" else atlas_admittance
-    bare = 0.0
-    cells = [cell for cell in cell_catalogue(design, lay_out(design)).distinct if cell.kind == "resonator"]
-    for cell, solved in solve_cells(cells, FREQUENCY, air).items():
+    bare = {"resonator": 0.0, "microphone": 0.0}
+    for cell, solved in solve_cells(cell_catalogue(design, lay_out(design)).distinct, FREQUENCY, air).items():
         y = solved.admittance
         size = np.sqrt(np.abs(np.einsum("fii->fi", y)))
         gap = np.abs(closed(cell, FREQUENCY, air) - y) / (size[:, :, None] * size[:, None, :])
-        bare = max(bare, float(gap.max()))
+        bare[cell.kind] = max(bare[cell.kind], float(gap.max()))
     exact, found = (
         acoustic_fem.solve(design, FREQUENCY, name).transfer_function.values for name in ("navier-stokes", fidelity)
     )
-    return Errors(bare, *apart(exact, found))
+    return Errors(bare["resonator"], bare["microphone"], *apart(exact, found))
 
 
 def apart(exact: NDArray[np.complex128], found: NDArray[np.complex128]) -> tuple[float, float]:
@@ -84,7 +91,8 @@ def held_out() -> dict[int, dict[str, Errors]]:
     for seed in range(FIRST_SEED, FIRST_SEED + COUNT):
         design = random_design(seed)
         found[seed] = {fidelity: errors(design, fidelity) for fidelity in ("lumped", "atlas")}
-        print(seed, *(f"{e.cell:.1e} {e.heard:.1e} {e.per_log:.1e} |" for e in found[seed].values()), flush=True)
+        rows = ([f"{value:.1e}" for value in vars(each).values()] for each in found[seed].values())
+        print(seed, *(" ".join(row) + " |" for row in rows), flush=True)
     return found
 
 
@@ -100,8 +108,7 @@ def swept() -> list[dict[str, tuple[float, float]]]:
     random = np.random.default_rng(SWEEP_SEED)
     found = []
     with TemporaryDirectory() as folder:
-        in_a_row = geometry.prototype("array-2x6").with_values({"layout.columns": 12})
-        (Path(folder) / "line.toml").write_text(write_design(in_a_row))
+        (Path(folder) / "line.toml").write_text(write_design(geometry.prototype("array-2x6").with_values(BASE)))
         path = Path(folder) / "study.toml"
         path.write_text(text)
         study = studies.load_study(path)
@@ -131,9 +138,16 @@ def main() -> None:
     table["provenance"]["held-out designs"] = {
         "seeds": [FIRST_SEED, FIRST_SEED + COUNT - 1],
         "highest": float(FREQUENCY[-1]),
+        "least angle": _least_angle(),
     }
     write(table)
     print_tables(designs, cases)
+
+
+def _least_angle() -> float:
+    """Smallest angle between the tubes of a point of the held-out designs, degrees."""
+    designs = (random_design(seed) for seed in range(FIRST_SEED, FIRST_SEED + COUNT))
+    return min(least_angle(cell_catalogue(design, lay_out(design)).distinct) for design in designs)
 
 
 def stated(designs: Mapping[int, Mapping[str, Errors]]) -> dict[str, float]:
@@ -141,6 +155,7 @@ def stated(designs: Mapping[int, Mapping[str, Errors]]) -> dict[str, float]:
     worst = {name: max(getattr(each["atlas"], name) for each in designs.values()) for name in Errors.__annotations__}
     return {
         "admittance of a resonator, held-out designs": worst["cell"],
+        "admittance of a chamber, held-out designs": worst["chamber"],
         "transfer function of 1e-3 and more, held-out designs": worst["heard"],
         "transfer function by 1 + |ln H|": worst["per_log"],
     }
@@ -148,17 +163,18 @@ def stated(designs: Mapping[int, Mapping[str, Errors]]) -> dict[str, float]:
 
 def print_tables(designs: Mapping[int, Mapping[str, Errors]], cases: Sequence[Mapping[str, Any]]) -> None:
     """The tables of the documentation."""
-    print("| 40 random designs | bare cell | H of 1e-3 and more | H by 1 + |ln H| |\n|---|---|---|---|")
+    print("| 40 random designs | bare resonator | bare chamber | H of 1e-3 and more | H by 1 + |ln H| |")
+    print("|---|---|---|---|---|")
     for fidelity in ("lumped", "atlas"):
         for what, of in (("median", np.median), ("worst", np.max)):
             figures = [
                 float(of([getattr(each[fidelity], name) for each in designs.values()]))
-                for name in ("cell", "heard", "per_log")
+                for name in Errors.__annotations__
             ]
             print(f"| {fidelity}, {what} | " + " | ".join(f"{100 * each:.2f} %" for each in figures) + " |")
     for fidelity in ("lumped", "atlas"):
         heard, per_log = (max(each[fidelity][k] for each in cases) for k in range(2))
-        print(f"| sweep, {fidelity}, worst of 10 | | {100 * heard:.2f} % | {100 * per_log:.3f} % |")
+        print(f"| sweep, {fidelity}, worst of 10 | | | {100 * heard:.2f} % | {100 * per_log:.3f} % |")
 
 
 if __name__ == "__main__":

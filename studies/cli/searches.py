@@ -105,6 +105,7 @@ def _show_scatter(study: ToleranceStudy) -> None:
             table.add_row(index.quantity.replace("_", " "), *(number(share, 2) for share in shares))
         show(table)
     tell(f"{study.design.name} as designed: {number(100 * result.nominal_accuracy, 1)} %; noise: {result.noise}")
+    tell(f"fidelity {result.fidelity.words}")
 
 
 def optimize(

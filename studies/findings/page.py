@@ -15,7 +15,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 import studies
-from acoustic_fem.quantities.fidelity import CLOSED_FORMS
 from geometry import ArrayDesign
 from geometry.design.design_file import value_of, write_design
 from geometry.files.writing import write_text
@@ -182,9 +181,13 @@ def _families(table: ResultTable, best: dict[str, list[int]]) -> list[dict[str, 
 
 def _family(title: str, design: ArrayDesign, table: ResultTable) -> dict[str, Any]:
     import acoustic_fem
+    from acoustic_fem.atlas import QuickFidelity, quick_fidelity
 
-    closed_form = table.fidelity if table.fidelity in CLOSED_FORMS else "lumped"
-    library = acoustic_fem.solve(design, table.frequency, closed_form)
+    lumped = table.fidelity == "lumped"
+    fidelity = QuickFidelity("lumped") if lumped else quick_fidelity(design, table.frequency)
+    if fidelity.outside:
+        title = f"{title} ({fidelity.words})"
+    library = acoustic_fem.solve(design, table.frequency, fidelity.name)
     response = library.transfer_function.transpose("point", "microphone", "frequency").values
     first, last = design.microphones[0], design.microphones[-1]
     count = len(response)

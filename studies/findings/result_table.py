@@ -317,11 +317,17 @@ def _parameter(name: str, values: NDArray[Any], unit: str) -> Column:
 
 
 def with_base_metrics(table: ResultTable) -> ResultTable:
-    """The table with the figures of the base of a sweep in closed form, which is rarely one of its cases: solved."""
+    """The table with the figures of the base of a sweep in closed form, which is rarely one of its cases: solved.
+
+    A base outside the atlas has none at that fidelity, as a case has none.
+    """
     if table.base_metrics or table.fidelity not in CLOSED_FORMS:
         return table
     import acoustic_fem
+    from acoustic_fem.atlas import quick_fidelity
 
+    if table.fidelity == "atlas" and quick_fidelity(table.base, table.frequency).outside:
+        return table
     library = acoustic_fem.solve(table.base, table.frequency, table.fidelity)
     return replace(table, base_metrics={each.name: METRICS[each.name].of_library(library) for each in table.metrics})
 

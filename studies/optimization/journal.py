@@ -16,6 +16,7 @@ from geometry.files.ordinary import read_bytes
 from geometry.files.reading import read_text
 from geometry.files.writing import write_text
 from geometry.refusal import said_by
+from studies.study.differences import other_table
 from studies.study.study import StudyError
 
 if TYPE_CHECKING:
@@ -49,16 +50,17 @@ def journal_exists(out: Path) -> bool:
     return os.path.isfile(out / JOURNAL)
 
 
-def opened(out: Path, directions: Directions, identity: dict[str, Any]) -> optuna.Study:
+def opened(out: Path, directions: Directions, identity: dict[str, Any], atlas: str) -> optuna.Study:
     """The trials of a folder, to be continued; a line that a kill left half written is cut off.
 
     Args:
         out: the folder; it must exist.
         directions: ``maximize`` or ``minimize`` of each objective.
         identity: what must agree for trials to belong to one search, as JSON keeps it.
+        atlas: digest of the installed table of the atlas; empty at other fidelities.
 
     Raises:
-        StudyError: the journal is damaged, or holds the trials of another problem.
+        StudyError: the journal is damaged, or holds the trials of another problem or of another table.
     """
     path = out / JOURNAL
     if path.is_file():
@@ -70,10 +72,13 @@ def opened(out: Path, directions: Directions, identity: dict[str, Any]) -> optun
     search = _study(path, directions)
     of_whom = search.user_attrs.get("problem")
     if of_whom is None:
+        search.set_user_attr("atlas", atlas)
         search.set_user_attr("problem", identity)
         seal(out)
     else:
         _check_owner(path, of_whom, identity)
+        if other := other_table(str(search.user_attrs.get("atlas", "")), atlas):
+            raise StudyError(f"{path}: is not continued: {other}; give a new folder")
     return search
 
 

@@ -87,7 +87,7 @@ def search_designs(
     """
     report = progress or (lambda message, fraction: None)
     with _quiet(), open_workers(workers, scheduler) as team:
-        journal = opened(out, _directions(problem), _identity(problem))
+        journal = opened(out, _directions(problem), _identity(problem), problem.study.atlas)
         search = _in_memory(journal, problem)
         done = len(search.trials)
         descent = Descent(problem) if problem.method == "gradient" else None

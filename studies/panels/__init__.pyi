@@ -3,7 +3,7 @@ from .curves import (
     CURVES as CURVES,
     Curves as Curves,
     curves_of as curves_of,
-    lumped_library as lumped_library,
+    quick_library as quick_library,
 )
 from .designing import DesignState as DesignState, Refused as Refused, design_key as design_key
 from .exploring import (

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
     from acoustic_fem import Library
+    from acoustic_fem.atlas import QuickFidelity
 
 #: Frequencies of the curves: so many, equally far apart on a logarithmic axis, over the band of the paper's sensors.
 FREQUENCY_COUNT = 56
@@ -39,6 +40,8 @@ class Curves:
     """Names of the microphones, or of pairs of them."""
     values: NDArray[np.float64]
     """Values in the unit; (n_point, n_heard_by, n_freq) float64."""
+    fidelity: str
+    """Fidelity of the transfer functions, in words."""
 
 
 @dataclass(frozen=True)
@@ -73,24 +76,28 @@ def curve_frequencies() -> NDArray[np.float64]:
     return np.geomspace(*BAND, FREQUENCY_COUNT)
 
 
-def lumped_library(design: ArrayDesign, frequency: NDArray[np.float64] | None = None) -> Library:
-    """The library of a design by closed forms, in milliseconds.
+def quick_library(design: ArrayDesign, frequency: NDArray[np.float64] | None = None) -> tuple[Library, QuickFidelity]:
+    """The library of a design in milliseconds, and its fidelity: ``atlas`` where that has the design, else ``lumped``.
 
     Args:
         design: the array.
         frequency: (n_freq,) float64, Hz, ascending; by default those of the curves.
     """
     import acoustic_fem
+    from acoustic_fem.atlas import quick_fidelity
 
-    return acoustic_fem.solve(design, curve_frequencies() if frequency is None else frequency, fidelity="lumped")
+    grid = curve_frequencies() if frequency is None else frequency
+    fidelity = quick_fidelity(design, grid)
+    return acoustic_fem.solve(design, grid, fidelity=fidelity.name), fidelity
 
 
-def curves_of(transfer_function: xr.DataArray, quantity: str) -> Curves:
+def curves_of(transfer_function: xr.DataArray, quantity: str, fidelity: str) -> Curves:
     """Curves of one quantity.
 
     Args:
         transfer_function: (n_point, n_microphone, n_freq) complex, Pa/Pa; dimensions point, microphone, frequency (Hz).
         quantity: of :data:`CURVES`.
+        fidelity: that of the transfer functions, in words.
 
     Raises:
         Refusal: there is no such quantity.
@@ -108,4 +115,5 @@ def curves_of(transfer_function: xr.DataArray, quantity: str) -> Curves:
         tuple(int(number) for number in ordered["point"].values),
         tuple(heard_by),
         chosen.compute(microphone_ratios(ordered) if chosen.compared else np.asarray(ordered.values, np.complex128)),
+        fidelity,
     )

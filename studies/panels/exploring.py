@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import tomlkit
 
+from acoustic_fem.atlas.table import cell_atlas
 from acoustic_fem.numerics.disk_cache import cache_folder
 from acoustic_fem.quantities.fidelity import CLOSED_FORMS
 from geometry.design.array_design import ArrayDesign
@@ -118,8 +119,11 @@ def write_study(design: ArrayDesign, text: str, path: Path) -> None:
 
 
 def study_folder(design: ArrayDesign, text: str) -> Path:
-    """Where the results of a study are kept, so that it goes on where it was: beside the solved cells, by its hash."""
-    key = hashlib.sha256(json.dumps([text, write_design(design)]).encode()).hexdigest()
+    """Where the results of a study are kept, beside the solved cells, so that it goes on where it was.
+
+    By its hash and the digest of the atlas.
+    """
+    key = hashlib.sha256(json.dumps([text, write_design(design), cell_atlas().digest]).encode()).hexdigest()
     return cache_folder() / "studies" / key
 
 

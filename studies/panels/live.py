@@ -45,7 +45,7 @@ def hear_live(
     replay: str | os.PathLike[str] | None,
     tell: Callable[[str], None],
 ) -> dict[str, Any]:
-    """Listen to an array until the source ends, as ``acoustic-fem live`` does with its lumped library.
+    """Listen to an array until the source ends, as ``acoustic-fem live`` does with its quick library.
 
     Args:
         design: the array.

@@ -17,8 +17,8 @@ from studies.metrics.responses import Responses
 from studies.metrics.separation import separability
 from studies.metrics.shared import SharedFigures
 from studies.output.frequencies import FREQUENCIES, stated_frequencies
-from studies.panels.curves import lumped_library
-from studies.scatter.effects import scattered_accuracy
+from studies.panels.curves import quick_library
+from studies.scatter.effects import quick_scattered_accuracy
 from studies.study.metric_registry import SENSORS, metrics_named
 
 #: Figures of merit of the whole design that the page shows, by the names that a study knows them by.
@@ -39,7 +39,7 @@ def _check_size(design: ArrayDesign) -> None:
 
 
 def point_figures(design: ArrayDesign) -> dict[str, Any]:
-    """Figures of a design and of each of its points, of the lumped library at the usual frequencies of figures.
+    """Figures of a design and of each of its points, of its quick library at the usual frequencies of figures.
 
     Returns:
         ``figures``: the value of each of :data:`FIGURES`;
@@ -48,7 +48,7 @@ def point_figures(design: ArrayDesign) -> dict[str, Any]:
         it) and ``force`` (smallest that stands out of the noise, N rms from 1 to 100 Hz); ``confusion``: touches of
         the row's point that name the column's, counted; ``touches`` per point; ``hardest``: pairs of points, as
         hard as the hardest; ``overlaps``: what of the layout cannot be built, and ``mend``; ``finger``: radius of the
-        contact of ``coverage``, mm.
+        contact of ``coverage``, mm; ``fidelity`` of the library, in words.
 
     Raises:
         Refusal: the design has fewer than two points or microphones or more than :data:`MOST_POINTS` points, or cannot
@@ -57,7 +57,7 @@ def point_figures(design: ArrayDesign) -> dict[str, Any]:
     _check_size(design)
     from acoustic_fem.library.noise import detection_limits
 
-    library = lumped_library(design, stated_frequencies(FREQUENCIES))
+    library, fidelity = quick_library(design, stated_frequencies(FREQUENCIES))
     shared = SharedFigures(Responses.of_library(library))
     apart = separability(library.transfer_function)
     predicted = shared.confusion(None)
@@ -90,6 +90,7 @@ def point_figures(design: ArrayDesign) -> dict[str, Any]:
         "overlaps": list(in_the_way),
         "mend": mend_of(design) if in_the_way else "",
         "finger": FINGER,
+        "fidelity": fidelity.words,
     }
 
 
@@ -102,11 +103,17 @@ def mis_made_figures(design: ArrayDesign) -> dict[str, Any]:
     """Predicted accuracy of sensors that are made with a workshop's scatter.
 
     Returns:
-        ``sensors``, how many; ``mean`` and ``worst`` share of their simulated touches whose point is named.
+        ``sensors``, how many; ``mean`` and ``worst`` share of their simulated touches whose point is named;
+        ``fidelity`` of their transfer functions, in words.
 
     Raises:
-        Refusal: a design that the lumped batch does not take, or one of more than :data:`MOST_POINTS` points.
+        Refusal: a design that the batch does not take, or one of more than :data:`MOST_POINTS` points.
     """
     _check_size(design)
-    found = scattered_accuracy(design, stated_frequencies(FREQUENCIES), sensors=SENSORS)
-    return {"sensors": SENSORS, "mean": float(found.mean()), "worst": float(found.min())}
+    found, fidelity = quick_scattered_accuracy(design, stated_frequencies(FREQUENCIES), sensors=SENSORS)
+    return {
+        "sensors": SENSORS,
+        "mean": float(found.mean()),
+        "worst": float(found.min()),
+        "fidelity": fidelity.words,
+    }

@@ -18,9 +18,11 @@ from geometry.design.array_design import ArrayDesign
 from geometry.refusal import Refusal
 from localize.contacts.radii import MOVING
 from studies.listening.opening import Decoding, open_localizer, open_stream, open_tracker
+from studies.output.frequencies import LIBRARY_FREQUENCIES, stated_frequencies
 from studies.run.libraries import solve_library
 
 if TYPE_CHECKING:
+    from acoustic_fem.atlas import QuickFidelity
     from localize import BayesDecoder, Localizer, OnnxLocalizer
     from localize.contacts import Contact, ContactRecorder
 
@@ -40,12 +42,14 @@ class Ears:
     library: Path
     localizer: Localizer | BayesDecoder | OnnxLocalizer
     recorder: ContactRecorder
+    fidelity: QuickFidelity
+    """Fidelity of the library."""
 
 
 def touched(design: ArrayDesign, point: int, kind: str, sample: int) -> dict[str, Any]:
     """One simulated touch by a finger in the middle of a point, and what the decoder of the design makes of it.
 
-    It is heard through the lumped library that decodes it, under the noise of the design's microphones; force, length
+    It is heard through the quick library that decodes it, under the noise of the design's microphones; force, length
     and noise are drawn.
 
     Args:
@@ -130,7 +134,7 @@ def paths_of(ears: Ears, signals: NDArray[np.float64]) -> list[dict[str, Any]]:
 
 
 def replayed(design: ArrayDesign, content: bytes, name: str, full_scale: float) -> dict[str, Any]:
-    """A recording in WAV format as ``acoustic-fem locate`` decodes it with the lumped library of a design.
+    """A recording in WAV format as ``acoustic-fem locate`` decodes it with the quick library of a design.
 
     Args:
         design: the array.
@@ -169,7 +173,7 @@ def decoded(ears: Ears, signals: NDArray[np.float64]) -> dict[str, Any]:
     Returns:
         ``signals`` as float32 bytes, microphone after microphone; ``microphones``, their names; ``samples``, how many;
         ``decisions``: end of the frame (s), state, point and its probability, 16 ms apart; ``touches``: start and end
-        (s), point, probability and level (Pa rms).
+        (s), point, probability and level (Pa rms); ``fidelity`` of the library, in words.
     """
     from localize import Decision, touches_of
 
@@ -184,6 +188,7 @@ def decoded(ears: Ears, signals: NDArray[np.float64]) -> dict[str, Any]:
             [event.time, event.state, event.point, event.probability] for event in events if isinstance(event, Decision)
         ],
         "touches": [[each.start, each.end, each.point, each.probability, each.level] for each in found],
+        "fidelity": ears.fidelity.words,
     }
 
 
@@ -191,18 +196,27 @@ def surface(design: ArrayDesign) -> dict[str, Any]:
     """Where the membranes lie in plan.
 
     Returns:
-        ``points``: x, y and radius of the membrane of each, mm.
+        ``points``: x, y and radius of the membrane of each, mm; ``fidelity`` of the library that decodes, in words.
     """
     from localize.contacts.contact import surface_of
     from localize.signals.array_response import response_of
-    from studies.panels.curves import lumped_library
+    from studies.panels.curves import quick_library
 
-    place, radius = surface_of(response_of(lumped_library(design)))
-    return {"points": np.column_stack([place, np.broadcast_to(radius, len(place))]).tolist()}
+    place, radius = surface_of(response_of(quick_library(design)[0]))
+    return {
+        "points": np.column_stack([place, np.broadcast_to(radius, len(place))]).tolist(),
+        "fidelity": _fidelity(design).words,
+    }
+
+
+def _fidelity(design: ArrayDesign) -> QuickFidelity:
+    from acoustic_fem.atlas import quick_fidelity
+
+    return quick_fidelity(design, stated_frequencies(LIBRARY_FREQUENCIES))
 
 
 def listening_to(design: ArrayDesign) -> Ears:
-    """What listens to a design, by its lumped library."""
+    """What listens to a design, by its quick library."""
     return _ears(design.model_dump_json())
 
 
@@ -214,6 +228,7 @@ def _ears(design_json: str) -> Ears:
     design = ArrayDesign.model_validate_json(design_json, strict=False)
     folder = TemporaryDirectory(prefix="acoustic-fem-studio-")
     path = Path(folder.name) / "library.nc"
-    library = solve_library(design, path, fidelity="lumped")
+    fidelity = _fidelity(design)
+    library = solve_library(design, path, fidelity=fidelity.name, frequency=LIBRARY_FREQUENCIES)
     recorder = ContactRecorder(library, microphone_noise="design")
-    return Ears(folder, path, open_localizer(path, Decoding()), recorder)
+    return Ears(folder, path, open_localizer(path, Decoding()), recorder, fidelity)

@@ -34,12 +34,12 @@ _MOST_POINTS = 256
 
 @dataclass(frozen=True, eq=False)
 class DesignQuality:
-    """Predicted quality of a design, at fidelity lumped: sums of sines, the noise of the design's microphone."""
+    """Predicted quality of a design: sums of sines, the noise of the design's microphone."""
 
     named: float
     """Share of touches on the nominal sensor whose point a trained localizer is predicted to name, 0 to 1."""
     sensors: int
-    """Number of mis-made sensors; 0 where the lumped batch does not take the design, or it has over 256 points."""
+    """Number of mis-made sensors; 0 where the batch does not take the design, or it has over 256 points."""
     mis_made: float
     """The same share on sensors with a workshop's scatter, not calibrated, by their mean; NaN without sensors."""
     worst: float
@@ -56,6 +56,10 @@ class DesignQuality:
     """Force there that stands out of the noise, rms from 1 to 100 Hz, N."""
     cost: float
     """Cost of the materials of one array, molds left out, at assumed prices, USD."""
+    fidelity: str
+    """Fidelity of the nominal sensor's transfer functions, in words: the atlas, or lumped and why."""
+    made_fidelity: str
+    """That of the mis-made sensors; empty without sensors."""
     per_point: NDArray[np.float64] = field(repr=False)
     """Share of the touches of each point on the nominal sensor that name it; (n_point,) float64."""
 
@@ -65,12 +69,15 @@ class DesignQuality:
         first, second = self.hardest
         made = f"{100 * self.mis_made:.1f} % ({100 * self.worst:.1f} %)" if self.sensors else "not known"
         of = f"mean of {self.sensors} (the worst), not calibrated" if self.sensors else "told by acoustic-fem tolerance"
+        fidelities = {"nominal sensor": self.fidelity, "mis-made sensors": self.made_fidelity}
+        told = [(whose, *words.partition(": ")[::2]) for whose, words in fidelities.items() if words]
         return (
             ("named right, nominal sensor", f"{100 * self.named:.1f} %", "sums of sines, predicted for a localizer"),
             ("named right, mis-made sensors", made, of),
             ("hardest pair", f"{first} and {second}", f"{self.level:.2g} dB, {self.phase:.2g} degrees apart"),
             ("smallest force", f"{number(1e9 * self.force)} nN", f"rms, point {self.weakest}, over the noise"),
             ("cost", f"{self.cost:.2f} USD", "materials of one array, assumed prices"),
+            *((f"fidelity, {whose}", name, why) for whose, name, why in told),
         )
 
     def to_dict(self) -> dict[str, Any]:
@@ -89,18 +96,21 @@ def design_quality(design: ArrayDesign) -> DesignQuality | None:
         Refusal: the design cannot be solved.
     """
     import acoustic_fem
+    from acoustic_fem.atlas import quick_fidelity
     from acoustic_fem.library.noise import detection_limits
 
     if design.point_count < 2 or len(design.microphones) < 2:
         return None
-    library = acoustic_fem.solve(design, stated_frequencies(FREQUENCIES), fidelity="lumped")
+    grid = stated_frequencies(FREQUENCIES)
+    fidelity = quick_fidelity(design, grid)
+    library = acoustic_fem.solve(design, grid, fidelity=fidelity.name)
     apart = separability(library.transfer_function)
     hardest = apart.hardest_pairs[0]
     level, phase, _ = apart.between(*hardest)
     predicted = SharedFigures(Responses.of_library(library)).confusion(None)
     limits = np.asarray(detection_limits(library, BAND)["force"].values)
     weakest = int(np.argmax(limits))
-    made = _mis_made(design)
+    made, made_fidelity = _mis_made(design)
     return DesignQuality(
         named=float(predicted.top1[0]),
         sensors=len(made),
@@ -112,22 +122,27 @@ def design_quality(design: ArrayDesign) -> DesignQuality | None:
         weakest=apart.points[weakest],
         force=float(limits[weakest]),
         cost=float(cost(design)),
+        fidelity=fidelity.words,
+        made_fidelity=made_fidelity,
         per_point=np.diagonal(predicted.confusion[0]).copy(),
     )
 
 
-def _mis_made(design: ArrayDesign) -> NDArray[np.float64]:
-    """Predicted shares of mis-made sensors, (n,) float64; none where the batch does not take it or it takes long."""
-    from studies.scatter.effects import scattered_accuracy
+def _mis_made(design: ArrayDesign) -> tuple[NDArray[np.float64], str]:
+    """Predicted shares of mis-made sensors, (n,) float64; none where the batch does not take it or it takes long. And
+    their fidelity, in words.
+    """
+    from studies.scatter.effects import quick_scattered_accuracy
 
     if design.point_count > _MOST_POINTS:
-        return np.zeros(0)
+        return np.zeros(0), ""
     count = math.ceil(SENSORS * (SENSORS_UP_TO / design.point_count) ** 2)
     count = max(_LEAST_SENSORS, min(SENSORS, count))
     try:
-        return scattered_accuracy(design, stated_frequencies(FREQUENCIES), sensors=count)
+        found, fidelity = quick_scattered_accuracy(design, stated_frequencies(FREQUENCIES), sensors=count)
     except Refusal:
-        return np.zeros(0)
+        return np.zeros(0), ""
+    return found, fidelity.words
 
 
 def draw_quality(design: ArrayDesign, quality: DesignQuality, path: str | os.PathLike[str]) -> Path:

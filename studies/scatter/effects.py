@@ -15,7 +15,7 @@ Comput. Phys. Commun. 181 (2010) 259, table 2; total: Jansen, Comput. Phys. Comm
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -25,7 +25,7 @@ from numpy.typing import ArrayLike, NDArray
 from acoustic_fem.batch.network import batch_transfer_function
 from acoustic_fem.quantities.checks import frequency_grid
 from acoustic_fem.quantities.local_air import design_air
-from acoustic_fem.scatter.made_sensors import made_transfer_functions
+from acoustic_fem.scatter.made_sensors import made_fidelity, made_transfer_functions
 from acoustic_fem.scatter.tolerances import TOLERANCES, ScatteredDesign, Tolerance
 from geometry.design.array_design import ArrayDesign
 from geometry.refusal import Refusal
@@ -34,7 +34,9 @@ from studies.metrics.responses import Responses
 from studies.metrics.separation import pair_distances
 
 if TYPE_CHECKING:
+    from acoustic_fem.atlas.quick import QuickFidelity
     from acoustic_fem.membrane.disc import KnownDiscs
+    from acoustic_fem.quantities.fidelity import ClosedForm
     from localize.signals.noise import NoiseSpectrum
 
 Array = NDArray[np.float64]
@@ -94,6 +96,8 @@ class ToleranceResult:
     """Noise of the microphones, in words."""
     seed: int
     """Seed of all draws."""
+    fidelity: QuickFidelity
+    """Fidelity of all transfer functions, and why it is not the atlas."""
 
     def summary(self) -> dict[str, Any]:
         """Figures of the study, all but the transfer functions, as JSON can hold them."""
@@ -101,7 +105,8 @@ class ToleranceResult:
             "design": self.design.name,
             "samples": len(self.deviation),
             "seed": self.seed,
-            "fidelity": "lumped",
+            "fidelity": self.fidelity.name,
+            "outside_atlas": self.fidelity.outside,
             "noise": self.noise,
             "tolerances": {
                 t.quantity: {"deviation": t.deviation, "kind": t.kind, "unit": _unit(t), "source": t.source}
@@ -129,7 +134,9 @@ def scatter_effects(
     seed: int = 0,
     progress: Callable[[str, float], None] | None = None,
 ) -> ToleranceResult:
-    """Result of a Monte Carlo over manufacturing scatter, every part with its own deviation; lumped fidelity.
+    """Result of a Monte Carlo over manufacturing scatter, every part with its own deviation.
+
+    At fidelity ``atlas`` where that has the design and all that can be made of it, else ``lumped``.
 
     Args:
         design: the nominal array.
@@ -142,7 +149,7 @@ def scatter_effects(
         progress: called with what is being done and the fraction done.
 
     Raises:
-        Refusal: a value out of range, or a design that the lumped batch does not take.
+        Refusal: a value out of range, or a design that the batch does not take.
     """
     for name, value, least in (("samples", samples, 2), ("base", base, 0)):
         if isinstance(value, bool) or not isinstance(value, int) or not least <= value <= 1_000_000:
@@ -154,15 +161,15 @@ def scatter_effects(
     check_grid(grid)
     report("membranes", 0.0)
     scattered = ScatteredDesign(design, tolerances)
-    level = _noise(design, noise)
-    nominal = batch_transfer_function(scattered.nominal, scattered.topology, grid, air)
-    h = np.concatenate(
-        [
-            made_transfer_functions(scattered, scattered.draws(first, min(_BLOCK, samples - first), seed), grid, air)
-            for first in range(0, samples, _BLOCK)
-        ]
-    )
-    seen = made_transfer_functions(scattered, scattered.draws(samples, _SEEN, seed), grid, air)
+    level, fidelity = _noise(design, noise), made_fidelity(scattered, grid, air)
+    nominal = batch_transfer_function(scattered.nominal, scattered.topology, grid, air, fidelity.name)
+
+    def made(draws: Mapping[str, Array]) -> Complex:
+        return made_transfer_functions(scattered, draws, grid, air, fidelity.name)
+
+    blocks = ((first, min(_BLOCK, samples - first)) for first in range(0, samples, _BLOCK))
+    h = np.concatenate([made(scattered.draws(first, count, seed)) for first, count in blocks])
+    seen = made(scattered.draws(samples, _SEEN, seed))
     report("accuracy", 0.2)
     accuracy = {
         name: predict_confusion(h, grid, level, assumed=assumed).top1
@@ -182,9 +189,10 @@ def scatter_effects(
         accuracy=accuracy,
         deviation=deviation(h, nominal),
         closest=pair_distances(Responses(grid, h)).combined.min(axis=1),
-        sobol=_sobol(scattered, grid, outputs, base, seed, report) if base else {},
+        sobol=_sobol(scattered, made, outputs, base, seed, report) if base else {},
         noise=f"white, {level:g} Pa rms over 0 to 500 Hz" if isinstance(level, float) else level.source,
         seed=seed,
+        fidelity=fidelity,
     )
 
 
@@ -197,8 +205,9 @@ def scattered_accuracy(
     noise: float | None = None,
     seed: int = 0,
     known: KnownDiscs | None = None,
+    fidelity: ClosedForm = "lumped",
 ) -> Array:
-    """Predicted top-1 of mis-made sensors with one localizer, trained on the nominal design; lumped fidelity.
+    """Predicted top-1 of mis-made sensors with one localizer, trained on the nominal design.
 
     The same deviations for every design of a topology, so that designs are compared by what differs in them. Takes
     a second for the elastic solutions of the membranes, and about six milliseconds per sensor of 12 points.
@@ -211,17 +220,49 @@ def scattered_accuracy(
         noise: as for :func:`scatter_effects`.
         seed: of the draws.
         known: membranes that need not be solved.
+        fidelity: of all transfer functions.
 
     Returns:
         (sensors,) float64, 0 to 1.
 
     Raises:
-        Refusal: a design that the lumped batch does not take, or a grid that does not cover the band.
+        Refusal: a design that the batch does not take, or a grid that does not cover the band.
     """
-    scattered, air, grid = ScatteredDesign(design, tolerances, known), design_air(design), frequency_grid(frequency)
-    nominal = batch_transfer_function(scattered.nominal, scattered.topology, grid, air)
-    h = made_transfer_functions(scattered, scattered.draws(0, sensors, seed), grid, air)
-    return predict_confusion(h, grid, _noise(design, noise), assumed=nominal).top1
+    scattered, grid = ScatteredDesign(design, tolerances, known), frequency_grid(frequency)
+    return _accuracy(scattered, grid, sensors, _noise(design, noise), seed, fidelity)
+
+
+def quick_scattered_accuracy(design: ArrayDesign, frequency: ArrayLike, *, sensors: int) -> tuple[Array, QuickFidelity]:
+    """:func:`scattered_accuracy` at the fidelity of a quick answer, and which that is.
+
+    Args:
+        design: the nominal array.
+        frequency: (n_freq,), Hz, over 1 to 100 Hz.
+        sensors: how many.
+
+    Returns:
+        (n_sensor,) float64, 0 to 1, and the fidelity: ``atlas`` where that has all that can be made of the design.
+
+    Raises:
+        Refusal: as :func:`scattered_accuracy`.
+    """
+    scattered, grid = ScatteredDesign(design), frequency_grid(frequency)
+    fidelity = made_fidelity(scattered, grid, design_air(design))
+    return _accuracy(scattered, grid, sensors, _noise(design, None), 0, fidelity.name), fidelity
+
+
+def _accuracy(
+    scattered: ScatteredDesign,
+    grid: Array,
+    sensors: int,
+    noise: float | NoiseSpectrum,
+    seed: int,
+    fidelity: ClosedForm,
+) -> Array:
+    air = design_air(scattered.design)
+    nominal = batch_transfer_function(scattered.nominal, scattered.topology, grid, air, fidelity)
+    h = made_transfer_functions(scattered, scattered.draws(0, sensors, seed), grid, air, fidelity)
+    return predict_confusion(h, grid, noise, assumed=nominal).top1
 
 
 def deviation(transfer_function: Complex, nominal: Complex) -> Array:
@@ -274,14 +315,13 @@ def sobol_indices(
 
 def _sobol(
     scattered: ScatteredDesign,
-    grid: Array,
+    made: Callable[[Mapping[str, Array]], Complex],
     outputs: dict[str, Callable[[Complex], Array]],
     base: int,
     seed: int,
     report: Callable[[str, float], None],
 ) -> dict[str, tuple[SobolIndex, ...]]:
     """Indices of every output for every tolerance."""
-    air = design_air(scattered.design)
     names = [tolerance.quantity for tolerance in scattered.tolerances]
     # streams of their own: not the sensors that the accuracies are of
     first, second = (scattered.draws(0, base, seed + 1 + k) for k in (0, 1))
@@ -289,7 +329,7 @@ def _sobol(
     found: dict[str, list[Array]] = {name: [] for name in outputs}
     for number, mixture in enumerate(mixtures):
         report("what matters most", 0.4 + 0.6 * number / len(mixtures))
-        h = made_transfer_functions(scattered, mixture, grid, air)
+        h = made(mixture)
         for name, output in outputs.items():
             found[name].append(output(h))
     return {name: sobol_indices(names, at[0], at[1], np.stack(at[2:]), seed) for name, at in found.items()}

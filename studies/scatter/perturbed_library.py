@@ -19,10 +19,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from pydantic import BaseModel, ConfigDict, Field
 
+from acoustic_fem.atlas.quick import QuickFidelity
+from acoustic_fem.atlas.table import cell_atlas
 from acoustic_fem.library.provenance import versions
 from acoustic_fem.quantities.checks import frequency_grid
 from acoustic_fem.quantities.local_air import design_air
-from acoustic_fem.scatter.made_sensors import made_transfer_functions
+from acoustic_fem.scatter.made_sensors import made_fidelity, made_transfer_functions
 from acoustic_fem.scatter.tolerances import TOLERANCES, ScatteredDesign, Tolerance
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import read_stored_design, write_design
@@ -42,7 +44,18 @@ MOST_SENSORS = 1_000_000
 _DIMENSIONS = ("design", "point", "microphone", "frequency")
 _PARTS = ("transfer_function_real", "transfer_function_imag")
 #: Attributes that change no number.
-_DESCRIBED = ("title", "fidelity", "tolerances", "code_version", "created", "seed", "python", "libraries")
+_DESCRIBED = (
+    "title",
+    "fidelity",
+    "atlas",
+    "outside_atlas",
+    "tolerances",
+    "code_version",
+    "created",
+    "seed",
+    "python",
+    "libraries",
+)
 
 
 class _About(BaseModel):
@@ -63,10 +76,11 @@ def write_perturbed_library(
     seed: int = 0,
     progress: Callable[[str, float], None] | None = None,
 ) -> PerturbedLibrary:
-    """Store of the transfer functions of sensors that are drawn from a design (lumped fidelity).
+    """Store of the transfer functions of sensors that are drawn from a design.
 
-    Sensor k depends on the design, the tolerances, (seed, k) and the frequencies alone. The store is built beside and
-    renamed at the end: it is whole or not there.
+    At fidelity ``atlas`` where that has the design and all that can be made of it, else ``lumped``; the store says
+    which and why. Sensor k depends on the design, the tolerances, (seed, k) and the frequencies alone. The store is
+    built beside and renamed at the end: it is whole or not there.
 
     Args:
         path: of the new store, such as ``mis-made.zarr``.
@@ -79,7 +93,7 @@ def write_perturbed_library(
 
     Raises:
         Refusal: a path that exists or cannot be written, a count or grid out of range, or a design that the
-            lumped batch does not take.
+            batch does not take.
     """
     target = Path(path)
     if isinstance(count, bool) or not isinstance(count, int) or not 1 <= count <= MOST_SENSORS:
@@ -91,17 +105,18 @@ def write_perturbed_library(
     report = progress or (lambda message, fraction: None)
     report("membranes", 0.0)
     scattered, air = ScatteredDesign(design, tolerances), design_air(design)
+    fidelity = made_fidelity(scattered, grid, air)
     target.parent.mkdir(parents=True, exist_ok=True)
     beside = target.with_name(f".{target.name}.{os.getpid()}.new")
     try:
         with writing(target):
-            _new_store(beside, scattered, count, grid, seed)
+            _new_store(beside, scattered, count, grid, seed, fidelity)
             stored, _ = _opened(beside)
             parts, seals = [stored.array(name, writing=True) for name in _PARTS], Seals(stored, _PARTS, writing=True)
             for first in range(0, count, BLOCK):
                 report("sensors", first / count)
                 size = min(BLOCK, count - first)
-                h = made_transfer_functions(scattered, scattered.draws(first, size, seed), grid, air)
+                h = made_transfer_functions(scattered, scattered.draws(first, size, seed), grid, air, fidelity.name)
                 parts[0][first : first + size], parts[1][first : first + size] = h.real, h.imag
                 seals.write(first // BLOCK, {_PARTS[0]: h.real, _PARTS[1]: h.imag})
             os.rename(beside, target)
@@ -115,7 +130,14 @@ def _opened(path: Path) -> tuple[CheckedStore, _About]:
     return read_store(path, "a library of perturbed transfer functions", MARK, FORMAT, _About, _DESCRIBED, Refusal)
 
 
-def _new_store(path: Path, scattered: ScatteredDesign, count: int, grid: NDArray[np.float64], seed: int) -> None:
+def _new_store(
+    path: Path,
+    scattered: ScatteredDesign,
+    count: int,
+    grid: NDArray[np.float64],
+    seed: int,
+    fidelity: QuickFidelity,
+) -> None:
     """Make a store that says what is in it; its real and imaginary parts are still empty."""
     import zarr
 
@@ -126,7 +148,8 @@ def _new_store(path: Path, scattered: ScatteredDesign, count: int, grid: NDArray
             MARK: FORMAT,
             "title": f"{design.name} with manufacturing scatter",
             "design": write_design(design.completed()),
-            "fidelity": "lumped",
+            "fidelity": fidelity.name,
+            **({"outside_atlas": fidelity.outside} if fidelity.outside else {"atlas": cell_atlas().digest}),
             "microphones": list(design.microphones),
             "tolerances": json.dumps([asdict(tolerance) for tolerance in scattered.tolerances]),
             **versions(seed, ("numpy", "scipy", "zarr")),

@@ -51,7 +51,8 @@ def tolerance_study(
 ) -> ToleranceStudy:
     """Spread of transfer functions and accuracy by manufacturing scatter, and which tolerance matters most.
 
-    Every tube, cavity and membrane deviates by itself; lumped fidelity. :func:`studies.scatter.scatter_effects` is the
+    Every tube, cavity and membrane deviates by itself; fidelity ``atlas`` where that has the design and all that can be
+    made of it, else ``lumped``. :func:`studies.scatter.scatter_effects` is the
     same without files.
 
     Args:
@@ -68,7 +69,7 @@ def tolerance_study(
 
     Raises:
         Refusal: a value out of range, a folder that cannot be written or has such a library, tolerances that cannot be
-            read, or a design that the lumped batch does not take.
+            read, or a design that the batch does not take.
     """
     folder, show = Path(out), display or Display()
     from acoustic_fem.scatter.tolerances import tolerances_of

@@ -110,6 +110,7 @@ def packed(job: Job, curves: Curves) -> bytes:
         "points": list(curves.points),
         "heard_by": list(curves.heard_by),
         "frequency": [float(f"{value:.7g}") for value in curves.frequency],
+        "fidelity": curves.fidelity,
     }
     return _framed(header, curves.values.astype("<f4").tobytes())
 

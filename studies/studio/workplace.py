@@ -13,7 +13,7 @@ from tempfile import TemporaryDirectory, mkdtemp
 from typing import TYPE_CHECKING, Any
 
 from geometry.refusal import Refusal
-from studies.panels.curves import Curves, curves_of, lumped_library
+from studies.panels.curves import Curves, curves_of, quick_library
 from studies.panels.designing import design_key
 from studies.panels.exploring import FoundDesigns, run_study, study_so_far, write_study
 from studies.panels.export_files import make_export
@@ -27,6 +27,7 @@ from studies.studio.workshop import Stopped, Workshop
 
 if TYPE_CHECKING:
     from acoustic_fem import Library
+    from acoustic_fem.atlas import QuickFidelity
     from acoustic_fem.quantities.fidelity import Fidelity
     from geometry.design.array_design import ArrayDesign
     from studies.studio.stage import Job
@@ -53,7 +54,7 @@ class Workplace:
         self._listening = Workshop(_import_decoder, "the process that listens", aside=False)
         # Seconds of Python: in a thread they would stand in the way of every curve.
         self._predicting = Workshop(_import_decoder, "the process that predicts mis-made sensors")
-        self._libraries: Kept[Library] = Kept(MOST_KEPT)
+        self._libraries: Kept[tuple[Library, QuickFidelity]] = Kept(MOST_KEPT)
         self._results: Kept[dict[str, Any]] = Kept(MOST_KEPT)
         self._models: Kept[dict[str, Any]] = Kept(MOST_MODELS)
         self._folder = TemporaryDirectory(prefix="acoustic-fem-studio-")
@@ -70,12 +71,12 @@ class Workplace:
         # The decoder's imports take seconds: after the first curves, not in their way.
         self._threads["points"].submit(_settle)
 
-    def library(self, design: ArrayDesign) -> Library:
-        """The lumped library of a design at the frequencies of the curves."""
+    def library(self, design: ArrayDesign) -> tuple[Library, QuickFidelity]:
+        """The quick library of a design at the frequencies of the curves, and its fidelity."""
         key = design_key(design)
         found = self._libraries.get(key)
         if found is None:
-            found = lumped_library(design)
+            found = quick_library(design)
             self._libraries.put(key, found)
         return found
 
@@ -83,7 +84,8 @@ class Workplace:
         """Curves of one quantity of a design."""
 
         def work() -> Curves:
-            return curves_of(self.library(design).transfer_function, quantity)
+            library, fidelity = self.library(design)
+            return curves_of(library.transfer_function, quantity, fidelity.words)
 
         return await self.in_thread("curves", work)
 

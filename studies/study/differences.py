@@ -24,6 +24,19 @@ def first_difference(stored: Mapping[str, Any], wanted: Mapping[str, Any]) -> st
     return ""
 
 
+def other_table(stored: str, installed: str) -> str:
+    """In words, that cells are of another table of the atlas than is installed; empty where they are not.
+
+    Args:
+        stored: digest of their table, empty where none was noted.
+        installed: digest of the installed one, empty at other fidelities.
+    """
+    if not installed or stored == installed:
+        return ""
+    table = f"table {stored}" if stored else "a table without a digest"
+    return f"its cells are of {table} of the atlas, not of {installed}, which is installed"
+
+
 def _parameter_difference(stored: list[Any], wanted: list[Any]) -> str:
     old, new = ({each["name"]: each for axis in axes for each in axis} for axes in (stored, wanted))
     for name in [*new, *old]:

@@ -141,6 +141,15 @@ class Study:
         """Parameters, all that varies, in the order of the file."""
         return tuple(parameter for axis in self.axes for parameter in axis)
 
+    @property
+    def atlas(self) -> str:
+        """Digest of the table of the atlas that is installed; empty at other fidelities."""
+        if self.fidelity != "atlas":
+            return ""
+        from acoustic_fem.atlas import cell_atlas
+
+        return cell_atlas().digest
+
     def content(self) -> dict[str, Any]:
         """Content that decides the results, as plain values: neither comments nor the order of lines count."""
         return {

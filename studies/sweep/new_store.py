@@ -115,6 +115,7 @@ def _fill(path: Path, study: Study, cases: Cases, metrics: Sequence[Labelled]) -
             "title": study.name,
             "description": study.description,
             "fidelity": study.fidelity,
+            "atlas": study.atlas,
             "study": study.text,
             "study_content": json.dumps(study.content()),
             "base_design": write_design(study.base.completed()),

@@ -30,7 +30,7 @@ from studies.output.checked_store import METADATA, CheckedStore, read_store, tak
 from studies.output.folders import check_folder
 from studies.output.seals import SEALS, Seals
 from studies.output.sole_writer import hold
-from studies.study.differences import first_difference
+from studies.study.differences import first_difference, other_table
 from studies.study.failure_reasons import by_kind
 from studies.study.metric_registry import METRICS
 from studies.study.study import Study, StudyError
@@ -79,6 +79,7 @@ class _About(BaseModel):
     title: str = ""
     description: str = ""
     fidelity: str
+    atlas: str = ""
     study_content: Json[dict[str, Any]]
     base_design: str
     parameter_names: Json[list[str]]
@@ -137,6 +138,8 @@ class SweepStore:
         differs = first_difference(store._about.study_content, study.content())
         if differs:
             raise StudyError(f"{path}: holds the results of another study: {differs}; give another `out`, or remove it")
+        if other := other_table(store._about.atlas, study.atlas):
+            raise StudyError(f"{path}: is not continued: {other}; give another `out`, or remove it")
         for left in path.rglob("*.partial"):  # of a run that was killed while it wrote
             left.unlink()
         with writing(path):

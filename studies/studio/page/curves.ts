@@ -4,7 +4,7 @@ import { byId, colour, csv, hand, make, ramp, words } from "./dom";
 
 export interface Curves {
   stage: string; revision: number; quantity: string; unit: string; points: number[]; heard_by: string[];
-  frequency: number[]; values: Float32Array;
+  frequency: number[]; values: Float32Array; fidelity: string;
 }
 
 export function unpack(message: ArrayBuffer): Curves {
@@ -51,6 +51,7 @@ export class CurvesPanel {
 
   private draw(): void {
     const now = this.now!;
+    byId("curves-fidelity").textContent = `Fidelity ${now.fidelity}.`;
     this.range();
     const key = [now.quantity, now.unit, ...now.heard_by].join("|");
     if (key !== this.key) this.build(key);

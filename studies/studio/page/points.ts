@@ -4,7 +4,7 @@ import { byId, colour, csv, hand, make, shownUnit, words } from "./dom";
 export interface Figures {
   figures: Record<string, number>;
   points: { number: number; nearest: number; distance: number; level: number; phase: number; named: number; force: number }[];
-  confusion: number[][]; touches: number; hardest: number[][]; overlaps: string[]; mend: string; finger: number;
+  confusion: number[][]; touches: number; hardest: number[][]; overlaps: string[]; mend: string; finger: number; fidelity: string;
 }
 export interface Word { title: string; unit: string; definition: string; better: string; }
 
@@ -34,10 +34,10 @@ export class PointsPanel {
     this.matrix();
   }
 
-  misMade(found: { sensors: number; mean: number; worst: number }): void {
+  misMade(found: { sensors: number; mean: number; worst: number; fidelity: string }): void {
     byId("mis-made").textContent =
       `Of ${found.sensors} sensors made with the scatter of a workshop, not calibrated: ${words(100 * found.mean, 3)} % named right, ` +
-      `${words(100 * found.worst, 3)} % on the worst of them.`;
+      `${words(100 * found.worst, 3)} % on the worst of them; fidelity ${found.fidelity}.`;
   }
 
   private draw(): void {
@@ -46,6 +46,7 @@ export class PointsPanel {
       const word = this.word()[name];
       return make("div", { title: word.definition, "data-figure": name }, make("dt", {}, word.title), make("dd", {}, show(value, word.unit)));
     }));
+    byId("points-fidelity").textContent = `Fidelity ${now.fidelity}.`;
     byId("hardest").textContent = `Hardest to tell apart: ${now.hardest.map((pair) => pair.join(" and ")).join("; ")}.`;
     const trouble = now.overlaps.length ? `Cannot be built: ${now.overlaps.join("; ")}${now.mend ? `; ${now.mend}` : ""}` : "";
     byId("overlaps").textContent = trouble;

@@ -58,12 +58,13 @@ export class TouchPanel {
     new ResizeObserver(() => this.draw()).observe(plan.parentElement!);
   }
 
-  take(found: { points: number[][] }, revision: number): void {
+  take(found: { points: number[][]; fidelity: string }, revision: number): void {
     if (revision !== this.revision) this.forget();
     this.revision = revision;
     this.points = found.points;
     this.game.check();
     this.planned = "";
+    byId("touch-fidelity").textContent = `Fidelity ${found.fidelity}.`;
     byId("touch-points").replaceChildren(...found.points.map((_, k) => button(String(k + 1), () => this.press(k + 1), { "aria-label": `touch point ${k + 1}` })));
     this.draw();
   }

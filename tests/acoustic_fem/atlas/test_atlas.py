@@ -8,7 +8,7 @@ import pytest
 import torch
 
 import acoustic_fem
-from acoustic_fem.atlas import OutsideAtlas, atlas_admittance, cell_atlas, opening_node, table
+from acoustic_fem.atlas import OutsideAtlas, atlas_admittance, cell_atlas, opening_node, quick_fidelity, table
 from acoustic_fem.batch.network import batch_response
 from acoustic_fem.batch.parameters import ArrayParameters, MediumParameters
 from acoustic_fem.batch.topology import Topology
@@ -67,13 +67,23 @@ def test_a_library_says_that_it_is_of_the_atlas_and_what_its_errors_are(design):
     library = acoustic_fem.solve(design, BAND, "atlas")
     assert library.fidelity == "atlas"
     for cell in library.provenance["cells"]:
-        assert cell["method"] == f"atlas of cells, version {cell_atlas().version}"
+        assert cell["method"] == f"atlas of cells, table {cell_atlas().digest}"
         assert 0 < cell["errors"]["transfer function by 1 + |ln H|"] < 0.01
 
 
 def test_frequencies_above_those_at_which_its_errors_were_found_are_told(design):
     with pytest.warns(UserWarning, match="its errors were found up to 200 Hz; above they are not known"):
         acoustic_fem.solve(design, [1.0, 201.0], "atlas")
+
+
+def test_corners_sharper_than_those_at_which_its_errors_were_found_are_told(recwarn):
+    said = r"its errors were found for tubes of a point at 26\.3 degrees and more; of some at 15\.4"
+    sharp = prototype("array-2x6").with_values({"layout.pitch": 11.0, "tube.length": 18.0})
+    with pytest.warns(UserWarning, match=said):
+        acoustic_fem.solve(sharp, BAND, "atlas")
+    recwarn.clear()
+    acoustic_fem.solve(prototype("fingertip-3x4"), BAND, "atlas")  # corners of 66 degrees
+    assert not [each for each in recwarn if "its errors were found" in str(each.message)]
 
 
 def test_the_gradient_is_that_of_finite_differences(design):
@@ -126,6 +136,7 @@ def test_cells_outside_are_refused_by_name(design):
             r"resonator 6 x 7 mm .*cavity height by radius = 2\.333 must be 0\.3 to 2\.3",
         ),
         ({"microphone.chamber_diameter": 8.0}, r"microphone 8 x 1\.8 mm .* bore by cavity diameter = 0\.05"),
+        ({"microphone.sound_hole_diameter": 1.3}, r"sound hole by chamber diameter = 0\.6842 must be 0\.03 to 0\.6"),
     ):
         outside = design.with_values(values)
         with pytest.raises(OutsideAtlas, match=message):
@@ -137,11 +148,28 @@ def test_cells_outside_are_refused_by_name(design):
         acoustic_fem.solve(design, BAND, "atlas", helium)
 
 
+def test_the_quick_fidelity_is_the_atlas_or_lumped_with_what_lies_outside(design):
+    assert quick_fidelity(design, BAND).words == "atlas"
+    for outside, why in (
+        (design.with_values({"resonator.cavity_height": 7.0}), "cavity height by radius = 2.333 must be 0.3 to 2.3"),
+        (design.with_values({"resonator.shape": "dome"}), "the atlas of cells has cylinders only"),
+    ):
+        found = quick_fidelity(outside, BAND)
+        assert found.name == "lumped"
+        assert why in found.words
+    assert "shear number" in quick_fidelity(design, [1.0, 2000.0]).words
+
+
 def test_a_batch_with_a_design_outside_is_refused_by_name(design):
     topology = Topology.of(design)
     tall = ArrayParameters.from_designs([design, design.with_values({"resonator.cavity_height": 7.0})])
     with pytest.raises(OutsideAtlas, match=r"tube at points of column 0: cavity height by radius = 2\.333 "):
         batch_response(tall, topology, BAND, AIR, "atlas")
+    wide = ArrayParameters.from_design(design.with_values({"microphone.sound_hole_diameter": 1.3}))
+    with pytest.raises(
+        OutsideAtlas, match=r"tube at a microphone's chamber: sound hole by chamber diameter = 0\.6842 "
+    ):
+        batch_response(wide, topology, BAND, AIR, "atlas")
     with pytest.raises(Refusal, match="fidelity = 'helmholtz' must be one of lumped, atlas in a batch"):
         batch_response(tall, topology, BAND, AIR, "helmholtz")
 
@@ -152,6 +180,17 @@ def test_the_table_is_small_and_says_how_it_was_made():
     about = json.loads(text)["provenance"]
     assert about["samples"] >= 30
     assert {"made", "seeds", "gmsh", "scikit-fem", "acoustic-fem", "held-out designs"} <= about.keys()
+
+
+def test_the_digest_is_of_what_decides_answers():
+    plain = json.loads(table.FILE.read_text())
+    digest = table.atlas_of(plain).digest
+    assert digest == cell_atlas().digest
+    plain["errors"]["transfer function by 1 + |ln H|"] = 0.5
+    plain["provenance"]["made"] = "another day"
+    assert table.atlas_of(plain).digest == digest
+    plain["bounds"]["microphone"]["cavity height by radius"][1] = 3.1
+    assert table.atlas_of(plain).digest != digest
 
 
 def test_the_atlas_moves_lumped_cells_towards_the_3_d_of_the_reference(design):

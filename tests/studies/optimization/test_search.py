@@ -8,6 +8,7 @@ import signal
 import subprocess
 import sys
 import time
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -29,6 +30,7 @@ from studies.optimization.search import (
     Candidate,
     OptimizationResult,
     _proposed,
+    found_so_far,
     pareto_front,
     refusal_of,
     search_designs,
@@ -198,6 +200,23 @@ def test_designs_whose_parts_failed_stay_out(
     _, read = read_search(again)
     assert first not in {each.number for each in read.candidates}
     assert dict(read.refused)["drawn and measured: thinnest wall"] == 1
+
+
+def test_a_search_is_not_continued_with_another_table_of_the_atlas(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    few = SEARCH.replace('"lumped"', '"atlas"').replace("trials = 96", "trials = 8").replace("batch = 24", "batch = 8")
+    problem, digest = read_optimization(few), acoustic_fem.atlas.cell_atlas().digest
+    first = search_designs(problem, tmp_path)
+    table = replace(acoustic_fem.atlas.cell_atlas(), digest="0123456789ab")
+    monkeypatch.setattr(acoustic_fem.atlas, "cell_atlas", lambda: table)
+    with pytest.raises(StudyError) as error:
+        search_designs(problem, tmp_path)
+    assert str(error.value) == (
+        f"{tmp_path / JOURNAL}: is not continued: its cells are of table {digest} of the atlas, not of 0123456789ab, "
+        "which is installed; give a new folder"
+    )
+    assert len(found_so_far(problem, tmp_path).candidates) == len(first.candidates)  # what is there can be read
 
 
 def test_a_folder_of_another_search_is_refused(found: OptimizationResult, folder: Path) -> None:

@@ -8,23 +8,31 @@ import pytest
 import acoustic_fem
 from geometry import Refusal, prototype
 from studies.metrics.pairs import attenuation, microphone_ratios
-from studies.panels.curves import CURVES, curve_frequencies, curves_of, lumped_library
+from studies.panels.curves import CURVES, curve_frequencies, curves_of, quick_library
 
 GLOVE = prototype("glove")
 
 
 @pytest.fixture(scope="module")
 def library() -> acoustic_fem.Library:
-    return acoustic_fem.solve(GLOVE, curve_frequencies(), fidelity="lumped")
+    return acoustic_fem.solve(GLOVE, curve_frequencies(), fidelity="atlas")
 
 
-def test_the_library_is_the_lumped_one(library: acoustic_fem.Library) -> None:
-    np.testing.assert_array_equal(lumped_library(GLOVE).transfer_function, library.transfer_function)
+def test_the_library_is_of_the_atlas_and_lumped_where_that_has_not_the_design(library: acoustic_fem.Library) -> None:
+    found, fidelity = quick_library(GLOVE)
+    np.testing.assert_array_equal(found.transfer_function, library.transfer_function)
+    assert fidelity.words == "atlas"
+    outside = GLOVE.with_values({"microphone.sound_hole_diameter": 2.0})
+    found, fidelity = quick_library(outside)
+    lumped = acoustic_fem.solve(outside, curve_frequencies(), fidelity="lumped")
+    np.testing.assert_array_equal(found.transfer_function, lumped.transfer_function)
+    assert fidelity.words.startswith("lumped: microphone ")
+    assert "sound hole by chamber diameter = " in fidelity.words
 
 
 @pytest.mark.parametrize("quantity", CURVES)
 def test_curves_are_those_of_the_transfer_functions(library: acoustic_fem.Library, quantity: str) -> None:
-    found = curves_of(library.transfer_function, quantity)
+    found = curves_of(library.transfer_function, quantity, "atlas")
     ratios, h = microphone_ratios(library.transfer_function), library.transfer_function.values
     of = ratios if quantity in ("ild", "ipd") else h
     assert found.heard_by == (("A / B", "A / C", "B / C") if of is ratios else ("A", "B", "C"))
@@ -41,4 +49,4 @@ def test_curves_are_those_of_the_transfer_functions(library: acoustic_fem.Librar
 
 def test_another_quantity_is_refused(library: acoustic_fem.Library) -> None:
     with pytest.raises(Refusal, match=r"quantity = 'loudness' must be one of: level, phase, ild, ipd"):
-        curves_of(library.transfer_function, "loudness")
+        curves_of(library.transfer_function, "loudness", "atlas")

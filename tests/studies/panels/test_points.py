@@ -22,7 +22,7 @@ from studies.study.metric_registry import METRICS
 @pytest.mark.parametrize("name", ["array-2x6", "glove"])
 def test_the_figures_are_those_of_python(name: str) -> None:
     design = prototype(name)
-    library = acoustic_fem.solve(design, np.linspace(1, 100, 64), fidelity="lumped")
+    library = acoustic_fem.solve(design, np.linspace(1, 100, 64), fidelity="atlas")
     found = json.loads(json.dumps(point_figures(design)))
 
     assert tuple(found["figures"]) == FIGURES == tuple(figure_words())
@@ -50,6 +50,7 @@ def test_the_figures_are_those_of_python(name: str) -> None:
     named = [point["named"] for point in found["points"]]
     np.testing.assert_allclose(named, np.diagonal(predicted.confusion[0]), rtol=1e-12)
     assert found["overlaps"] == []
+    assert found["fidelity"] == "atlas"
 
 
 def test_what_cannot_be_built_is_said_with_its_mend() -> None:
@@ -60,8 +61,9 @@ def test_what_cannot_be_built_is_said_with_its_mend() -> None:
 
 def test_mis_made_sensors_are_those_of_python() -> None:
     design = prototype("array-2x6")
-    expected = scattered_accuracy(design, np.linspace(1, 100, 64), sensors=64)
-    assert mis_made_figures(design) == {"sensors": 64, "mean": expected.mean(), "worst": expected.min()}
+    expected = scattered_accuracy(design, np.linspace(1, 100, 64), sensors=64, fidelity="atlas")
+    found = mis_made_figures(design)
+    assert found == {"sensors": 64, "mean": expected.mean(), "worst": expected.min(), "fidelity": "atlas"}
 
 
 @pytest.mark.parametrize("figures", [point_figures, mis_made_figures])

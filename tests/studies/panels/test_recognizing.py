@@ -14,7 +14,7 @@ from acoustic_fem.sound.sound_file import write_wav
 from geometry import Refusal, prototype
 from localize.recognition import LETTERS
 from studies import recognize_recording, solve_library
-from studies.panels.curves import lumped_library
+from studies.panels.curves import quick_library
 from studies.panels.recognizing import keep_recognizer, recognized, wrote
 from studies.panels.touching import touched
 
@@ -28,7 +28,7 @@ def test_what_cannot_be_written_is_refused() -> None:
 
 @pytest.mark.slow
 def test_kinds_are_those_of_recognize_and_a_letter_leaves_a_line(tmp_path: Path) -> None:
-    library = lumped_library(ARRAY, np.arange(1.0, 501.0, 4.0))
+    library, _ = quick_library(ARRAY, np.arange(1.0, 501.0, 4.0))
     plan = localize.RecognitionPlan(takes=5, epochs=1, batch=16, seed=1)
     localize.train_recognizer(library, "letters", plan).save(tmp_path / "made")
     files = {path.name: base64.b64encode(path.read_bytes()).decode() for path in (tmp_path / "made").iterdir()}

@@ -21,15 +21,30 @@ def test_the_figures_are_those_of_the_metrics(tmp_path):
     design = small_design()
     found = design_quality(design)
     grid = studies.output.stated_frequencies(studies.output.FREQUENCIES)
-    library = studies.solve_library(design, tmp_path / "library.nc", fidelity="lumped", frequency="1:100:64")
+    library = studies.solve_library(design, tmp_path / "library.nc", fidelity="atlas", frequency="1:100:64")
     metrics = studies.study.METRICS
     assert found.named == pytest.approx(metrics["predicted_top1"].of_library(library))
     assert found.cost == pytest.approx(metrics["cost"].of_library(library))
     assert found.per_point.mean() == pytest.approx(found.named)
-    made = scattered_accuracy(design, grid, sensors=found.sensors)
+    assert (found.fidelity, found.made_fidelity) == ("atlas", "atlas")
+    made = scattered_accuracy(design, grid, sensors=found.sensors, fidelity="atlas")
     assert (found.mis_made, found.worst) == (pytest.approx(made.mean()), pytest.approx(made.min()))
     assert found.sensors == 64
     assert json.loads(json.dumps(found.to_dict()))["hardest"] == list(found.hardest)
+
+
+def test_a_design_at_the_edge_of_the_atlas_is_lumped_where_it_is_mis_made_and_says_so(monkeypatch):
+    monkeypatch.setattr(quality, "SENSORS_UP_TO", 0.1)
+    small = small_design()
+    tall = 2.29 * small.resonator.cavity_diameter / 2  # heights by radius end at 2.3
+    edge = small.with_values({"resonator.cavity_height": round(tall, 3)})
+    beyond = small.with_values({"resonator.cavity_height": round(1.1 * tall, 3)})
+    found, other = design_quality(edge), design_quality(beyond)
+    assert found.fidelity == "atlas"
+    assert found.made_fidelity.startswith("lumped: lines.0 tube 0 at points of column 0: ")
+    assert other.fidelity.startswith("lumped: resonator ")
+    rows = {what: value for what, value, _ in found.lines}
+    assert (rows["fidelity, nominal sensor"], rows["fidelity, mis-made sensors"]) == ("atlas", "lumped")
 
 
 def test_a_large_design_has_a_few_mis_made_sensors_and_never_one_alone(monkeypatch):

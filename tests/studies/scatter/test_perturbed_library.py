@@ -16,6 +16,7 @@ from damage import damaged
 import acoustic_fem
 import geometry
 import localize
+from acoustic_fem.atlas import cell_atlas
 from acoustic_fem.batch.network import batch_transfer_function
 from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.scatter.tolerances import ScatteredDesign
@@ -37,7 +38,7 @@ def store(tmp_path_factory: pytest.TempPathFactory) -> PerturbedLibrary:
 
 @pytest.fixture(scope="module")
 def library() -> acoustic_fem.Library:
-    return acoustic_fem.solve(DESIGN, GRID, "lumped")
+    return acoustic_fem.solve(DESIGN, GRID, "atlas")
 
 
 class Recorded:
@@ -59,6 +60,7 @@ def test_it_opens_with_xarray_and_carries_what_made_it(store: PerturbedLibrary) 
     assert dataset["transfer_function_imag"].attrs["units"] == "Pa/Pa"
     assert np.array_equal(dataset["frequency"], GRID)
     assert dataset.attrs["seed"] == 5
+    assert (dataset.attrs["fidelity"], dataset.attrs["atlas"]) == ("atlas", cell_atlas().digest)
     assert store.design.point_count == 3
     assert store.microphones == ("A", "B")
 
@@ -66,7 +68,8 @@ def test_it_opens_with_xarray_and_carries_what_made_it(store: PerturbedLibrary) 
 def test_any_sensor_can_be_made_again_alone(store: PerturbedLibrary) -> None:
     scattered = ScatteredDesign(DESIGN)
     for k in (0, 63, 64, 149):
-        alone = batch_transfer_function(scattered.sample(k, 1, 5), scattered.topology, GRID, design_air(DESIGN))
+        sample, air = scattered.sample(k, 1, 5), design_air(DESIGN)
+        alone = batch_transfer_function(sample, scattered.topology, GRID, air, "atlas")
         assert np.abs(store.sensors(k, 1) / alone - 1).max() < 1e-12
     across = store.sensors(60, 10)
     assert np.array_equal(across[4], store.sensors(64, 1)[0])

@@ -14,10 +14,12 @@ from typer.testing import CliRunner
 import acoustic_fem
 import geometry
 from acoustic_fem.batch.network import batch_transfer_function
+from acoustic_fem.batch.openings import designs_outside
 from acoustic_fem.batch.parameters import ArrayParameters
 from acoustic_fem.duct.meshed_section import MeshedSection
 from acoustic_fem.duct.sections import CircularSection
 from acoustic_fem.quantities.local_air import design_air
+from acoustic_fem.scatter.made_sensors import made_fidelity, made_transfer_functions
 from acoustic_fem.scatter.tolerances import CUT, TOLERANCES, ScatteredDesign, Tolerance, read_tolerances
 from studies.cli.app import app
 from studies.scatter.effects import deviation, scatter_effects, scattered_accuracy, sobol_indices
@@ -149,7 +151,34 @@ def test_scatter_costs_accuracy_and_a_calibrated_sensor_gets_it_back() -> None:
     again = scatter_effects(DESIGN, GRID, samples=24, base=0, noise=3e-3)
     assert np.array_equal(again.transfer_function, found.transfer_function)
     assert again.sobol == {}
+    assert found.summary()["fidelity"] == "atlas"
     json.dumps(found.summary(), allow_nan=False)
+
+
+def test_drawn_sensors_are_of_the_atlas_where_that_has_all_of_them_else_lumped_and_it_says_why() -> None:
+    scattered, air = ScatteredDesign(DESIGN), design_air(DESIGN)
+    found = scatter_effects(DESIGN, GRID, samples=4, base=0, noise=3e-3)
+    expected = made_transfer_functions(scattered, scattered.draws(0, 4, 0), GRID, air, "atlas")
+    assert np.array_equal(found.transfer_function, expected)
+    assert np.abs(expected / made_transfer_functions(scattered, scattered.draws(0, 4, 0), GRID, air) - 1).max() > 1e-3
+    # tall: heights by radius end at 2.3, bore radii by the distance to the floor at 0.06
+    edge = DESIGN.with_values({"resonator.cavity_height": round(2.29 * DESIGN.resonator.cavity_diameter / 2, 3)})
+    found = scatter_effects(edge, GRID, samples=2, base=0, noise=3e-3)
+    assert found.summary()["fidelity"] == "lumped"
+    assert "height of its axis above the floor = 0.05" in found.summary()["outside_atlas"]
+    within = scatter_effects(edge, GRID, samples=2, base=0, noise=3e-3, tolerances=only("length", 0.1))
+    assert within.summary()["fidelity"] == "atlas"
+
+
+def test_every_drawn_sensor_is_within_what_the_decision_looked_at() -> None:
+    """Sizes drawn far: of whatever is decided to be of the atlas, no draw is refused by it."""
+    tolerances = tuple(replace(each, deviation=6 * each.deviation) for each in TOLERANCES if each.kind == "absolute")
+    for height in (1.7, 2.5, 4.0, 5.5):
+        design = DESIGN.with_values({"resonator.cavity_height": height})
+        scattered, air = ScatteredDesign(design, tolerances), design_air(design)
+        drawn = scattered.parameters(scattered.draws(0, 400, 1))
+        outside = designs_outside(drawn, scattered.topology, GRID, air).any()
+        assert not (outside and made_fidelity(scattered, GRID, air).name == "atlas")
 
 
 def test_without_scatter_every_sensor_is_the_design() -> None:

@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 from geometry import Refusal, prototype
-from studies.panels.curves import curves_of, lumped_library
+from studies.panels.curves import curves_of, quick_library
 from studies.studio.session import MOST_FILES, Session
 from studies.studio.sessions import MOST_SESSIONS, Sessions
 from studies.studio.stage import Job, Stage
@@ -80,9 +80,11 @@ def test_a_change_is_told_with_what_changed_alone_and_its_curves_follow(workplac
         assert told["values"] == {"tube.length": 14.0}
         assert (told["revision"], told["undo"], told["redo"], told["unsaved"]) == (1, True, False, True)
         curves = await page.until_curves(1)
-        expected = curves_of(lumped_library(ARRAY.with_values({"tube.length": 14.0})).transfer_function, "level")
+        library, _ = quick_library(ARRAY.with_values({"tube.length": 14.0}))
+        expected = curves_of(library.transfer_function, "level", "atlas")
         np.testing.assert_array_equal(curves["values"], expected.values.astype("<f4").ravel())
         assert (curves["points"], curves["heard_by"], curves["unit"]) == ([*range(1, 13)], ["A", "B"], "dB")
+        assert curves["fidelity"] == "atlas"
         assert len(page.curves[-1]) < 20_000
 
     asyncio.run(play())

@@ -1,14 +1,19 @@
 """Sweeps at fidelity atlas: what solve gives case by case, and cases outside the atlas fail by name."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 import acoustic_fem
 import geometry
 from acoustic_fem.atlas import cell_atlas
+from studies.findings.reporting import sweep_report
 from studies.findings.result_table import table_of_sweep, with_base_metrics
+from studies.study.differences import other_table
 from studies.study.file import read_study
 from studies.study.metric_registry import METRICS
+from studies.study.study import StudyError
 from studies.sweep.plan import plan_sweep
 from studies.sweep.run import run_sweep
 from studies.sweep.store import open_sweep
@@ -56,6 +61,32 @@ def test_frequencies_above_those_at_which_the_errors_were_found_are_noted_once(t
         assert sum("its errors were found up to 200 Hz" in note for note in summary.notes) == notes
 
 
+def test_a_sweep_is_not_continued_with_another_table(tmp_path, monkeypatch):
+    store, study = tmp_path / "results.zarr", read_study(STUDY)
+    run_sweep(study, store, workers=1)
+    assert run_sweep(study, store, workers=1).computed == 0
+    table = cell_atlas()
+    monkeypatch.setattr(acoustic_fem.atlas, "cell_atlas", lambda: replace(table, digest="0123456789ab"))
+    with pytest.raises(StudyError) as error:
+        run_sweep(study, store, workers=1)
+    assert str(error.value) == (
+        f"{store}: is not continued: its cells are of table {table.digest} of the atlas, not of 0123456789ab, which is "
+        "installed; give another `out`, or remove it"
+    )
+    assert open_sweep(store).done.sum() == 4  # what is there can be read
+    lumped = read_study(STUDY.replace('"atlas"', '"lumped"'))
+    run_sweep(lumped, tmp_path / "lumped.zarr", workers=1)
+    monkeypatch.undo()
+    assert run_sweep(lumped, tmp_path / "lumped.zarr", workers=1).computed == 0
+
+
+def test_a_store_that_notes_no_table_is_not_continued():
+    assert other_table("", "0123456789ab") == (
+        "its cells are of a table without a digest of the atlas, not of 0123456789ab, which is installed"
+    )
+    assert other_table("", "") == ""
+
+
 def test_it_asks_for_no_cell_in_3_d():
     assert plan_sweep(read_study(STUDY)).cells == 0
 
@@ -64,6 +95,16 @@ def test_the_base_beside_its_cases_is_of_the_atlas_too(sweep):
     table = with_base_metrics(table_of_sweep(sweep))
     library = acoustic_fem.solve(sweep.base, read_study(STUDY).frequency, "atlas")
     assert table.base_metrics["ild_smallest"] == pytest.approx(METRICS["ild_smallest"].of_library(library))
+
+
+def test_a_base_outside_has_no_figures_and_its_curves_say_that_they_are_lumped(tmp_path):
+    base = geometry.prototype("array-2x6").with_values({"resonator.cavity_height": 7.0})
+    study = read_study(STUDY.replace("[2.0, 3.0, 7.2]", "[2.0, 3.0]"), base=base)
+    run_sweep(study, tmp_path / "results.zarr", workers=1)
+    table = sweep_report(tmp_path / "results.zarr", tmp_path / "report.html")
+    assert table.base_metrics == {}
+    page = (tmp_path / "report.html").read_text(encoding="utf-8")
+    assert "the base design (lumped: resonator 6 x 7 mm" in page
 
 
 def test_it_is_the_default_and_a_study_that_names_another_keeps_that():
