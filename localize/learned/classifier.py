@@ -18,6 +18,7 @@ import torch
 from torch import Tensor, nn
 
 from geometry.refusal import Refusal, counted
+from localize.learned.gradients import FEW, BlockPass, PatchProduct
 from localize.learned.features import COLUMNS, FREQUENCIES, FeatureChoice, PairFeatures
 
 EXPANSION = 2
@@ -99,13 +100,7 @@ class PatchConvolution(nn.Conv2d):
         """
         if not self.training:
             return super().forward(x)
-        (high, wide), (_, _, rows, columns) = self.kernel_size, x.shape
-        parts = x.unflatten(3, (columns // wide, wide)).unflatten(2, (rows // high, high))
-        if x.is_contiguous():
-            patches, weight = parts.permute(0, 2, 4, 1, 3, 5), self.weight
-        else:  # channels last, the layout of what comes out of any layer here
-            patches, weight = parts.permute(0, 2, 4, 3, 5, 1), self.weight.permute(0, 2, 3, 1)
-        return nn.functional.linear(patches.flatten(3), weight.flatten(1)).permute(0, 3, 1, 2)
+        return PatchProduct.apply(x, self.weight)
 
 
 class PartialBlock(nn.Module):
@@ -131,8 +126,17 @@ class PartialBlock(nn.Module):
         Returns:
             Same shape as ``x``.
         """
+        if self.training and x.shape[3] <= FEW and x.device.type == "cpu" and not torch.is_autocast_enabled("cpu"):
+            return self._in_training(x)
         filtered = torch.cat([self.spatial(x[:, : self.part]), x[:, self.part :]], 1)
         return x + self.mix(filtered)
+
+    def _in_training(self, x: Tensor) -> Tensor:
+        """The same, with gradients that are written out."""
+        up, norm, _, down = self.mix
+        norm.num_batches_tracked += 1
+        running = norm.running_mean, norm.running_var, norm.momentum, norm.eps
+        return BlockPass.apply(x, self.spatial.weight, up.weight, norm.weight, norm.bias, down.weight, running)
 
 
 class TouchNetwork(nn.Module):
