@@ -10,16 +10,17 @@ mergings leave 2 x 1 of 64 x 32, which only an embedding that cuts nothing survi
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import torch
 from torch import Tensor, nn
 
 from geometry.refusal import Refusal, counted
-from localize.learned.gradients import FEW, BlockPass, PatchProduct
 from localize.learned.features import COLUMNS, FREQUENCIES, FeatureChoice, PairFeatures
+from localize.learned.gradients import Back, Stages, block, normalisation, patch_product
 
 EXPANSION = 2
 """Number of channels inside a block, in multiples of its width."""
@@ -100,7 +101,13 @@ class PatchConvolution(nn.Conv2d):
         """
         if not self.training:
             return super().forward(x)
-        return PatchProduct.apply(x, self.weight)
+        (high, wide), (_, _, rows, columns) = self.kernel_size, x.shape
+        parts = x.unflatten(3, (columns // wide, wide)).unflatten(2, (rows // high, high))
+        if x.is_contiguous():
+            patches, weight = parts.permute(0, 2, 4, 1, 3, 5), self.weight
+        else:  # channels last, the layout of what comes out of any layer here
+            patches, weight = parts.permute(0, 2, 4, 3, 5, 1), self.weight.permute(0, 2, 3, 1)
+        return nn.functional.linear(patches.flatten(3), weight.flatten(1)).permute(0, 3, 1, 2)
 
 
 class PartialBlock(nn.Module):
@@ -126,17 +133,8 @@ class PartialBlock(nn.Module):
         Returns:
             Same shape as ``x``.
         """
-        if self.training and x.shape[3] <= FEW and x.device.type == "cpu" and not torch.is_autocast_enabled("cpu"):
-            return self._in_training(x)
         filtered = torch.cat([self.spatial(x[:, : self.part]), x[:, self.part :]], 1)
         return x + self.mix(filtered)
-
-    def _in_training(self, x: Tensor) -> Tensor:
-        """The same, with gradients that are written out."""
-        up, norm, _, down = self.mix
-        norm.num_batches_tracked += 1
-        running = norm.running_mean, norm.running_var, norm.momentum, norm.eps
-        return BlockPass.apply(x, self.spatial.weight, up.weight, norm.weight, norm.bias, down.weight, running)
 
 
 class TouchNetwork(nn.Module):
@@ -166,7 +164,17 @@ class TouchNetwork(nn.Module):
         Returns:
             (n, points) float32.
         """
-        return self.head(self.stages(maps).mean((-2, -1)))
+        by_hand = self.training and maps.device.type == "cpu" and not torch.is_autocast_enabled("cpu")
+        left = Stages.apply(maps, self._passes(), *self.stages.parameters()) if by_hand else self.stages(maps)
+        return self.head(left.mean((-2, -1)))
+
+    def _passes(self) -> Iterator[Callable[[Tensor], tuple[Tensor, Back]]]:
+        """The stages, each with its gradients."""
+        for number, layer in enumerate(self.stages):
+            if isinstance(layer, PatchConvolution):
+                yield partial(patch_product, layer, is_first=number == 0)
+            else:
+                yield partial(block if isinstance(layer, PartialBlock) else normalisation, layer)
 
 
 class MapClassifier(nn.Module):

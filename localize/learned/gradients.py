@@ -1,129 +1,176 @@
-"""Layers of the network with their gradients, written out for training on a processor.
+"""The network's stages with their gradients, written out for training on a processor in single precision.
 
-What the layers compute stays the same. Written out, every matrix lies in memory with the channels of a place side by
-side, whatever layer its gradient comes from, and a filter of few columns is one matrix product: together they take two
-thirds of the time that automatic differentiation takes.
+What is computed stays what the layers say, :mod:`localize.learned.classifier`. Written out, channels lie side by side in
+memory whatever a gradient comes from, a 3 x 3 filter of few columns is one matrix product, and nothing is recorded
+between layers: a step takes about two thirds of the time that automatic differentiation takes.
+
+Each layer gives its output and a function from the gradient of that to those of its input and of its parameters, in
+the order in which the layer has them. Maps are (n, channels, rows, columns), channels last in memory.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from functools import lru_cache
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 import torch
-from torch import Tensor
+from numpy.typing import NDArray
+from torch import Tensor, nn
 
 FEW = 4
-"""Most columns of maps on which the 3 x 3 filter is a matrix over all columns: on more, most of it would be zeros."""
+"""Most columns of maps on which a 3 x 3 filter is a matrix over all columns: on more, most of it would be zeros."""
+
+#: Gradient of an output to that of the input, None where nobody asks for it, and to those of the parameters.
+Back: TypeAlias = Callable[[Tensor], tuple[Tensor | None, list[Tensor]]]
 
 
-class PatchProduct(torch.autograd.Function):
-    """Convolution whose stride is the size of its kernel, without bias."""
-
-    @staticmethod
-    def forward(ctx: Any, x: Tensor, weight: Tensor) -> Tensor:
-        """Channels of each patch; (n, n_input, rows, columns) and (n_output, n_input, high, wide) to (n, n_output, rows
-        / high, columns / wide).
-        """
-        patches, last = _patches(x, weight.shape[2:])
-        flat = _flat(weight, last)
-        ctx.save_for_backward(patches, weight)
-        ctx.last, ctx.shape = last, x.shape
-        return (patches @ flat.T).unflatten(0, _places(x, weight)).permute(0, 3, 1, 2)
+class Stages(torch.autograd.Function):
+    """Layers one after the other, as one step of automatic differentiation; maps that they begin with get none."""
 
     @staticmethod
-    def backward(ctx: Any, *gradients: Tensor) -> tuple[Tensor | None, Tensor]:
-        """Gradients of the maps and of the weights."""
-        patches, weight = ctx.saved_tensors
-        output = _in_rows(gradients[0])
-        of_weight = (output.T @ patches).view(_flat_shape(weight, ctx.last))
-        if ctx.last:
-            of_weight = of_weight.permute(0, 3, 1, 2)
-        if not ctx.needs_input_grad[0]:
-            return None, of_weight
-        of_patches = output @ _flat(weight, ctx.last)
-        (n, channels, rows, columns), (high, wide) = ctx.shape, weight.shape[2:]
-        if ctx.last:
-            parts = of_patches.view(n, rows // high, columns // wide, high, wide, channels)
-            return parts.transpose(2, 3).reshape(n, rows, columns, channels).permute(0, 3, 1, 2), of_weight
-        parts = of_patches.view(n, rows // high, columns // wide, channels, high, wide)
-        return parts.permute(0, 3, 1, 4, 2, 5).reshape(ctx.shape), of_weight
-
-
-class BlockPass(torch.autograd.Function):
-    """A whole :class:`localize.learned.classifier.PartialBlock`."""
-
-    @staticmethod
-    def forward(
-        ctx: Any,
-        x: Tensor,
-        spatial: Tensor,
-        up: Tensor,
-        gain: Tensor,
-        shift: Tensor,
-        down: Tensor,
-        running: tuple[Tensor, Tensor, float, float],
-    ) -> Tensor:
-        """Channels behind the block.
+    def forward(ctx: Any, maps: Tensor, passes: Sequence[Callable[[Tensor], tuple[Tensor, Back]]], *_: Tensor) -> Tensor:
+        """What the last layer gives.
 
         Args:
             ctx: of autograd.
-            x: (n, width, rows, columns), channels last in memory.
-            spatial: (part, part, 3, 3), the filter of the first channels.
-            up: (n_inside, width, 1, 1).
-            gain: (n_inside,), weight of the batch normalisation.
-            shift: (n_inside,), its bias.
-            down: (width, n_inside, 1, 1).
-            running: mean and variance of the batch normalisation, which are moved, its momentum and its epsilon.
+            maps: (n, n_map, rows, columns) float32.
+            passes: the layers.
+            _: their parameters, in their order, so that autograd asks for their gradients.
 
         Returns:
-            Same shape as ``x``.
+            (n, channels, rows, columns) float32.
         """
-        rows = _in_rows(x)
-        part = len(spatial)
-        filtered = rows.clone()
-        places = filtered.view(len(x), *x.shape[2:], -1)
-        first = places[..., :part]
-        seen, kernel = _seen(first), _kernel(spatial, x.shape[3])
-        first.copy_((seen @ kernel).view(first.shape))
-        inside = filtered @ up.flatten(1).T
-        mean, variance, momentum, epsilon = running
-        active, centre, scale = torch.native_batch_norm(
-            _as_maps(inside, x), gain, shift, mean, variance, True, momentum, epsilon
-        )
-        active = _in_rows(active).relu_()
-        ctx.save_for_backward(seen, kernel, filtered, inside, active, centre, scale, up, gain, down)
-        ctx.running = running
-        return _as_maps(torch.addmm(rows, active, down.flatten(1).T), x)
+        ctx.backs = []
+        for each in passes:
+            maps, back = each(maps)
+            ctx.backs.append(back)
+        return maps
 
     @staticmethod
     def backward(ctx: Any, *gradients: Tensor) -> tuple[Tensor | None, ...]:
-        """Gradients of what :meth:`forward` takes, its filters and normalisation included."""
-        seen, kernel, filtered, inside, active, centre, scale, up, gain, down = ctx.saved_tensors
-        mean, variance, _, epsilon = ctx.running
-        maps = gradients[0]
-        part = kernel.shape[1] // maps.shape[3]
-        output = _in_rows(maps)
-        of_down = (output.T @ active).view(down.shape)
-        of_active = output @ down.flatten(1)
+        """Gradients of the parameters."""
+        gradient: Tensor | None = gradients[0]
+        found: list[Tensor] = []
+        for back in reversed(ctx.backs):
+            gradient, own = back(gradient)
+            found = own + found
+        return None, None, *found
+
+
+def patch_product(layer: nn.Conv2d, x: Tensor, is_first: bool) -> tuple[Tensor, Back]:
+    """Convolution whose stride is the size of its kernel, without bias.
+
+    Args:
+        layer: the convolution.
+        x: (n, n_input, rows, columns), channels last in memory, or the maps, whose columns are.
+        is_first: whether ``x`` are the maps, whose gradient nobody asks for.
+    """
+    weight, (high, wide) = layer.weight.detach(), layer.kernel_size
+    places = len(x), x.shape[2] // high, x.shape[3] // wide
+    if is_first:
+        patches, flat = _strips(x, high, wide), weight.flatten(1)
+    else:
+        parts = x.permute(0, 2, 3, 1).reshape(*places[:2], high, places[2], -1)
+        patches, flat = parts.transpose(2, 3).reshape(-1, high * wide * x.shape[1]), weight.permute(0, 2, 3, 1).flatten(1)
+
+    def back(gradient: Tensor) -> tuple[Tensor | None, list[Tensor]]:
+        output = _in_rows(gradient)
+        of_weight = output.T @ patches
+        if is_first:
+            return None, [of_weight.view(weight.shape)]
+        of_x = (output @ flat).view(*places, high, -1).transpose(2, 3).reshape(-1, x.shape[1])
+        return _as_maps(of_x, x), [of_weight.view(len(weight), high, wide, -1).permute(0, 3, 1, 2)]
+
+    return (patches @ flat.T).view(*places, -1).permute(0, 3, 1, 2), back
+
+
+def normalisation(layer: nn.BatchNorm2d, x: Tensor) -> tuple[Tensor, Back]:
+    """Batch normalisation by what is at hand, which moves its running mean and variance."""
+    running = layer.running_mean, layer.running_var
+    gain = layer.weight.detach()
+    layer.num_batches_tracked.add_(1)
+    y, centre, scale = torch.native_batch_norm(x, gain, layer.bias.detach(), *running, True, layer.momentum, layer.eps)
+
+    def back(gradient: Tensor) -> tuple[Tensor, list[Tensor]]:
+        found = torch.ops.aten.native_batch_norm_backward(
+            gradient, x, gain, *running, centre, scale, True, layer.eps, [True, True, True]
+        )
+        return found[0], [found[1], found[2]]
+
+    return y, back
+
+
+def block(layer: nn.Module, x: Tensor) -> tuple[Tensor, Back]:
+    """A :class:`localize.learned.classifier.PartialBlock`."""
+    up, norm, _, down = layer.mix
+    raise_, lower = up.weight.detach().flatten(1), down.weight.detach().flatten(1)
+    rows = _in_rows(x)
+    filtered = rows.clone()
+    first = _as_maps(filtered, x)[:, : layer.part]
+    through, of_filter = (filter_of_few if x.shape[3] <= FEW else filter_of_many)(layer.spatial.weight.detach(), first)
+    first.copy_(through)
+    inside, of_norm = normalisation(norm, _as_maps(filtered @ raise_.T, x))
+    active = _in_rows(inside).relu_()
+
+    def back(gradient: Tensor) -> tuple[Tensor, list[Tensor]]:
+        output = _in_rows(gradient)
+        of_active = output @ lower
         torch.ops.aten.threshold_backward.grad_input(of_active, active, 0, grad_input=of_active)
-        of_inside, of_gain, of_shift = torch.ops.aten.native_batch_norm_backward(
-            _as_maps(of_active, maps), _as_maps(inside, maps), gain, mean, variance, centre, scale, True, epsilon,
-            [True, True, True],
-        )  # fmt: skip
-        of_inside = _in_rows(of_inside)
-        of_up = (of_inside.T @ filtered).view(up.shape)
-        of_x = of_inside @ up.flatten(1)
-        first = of_x.view(len(maps), *maps.shape[2:], -1)[..., :part]
-        of_filtered = first.clone(memory_format=torch.contiguous_format).view(len(seen), -1)
+        of_inside, of_affine = of_norm(_as_maps(of_active, x))
+        of_raised = _in_rows(of_inside)
+        of_x = of_raised @ raise_
+        first = _as_maps(of_x, x)[:, : layer.part]
+        of_first, of_spatial = of_filter(first)
         of_x += output
-        of_spatial = _of_kernel(seen.T @ of_filtered, part, maps.shape[3])
-        above, here, below = (of_filtered @ kernel.T).view(len(maps), maps.shape[2], 3, -1).unbind(2)
+        torch.add(_as_maps(output, x)[:, : layer.part], of_first, out=first)
+        of_up, of_down = (of_raised.T @ filtered).view_as(up.weight), (output.T @ active).view_as(down.weight)
+        return _as_maps(of_x, x), [*of_spatial, of_up, *of_affine, of_down]
+
+    return _as_maps(torch.addmm(rows, active, lower.T), x), back
+
+
+def filter_of_few(weight: Tensor, x: Tensor) -> tuple[Tensor, Back]:
+    """3 x 3 filter of maps that have few columns: one matrix from what lies in three rows to one row.
+
+    Args:
+        weight: (part, part, 3, 3).
+        x: (n, part, rows, columns).
+    """
+    (n, part, rows, columns), index = x.shape, _index(x.shape[1], x.shape[3])
+    size = columns * part
+    values = torch.cat([weight.permute(0, 2, 3, 1).flatten(), weight.new_zeros(1)])
+    kernel = values.index_select(0, index).view(3 * size, size)
+    padded = x.new_zeros(n, rows + 2, size)
+    padded[:, 1:-1] = x.permute(0, 2, 3, 1).flatten(2)
+    seen = padded.as_strided((n, rows, 3 * size), ((rows + 2) * size, size, 1)).reshape(n * rows, -1)
+
+    def as_maps(flat: Tensor) -> Tensor:
+        return flat.view(n, rows, columns, part).permute(0, 3, 1, 2)
+
+    def back(gradient: Tensor) -> tuple[Tensor, list[Tensor]]:
+        output = gradient.permute(0, 2, 3, 1).clone(memory_format=torch.contiguous_format).view(n * rows, size)
+        of_values = torch.zeros_like(values).index_add_(0, index, (seen.T @ output).flatten())
+        above, here, below = (output @ kernel.T).view(n, rows, 3, size).unbind(2)
         here[:, :-1] += above[:, 1:]
         here[:, 1:] += below[:, :-1]
-        torch.add(output.view(*first.shape[:-1], -1)[..., :part], here.view(first.shape), out=first)
-        return _as_maps(of_x, maps), of_spatial, of_up, of_gain, of_shift, of_down, None
+        return here.unflatten(2, (columns, part)).permute(0, 3, 1, 2), [of_values[:-1].view(part, 3, 3, part).permute(0, 3, 1, 2)]
+
+    return as_maps(seen @ kernel), back
+
+
+def filter_of_many(weight: Tensor, x: Tensor) -> tuple[Tensor, Back]:
+    """3 x 3 filter of maps that have many columns; arguments as of :func:`filter_of_few`."""
+    x = x.clone(memory_format=torch.channels_last)
+    how = [1, 1], [1, 1], [1, 1], False, [0, 0], 1
+
+    def back(gradient: Tensor) -> tuple[Tensor, list[Tensor]]:
+        gradient = gradient.clone(memory_format=torch.channels_last)
+        found = torch.ops.aten.convolution_backward(gradient, x, weight, None, *how, [True, True, False])
+        return found[0], [found[1]]
+
+    return nn.functional.conv2d(x, weight, padding=1), back
 
 
 def _in_rows(maps: Tensor) -> Tensor:
@@ -136,69 +183,26 @@ def _as_maps(rows: Tensor, like: Tensor) -> Tensor:
     return rows.view(len(like), *like.shape[2:], -1).permute(0, 3, 1, 2)
 
 
-def _patches(x: Tensor, size: torch.Size) -> tuple[Tensor, bool]:
-    """Values of patches, one row each, and whether channels are last among them, as they are in memory."""
-    (high, wide), (_, _, rows, columns) = size, x.shape
-    parts = x.unflatten(3, (columns // wide, wide)).unflatten(2, (rows // high, high))
-    last = not x.is_contiguous()
-    order = (0, 2, 4, 3, 5, 1) if last else (0, 2, 4, 1, 3, 5)
-    if wide > 1 and not last and x.device.type == "cpu":
-        strips = x.view(-1, wide).numpy()
-        return torch.from_numpy(strips.take(_strips(x.shape, size), 0)).view(len(x) * (rows // high) * (columns // wide), -1), last
-    return parts.permute(order).reshape(len(x) * (rows // high) * (columns // wide), -1), last
+def _strips(x: Tensor, high: int, wide: int) -> Tensor:
+    """Patches of maps whose columns are last in memory, (n rows columns / (high wide), n_input high wide)."""
+    # By NumPy, which copies rows of eight values in a fifth of the time of torch.
+    strips = x.contiguous().view(-1, wide).numpy().take(_order(tuple(x.shape), high, wide), 0)
+    return torch.from_numpy(strips).view(-1, x.shape[1] * high * wide)
 
 
 @lru_cache(maxsize=4)
-def _strips(shape, size):
-    """Order in which the rows of patches, of maps of a shape, lie in them."""
-    (high, wide), (n, channels, rows, columns) = size, shape
-    places = np.arange(n * channels * rows * columns // wide)
-    return places.reshape(n, channels, rows // high, high, columns // wide).transpose(0, 2, 4, 1, 3).ravel()
-
-
-def _places(x: Tensor, weight: Tensor) -> tuple[int, int, int]:
-    return len(x), x.shape[2] // weight.shape[2], x.shape[3] // weight.shape[3]
-
-
-def _flat(weight: Tensor, last: bool) -> Tensor:
-    """Weights in the order of :func:`_patches`, (n_output, n_input high wide)."""
-    return (weight.permute(0, 2, 3, 1) if last else weight).flatten(1)
-
-
-def _flat_shape(weight: Tensor, last: bool) -> tuple[int, ...]:
-    outputs, inputs, high, wide = weight.shape
-    return (outputs, high, wide, inputs) if last else (outputs, inputs, high, wide)
-
-
-def _seen(first: Tensor) -> Tensor:
-    """What the filter sees of maps (n, rows, columns, part) in three rows, (n rows, 3 columns part)."""
-    n, rows, columns, part = first.shape
-    size = columns * part
-    padded = first.new_zeros(n, rows + 2, size)
-    padded[:, 1:-1] = first.flatten(2)
-    return padded.as_strided((n, rows, 3 * size), ((rows + 2) * size, size, 1)).reshape(n * rows, -1)
-
-
-def _kernel(spatial: Tensor, columns: int) -> Tensor:
-    """The filter as a matrix from three rows to one, (3 columns part, columns part)."""
-    size = 3 * len(spatial) * columns
-    values = torch.cat([spatial.permute(0, 2, 3, 1).flatten(), spatial.new_zeros(1)])
-    return values.index_select(0, _index(len(spatial), columns)).view(size, -1)
-
-
-def _of_kernel(gradient: Tensor, part: int, columns: int) -> Tensor:
-    """Gradient of the filter from that of its matrix."""
-    found = gradient.new_zeros(9 * part**2 + 1)
-    found.index_add_(0, _index(part, columns), gradient.flatten())
-    return found[:-1].view(part, 3, 3, part).permute(0, 3, 1, 2)
+def _order(shape: tuple[int, int, int, int], high: int, wide: int) -> NDArray[np.int64]:
+    """Which rows of patches, counted in maps of that shape, lie in the patches one after the other."""
+    n, channels, rows, columns = shape
+    strip = np.arange(n * channels * rows * columns // wide)
+    return strip.reshape(n, channels, rows // high, high, columns // wide).transpose(0, 2, 4, 1, 3).ravel()
 
 
 @lru_cache(maxsize=16)
 def _index(part: int, columns: int) -> Tensor:
-    """Where in the filter, channels last, each element of its matrix lies; one beyond its end for a zero."""
-    inputs, row, column = torch.arange(part), torch.arange(3), torch.arange(columns)
-    across = column[:, None] - column + 1  # (columns from, columns to)
-    place = (torch.arange(part) * 3 + row[:, None, None, None, None]) * 3 + across[:, None, :, None]
-    place = place * part + inputs[:, None, None]
-    inside = ((across >= 0) & (across < 3))[:, None, :, None]
-    return torch.where(inside, place, part * part * 9).flatten()
+    """Where in a filter, channels last, each element of its matrix lies; one beyond its end for a zero."""
+    row, column = torch.arange(3), torch.arange(columns)
+    across = (column[:, None] - column + 1)[:, None, :, None]  # of the column that is seen and the one that sees
+    place = (torch.arange(part) * 3 + row[:, None, None, None, None]) * 3 + across
+    place = place * part + torch.arange(part)[:, None, None]
+    return torch.where((across >= 0) & (across < 3), place, 9 * part**2).flatten()
