@@ -16,6 +16,8 @@ Products of short-window transforms alias circularly as soon as the impulse resp
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import torch
 from torch import Tensor
 
@@ -27,15 +29,16 @@ it states none; that they are the same is our assumption."""
 
 
 def microphone_signals(
-    spectrum: Tensor, transfer_function: Tensor, sample_count: int = SAMPLE_LENGTH, rows: Tensor | None = None
+    spectrum: Tensor, transfer_function: Tensor, sample_count: int = SAMPLE_LENGTH, start: int = 0
 ) -> Tensor:
     """Exact steady state at the microphones; for stimuli of one second and silence also the exact convolution.
 
     Args:
         spectrum: (n, n_line) complex amplitudes of the cavity pressure on the lowest spectral lines, Pa.
-        transfer_function: (n, n_microphone, n_line) complex, on the same lines, Pa/Pa.
+        transfer_function: (n, n_microphone, n_line) complex, on the same lines, Pa/Pa; with ``start`` of any number.
         sample_count: at most ``stimulus.PERIOD``.
-        rows: index (n,) of the transfer function of each spectrum; by default one each, in their order.
+        start: index of the transfer function of the first spectrum, the next ones having the next, and behind the last
+            of them the first; any number, of which what is left by their number counts.
 
     Returns:
         (n, n_microphone, sample_count) real, Pa.
@@ -46,13 +49,22 @@ def microphone_signals(
     product = spectrum.new_zeros((min(several, len(spectrum)), transfer_function.shape[1], LINE_COUNT + 1))
     stop = min(spectrum.shape[-1], LINE_COUNT + 1)
     for first in range(0, len(spectrum), several):
-        part = slice(first, first + several)
-        # by index_select, which copies whole rows: ten times as fast as an index
-        heard = transfer_function[part] if rows is None else transfer_function.index_select(0, rows[part])
-        made = product[: len(heard)]
-        torch.mul(heard, spectrum[part, None, :], out=made[..., :stop])
-        signals[part] = time_signal(made, sample_count)
+        part = spectrum[first : first + several, None, :]
+        made = product[: len(part)]
+        for run, rows in _runs(start + first, len(part), len(transfer_function)):
+            torch.mul(transfer_function[rows], part[run], out=made[run, :, :stop])
+        signals[first : first + several] = time_signal(made, sample_count)
     return signals
+
+
+def _runs(start: int, count: int, rows: int) -> Iterator[tuple[slice, slice]]:
+    """Runs of ``count`` things to which rows belong in turn, and their rows: slices, for an index would copy them."""
+    done = 0
+    while done < count:
+        row = (start + done) % rows
+        run = min(rows - row, count - done)
+        yield slice(done, done + run), slice(row, row + run)
+        done += run
 
 
 def impulse_response(transfer_function: Tensor) -> Tensor:

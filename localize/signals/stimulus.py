@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Protocol, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from localize.signals.random_streams import Purpose, between, choice, complex_normal, random_words, uniform
+from localize.signals.random_streams import Purpose, between, choice, complex_normal, fill_normal, random_words, uniform
 
 if TYPE_CHECKING:
     import torch
@@ -121,8 +121,10 @@ def multi_sines(
     amplitude = between(*AMPLITUDE, rest[..., 0])
     amplitude = amplitude * (torch.arange(_MOST_COMPONENTS, device=device) < components[:, None])
     sine = torch.polar(amplitude / 2, (2 * math.pi) * rest[..., 1])
-    spectrum = torch.empty(count, LINE_COUNT, dtype=torch.complex64, device=device)
-    band, level = lines_within(noise_band), NOISE / math.sqrt(2 * PERIOD)
+    noise = torch.zeros(count, LINE_COUNT, dtype=torch.complex64)
+    band = lines_within(noise_band)
+    fill_normal(words[:, _COMPONENT_WORDS:][:, band], noise.numpy()[:, band])
+    spectrum = noise.mul_(NOISE / math.sqrt(2 * PERIOD)).to(device)
     on_processor = spectrum.device.type == "cpu"
     several = TOGETHER if on_processor else max(count, 1)
     sines_alone = spectrum.new_zeros(min(several, count), LINE_COUNT + 1)
@@ -136,8 +138,6 @@ def multi_sines(
         if len(strong):
             peak = time_signal(own[strong]).abs().amax(-1)
             own[strong, : sines.stop] *= (PEAK / peak.clamp(min=PEAK))[:, None]
-        spectrum[part, : band.start] = spectrum[part, band.stop :] = 0
-        spectrum[part, band] = complex_normal(words[part, _COMPONENT_WORDS:][:, band], device).mul_(level)
         spectrum[part, : sines.stop] += own[:, : sines.stop]
     return Stimuli(spectrum=spectrum, interval=interval, components=components)
 

@@ -170,7 +170,7 @@ class TouchGenerator:
         spectrum, point = stimuli.spectrum[:, : self._stop], self._points(start, count)
         recorded = None
         if self._source is None and self.mismatch is None and self.method == "exact":
-            signals = microphone_signals(spectrum, self._on_lines, rows=point)
+            signals = microphone_signals(spectrum, self._on_lines, start=start)
         else:
             transfer_function = self._transfer_function(start, count)
             if self.mismatch is not None:
