@@ -10,7 +10,7 @@ mergings leave 2 x 1 of 64 x 32, which only an embedding that cuts nothing survi
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import partial
 from typing import Any
@@ -20,7 +20,7 @@ from torch import Tensor, nn
 
 from geometry.refusal import Refusal, counted
 from localize.learned.features import COLUMNS, FREQUENCIES, FeatureChoice, PairFeatures
-from localize.learned.gradients import Back, Stages, block, normalisation, patch_product
+from localize.learned.gradients import Layer, Stages, block, merging, normalisation, patches_of_maps
 
 EXPANSION = 2
 """Number of channels inside a block, in multiples of its width."""
@@ -165,16 +165,18 @@ class TouchNetwork(nn.Module):
             (n, points) float32.
         """
         by_hand = self.training and maps.device.type == "cpu" and not torch.is_autocast_enabled("cpu")
-        left = Stages.apply(maps, self._passes(), *self.stages.parameters()) if by_hand else self.stages(maps)
+        left = Stages.apply(maps, self._layers(), *self.stages.parameters()) if by_hand else self.stages(maps)
         return self.head(left.mean((-2, -1)))
 
-    def _passes(self) -> Iterator[Callable[[Tensor], tuple[Tensor, Back]]]:
+    def _layers(self) -> Iterator[Layer]:
         """The stages, each with its gradients."""
         for number, layer in enumerate(self.stages):
             if isinstance(layer, PatchConvolution):
-                yield partial(patch_product, layer, is_first=number == 0)
+                yield partial(merging if number else patches_of_maps, layer)
+            elif isinstance(layer, nn.BatchNorm2d):
+                yield partial(normalisation, layer)
             else:
-                yield partial(block if isinstance(layer, PartialBlock) else normalisation, layer)
+                yield partial(block, layer)
 
 
 class MapClassifier(nn.Module):
@@ -226,7 +228,7 @@ class MapClassifier(nn.Module):
             (n, n_map, 64, 32) float32.
         """
         with torch.no_grad():
-            return (self.raw_maps(inputs) - self.mean) / self.scale
+            return (self.raw_maps(inputs) - self.mean).div_(self.scale)
 
     def forward(self, inputs: Tensor) -> Tensor:
         """Logits of a batch of inputs.

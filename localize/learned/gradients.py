@@ -1,18 +1,19 @@
-"""The network's stages with their gradients, written out for training on a processor in single precision.
+"""The network's stages with their gradients, written out for training on a processor.
 
-What is computed stays what the layers say, :mod:`localize.learned.classifier`. Written out, channels lie side by side in
-memory whatever a gradient comes from, a 3 x 3 filter of few columns is one matrix product, and nothing is recorded
-between layers: a step takes about two thirds of the time that automatic differentiation takes.
+What is computed stays what the layers say, :mod:`localize.learned.classifier`. Written out, channels lie side by side
+in memory wherever a gradient comes from, a 3 x 3 filter of few columns is one matrix product, and nothing is recorded
+between layers: that takes three quarters of the time of automatic differentiation.
 
 Each layer gives its output and a function from the gradient of that to those of its input and of its parameters, in
-the order in which the layer has them. Maps are (n, channels, rows, columns), channels last in memory.
+the order in which the layer has them. Maps are (n, n_channel, rows, columns), channels last in memory, and rows of a
+matrix their places.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable
 from functools import lru_cache
-from typing import Any, TypeAlias
+from typing import Any, TypeAlias, cast
 
 import numpy as np
 import torch
@@ -22,76 +23,83 @@ from torch import Tensor, nn
 FEW = 4
 """Most columns of maps on which a 3 x 3 filter is a matrix over all columns: on more, most of it would be zeros."""
 
-#: Gradient of an output to that of the input, None where nobody asks for it, and to those of the parameters.
-Back: TypeAlias = Callable[[Tensor], tuple[Tensor | None, list[Tensor]]]
+#: Gradient of an output to that of the input and to those of the parameters.
+Back: TypeAlias = Callable[[Tensor], tuple[Tensor, list[Tensor]]]
+Layer: TypeAlias = Callable[[Tensor], tuple[Tensor, Back]]
 
 
 class Stages(torch.autograd.Function):
-    """Layers one after the other, as one step of automatic differentiation; maps that they begin with get none."""
+    """Layers one after the other as one step of automatic differentiation, which ends at the maps they begin with."""
 
     @staticmethod
-    def forward(ctx: Any, maps: Tensor, passes: Sequence[Callable[[Tensor], tuple[Tensor, Back]]], *_: Tensor) -> Tensor:
+    def forward(ctx: Any, maps: Tensor, layers: Iterable[Layer], *_: Tensor) -> Tensor:
         """What the last layer gives.
 
         Args:
             ctx: of autograd.
-            maps: (n, n_map, rows, columns) float32.
-            passes: the layers.
+            maps: (n, n_map, rows, columns), nothing of which is differentiated.
+            layers: the first of them :func:`patches_of_maps`.
             _: their parameters, in their order, so that autograd asks for their gradients.
 
         Returns:
-            (n, channels, rows, columns) float32.
+            (n, n_channel, rows, columns).
         """
         ctx.backs = []
-        for each in passes:
-            maps, back = each(maps)
+        for layer in layers:
+            maps, back = layer(maps)
             ctx.backs.append(back)
         return maps
 
     @staticmethod
     def backward(ctx: Any, *gradients: Tensor) -> tuple[Tensor | None, ...]:
         """Gradients of the parameters."""
-        gradient: Tensor | None = gradients[0]
-        found: list[Tensor] = []
+        gradient, found = gradients[0], list[Tensor]()
         for back in reversed(ctx.backs):
             gradient, own = back(gradient)
             found = own + found
         return None, None, *found
 
 
-def patch_product(layer: nn.Conv2d, x: Tensor, is_first: bool) -> tuple[Tensor, Back]:
-    """Convolution whose stride is the size of its kernel, without bias.
+def patches_of_maps(layer: nn.Conv2d, maps: Tensor) -> tuple[Tensor, Back]:
+    """Convolution of the maps whose stride is the size of its kernel, without bias.
 
     Args:
         layer: the convolution.
-        x: (n, n_input, rows, columns), channels last in memory, or the maps, whose columns are.
-        is_first: whether ``x`` are the maps, whose gradient nobody asks for.
+        maps: (n, n_map, rows, columns), columns last in memory; no gradient of theirs is given.
     """
-    weight, (high, wide) = layer.weight.detach(), layer.kernel_size
-    places = len(x), x.shape[2] // high, x.shape[3] // wide
-    if is_first:
-        patches, flat = _strips(x, high, wide), weight.flatten(1)
-    else:
-        parts = x.permute(0, 2, 3, 1).reshape(*places[:2], high, places[2], -1)
-        patches, flat = parts.transpose(2, 3).reshape(-1, high * wide * x.shape[1]), weight.permute(0, 2, 3, 1).flatten(1)
+    weight, (high, wide) = layer.weight, layer.kernel_size
+    # By NumPy, which copies strips of eight values in a fifth of the time of torch.
+    strips = maps.contiguous().view(-1, wide).numpy().take(_order(tuple(maps.shape), high, wide), 0)
+    patches = torch.from_numpy(strips).view(-1, maps.shape[1] * high * wide)
 
-    def back(gradient: Tensor) -> tuple[Tensor | None, list[Tensor]]:
+    def back(gradient: Tensor) -> tuple[Tensor, list[Tensor]]:
+        return gradient[:0], [(_in_rows(gradient).T @ patches).view_as(weight)]
+
+    made = patches @ weight.flatten(1).T
+    return made.view(len(maps), maps.shape[2] // high, maps.shape[3] // wide, -1).permute(0, 3, 1, 2), back
+
+
+def merging(layer: nn.Conv2d, x: Tensor) -> tuple[Tensor, Back]:
+    """The same between stages; (n, n_input, rows, columns) to (n, n_output, rows / high, columns / wide)."""
+    weight, (high, wide) = layer.weight.permute(0, 2, 3, 1), layer.kernel_size
+    places = len(x), x.shape[2] // high, x.shape[3] // wide
+    parts = _in_rows(x).view(*places[:2], high, places[2], -1)
+    patches, flat = parts.transpose(2, 3).reshape(-1, high * wide * x.shape[1]), weight.flatten(1)
+
+    def back(gradient: Tensor) -> tuple[Tensor, list[Tensor]]:
         output = _in_rows(gradient)
-        of_weight = output.T @ patches
-        if is_first:
-            return None, [of_weight.view(weight.shape)]
         of_x = (output @ flat).view(*places, high, -1).transpose(2, 3).reshape(-1, x.shape[1])
-        return _as_maps(of_x, x), [of_weight.view(len(weight), high, wide, -1).permute(0, 3, 1, 2)]
+        return _as_maps(of_x, x), [(output.T @ patches).view_as(weight).permute(0, 3, 1, 2)]
 
     return (patches @ flat.T).view(*places, -1).permute(0, 3, 1, 2), back
 
 
 def normalisation(layer: nn.BatchNorm2d, x: Tensor) -> tuple[Tensor, Back]:
     """Batch normalisation by what is at hand, which moves its running mean and variance."""
-    running = layer.running_mean, layer.running_var
-    gain = layer.weight.detach()
-    layer.num_batches_tracked.add_(1)
-    y, centre, scale = torch.native_batch_norm(x, gain, layer.bias.detach(), *running, True, layer.momentum, layer.eps)
+    gain, running = layer.weight, (layer.running_mean, layer.running_var)
+    cast(Tensor, layer.num_batches_tracked).add_(1)
+    momentum = cast(float, layer.momentum)
+    y, centre, scale = torch.native_batch_norm(x, gain, layer.bias, *running, True, momentum, layer.eps)
 
     def back(gradient: Tensor) -> tuple[Tensor, list[Tensor]]:
         found = torch.ops.aten.native_batch_norm_backward(
@@ -102,25 +110,26 @@ def normalisation(layer: nn.BatchNorm2d, x: Tensor) -> tuple[Tensor, Back]:
     return y, back
 
 
-def block(layer: nn.Module, x: Tensor) -> tuple[Tensor, Back]:
+def block(layer: Any, x: Tensor) -> tuple[Tensor, Back]:
     """A :class:`localize.learned.classifier.PartialBlock`."""
     up, norm, _, down = layer.mix
-    raise_, lower = up.weight.detach().flatten(1), down.weight.detach().flatten(1)
+    rise, fall = up.weight.flatten(1), down.weight.flatten(1)
     rows = _in_rows(x)
     filtered = rows.clone()
     first = _as_maps(filtered, x)[:, : layer.part]
-    through, of_filter = (filter_of_few if x.shape[3] <= FEW else filter_of_many)(layer.spatial.weight.detach(), first)
+    filtering = filter_of_few if x.shape[3] <= FEW else filter_of_many
+    through, of_filter = filtering(layer.spatial.weight, first)
     first.copy_(through)
-    inside, of_norm = normalisation(norm, _as_maps(filtered @ raise_.T, x))
+    inside, of_norm = normalisation(norm, _as_maps(filtered @ rise.T, x))
     active = _in_rows(inside).relu_()
 
     def back(gradient: Tensor) -> tuple[Tensor, list[Tensor]]:
         output = _in_rows(gradient)
-        of_active = output @ lower
+        of_active = output @ fall
         torch.ops.aten.threshold_backward.grad_input(of_active, active, 0, grad_input=of_active)
         of_inside, of_affine = of_norm(_as_maps(of_active, x))
         of_raised = _in_rows(of_inside)
-        of_x = of_raised @ raise_
+        of_x = of_raised @ rise
         first = _as_maps(of_x, x)[:, : layer.part]
         of_first, of_spatial = of_filter(first)
         of_x += output
@@ -128,7 +137,7 @@ def block(layer: nn.Module, x: Tensor) -> tuple[Tensor, Back]:
         of_up, of_down = (of_raised.T @ filtered).view_as(up.weight), (output.T @ active).view_as(down.weight)
         return _as_maps(of_x, x), [*of_spatial, of_up, *of_affine, of_down]
 
-    return _as_maps(torch.addmm(rows, active, lower.T), x), back
+    return _as_maps(torch.addmm(rows, active, fall.T), x), back
 
 
 def filter_of_few(weight: Tensor, x: Tensor) -> tuple[Tensor, Back]:
@@ -147,7 +156,7 @@ def filter_of_few(weight: Tensor, x: Tensor) -> tuple[Tensor, Back]:
     seen = padded.as_strided((n, rows, 3 * size), ((rows + 2) * size, size, 1)).reshape(n * rows, -1)
 
     def as_maps(flat: Tensor) -> Tensor:
-        return flat.view(n, rows, columns, part).permute(0, 3, 1, 2)
+        return flat.unflatten(-1, (columns, part)).view(n, rows, columns, part).permute(0, 3, 1, 2)
 
     def back(gradient: Tensor) -> tuple[Tensor, list[Tensor]]:
         output = gradient.permute(0, 2, 3, 1).clone(memory_format=torch.contiguous_format).view(n * rows, size)
@@ -155,7 +164,8 @@ def filter_of_few(weight: Tensor, x: Tensor) -> tuple[Tensor, Back]:
         above, here, below = (output @ kernel.T).view(n, rows, 3, size).unbind(2)
         here[:, :-1] += above[:, 1:]
         here[:, 1:] += below[:, :-1]
-        return here.unflatten(2, (columns, part)).permute(0, 3, 1, 2), [of_values[:-1].view(part, 3, 3, part).permute(0, 3, 1, 2)]
+        of_weight = of_values[:-1].view(part, 3, 3, part)
+        return as_maps(here), [of_weight.permute(0, 3, 1, 2)]
 
     return as_maps(seen @ kernel), back
 
@@ -183,16 +193,9 @@ def _as_maps(rows: Tensor, like: Tensor) -> Tensor:
     return rows.view(len(like), *like.shape[2:], -1).permute(0, 3, 1, 2)
 
 
-def _strips(x: Tensor, high: int, wide: int) -> Tensor:
-    """Patches of maps whose columns are last in memory, (n rows columns / (high wide), n_input high wide)."""
-    # By NumPy, which copies rows of eight values in a fifth of the time of torch.
-    strips = x.contiguous().view(-1, wide).numpy().take(_order(tuple(x.shape), high, wide), 0)
-    return torch.from_numpy(strips).view(-1, x.shape[1] * high * wide)
-
-
 @lru_cache(maxsize=4)
 def _order(shape: tuple[int, int, int, int], high: int, wide: int) -> NDArray[np.int64]:
-    """Which rows of patches, counted in maps of that shape, lie in the patches one after the other."""
+    """Which strips of maps of that shape lie in their patches one after the other."""
     n, channels, rows, columns = shape
     strip = np.arange(n * channels * rows * columns // wide)
     return strip.reshape(n, channels, rows // high, high, columns // wide).transpose(0, 2, 4, 1, 3).ravel()

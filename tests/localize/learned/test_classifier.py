@@ -41,7 +41,7 @@ def test_networks_have_the_size_that_the_documentation_says(name, parameters, wo
 
 
 def test_the_papers_network_is_five_stages_of_which_each_is_followed_by_a_merging():
-    network = TouchNetwork(shape("paper", features="paper"))
+    network = TouchNetwork(shape("paper", features="paper")).eval()
     widths = [layer.out_channels for layer in network.stages if isinstance(layer, nn.Conv2d)]
     assert widths == [12, 24, 48, 96, 192, 384]
     sides = []
