@@ -190,7 +190,7 @@ def test_unknown_maps_are_refused():
 
 @pytest.mark.parametrize("choice", ["phasors", "paper", "rooms"])
 def test_features_move_to_a_device_and_are_exported_as_one_graph_of_real_numbers(choice):
-    maps = PairFeatures(2, choice)
+    maps = PairFeatures(2, choice).eval()
     # The device without data refuses tensors of any other: no accelerator is needed to see that all of them move.
     assert PairFeatures(2, choice).to("meta")(torch.empty(3, 2, 250, device="meta")).shape[2:] == (64, 32)
 
@@ -200,6 +200,12 @@ def test_features_move_to_a_device_and_are_exported_as_one_graph_of_real_numbers
     assert torch.equal(graph.module()(x[:3]), maps(x[:3]))
     made = [node.meta["val"] for node in graph.graph.nodes if isinstance(node.meta.get("val"), torch.Tensor)]
     assert not any(value.is_complex() for value in made)
+
+
+def test_in_training_the_maps_are_the_same():
+    x = torch.from_numpy(noise_frames(4, 3)).float()
+    maps = PairFeatures(3, "rooms")
+    assert torch.allclose(maps.train()(x), maps.eval()(x), atol=1e-4)
 
 
 def test_the_rank_of_continuation_and_wavelet_leaves_1e_6_of_the_smallest_singular_values():
