@@ -59,8 +59,8 @@ class PlainTolerant:
         for number, each in enumerate(made.responses):
             for point, touched in enumerate(each.at(DEVIATING)):
                 table = point * len(made.responses) + number
-                moments = deviation_moments(touched, made.deviations[number, : self.shapes, point])
-                change = whiten @ moments @ (whiten.T @ self._tables.vectors[table])
+                seen = whiten.T @ self._tables.vectors[table]
+                change = whiten @ deviation_moments(touched, made.deviations[number, : self.shapes, point], seen)
                 self._changes[table] = change.reshape(-1, rank)
 
     @one_thread()

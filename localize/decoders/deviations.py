@@ -54,11 +54,12 @@ class DeviatingTables:
         for number, response in enumerate(hypotheses.responses):
             for point, touched in enumerate(response.at(DEVIATING)):
                 table = point * len(hypotheses.responses) + number
-                moments = deviation_moments(touched, hypotheses.deviations[number, : self.shapes, point])
                 vectors = tables.vectors[table]
+                shapes = hypotheses.deviations[number, : self.shapes, point]
+                moments = deviation_moments(touched, shapes, whiten.T @ vectors)
                 self.beside[table] = np.linalg.qr(vectors, mode="complete")[0][:, self.rank :]
                 basis = np.concatenate([vectors, self.beside[table]], axis=1)
-                change = basis.T @ whiten @ moments @ (whiten.T @ vectors)
+                change = (basis.T @ whiten) @ moments
                 self.changes[table] = change.reshape(-1, self.rank)
 
     def scores(self, x: NDArray[np.float64], tables: NDArray[np.int64]) -> NDArray[np.float64]:

@@ -7,6 +7,7 @@ first, which changes the covariances in a known way and loses nothing of the ban
 
 from __future__ import annotations
 
+import functools
 import math
 from collections.abc import Callable
 
@@ -269,21 +270,30 @@ def touch_covariances(
     return covariances
 
 
-def deviation_moments(touched: NDArray[np.complex128], shapes: NDArray[np.complex64]) -> NDArray[np.float64]:
+def deviation_moments(
+    touched: NDArray[np.complex128], shapes: NDArray[np.complex64], seen: NDArray[np.float64]
+) -> NDArray[np.float64]:
     """What deviations of a point's transfer functions make of a touch, against what the touch is without them.
 
     Args:
         touched: transfer functions of the point, (n_microphone, n_freq) at :data:`DEVIATING`, Pa/Pa.
         shapes: how their logarithms deviate, (n_shape, n_microphone, n_freq).
+        seen: directions in which the touch is looked at, (n, m) float64, n = n_microphone SAMPLES.
 
     Returns:
-        B_k^T B of each shape, (n_shape, n, n) float64, n = n_microphone SAMPLES, Pa^2: rows are the samples that
-        deviate.
+        B_k^T B of each shape, times the directions, (n_shape, n, m) float64, Pa^2: rows are the samples that deviate.
     """
+    amplitude, turn = _deviating_waves()
+    touch = random_waves(touched, amplitude, turn) @ seen
+    deviating = random_waves((touched * shapes).reshape(-1, len(amplitude)), amplitude, turn)
+    return np.asarray((deviating.T @ touch).reshape(len(shapes), -1, touch.shape[1]))
+
+
+@functools.cache
+def _deviating_waves() -> tuple[NDArray[np.float64], NDArray[np.complex128]]:
+    """Amplitudes of a touch at :data:`DEVIATING`, and its waves as the decimated samples see them."""
     turn, gain = sampled_waves(DEVIATING)
-    amplitude = np.sqrt(source_density(DEVIATING) * INTEGRATION_STEP) * gain
-    touch = random_waves(touched, amplitude, turn)
-    return np.stack([random_waves(touched * shape, amplitude, turn).T @ touch for shape in shapes])
+    return np.sqrt(source_density(DEVIATING) * INTEGRATION_STEP) * gain, turn
 
 
 def sampled_waves(frequency: NDArray[np.float64]) -> tuple[NDArray[np.complex128], NDArray[np.float64]]:
