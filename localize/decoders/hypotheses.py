@@ -207,7 +207,8 @@ def _shapes(
     weighed = (ratio * weight).reshape(len(ratio), -1)
     amplitude = _leading(np.concatenate([weighed.real, weighed.imag], axis=1), SHAPES) * np.sqrt(len(ratio))
     shapes = np.zeros((SHAPES, *ratio.shape[1:]), np.complex64)
-    shapes[: amplitude.shape[1]] = np.einsum("dk,dmf->kmf", amplitude, ratio) / len(ratio)
+    found = amplitude.T @ ratio.reshape(len(ratio), -1) / len(ratio)
+    shapes[: len(found)] = found.reshape(-1, *ratio.shape[1:])
     return shapes
 
 
