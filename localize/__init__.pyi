@@ -3,6 +3,7 @@ from . import (
     decoders as decoders,
     embedded as embedded,
     evaluation as evaluation,
+    layers as layers,
     learned as learned,
     live as live,
     recalibration as recalibration,

@@ -1,6 +1,6 @@
 """The network: features, training, files, ONNX.
 
-Stands on: decoders, evaluation, live, recordings, signals.
+Stands on: decoders, evaluation, layers, live, recordings, signals.
 """
 
 import lazy_loader

@@ -19,13 +19,9 @@ import torch
 from torch import Tensor, nn
 
 from geometry.refusal import Refusal, counted
+from localize.layers.gradients import Layer, Stages, block, merging, normalisation, patches_of_maps
+from localize.layers.partial_block import PARTIAL, PartialBlock, PatchConvolution
 from localize.learned.features import COLUMNS, FREQUENCIES, FeatureChoice, PairFeatures
-from localize.learned.gradients import Layer, Stages, block, merging, normalisation, patches_of_maps
-
-EXPANSION = 2
-"""Number of channels inside a block, in multiples of its width."""
-PARTIAL = 4
-"""Ratio of a block's channels to those that are filtered in space."""
 
 
 @dataclass(frozen=True)
@@ -82,61 +78,6 @@ NETWORKS: Mapping[str, Mapping[str, Any]] = {
 }
 
 
-class PatchConvolution(nn.Conv2d):
-    """Convolution whose stride is the size of its kernel, without bias; in training it is one matrix product, which
-    takes two thirds of the time of a convolution and its gradients on a processor.
-    """
-
-    def __init__(self, inputs: int, outputs: int, size: int | tuple[int, int]) -> None:
-        super().__init__(inputs, outputs, size, stride=size, bias=False)
-
-    def forward(self, x: Tensor) -> Tensor:
-        """Channels of each patch.
-
-        Args:
-            x: (n, n_input, m, k) float32.
-
-        Returns:
-            (n, n_output, m, k) float32, m rows and k columns of patches.
-        """
-        if not self.training:
-            return super().forward(x)
-        (high, wide), (_, _, rows, columns) = self.kernel_size, x.shape
-        parts = x.unflatten(3, (columns // wide, wide)).unflatten(2, (rows // high, high))
-        if x.is_contiguous():
-            patches, weight = parts.permute(0, 2, 4, 1, 3, 5), self.weight
-        else:  # channels last, the layout of what comes out of any layer here
-            patches, weight = parts.permute(0, 2, 4, 3, 5, 1), self.weight.permute(0, 2, 3, 1)
-        return nn.functional.linear(patches.flatten(3), weight.flatten(1)).permute(0, 3, 1, 2)
-
-
-class PartialBlock(nn.Module):
-    """Block of a 3 x 3 filter on the first quarter of the channels, then 1 x 1 up and down, added to its input."""
-
-    def __init__(self, width: int) -> None:
-        super().__init__()
-        self.part = width // PARTIAL
-        self.spatial = nn.Conv2d(self.part, self.part, 3, padding=1, bias=False)
-        self.mix = nn.Sequential(
-            PatchConvolution(width, EXPANSION * width, 1),
-            nn.BatchNorm2d(EXPANSION * width),
-            nn.ReLU(inplace=True),
-            PatchConvolution(EXPANSION * width, width, 1),
-        )
-
-    def forward(self, x: Tensor) -> Tensor:
-        """Channels behind the block.
-
-        Args:
-            x: (n, width, rows, columns).
-
-        Returns:
-            Same shape as ``x``.
-        """
-        filtered = torch.cat([self.spatial(x[:, : self.part]), x[:, self.part :]], 1)
-        return x + self.mix(filtered)
-
-
 class TouchNetwork(nn.Module):
     """Network from maps (n, maps, 64, 32) to one logit per point, (n, points)."""
 
@@ -173,10 +114,10 @@ class TouchNetwork(nn.Module):
         for number, layer in enumerate(self.stages):
             if isinstance(layer, PatchConvolution):
                 yield partial(merging if number else patches_of_maps, layer)
+            elif isinstance(layer, PartialBlock):
+                yield partial(block, layer)
             elif isinstance(layer, nn.BatchNorm2d):
                 yield partial(normalisation, layer)
-            else:
-                yield partial(block, layer)
 
 
 class MapClassifier(nn.Module):

@@ -1,6 +1,6 @@
 """The network's stages with their gradients, written out for training on a processor.
 
-What is computed stays what the layers say, :mod:`localize.learned.classifier`. Written out, channels lie side by side
+What is computed stays what the layers say, :mod:`localize.layers.partial_block`. Written out, channels lie side by side
 in memory wherever a gradient comes from, a 3 x 3 filter of few columns is one matrix product, and nothing is recorded
 between layers: that takes three quarters of the time of automatic differentiation.
 
@@ -20,6 +20,8 @@ import torch
 from numpy.typing import NDArray
 from torch import Tensor, nn
 
+from localize.layers.partial_block import PartialBlock
+
 FEW = 4
 """Most columns of maps on which a 3 x 3 filter is a matrix over all columns: on more, most of it would be zeros."""
 
@@ -37,12 +39,12 @@ class Stages(torch.autograd.Function):
 
         Args:
             ctx: of autograd.
-            maps: (n, n_map, rows, columns), nothing of which is differentiated.
+            maps: (n, n_map, m, k), nothing of which is differentiated.
             layers: the first of them :func:`patches_of_maps`.
             _: their parameters, in their order, so that autograd asks for their gradients.
 
         Returns:
-            (n, n_channel, rows, columns).
+            (n, n_channel, m, k).
         """
         ctx.backs = []
         for layer in layers:
@@ -52,7 +54,7 @@ class Stages(torch.autograd.Function):
 
     @staticmethod
     def backward(ctx: Any, *gradients: Tensor) -> tuple[Tensor | None, ...]:
-        """Gradients of the parameters."""
+        """Gradients of the parameters, each of the same shape as its parameter; none of the maps."""
         gradient, found = gradients[0], list[Tensor]()
         for back in reversed(ctx.backs):
             gradient, own = back(gradient)
@@ -65,7 +67,10 @@ def patches_of_maps(layer: nn.Conv2d, maps: Tensor) -> tuple[Tensor, Back]:
 
     Args:
         layer: the convolution.
-        maps: (n, n_map, rows, columns), columns last in memory; no gradient of theirs is given.
+        maps: (n, n_map, m, k), columns last in memory; no gradient of theirs is given.
+
+    Returns:
+        (n, n_output, i, j), i rows and j columns of patches, and the way back.
     """
     weight, (high, wide) = layer.weight, layer.kernel_size
     # By NumPy, which copies strips of eight values in a fifth of the time of torch.
@@ -80,7 +85,15 @@ def patches_of_maps(layer: nn.Conv2d, maps: Tensor) -> tuple[Tensor, Back]:
 
 
 def merging(layer: nn.Conv2d, x: Tensor) -> tuple[Tensor, Back]:
-    """The same between stages; (n, n_input, rows, columns) to (n, n_output, rows / high, columns / wide)."""
+    """The same between stages.
+
+    Args:
+        layer: the convolution.
+        x: (n, n_input, m, k).
+
+    Returns:
+        (n, n_output, i, j), and the way back.
+    """
     weight, (high, wide) = layer.weight.permute(0, 2, 3, 1), layer.kernel_size
     places = len(x), x.shape[2] // high, x.shape[3] // wide
     parts = _in_rows(x).view(*places[:2], high, places[2], -1)
@@ -95,7 +108,15 @@ def merging(layer: nn.Conv2d, x: Tensor) -> tuple[Tensor, Back]:
 
 
 def normalisation(layer: nn.BatchNorm2d, x: Tensor) -> tuple[Tensor, Back]:
-    """Batch normalisation by what is at hand, which moves its running mean and variance."""
+    """Batch normalisation by what is at hand, which moves its running mean and variance.
+
+    Args:
+        layer: the normalisation.
+        x: (n, n_channel, m, k).
+
+    Returns:
+        Same shape as ``x``, and the way back.
+    """
     gain, running = layer.weight, (layer.running_mean, layer.running_var)
     cast(Tensor, layer.num_batches_tracked).add_(1)
     momentum = cast(float, layer.momentum)
@@ -110,9 +131,17 @@ def normalisation(layer: nn.BatchNorm2d, x: Tensor) -> tuple[Tensor, Back]:
     return y, back
 
 
-def block(layer: Any, x: Tensor) -> tuple[Tensor, Back]:
-    """A :class:`localize.learned.classifier.PartialBlock`."""
-    up, norm, _, down = layer.mix
+def block(layer: PartialBlock, x: Tensor) -> tuple[Tensor, Back]:
+    """A block of a filter in space, and up and down again, added to its input.
+
+    Args:
+        layer: the block.
+        x: (n, n_channel, m, k).
+
+    Returns:
+        Same shape as ``x``, and the way back.
+    """
+    up, norm, down = layer.parts
     rise, fall = up.weight.flatten(1), down.weight.flatten(1)
     rows = _in_rows(x)
     filtered = rows.clone()
@@ -144,8 +173,11 @@ def filter_of_few(weight: Tensor, x: Tensor) -> tuple[Tensor, Back]:
     """3 x 3 filter of maps that have few columns: one matrix from what lies in three rows to one row.
 
     Args:
-        weight: (part, part, 3, 3).
-        x: (n, part, rows, columns).
+        weight: (n_channel, n_channel, 3, 3).
+        x: (n, n_channel, m, k).
+
+    Returns:
+        Same shape as ``x``, and the way back.
     """
     (n, part, rows, columns), index = x.shape, _index(x.shape[1], x.shape[3])
     size = columns * part
@@ -171,7 +203,15 @@ def filter_of_few(weight: Tensor, x: Tensor) -> tuple[Tensor, Back]:
 
 
 def filter_of_many(weight: Tensor, x: Tensor) -> tuple[Tensor, Back]:
-    """3 x 3 filter of maps that have many columns; arguments as of :func:`filter_of_few`."""
+    """3 x 3 filter of maps that have many columns.
+
+    Args:
+        weight: (n_channel, n_channel, 3, 3).
+        x: (n, n_channel, m, k).
+
+    Returns:
+        Same shape as ``x``, and the way back.
+    """
     x = x.clone(memory_format=torch.channels_last)
     how = [1, 1], [1, 1], [1, 1], False, [0, 0], 1
 

@@ -1,0 +1,8 @@
+"""Layers of networks on small maps, and their gradients.
+
+Stands on: nothing.
+"""
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

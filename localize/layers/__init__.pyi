@@ -1,0 +1,1 @@
+from .partial_block import PartialBlock as PartialBlock, PatchConvolution as PatchConvolution
