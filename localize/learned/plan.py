@@ -115,7 +115,7 @@ class TrainingPlan:
     """Choice of the network's maps, see :mod:`localize.learned.features`; "rooms" is "phasors" where touches have no
     sound around them."""
     bfloat16: bool = False
-    """Whether the network computes in bfloat16 while it is trained: the paper's is half as fast again where the
+    """Whether the network computes in bfloat16 while it is trained: the paper's is a third faster where the
     processor has instructions for it, and slower elsewhere. Weights and finished localizer are in single precision."""
 
     def __post_init__(self) -> None:
