@@ -15,6 +15,7 @@ EXTRAS = {
     "studies": ("dask", "distributed", "optuna", "plotly", "jinja2", "zarr"),
     "studio": ("starlette", "uvicorn", "websockets"),
     "live": ("sounddevice",),
+    "sofa": ("sofar",),
 }
 #: Packages that those of an extra bring: theirs is the name in the error where they are missing.
 _BROUGHT = {"OCP": "cad", "vtkmodules": "cad"}
