@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from importlib.metadata import PackageNotFoundError, version
 from importlib.util import find_spec
 
 from geometry.refusal import Refusal
@@ -11,7 +12,8 @@ EXTRAS = {
     "plots": ("matplotlib",),
     "cad": ("cadquery", "trimesh", "lib3mf", "pyvista"),
     "fem": ("gmsh",),
-    "train": ("torch", "safetensors", "onnx", "onnxruntime"),
+    "onnx": ("onnx", "onnxruntime"),
+    "train": ("torch", "safetensors"),
     "studies": ("dask", "distributed", "optuna", "plotly", "jinja2", "zarr"),
     "studio": ("starlette", "uvicorn", "websockets"),
     "live": ("sounddevice",),
@@ -21,7 +23,14 @@ EXTRAS = {
 _BROUGHT = {"OCP": "cad", "vtkmodules": "cad"}
 
 
-class MissingExtra(Refusal, ImportError):
+class NotInstalled(Refusal, ImportError):
+    """Something that is asked for is missing on this machine; the message says what to install.
+
+    It says nothing of a design: a study that meets it ends, and does not keep it as the reason of a case.
+    """
+
+
+class MissingExtra(NotInstalled):
     """Packages that are asked for are not installed; the message is the line to type."""
 
 
@@ -54,6 +63,18 @@ def what_to_install(module: str | None) -> str:
     package = (module or "").partition(".")[0]
     owner = next((extra for extra, packages in EXTRAS.items() if package in packages), _BROUGHT.get(package))
     return "" if owner is None else _line(f"{package}, which this needs,", owner)
+
+
+def installed_version(package: str) -> str:
+    """Version of a package of an extra.
+
+    Raises:
+        MissingExtra: it is not installed.
+    """
+    try:
+        return version(package)
+    except PackageNotFoundError:
+        raise MissingExtra(what_to_install(package)) from None
 
 
 def _line(what: str, extras: str) -> str:

@@ -7,7 +7,7 @@ import shutil
 import subprocess
 import sys
 import tomllib
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from importlib.metadata import Distribution, distribution
 from pathlib import Path
 
@@ -19,11 +19,14 @@ ROOT = Path(__file__).parents[2]
 def core_distributions(*extras: str) -> dict[str, Distribution]:
     """Installed distributions that the core and some extras require, directly or through others, by name."""
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
-    lines = [*project["dependencies"], *(line for each in extras for line in project["optional-dependencies"][each])]
     found: dict[str, Distribution] = {}
-    waiting = list(_needed(lines, frozenset()))
+    waiting = [*_needed(project["dependencies"], frozenset()), Requirement(f"acoustic-fem[{','.join(extras)}]")]
     while waiting:
         requirement = waiting.pop()
+        if requirement.name == "acoustic-fem":  # of this tree, not of what is installed
+            for each in requirement.extras:
+                waiting += _needed(project["optional-dependencies"][each], frozenset())
+            continue
         if requirement.name not in found:
             found[requirement.name] = distribution(requirement.name)
         lines = found[requirement.name].requires or []
@@ -31,7 +34,7 @@ def core_distributions(*extras: str) -> dict[str, Distribution]:
     return found
 
 
-def _needed(lines: list[str], extras: frozenset[str]) -> Iterator[Requirement]:
+def _needed(lines: Iterable[str], extras: frozenset[str]) -> Iterator[Requirement]:
     for line in lines:
         requirement = Requirement(line)
         if requirement.marker is None or any(requirement.marker.evaluate({"extra": e}) for e in {"", *extras}):
@@ -39,12 +42,13 @@ def _needed(lines: list[str], extras: frozenset[str]) -> Iterator[Requirement]:
 
 
 def link_core(folder: Path, *extras: str) -> Path:
-    """Fill an empty folder with links to all that the core requires; to be put on the path of a bare interpreter.
+    """Fill a new folder with links to all that the core requires; to be put on the path of a bare interpreter.
 
     Args:
-        folder: the empty one.
-        extras: of the installation, which it has too; none that bring others.
+        folder: the new one, or an empty one.
+        extras: of the installation, which it has too.
     """
+    folder.mkdir(exist_ok=True)
     for owner in core_distributions(*extras).values():
         tops = {path.parts[0] for path in owner.files or () if ".." not in path.parts}
         for top in tops - {"__pycache__"}:
@@ -77,8 +81,13 @@ def acoustic_fem_of_core(core: Path, *arguments: str | Path, folder: Path) -> su
         arguments: of the command line.
         folder: to run in.
     """
+    return python_of_core(core, "-m", "studies.cli", *map(str, arguments), folder=folder)
+
+
+def python_of_core(core: Path, *arguments: str, folder: Path) -> subprocess.CompletedProcess[str]:
+    """Run Python with the core alone; as :func:`acoustic_fem_of_core`."""
     return subprocess.run(
-        [sys.executable, "-S", "-m", "studies.cli", *map(str, arguments)],
+        [sys.executable, "-S", *arguments],
         cwd=folder,
         env={**os.environ, "PYTHONPATH": os.pathsep.join([str(ROOT), str(core)])},
         capture_output=True,

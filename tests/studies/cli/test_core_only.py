@@ -10,6 +10,7 @@ import pytest
 from core_only import ROOT, acoustic_fem_of_core, link_core, megabytes_on_disk
 
 import acoustic_fem
+import localize
 from acoustic_fem.library import export
 from geometry.system.extras import EXTRAS
 from studies.cli.app import VERBS
@@ -76,6 +77,42 @@ def test_touches_are_located_and_tracked(core: Path, tmp_path: Path) -> None:
     assert (tmp_path / "path.csv").read_text(encoding="utf-8").count("\n") > 2
 
 
+@pytest.mark.slow
+def test_touches_are_located_by_a_graph_without_torch(tmp_path: Path) -> None:
+    library = acoustic_fem.load(RECORDINGS / "library.nc")
+    localize.export_onnx(localize.BayesDecoder(library, "design"), tmp_path / "decoder.onnx")
+    with_onnx = link_core(tmp_path / "site", "onnx")
+    assert not (with_onnx / "torch").exists()
+    heard = (RECORDINGS / "touches.wav", "--full-scale", "20")
+    done = acoustic_fem_of_core(with_onnx, "locate", "decoder.onnx", *heard, folder=tmp_path)
+    assert done.returncode == 0, done.stderr
+    assert re.search(r"\d+ touch", done.stdout + done.stderr)
+
+
+STUDY = """
+base = "array-2x6"
+fidelity = "lumped"
+frequencies = "1:100:16"
+metrics = ["METRIC"]
+[parameters]
+"tube.length" = [10, 12]
+"""
+
+
+@pytest.mark.slow
+def test_a_sweep_needs_torch_for_predicted_accuracies_alone(tmp_path: Path) -> None:
+    with_studies = link_core(tmp_path / "site", "studies")
+    for metric, code in (("sensitivity_force", 0), ("predicted_top1", 1)):
+        (tmp_path / "study.toml").write_text(STUDY.replace("METRIC", metric), encoding="utf-8")
+        words = ("sweep", "study.toml", "--out", f"{metric}.zarr", "--workers", "1")
+        done = acoustic_fem_of_core(with_studies, *words, folder=tmp_path)
+        assert done.returncode == code, done.stderr
+    line = "acoustic-fem: torch, which this needs, is not installed: pip install 'acoustic-fem[train]'\n"
+    assert done.stderr == line
+    assert not (tmp_path / "predicted_top1.zarr").exists()
+    assert acoustic_fem_of_core(with_studies, "best", "sensitivity_force.zarr", folder=tmp_path).returncode == 0
+
+
 @pytest.mark.parametrize(
     ("words", "extras"),
     [
@@ -89,6 +126,7 @@ def test_touches_are_located_and_tracked(core: Path, tmp_path: Path) -> None:
         ("run array-2x6 --out demo", "fem,train,studies"),
         ("studio array-2x6", "fem,train,studies,studio"),
         ("live library.nc", "live"),
+        ("locate decoder.onnx recording.wav", "onnx"),
     ],
 )
 def test_what_is_not_installed_is_told_in_one_line_before_any_work(
