@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from importlib.metadata import PackageNotFoundError, version
 from importlib.util import find_spec
 
 from geometry.refusal import Refusal
@@ -71,6 +70,8 @@ def installed_version(package: str) -> str:
     Raises:
         MissingExtra: it is not installed.
     """
+    from importlib.metadata import PackageNotFoundError, version
+
     try:
         return version(package)
     except PackageNotFoundError:

@@ -147,5 +147,5 @@ def test_help_of_a_verb_needs_nothing(core: Path, tmp_path: Path) -> None:
 
 
 def test_what_verbs_need_are_extras_and_verbs() -> None:
-    assert set(NEEDS) <= {verb.__name__ for verb in VERBS}
+    assert set(NEEDS) <= VERBS.keys()
     assert {extra for needed in NEEDS.values() for extra in needed} <= set(EXTRAS)
