@@ -4,6 +4,7 @@ import dataclasses
 import json
 import subprocess
 import sys
+from pathlib import Path
 
 import netCDF4
 import numpy as np
@@ -142,12 +143,12 @@ def test_a_write_that_fails_leaves_the_old_file(library, tmp_path, monkeypatch):
     acoustic_fem.save(library, path)
     before = path.read_bytes()
 
-    def full_disk(self, name, **options):
-        with open(name, "wb") as file:
-            file.write(b"half")
+    def full_disk(self, content):
+        with self.open("wb") as file:
+            file.write(content[:1000])
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr(xr.Dataset, "to_netcdf", full_disk)
+    monkeypatch.setattr(Path, "write_bytes", full_disk)
     with pytest.raises(acoustic_fem.LibraryError, match=r"library\.nc: cannot be written: No space left on device"):
         acoustic_fem.save(library, path)
     assert path.read_bytes() == before
