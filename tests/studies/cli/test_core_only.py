@@ -126,13 +126,14 @@ def test_a_sweep_needs_torch_for_predicted_accuracies_alone(tmp_path: Path) -> N
         ("run array-2x6 --out demo", "fem,train,studies"),
         ("studio array-2x6", "fem,train,studies,studio"),
         ("live library.nc", "live"),
-        ("locate decoder.onnx recording.wav", "onnx"),
+        ("locate decoder.onnx touches.wav --full-scale 20", "onnx"),
     ],
 )
 def test_what_is_not_installed_is_told_in_one_line_before_any_work(
     core: Path, tmp_path: Path, words: str, extras: str
 ) -> None:
-    (tmp_path / "library.nc").write_bytes((RECORDINGS / "library.nc").read_bytes())
+    for name in ("library.nc", "touches.wav"):
+        (tmp_path / name).write_bytes((RECORDINGS / name).read_bytes())
     words = words.replace("--out library.nc", "--out new.nc")
     done = acoustic_fem_of_core(core, *words.split(), folder=tmp_path)
     assert done.returncode == 1
