@@ -87,7 +87,7 @@ def measure(row: Row, full: bool, folder: Path, seconds: float | None = None) ->
     from frame_time import frame_time
 
     from localize import BayesDecoder, evaluate, export_onnx, train
-    from localize.learned.onnx import OnnxLocalizer
+    from localize.graphs import OnnxLocalizer
     from localize.signals.finger_stimuli import STIMULI
 
     response = solved(row)

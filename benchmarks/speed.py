@@ -143,6 +143,44 @@ def cold_line() -> tuple[float, float]:
         return cold, others([sys.executable, "-W", "ignore", "-c", program], 1) / 1e3
 
 
+#: Cell -> directions of its tubes, relative error aimed at, highest frequency (Hz), and what was wanted.
+CELLS = {
+    "a 3-D cell of two tubes in line, 1e-3": ((0, 180), 1e-3, 500.0, "wanted: 4 s"),
+    "a 3-D cell of three tubes without a mirror plane, 1e-3": ((0, 100, 220), 1e-3, 500.0, "wanted: 7 s"),
+    "the same, default accuracy": ((0, 100, 220), None, 500.0, ""),
+    "a 3-D cell of two tubes in line to 1 kHz, default accuracy": ((0, 180), None, 1000.0, "wanted: 30 s, 1.07 GB"),
+}
+CELL_PROGRAM = """
+import resource, sys, time
+from acoustic_fem.cell import one_cell
+from benchmarks.one_mesh import BORE, HEIGHT, RADIUS
+from geometry.air.cells import Cell
+from geometry.stated.ports import CellPort
+from tests.support.reference_data import AIR
+angles, accuracy, highest = eval(sys.argv[1])
+one_cell.DESIGN_ACCURACY = accuracy or one_cell.DESIGN_ACCURACY
+ports = tuple(CellPort(float(angle), BORE) for angle in angles)
+cell = Cell("resonator", 2 * RADIUS, HEIGHT, HEIGHT / 2, ports, 2 * RADIUS, 0.0)
+start = time.process_time()
+one_cell.solve_task(one_cell.CellTask(cell, AIR, (1.0, highest), "navier-stokes"), lambda done: None)
+print(time.process_time() - start, resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024)
+"""
+
+
+def cells() -> list[tuple[str, str, str]]:
+    """Rows of single cells, each solved in a process of its own: the least time of two, s, and the memory, GB."""
+    rows = []
+    for name, (*asked, wanted) in CELLS.items():
+        runs = []
+        for _ in range(2):
+            program = [sys.executable, "-W", "ignore", "-c", CELL_PROGRAM, repr(tuple(asked))]
+            done = subprocess.run(program, check=True, capture_output=True, text=True)
+            runs.append(tuple(map(float, done.stdout.split())))
+        seconds, memory = min(runs)
+        rows.append((f"{name} (s, peak memory)", f"{seconds:.1f}, {memory / 1e9:.2f} GB", wanted))
+    return rows
+
+
 def commands() -> dict[str, float]:
     """Processor time of what prints a few lines, ms, import and all."""
     ours = [sys.executable, "-m", "studies.cli"]
@@ -200,6 +238,7 @@ def peers(of_line_2: dict[str, float]) -> list[str]:
         ("the same, atlas (ms)", f"{one_design('array-2x6', 'atlas'):.1f}", ""),
         (f"the same, lumped, among {BATCH} (ms)", f"{many:.2f}", f"{single:.1f}: one at a time"),
         ("line-4 with 3-D cells (s)", f"{cold:.0f}", f"{cached:.1f}: cells from the cache"),
+        *cells(),
         ("signals of touches, 36 points (a second)", f"{1e3 / of_line_2['signals of a touch']:,.0f}", "wanted: 20,000"),
         (
             "the network's training, 36 points, the usual plan (a second)",

@@ -3,6 +3,7 @@ from . import (
     decoders as decoders,
     embedded as embedded,
     evaluation as evaluation,
+    graphs as graphs,
     layers as layers,
     learned as learned,
     live as live,
@@ -27,13 +28,14 @@ from .decoders.tolerant import TolerantDecoder as TolerantDecoder
 from .decoders.two_touches import TwoTouchDecoder as TwoTouchDecoder, TwoTouches as TwoTouches
 from .evaluation.accuracy import Evaluation as Evaluation, evaluate as evaluate
 from .evaluation.goodness_of_fit import SensorFit as SensorFit, sensor_fit as sensor_fit
+from .graphs.description import LocalizerError as LocalizerError
+from .graphs.onnx_localizer import OnnxLocalizer as OnnxLocalizer
 from .learned.epochs import TrainingProgress as TrainingProgress
 from .learned.localizer import (
     Localizer as Localizer,
-    LocalizerError as LocalizerError,
     load_localizer as load_localizer,
 )
-from .learned.onnx import OnnxLocalizer as OnnxLocalizer, export_onnx as export_onnx
+from .learned.onnx import export_onnx as export_onnx
 from .learned.plan import TrainingPlan as TrainingPlan
 from .learned.training import train as train
 from .live.events import Decision as Decision, Fault as Fault, TouchEvent as TouchEvent

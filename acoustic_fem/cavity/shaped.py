@@ -18,6 +18,7 @@ from acoustic_fem.quantities.checks import numbers, positive
 from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.units import metres
 from geometry.stated.cavity_shapes import Box, Dome, draw_cavity
+from geometry.system.extras import installed_version
 
 #: Relative error of the compliance that the mesh is refined to, and the scale of the first one that may do.
 ACCURACY = 1e-3
@@ -66,10 +67,8 @@ def _thermal_model(
     shape: Box | Dome, radius: float, height: float, medium: Medium, band: tuple[float, float]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
     """Projected stiffness and mass, load, and the mean of each function: lengths in mm."""
-    from importlib.metadata import version
-
     sizes = {"kind": type(shape).__name__, **asdict(shape), "radius": radius, "height": height}
-    about = {"shaped cavity": _VERSION, "accuracy": ACCURACY, "gmsh": version("gmsh")}
+    about = {"shaped cavity": _VERSION, "accuracy": ACCURACY, "gmsh": installed_version("gmsh")}
     key = disk_cache.key_of({**sizes, **about, "diffusivity": medium.thermal_diffusivity, "band": list(band)})
     record = disk_cache.fetch(key)
     if record is None:

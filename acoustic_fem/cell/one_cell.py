@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 from collections.abc import Callable
 from dataclasses import asdict, dataclass
-from importlib.metadata import version
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
@@ -20,7 +19,7 @@ from geometry.air.straight_bores import StraightBore
 from geometry.refusal import Refusal, said_by
 from geometry.stated.cavity_shapes import Box, Dome
 from geometry.stated.ports import CellPort
-from geometry.system.loading import MissingLibrary
+from geometry.system.extras import NotInstalled, installed_version
 
 if TYPE_CHECKING:
     from acoustic_fem.fields.cylinder_heat import CylinderAir
@@ -111,7 +110,7 @@ class CellTask:
     @property
     def key(self) -> str:
         """Name under which the cell is kept in the cache."""
-        about = {"model": CELL_MODEL_VERSION, "accuracy": DESIGN_ACCURACY, "gmsh": version("gmsh")}
+        about = {"model": CELL_MODEL_VERSION, "accuracy": DESIGN_ACCURACY, "gmsh": installed_version("gmsh")}
         return disk_cache.key_of({**_stated(asdict(self)), **about})
 
     def as_json(self) -> str:
@@ -193,7 +192,7 @@ def solve_task(task: CellTask, report: Callable[[float], None]) -> CellRecord:
 
     Raises:
         CellError: its air cannot be made or meshed, its solution misses the accuracy, or takes too much memory.
-        MissingLibrary: nothing can be meshed on this system.
+        NotInstalled: nothing can be meshed on this system.
     """
     from OCP.Standard import Standard_Failure
 
@@ -210,7 +209,7 @@ def solve_task(task: CellTask, report: Callable[[float], None]) -> CellRecord:
             MeshGoal(DESIGN_ACCURACY, cell.smallest_extent, checked_band),
             report,
         )
-    except MissingLibrary:
+    except NotInstalled:
         raise  # no fault of this cell
     except (Refusal, Standard_Failure, MemoryError) as error:
         raise CellError(f"{cell.label}: {said_by(error)}") from error

@@ -14,7 +14,7 @@ from pathlib import Path
 
 from acoustic_fem.cell.one_cell import CellError, CellFault, CellRecord, CellTask, solve_task
 from acoustic_fem.numerics import disk_cache
-from geometry.system.loading import MissingLibrary
+from geometry.system.extras import NotInstalled
 
 #: Exit status of a process whose cell could not be solved, that lacks a library, and that ended with a traceback.
 _NOT_SOLVED, _LACKING, _TRACEBACK = 3, 4, 1
@@ -38,7 +38,7 @@ def solve_side_by_side(
 
     Raises:
         CellError: a cell cannot be solved.
-        MissingLibrary: nothing can be meshed on this system.
+        NotInstalled: nothing can be meshed on this system.
         CellFault: a process ended with a traceback.
     """
     waiting = list(tasks)
@@ -123,7 +123,7 @@ class _Children:
 
         Raises:
             CellError: the cell cannot be solved.
-            MissingLibrary: nothing can be meshed on this system.
+            NotInstalled: nothing can be meshed on this system.
             CellFault: the process ended with a traceback.
         """
         label, status = child.task.cell.label, child.process.wait()
@@ -133,7 +133,7 @@ class _Children:
         if status == _TRACEBACK and said:
             raise CellFault(f"{label}: {said.splitlines()[-1]}")
         if status == _LACKING and said:
-            raise MissingLibrary(said.splitlines()[-1])
+            raise NotInstalled(said.splitlines()[-1])
         if status != 0:
             raise CellError(said.splitlines()[-1] if said else f"{label}: the solver ended with {status}")
         self.running.remove(child)
@@ -157,7 +157,7 @@ def solve_as_child() -> int:
     except CellError as error:
         print(error, file=sys.stderr)
         return _NOT_SOLVED
-    except MissingLibrary as error:
+    except NotInstalled as error:
         print(error, file=sys.stderr)
         return _LACKING
     return 0

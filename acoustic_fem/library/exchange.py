@@ -46,6 +46,7 @@ from geometry.files.writing import whole_file
 from geometry.layout.arrangement import place_housings
 from geometry.layout.placement import point_places
 from geometry.refusal import Refusal, counted
+from geometry.system.extras import check_extras
 
 #: Formats of libraries, by the ending of their names: netCDF-4, SOFA, NPZ, CSV.
 FORMATS = (".nc", ".sofa", ".npz", ".csv")
@@ -186,6 +187,7 @@ def _sofa_name(name: str) -> str:
 
 
 def _write_sofa(library: Library, path: Path) -> None:
+    check_extras("what writes SOFA", "sofa")
     import sofar
 
     dataset = dataset_of(library)
@@ -247,8 +249,7 @@ def _read_sofa(path: Path) -> xr.Dataset:
 
 
 def _sofa_content(file: Any) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
-    texts = {name: file.getncattr(name) for name in file.ncattrs()}
-    return texts, {name: np.asarray(one[...]) for name, one in file.variables.items()}
+    return dict(file.attrs), {name: np.asarray(one[...]) for name, one in file.variables.items()}
 
 
 _DATA = ("transfer_function_real", "transfer_function_imag")

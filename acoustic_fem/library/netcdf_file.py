@@ -61,7 +61,8 @@ def write_netcdf(library: Library, path: Path) -> None:
     checked: dict[Any, dict[str, Any]] = {name: {"fletcher32": True} for name in dataset.data_vars}
     try:
         with whole_file(path) as beside:
-            dataset.to_netcdf(beside, engine="netcdf4", format="NETCDF4", encoding=checked)
+            # in memory: HDF5 ends the process where the disk is full
+            beside.write_bytes(dataset.to_netcdf(engine="h5netcdf", format="NETCDF4", encoding=checked))
             seal(beside)
     except OSError as error:
         raise LibraryError(f"{path}: cannot be written: {error.strerror or error}") from None
@@ -132,7 +133,7 @@ def load_netcdf(path: str | os.PathLike[str]) -> Library:
 
 
 def _dataset(file: Any) -> xr.Dataset:
-    store = xr.backends.NetCDF4DataStore(file)
+    store = xr.backends.H5NetCDFStore(file)
     return xr.open_dataset(store, decode_times=False, mask_and_scale=False).load()
 
 

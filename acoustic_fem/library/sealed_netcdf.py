@@ -26,21 +26,21 @@ _LARGEST = 2_000_000_000
 _PATIENCE = 20.0
 #: What that process runs: every value and attribute is read, those of the arrays after their sizes were summed.
 _TRIAL = f"""
+import math
 import sys
-import netCDF4
+import h5netcdf
 try:
     import resource
     resource.setrlimit(resource.RLIMIT_AS, (2 * {_LARGEST}, 2 * {_LARGEST}))
 except (ImportError, ValueError, OSError):
     pass
 try:
-    with netCDF4.Dataset(sys.argv[1]) as file:
-        bytes = sum(one.size * getattr(one.dtype, "itemsize", 64) for one in file.variables.values())
+    with h5netcdf.File(sys.argv[1], "r") as file:
+        bytes = sum(math.prod(one.shape) * getattr(one.dtype, "itemsize", 64) for one in file.variables.values())
         if bytes > {_LARGEST}:
             sys.exit(f"its arrays would take {{bytes}} bytes, and must take at most {_LARGEST}")
         for one in (file, *file.variables.values()):
-            for name in one.ncattrs():
-                one.getncattr(name)
+            dict(one.attrs)
         for one in file.variables.values():
             one[...]
 except Exception as error:
@@ -65,13 +65,13 @@ def read_netcdf(path: Path, what: str, refusal: Callable[[str], Exception], take
         path: the file.
         what: such as ``a SOFA file``, for messages.
         refusal: makes the error of a message.
-        take: reads from the open ``netCDF4.Dataset``; nothing of it is used once the file is closed.
+        take: reads from the open ``h5netcdf.File``; nothing of it is used once the file is closed.
 
     Raises:
         Exception: by ``refusal``: no ordinary file, not netCDF, damaged, cut short, or one that takes too long or too
             much memory to read.
     """
-    import netCDF4
+    import h5netcdf
 
     ordinary_file(path, what, refusal, _LARGEST)
     with path.open("rb") as file:
@@ -82,8 +82,7 @@ def read_netcdf(path: Path, what: str, refusal: Callable[[str], Exception], take
             raise refusal(f"{path}: is damaged: its bytes are not those that were written (SHA-256)")
     else:
         _try_apart(path, what, refusal)
-    with library_reads(path, what, refusal), netCDF4.Dataset(path) as file:
-        file.set_auto_maskandscale(False)
+    with library_reads(path, what, refusal), h5netcdf.File(path, "r") as file:
         return take(file)
 
 

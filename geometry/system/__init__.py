@@ -1,4 +1,4 @@
-"""What the CAD kernel, the mesher and the renderer need of the system, and one line where it is not there.
+"""Extras of the installation and libraries of the system, and one line where what is needed is not there.
 
 Stands on: nothing.
 """

@@ -11,16 +11,25 @@ EXTRAS = {
     "plots": ("matplotlib",),
     "cad": ("cadquery", "trimesh", "lib3mf", "pyvista"),
     "fem": ("gmsh",),
-    "train": ("torch", "safetensors", "onnx", "onnxruntime"),
+    "onnx": ("onnx", "onnxruntime"),
+    "train": ("torch", "safetensors"),
     "studies": ("dask", "distributed", "optuna", "plotly", "jinja2", "zarr"),
     "studio": ("starlette", "uvicorn", "websockets"),
     "live": ("sounddevice",),
+    "sofa": ("sofar",),
 }
 #: Packages that those of an extra bring: theirs is the name in the error where they are missing.
 _BROUGHT = {"OCP": "cad", "vtkmodules": "cad"}
 
 
-class MissingExtra(Refusal, ImportError):
+class NotInstalled(Refusal, ImportError):
+    """Something that is asked for is missing on this machine; the message says what to install.
+
+    It says nothing of a design: a study that meets it ends, and does not keep it as the reason of a case.
+    """
+
+
+class MissingExtra(NotInstalled):
     """Packages that are asked for are not installed; the message is the line to type."""
 
 
@@ -53,6 +62,20 @@ def what_to_install(module: str | None) -> str:
     package = (module or "").partition(".")[0]
     owner = next((extra for extra, packages in EXTRAS.items() if package in packages), _BROUGHT.get(package))
     return "" if owner is None else _line(f"{package}, which this needs,", owner)
+
+
+def installed_version(package: str) -> str:
+    """Version of a package of an extra.
+
+    Raises:
+        MissingExtra: it is not installed.
+    """
+    from importlib.metadata import PackageNotFoundError, version
+
+    try:
+        return version(package)
+    except PackageNotFoundError:
+        raise MissingExtra(what_to_install(package)) from None
 
 
 def _line(what: str, extras: str) -> str:

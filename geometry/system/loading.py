@@ -1,4 +1,6 @@
-"""Packages that load libraries of the system: where one is missing their import says in one line what to install."""
+"""Packages that are not installed, or whose libraries of the system are missing: importing them says in one line what
+to install.
+"""
 
 from __future__ import annotations
 
@@ -11,18 +13,19 @@ from importlib.machinery import ModuleSpec, PathFinder
 from importlib.util import find_spec
 from types import ModuleType
 
-from geometry.refusal import Refusal
+from geometry.system.extras import MissingExtra, NotInstalled, what_to_install
 from geometry.system.libraries import missing_libraries, what_is_missing
 
 #: The CAD kernel, the mesher and the renderer, by what is loaded of them.
 PACKAGES = frozenset({"OCP", "cadquery", "gmsh", "pyvista", "vtkmodules"})
+#: Packages whose imports are told what to type; others may try whether one is there, and do without it.
+_OURS = frozenset({"geometry", "acoustic_fem", "localize", "studies"})
+#: Modules of the import system, between an import and its finders.
+_BETWEEN = frozenset({"_frozen_importlib", "_frozen_importlib_external", "importlib._bootstrap"})
 
 
-class MissingLibrary(Refusal, ImportError):
-    """A library of the system without which nothing can be drawn or meshed is missing; the message names its package.
-
-    It says nothing of a design: a study that meets it ends, and does not keep it as the reason of a case.
-    """
+class MissingLibrary(NotInstalled):
+    """A library of the system is missing, needed to draw and mesh; the message names its package."""
 
 
 def check_system_libraries() -> None:
@@ -49,9 +52,10 @@ def load_before_renderer() -> None:
 
 
 def tell_what_is_missing() -> None:
-    """Let whoever imports one of the packages know what to install: the one place where that is decided for all."""
+    """Let whoever imports a package know what to install: the one place where that is decided for all."""
     if not any(isinstance(each, _Finder) for each in sys.meta_path):
         sys.meta_path.insert(0, _Finder())
+        sys.meta_path.append(_LastFinder())
 
 
 class _Finder(MetaPathFinder):
@@ -66,6 +70,22 @@ class _Finder(MetaPathFinder):
         if spec is not None and spec.loader is not None:
             spec.loader = _Loader(spec.loader)
         return spec
+
+
+class _LastFinder(MetaPathFinder):
+    """Is asked for what nobody found, and refuses packages of extras that a module of ours imports."""
+
+    def find_spec(self, fullname: str, path: Sequence[str] | None, target: ModuleType | None = None) -> None:
+        if path is None and (line := what_to_install(fullname)) and _importer().partition(".")[0] in _OURS:
+            raise MissingExtra(line)
+
+
+def _importer() -> str:
+    """Name of the module whose statement imports; another where somebody only looks whether there is a module."""
+    frame = sys._getframe(2)
+    while frame.f_back is not None and frame.f_globals.get("__name__") in _BETWEEN:
+        frame = frame.f_back
+    return str(frame.f_globals.get("__name__"))
 
 
 class _Loader(Loader):

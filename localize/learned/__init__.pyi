@@ -6,5 +6,4 @@ from .features import (
     PairFeatures as PairFeatures,
     wavelet_transform as wavelet_transform,
 )
-from .onnx import OnnxLocalizer as OnnxLocalizer
 from .recorded_frames import RecordedFrames as RecordedFrames

@@ -22,7 +22,8 @@ from geometry.files.ordinary import library_reads, read_bytes
 from geometry.files.reading import parse_json
 from geometry.files.writing import whole_file
 from geometry.refusal import Refusal
-from localize.learned.description import LARGEST_MODEL, TrainingState, described, is_sealed, sealed
+from localize.graphs.description import LARGEST_MODEL, described, is_sealed, sealed
+from localize.learned.description import TrainingState
 from localize.signals.touch_generator import TouchGenerator
 
 FORMAT = "acoustic-fem checkpoint 2"

@@ -13,19 +13,15 @@ import torch
 from numpy.typing import ArrayLike, NDArray
 from torch import Tensor
 
-from geometry.refusal import Refusal
+from localize.graphs.description import LocalizerError, naming
 from localize.learned.classifier import NetworkShape, TouchClassifier
-from localize.learned.description import LocalizerDescription, naming, read_model, save_model, with_weights
+from localize.learned.description import LocalizerDescription, read_model, save_model, with_weights
 from localize.signals.frames import checked_signals, combined_probability, cut_frames
 from localize.signals.threads import one_thread
 
 FORMAT = "acoustic-fem localizer"
 VERSION = 1
 DESCRIPTION_FILE = "localizer.json"
-
-
-class LocalizerError(Refusal):
-    """Refusal of a localizer that cannot be read: one line that names the file and the reason."""
 
 
 @dataclass(frozen=True, eq=False)

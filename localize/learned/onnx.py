@@ -22,41 +22,26 @@ import warnings
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
 import torch
-from numpy.typing import ArrayLike, NDArray
 from torch import Tensor, nn
 
 from acoustic_fem.library.provenance import versions
-from geometry.files.ordinary import library_reads, read_bytes
-from geometry.files.reading import parse_json
 from geometry.files.writing import whole_file
 from geometry.refusal import Refusal
 from localize.decoders.bayes import BayesDecoder
 from localize.decoders.drift import DriftDecoder
 from localize.decoders.likelihood import SCREEN_ERROR, SURE, TEMPERATURE, DecoderTables
 from localize.decoders.tolerant import TolerantDecoder
-from localize.learned.description import (
-    LARGEST_MODEL,
-    GraphDescription,
-    check_format,
-    described,
-    is_sealed,
-    sealed,
-)
-from localize.learned.foreign_graph import ForeignGraph
-from localize.learned.graph_check import BATCH, INPUT, OUTPUTS, check_interface, doubt
-from localize.learned.localizer import Localizer, LocalizerError
-from localize.signals.frames import FRAME, checked_signals, combined_probability, cut_frames
+from localize.graphs.description import sealed
+from localize.graphs.graph_check import INPUT, OUTPUTS
+from localize.graphs.onnx_localizer import FORMAT, KEY, VERSION, bare_graph
+from localize.learned.localizer import Localizer
+from localize.signals.frames import FRAME
 from localize.signals.stimulus import SAMPLE_RATE
 
 if TYPE_CHECKING:
     from onnx import ModelProto
 
-FORMAT = "acoustic-fem onnx"
-VERSION = 1
-KEY = "acoustic-fem"
-"""Key of the JSON text among the metadata of a file."""
 OPSET = 20
 
 
@@ -80,100 +65,9 @@ def export_onnx(localizer: Localizer | BayesDecoder, path: str | os.PathLike[str
     model.producer_name = "acoustic-fem"
     del model.metadata_props[:]
     entry = model.metadata_props.add()
-    entry.key, entry.value = KEY, json.dumps(sealed(_description(localizer), _bare(model)))
+    entry.key, entry.value = KEY, json.dumps(sealed(_description(localizer), bare_graph(model)))
     with whole_file(Path(path)) as beside:
         beside.write_bytes(model.SerializeToString())
-
-
-class OnnxLocalizer:
-    """Localizer read from an ONNX file, run by ONNX Runtime on one thread.
-
-    Args:
-        path: a file that :func:`export_onnx` wrote. Another graph that says the same of itself runs in a process of its
-            own, with limits of time and memory.
-
-    Raises:
-        LocalizerError: the file cannot be read, is cut short, changed or not of a localizer, or its graph cannot be
-            run.
-    """
-
-    def __init__(self, path: str | os.PathLike[str]) -> None:
-        import onnx
-
-        content = read_bytes(path, "the graph of a localizer", LocalizerError, LARGEST_MODEL)
-        with library_reads(path, "an ONNX file", LocalizerError):
-            model = onnx.load_model_from_string(content)
-        if not model.HasField("graph"):
-            raise LocalizerError(f"{path}: cut short or not an ONNX file: it holds no graph")
-        said = _read_description(model, path)
-        self.description: dict[str, Any] = said.model_dump()
-        self.design, self.kind, self.microphones = said.design, str(said.kind), tuple(said.microphones)
-        self.line = np.asarray(said.line, np.int64)
-        self.place = np.asarray(said.place, np.int64)
-        self.noise_rms = said.noise_rms
-        self.provenance = said.provenance
-        try:
-            check_interface(model, len(self.microphones), self.point_count)
-        except Refusal as error:
-            raise LocalizerError(f"{path}: {error}") from None
-        self._path = path
-        self._graph = ForeignGraph(content, str(path), LocalizerError) if doubt(model) else _OwnGraph(content, path)
-        self._try()
-
-    def _try(self) -> None:
-        """Refuse a graph that gives no probabilities of a frame."""
-        shape = (2, len(self.microphones), FRAME)
-        score = self._graph.run(np.random.default_rng(0).standard_normal(shape).astype(np.float32))
-        total = np.exp(score.astype(np.float64)).sum(-1)
-        if score.shape != (2, self.point_count) or not np.allclose(total, 1.0, atol=1e-3):
-            raise LocalizerError(
-                f"{self._path}: its graph gives values {score.shape} of two frames, must give logarithms of "
-                f"probabilities of {self.point_count} points"
-            )
-
-    @property
-    def point_count(self) -> int:
-        """Number of sensing points."""
-        return len(self.line)
-
-    def locate(self, signals: ArrayLike | Tensor) -> NDArray[np.float64]:
-        """Where the array was touched; as :meth:`localize.Localizer.locate`.
-
-        Args:
-            signals: (n_microphone, n_sample) or (n, n_microphone, n_sample), Pa, at 1 kHz, at least 250 samples.
-
-        Returns:
-            (n_point,) or (n, n_point) float64: probability per point.
-
-        Raises:
-            Refusal: wrong number of channels, too few samples, a value that is not finite, a silent channel.
-        """
-        batch, batched = checked_signals(signals, self.microphones)
-        frames = cut_frames(batch)
-        flat = frames.reshape(-1, *frames.shape[2:]).astype(np.float32)
-        score = np.concatenate([self._graph.run(flat[k : k + BATCH]) for k in range(0, len(flat), BATCH)])
-        probability = combined_probability(score.astype(np.float64).reshape(*frames.shape[:2], -1))
-        return probability if batched else probability[0]
-
-
-class _OwnGraph:
-    """Graph that is known to end in little time and memory, run in this process."""
-
-    def __init__(self, content: bytes, path: str | os.PathLike[str]) -> None:
-        import onnxruntime
-
-        options = onnxruntime.SessionOptions()
-        options.intra_op_num_threads = options.inter_op_num_threads = 1
-        options.log_severity_level = 4
-        self._path = path
-        with library_reads(path, "the graph of a localizer", LocalizerError):
-            self._session = onnxruntime.InferenceSession(content, options, providers=["CPUExecutionProvider"])
-
-    def run(self, frames: NDArray[np.float32]) -> NDArray[np.float32]:
-        """(n, n_microphone, 250) Pa to log probabilities (n, n_point)."""
-        with library_reads(self._path, "the graph of a localizer", LocalizerError):
-            (score,) = self._session.run([OUTPUTS[1]], {INPUT: np.ascontiguousarray(frames)})
-        return np.asarray(score)
 
 
 class _NetworkGraph(nn.Module):
@@ -293,8 +187,8 @@ def _translated(graph: nn.Module, microphones: int) -> ModelProto:
         program = torch.onnx.export(
             graph,
             (frames,),
-            input_names=["frames"],
-            output_names=["probability", "log_probability"],
+            input_names=[INPUT],
+            output_names=[*OUTPUTS],
             opset_version=OPSET,
             dynamo=True,
             dynamic_shapes={"frames": {0: torch.export.Dim("n")}},
@@ -323,25 +217,3 @@ def _description(localizer: Localizer | BayesDecoder) -> dict[str, Any]:
         "versions": versions(0, ("numpy", "onnx", "onnxscript", "scipy", "torch")),
         "provenance": dict(localizer.provenance),
     }
-
-
-def _read_description(model: ModelProto, path: str | os.PathLike[str]) -> GraphDescription:
-    """What a graph says of itself; where it says what its checksum is, it must be that."""
-    texts = [entry.value for entry in model.metadata_props if entry.key == KEY]
-    if len(texts) != 1:
-        raise LocalizerError(f"{path}: not a localizer: its metadata have no {KEY!r}, or more than one")
-    source = f"{path}: {KEY}"
-    values = parse_json(texts[0], source, LocalizerError)
-    check_format(values, FORMAT, VERSION, source, LocalizerError)
-    said = described(GraphDescription, texts[0], source, LocalizerError)
-    if said.sha256 is not None and not is_sealed(values, _bare(model)):
-        raise LocalizerError(f"{path}: changed or damaged: its checksum is not that of what it holds")
-    return said
-
-
-def _bare(model: ModelProto) -> bytes:
-    """All of a graph but its metadata."""
-    bare = type(model)()
-    bare.CopyFrom(model)
-    del bare.metadata_props[:]
-    return bare.SerializeToString(deterministic=True)

@@ -15,8 +15,9 @@ from pydantic import Field
 from torch import Tensor
 
 from geometry.refusal import Refusal
+from localize.graphs.description import Digest, Strict, naming
 from localize.learned.classifier import MapClassifier, NetworkShape
-from localize.learned.description import Digest, Network, Strict, naming, read_model, save_model, with_weights
+from localize.learned.description import Network, read_model, save_model, with_weights
 from localize.recognition.power_maps import MAPS, maps_of
 from localize.signals.threads import one_thread
 

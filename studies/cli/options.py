@@ -83,7 +83,7 @@ NEEDS = {
     "run": ("fem", "train", "studies"),
     "bend": ("fem",),
     "sweep": ("studies",),
-    "tolerance": ("studies",),
+    "tolerance": ("studies", "train"),
     "optimize": ("studies", "train"),
     "report": ("studies",),
     "best": ("studies",),

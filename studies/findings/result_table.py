@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from itertools import combinations
 from typing import TYPE_CHECKING, Any
@@ -11,13 +11,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acoustic_fem.quantities.fidelity import CLOSED_FORMS
-from geometry import ArrayDesign
 from geometry.refusal import Refusal, counted
-from geometry.stated.declared import field_named
 from studies.study.failure_reasons import by_kind
 from studies.study.metric_registry import METRICS
 
 if TYPE_CHECKING:
+    from geometry import ArrayDesign
+    from geometry.stated.declared import DesignField
     from studies.optimization.problem import Optimization
     from studies.optimization.search import OptimizationResult
     from studies.sweep.store import Sweep
@@ -77,8 +77,8 @@ class ResultTable:
     """Fidelity that the cells were computed with."""
     frequency: Values
     """Frequencies of the study; (n_freq,) float64, Hz."""
-    base: ArrayDesign
-    """Design that was varied."""
+    open_base: Callable[[], ArrayDesign]
+    """Maker of :attr:`base`."""
     number: NDArray[np.int64]
     """Number of the case or trial of each row; (n,) int64."""
     parameters: tuple[Column, ...]
@@ -91,6 +91,11 @@ class ResultTable:
     """Number of designs not computed yet."""
     base_metrics: Mapping[str, float]
     """Figures of the base design, in their units; empty where they are not known."""
+
+    @property
+    def base(self) -> ArrayDesign:
+        """Design that was varied."""
+        return self.open_base()
 
     def values(self, row: int) -> dict[str, Any]:
         """Parameters of a design by dotted name."""
@@ -245,7 +250,7 @@ def table_of_sweep(sweep: Sweep) -> ResultTable:
         source="sweep",
         fidelity=str(about["fidelity"]),
         frequency=np.asarray(values["frequency"], np.float64),
-        base=sweep.base,
+        open_base=lambda: sweep.base,
         number=rows.astype(np.int64),
         parameters=tuple(
             _parameter(name, values[name][rows], str(sweep.attributes[name].get("units", "")))
@@ -276,7 +281,7 @@ def table_of_search(problem: Optimization, result: OptimizationResult) -> Result
         source="search",
         fidelity=problem.study.fidelity,
         frequency=problem.study.frequency,
-        base=problem.study.base,
+        open_base=lambda: problem.study.base,
         number=np.array([each.number for each in kept], dtype=np.int64),
         parameters=tuple(
             _parameter(parameter.name, np.array([each.values[parameter.name] for each in kept], dtype=object),
@@ -297,14 +302,21 @@ def _value(column: Column, row: int) -> float | int | str:
     value = float(column.values[row])
     if column.labels:
         return column.labels[int(value)]
-    field = field_named(ArrayDesign, column.name)
+    field = _field(column.name)
     return int(value) if field is not None and field.kind == "a whole number" else value
 
 
 def unit_of(name: str) -> str:
     """Unit of a field of the design by dotted name, empty where it has none."""
-    field = field_named(ArrayDesign, name)
+    field = _field(name)
     return "" if field is None else field.unit
+
+
+def _field(name: str) -> DesignField | None:
+    from geometry import ArrayDesign
+    from geometry.stated.declared import field_named
+
+    return field_named(ArrayDesign, name)
 
 
 def _parameter(name: str, values: NDArray[Any], unit: str) -> Column:

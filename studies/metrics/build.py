@@ -9,9 +9,12 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from geometry.design.array_design import ArrayDesign
-from geometry.stated.parts import BOARD_SEAL, SEAT_SLOT, Microphone, Tube
+if TYPE_CHECKING:
+    from geometry.design.array_design import ArrayDesign
+    from geometry.stated.parts import Microphone, Tube
+
 
 #: kg/m^3
 DENSITIES = {
@@ -114,6 +117,8 @@ def volumes_of(design: ArrayDesign) -> Volumes:
 
 def _housing(microphone: Microphone) -> float:
     """The cup with the seat of its board, mm^3."""
+    from geometry.stated.parts import BOARD_SEAL, SEAT_SLOT
+
     radius, wall, top = microphone.chamber_diameter / 2, microphone.wall_thickness, microphone.chamber_height
     length, width = _seat(microphone)
     along, across = length / 2 + wall, width / 2 + wall

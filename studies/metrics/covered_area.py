@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 from numpy.typing import NDArray
 
-from acoustic_fem.quantities.checks import in_range
-from geometry.design.array_design import ArrayDesign
-from geometry.layout.arrangement import point_axes
-from geometry.layout.placement import ArrayLayout
+if TYPE_CHECKING:
+    from geometry.design.array_design import ArrayDesign
+    from geometry.layout.placement import ArrayLayout
 
 Array = NDArray[np.float64]
 
@@ -37,6 +38,9 @@ def coverage(design: ArrayDesign, radius: float = FINGER, layout: ArrayLayout | 
     Raises:
         Refusal: a radius out of range.
     """
+    from acoustic_fem.quantities.checks import in_range
+    from geometry.layout.arrangement import point_axes
+
     in_range("radius", radius, 0.0, 1000.0, "mm")
     place = point_axes(design) if layout is None else np.array([point.position for point in layout.points])
     kinds = [design.of_kind(kind).resonator.cavity_diameter / 2 for kind in design.kinds]

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from geometry.layout.size import array_size
 from studies.metrics.build import Volumes, volumes_of
 from studies.metrics.confusion import PredictedConfusion, predict_confusions
 from studies.metrics.responses import Complex, Responses, known
@@ -74,6 +73,8 @@ class SharedFigures:
     def sizes(self) -> Array:
         """Length, width and height of each design, (n_design, 3) float64, mm: length is the longer side."""
         if self._sizes is None:
+            from geometry.layout.size import array_size
+
             sizes = [array_size(design) for design in known(self.responses.designs)]
             self._sizes = np.array([(max(x, y), min(x, y), z) for x, y, z in sizes])
         return self._sizes

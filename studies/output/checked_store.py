@@ -74,6 +74,8 @@ class CheckedStore:
     """Whether it has checksums."""
     identity: str
     """Identity under which its blocks are sealed; empty where they are not, in older stores."""
+    described: dict[str, dict[str, Any]]
+    """Attributes of each array that is not broken."""
     broken: dict[str, str]
     """What is wrong with arrays, by name: their ``zarr.json`` is missing or damaged."""
     refusal: Refuse
@@ -280,9 +282,9 @@ def read_store(
         raise refusal(f"{path}: {METADATA}: attribute {IDENTITY} is missing")
     if found == _CHECKED:
         _tell(f"{path}: has no identity, an older version wrote it; parts of other stores in it cannot be noticed")
-    broken = _broken_arrays(path, stored)
+    arrays, broken = _arrays(path, stored)
     identity = identity if found >= _IDENTIFIED else ""
-    return CheckedStore(path, attributes, isinstance(stored, dict), identity, broken, refusal), checked
+    return CheckedStore(path, attributes, isinstance(stored, dict), identity, arrays, broken, refusal), checked
 
 
 def _document(path: Path, member: str, schema: type[BaseModel], refusal: Refuse) -> dict[str, Any]:
@@ -316,10 +318,11 @@ def _check_attributes(
         _tell(f"{wrong}; it changes no result")
 
 
-def _broken_arrays(path: Path, stored: dict[str, Any] | None) -> dict[str, str]:
-    """Arrays that are there or should be and cannot be taken as they are, and why."""
+def _arrays(path: Path, stored: dict[str, Any] | None) -> tuple[dict[str, dict[str, Any]], dict[str, str]]:
+    """Attributes of the arrays; and those that are there or should be and cannot be taken as they are, and why."""
     names = {place.parent.name for place in path.glob(f"*/{METADATA}")}
     names |= {member.partition("/")[0] for member in stored or () if "/" in member}
+    described: dict[str, dict[str, Any]] = {}
     broken: dict[str, str] = {}
     for name in sorted(names):
         member = f"{name}/{METADATA}"
@@ -331,6 +334,7 @@ def _broken_arrays(path: Path, stored: dict[str, Any] | None) -> dict[str, str]:
         except _Broken as error:
             broken[name] = str(error).removeprefix(f"{path}: ").removeprefix(f"{path}/")
             continue
+        described[name] = document.get("attributes", {})
         if stored is None:
             continue
         for each, digest in _array_digests(name, document).items():
@@ -338,7 +342,7 @@ def _broken_arrays(path: Path, stored: dict[str, Any] | None) -> dict[str, str]:
                 _tell(f"{path}: {each} are damaged; they change no result")
             elif stored.get(each) != digest:
                 broken[name] = f"{member} is damaged"
-    return broken
+    return described, broken
 
 
 class _Broken(Exception):

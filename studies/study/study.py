@@ -6,16 +6,17 @@ import hashlib
 import json
 import math
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 from acoustic_fem.quantities.fidelity import Fidelity
-from geometry import ArrayDesign
-from geometry.design.design_file import write_design
 from geometry.refusal import Refusal
 from studies.study.constraints import Constraint
+
+if TYPE_CHECKING:
+    from geometry import ArrayDesign
 
 #: Significant digits of a value within a range: below a micrometre nothing is made.
 _DIGITS = 4
@@ -152,6 +153,8 @@ class Study:
 
     def content(self) -> dict[str, Any]:
         """Content that decides the results, as plain values: neither comments nor the order of lines count."""
+        from geometry.design.design_file import write_design
+
         return {
             "base": hashlib.sha256(write_design(self.base).encode()).hexdigest(),
             "parameters": [[_content(parameter) for parameter in axis] for axis in self.axes],

@@ -38,7 +38,7 @@ from geometry import ArrayDesign, DesignError
 from geometry.air.cells import Cell, cell_catalogue
 from geometry.layout.arrangement import lay_out
 from geometry.refusal import Refusal
-from geometry.system.loading import MissingLibrary
+from geometry.system.extras import NotInstalled
 from studies.metrics.responses import Responses
 from studies.metrics.shared import SharedFigures
 from studies.study.cases import Cases
@@ -379,9 +379,9 @@ def _reason(error: BaseException, where: str = "") -> str:
     """Why a case failed, in one line; of a mistake of the program with the place in it.
 
     Raises:
-        MissingLibrary: that is what failed, and no case is to blame for it.
+        NotInstalled: that is what failed, and no case is to blame for it.
     """
-    if isinstance(error, MissingLibrary):
+    if isinstance(error, NotInstalled):
         raise error
     message = " ".join(str(error).split())
     if not isinstance(error, FAILURES):

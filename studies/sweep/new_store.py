@@ -14,9 +14,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acoustic_fem.library.provenance import versions
-from geometry import ArrayDesign
-from geometry.design.design_file import write_design
-from geometry.stated.declared import field_named
 from studies.output.checked_store import add_checksums, create_checked
 from studies.output.seals import SEALS, create_seals
 from studies.study.study import Study
@@ -104,6 +101,10 @@ def fresh_store(path: Path, study: Study, cases: Cases, metrics: Sequence[Labell
 
 def _fill(path: Path, study: Study, cases: Cases, metrics: Sequence[Labelled]) -> None:
     import zarr
+
+    from geometry import ArrayDesign
+    from geometry.design.design_file import write_design
+    from geometry.stated.declared import field_named
 
     made = versions(study.seed, _LIBRARIES)
     del made["created"]  # in the log: the store of a study is the same whenever it is made

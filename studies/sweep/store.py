@@ -22,8 +22,6 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict, Json, PositiveInt
 
-from geometry import ArrayDesign
-from geometry.design.design_file import read_stored_design
 from geometry.files.ordinary import library_reads
 from geometry.files.writing import write_text, writing
 from studies.output.checked_store import METADATA, CheckedStore, read_store, take_checksums
@@ -48,6 +46,7 @@ from studies.sweep.new_store import (
 if TYPE_CHECKING:
     import xarray as xr
 
+    from geometry import ArrayDesign
     from studies.study.cases import Cases
 
 #: Values of ``state`` beside :data:`WAITING`.
@@ -302,8 +301,8 @@ class Sweep:
     """Attributes of each variable, and under an empty name of all."""
     open_dataset: Callable[[], xr.Dataset]
     """Maker of :attr:`dataset`."""
-    base: ArrayDesign
-    """Design that was varied."""
+    open_base: Callable[[], ArrayDesign]
+    """Maker of :attr:`base`."""
     parameters: tuple[str, ...]
     """Names of the variables that were varied."""
     metrics: tuple[str, ...]
@@ -313,6 +312,15 @@ class Sweep:
     def dataset(self) -> xr.Dataset:
         """Variables along ``case``, transfer functions too, which are read when they are used."""
         return self.open_dataset()
+
+    @cached_property  # nor are the classes of designs
+    def base(self) -> ArrayDesign:
+        """Design that was varied.
+
+        Raises:
+            DesignError: it is not valid in this version.
+        """
+        return self.open_base()
 
     @property
     def done(self) -> NDArray[np.bool_]:
@@ -365,11 +373,17 @@ def open_sweep(path: str | os.PathLike[str]) -> Sweep:
     except StudyError as error:
         raise StudyError(f"{error}; run the same sweep again, which computes again what is damaged") from None
     lazy = TRANSFER_FUNCTIONS if about.study_content.get("transfer_functions") else ()
-    attributes = {name: dict(stored.array(name).attrs) for name in (*variables, *lazy)} | {"": stored.attributes}
+    attributes = {name: stored.described.get(name, {}) for name in (*variables, *lazy)} | {"": stored.attributes}
     values = {name: each for name, (_, each) in variables.items()}
     make = partial(_dataset, stored, about, variables, lazy, waiting, attributes)
-    base = read_stored_design(about.base_design, f"{path}: base design").completed()
+    base = partial(_base, path, about.base_design)
     return Sweep(values, attributes, make, base, tuple(about.parameter_names), tuple(about.metric_names))
+
+
+def _base(path: Path, text: str) -> ArrayDesign:
+    from geometry.design.design_file import read_stored_design
+
+    return read_stored_design(text, f"{path}: base design").completed()
 
 
 def _dataset(

@@ -11,6 +11,7 @@ from acoustic_fem.quantities.fidelity import CLOSED_FORMS
 from geometry import ArrayDesign, DesignError
 from geometry.layout.overlaps import refuse_overlaps
 from geometry.refusal import Refusal
+from geometry.system.extras import NotInstalled
 from studies.study.cases import Cases, cases_of, check_base
 from studies.study.study import Study, StudyError
 from studies.sweep.block import CellKey, Job, cells_of, check_metrics
@@ -92,10 +93,13 @@ def try_metrics(job: Job, found: Survey, study: Study) -> None:
 
     Raises:
         StudyError: a metric does not suit the study.
+        NotInstalled: a metric needs what is not there.
     """
     if found.first is None:
         return
     try:
         check_metrics(job, found.first)
+    except NotInstalled:
+        raise
     except Refusal as error:
         raise StudyError(f"{study.name}: {error}") from None

@@ -1,15 +1,18 @@
 """Hosts of a cluster on one machine: network namespaces with an address each, joined by a bridge.
 
-They are made without privileges, in a user namespace, end with this process, and change nothing of the machine's own
-network.
+All but the first have folders of their own for homes and temporary files too, and share with the others the programs,
+which nobody writes to, and one folder. They are made without privileges, in a user namespace, end with this process,
+and change nothing of the machine's own network.
 """
 
 from __future__ import annotations
 
 import os
+import shlex
 import shutil
 import subprocess
 import sys
+import tempfile
 import time
 from collections.abc import Callable
 from pathlib import Path
@@ -17,6 +20,8 @@ from pathlib import Path
 PATIENCE = 600.0
 """Time for what takes seconds on an idle machine, s."""
 ROOT = Path(__file__).parents[2]
+#: Folders beside those of the user that programs write to, and one of the system's that is empty.
+_WRITTEN, _ASIDE = ("/tmp", "/var/tmp", "/dev/shm"), "/mnt"
 _QUIET = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
 
 
@@ -32,6 +37,21 @@ def wait_for(condition: Callable[[], object], *needed: subprocess.Popen[bytes]) 
         for process in needed:
             assert process.poll() is None, f"{process.args!r} ended by itself"
         time.sleep(0.02)
+
+
+def _own_folders(shared: Path) -> str:
+    """Commands of a shell that lay empty folders over all that is written to, but for what hosts share."""
+    own = [path for path in {Path.home(), Path(tempfile.gettempdir()), *map(Path, _WRITTEN)} if path.is_dir()]
+    kept = [path for path in (Path(sys.base_prefix), Path(sys.prefix), ROOT, shared) if not path.is_relative_to(_ASIDE)]
+    lines = [f"mount -t tmpfs tmpfs {_ASIDE}"]
+    for number, path in enumerate(kept):
+        lines += [f"mkdir {_ASIDE}/{number}", f"mount --rbind {shlex.quote(str(path))} {_ASIDE}/{number}"]
+    lines += [f"mount -t tmpfs tmpfs {shlex.quote(str(path))}" for path in sorted(own) if path != Path("/")]
+    for number, path in enumerate(kept):
+        if any(path.is_relative_to(each) for each in own):
+            place = shlex.quote(str(path))
+            lines += [f"mkdir -p {place}", f"mount --rbind {_ASIDE}/{number} {place}"]
+    return "\n".join([*lines, "exec cat"])
 
 
 class Host:
@@ -58,26 +78,27 @@ class Hosts:
 
     Args:
         count: of hosts.
+        shared: the folder that all see.
 
     Raises:
         NoHosts: this machine makes none.
     """
 
-    def __init__(self, count: int) -> None:
-        missing = [name for name in ("unshare", "nsenter", "ip") if shutil.which(name) is None]
+    def __init__(self, count: int, shared: Path) -> None:
+        missing = [name for name in ("unshare", "nsenter", "ip", "mount") if shutil.which(name) is None]
         if missing:
             raise NoHosts(f"{' and '.join(missing)} not found")
         self._held: list[subprocess.Popen[bytes]] = []
         self.hosts: list[Host] = []
         try:
-            first = self._namespace([], "--user", "--map-root-user")
+            first = self._namespace([], "exec cat", "--user", "--map-root-user")
             self._inside(first, "ip", "link", "set", "lo", "up")
             self._inside(first, "ip", "link", "add", "bridge", "type", "bridge")
             self._inside(first, "ip", "addr", "add", "10.77.0.1/24", "dev", "bridge")
             self._inside(first, "ip", "link", "set", "bridge", "up")
             self.hosts.append(Host(first, "10.77.0.1"))
             for number in range(2, count + 1):
-                own, address = self._namespace(first), f"10.77.0.{number}"
+                own, address = self._namespace(first, _own_folders(shared)), f"10.77.0.{number}"
                 place = str(self._held[-1].pid)
                 self._inside(first, *f"ip link add port{number} type veth peer name eth0 netns {place}".split())
                 self._inside(first, *f"ip link set port{number} master bridge up".split())
@@ -98,17 +119,18 @@ class Hosts:
             process.kill()
             process.wait()
 
-    def _namespace(self, inside: list[str], *more: str) -> list[str]:
+    def _namespace(self, inside: list[str], prepare: str, *more: str) -> list[str]:
         """What runs a command in a new namespace, which lasts until this process ends or closes it."""
-        holder = subprocess.Popen([*inside, "unshare", "--net", *more, "cat"], stdin=subprocess.PIPE, **_QUIET)
+        words = [*inside, "unshare", "--net", "--mount", *more, "sh", "-ec", prepare]
+        holder = subprocess.Popen(words, stdin=subprocess.PIPE, **_QUIET)
         self._held.append(holder)
         own, place = os.readlink("/proc/self/ns/net"), Path(f"/proc/{holder.pid}/comm")
         others = {own, *(os.readlink(f"/proc/{each.pid}/ns/net") for each in self._held[:-1])}
         while place.read_text().strip() != "cat" or os.readlink(f"/proc/{holder.pid}/ns/net") in others:
             if holder.poll() is not None:
-                raise NoHosts("no network namespace may be made here (unshare --user --net)")
+                raise NoHosts("no namespaces may be made here (unshare --user --net --mount)")
             time.sleep(0.01)
-        return ["nsenter", "--target", str(holder.pid), "--user", "--net", "--preserve-credentials"]
+        return ["nsenter", "--target", str(holder.pid), "--user", "--net", "--mount", "--preserve-credentials"]
 
     def _inside(self, inside: list[str], *command: str) -> None:
         done = subprocess.run([*inside, *command], capture_output=True, text=True, check=False)

@@ -9,12 +9,14 @@ import pickle
 import subprocess
 import sys
 from importlib.machinery import SourceFileLoader
+from importlib.util import find_spec
 from pathlib import Path
 
 import pytest
 
 from geometry.refusal import Refusal
 from geometry.system import loading
+from geometry.system.extras import EXTRAS, MissingExtra
 from geometry.system.loading import MissingLibrary
 
 ROOT = Path(__file__).parents[3]
@@ -132,6 +134,19 @@ def test_a_module_keeps_its_own_loader(tmp_path: Path, monkeypatch: pytest.Monke
     assert isinstance(module.__loader__, SourceFileLoader)
     assert module.__spec__ is not None
     assert module.__spec__.loader is module.__loader__
+
+
+def test_a_package_that_is_not_there_is_told_to_modules_of_ours_alone(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Others look whether it is there, and do without it."""
+    monkeypatch.setitem(EXTRAS, "plots", ("nobodys_pencil",))
+    line = r"^nobodys_pencil, which this needs, is not installed: pip install 'acoustic-fem\[plots\]'$"
+    with pytest.raises(MissingExtra, match=line):
+        exec("import nobodys_pencil.lines", {"__name__": "studies.output.figures"})
+    with pytest.raises(ModuleNotFoundError, match="No module named 'nobodys_pencil'"):
+        exec("import nobodys_pencil", {"__name__": "xarray.plot"})
+    with pytest.raises(ModuleNotFoundError, match=r"No module named .geometry\.nobodys_pencil"):
+        exec("import geometry.nobodys_pencil", {"__name__": "geometry.solids"})
+    assert find_spec("nobodys_pencil") is None
 
 
 @pytest.mark.slow

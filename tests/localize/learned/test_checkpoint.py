@@ -16,9 +16,9 @@ from clocks import ticking
 from rc_line import rc_line
 
 import localize
+from localize.graphs.description import sealed
 from localize.learned import epochs
 from localize.learned.checkpoint import CheckpointError
-from localize.learned.description import sealed
 
 PLAN = localize.TrainingPlan(seconds_per_point=24, epochs=4, batch=16, seed=3)
 
@@ -82,7 +82,7 @@ import sys
 import time
 sys.path.insert(0, "tests/support")
 import localize
-from localize.learned.description import sealed
+from localize.graphs.description import sealed
 from localize.learned import epochs
 from rc_line import rc_line
 epochs.SAVE_EVERY = 0.0

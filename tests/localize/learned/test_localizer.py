@@ -14,9 +14,9 @@ from rc_line import rc_line
 from safetensors.torch import save_file
 
 import localize
+from localize.graphs.description import sealed
 from localize.learned import epochs
 from localize.learned.classifier import NetworkShape, TouchClassifier
-from localize.learned.description import sealed
 from localize.learned.features import map_count
 from localize.learned.training import soft_labels
 from localize.signals import stimulus

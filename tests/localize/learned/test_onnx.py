@@ -12,8 +12,9 @@ import torch
 from rc_line import rc_line
 
 import localize
-from localize.learned.graph_check import doubt
-from localize.learned.onnx import KEY, OPSET
+from localize.graphs import KEY
+from localize.graphs.graph_check import doubt
+from localize.learned.onnx import OPSET
 
 QUICK = localize.TrainingPlan(seconds_per_point=10, epochs=2, microphone_noise=1e-2)
 

@@ -139,10 +139,10 @@ def text(*parts: str) -> str:
 def verbs() -> dict[str, ast.FunctionDef]:
     """The source of every verb."""
     found = {}
-    for verb in app.VERBS:
-        (tree,) = ast.parse(inspect.getsource(verb)).body
+    for name in app.VERBS:
+        (tree,) = ast.parse(inspect.getsource(app.verb_named(name))).body
         assert isinstance(tree, ast.FunctionDef)
-        found[verb.__name__] = tree
+        found[tree.name] = tree
     return found
 
 

@@ -26,7 +26,7 @@ def test_the_help_of_every_verb_has_an_example_and_out(command: Command, verb: s
     assert "--out" in told.out
 
 
-@pytest.mark.parametrize("verb", [verb.__name__ for verb in VERBS_OF_THE_APP])
+@pytest.mark.parametrize("verb", VERBS_OF_THE_APP)
 def test_help_fills_the_lines_of_a_terminal(verb: str) -> None:
     told = CliRunner().invoke(app, [verb, "--help"], env={"COLUMNS": "80"})
     lines = [line.rstrip() for line in told.output.splitlines()]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import subprocess
 import sys
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -59,7 +60,7 @@ def test_units_come_from_the_design() -> None:
 
 def test_whole_numbers_of_a_design_stay_whole() -> None:
     points, length = (Column(name, "", "", np.array([5.0])) for name in ("lines.0.points", "tube.length"))
-    about = ("a", "", "sweep", "lumped", np.array([1.0]), prototype("array-2x6"), np.array([0]))
+    about = ("a", "", "sweep", "lumped", np.array([1.0]), partial(prototype, "array-2x6"), np.array([0]))
     table = ResultTable(*about, (points, length), (), (), 0, {})
     assert table.values(0) == {"lines.0.points": 5, "tube.length": 5.0}
     assert design_of(table, 0).lines[0].points == 5

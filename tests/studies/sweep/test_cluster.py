@@ -47,6 +47,7 @@ class Cluster:
 
     hosts: Hosts
     folder: Path
+    """The only one that all hosts see."""
     scheduler: subprocess.Popen[bytes]
     workers: dict[str, subprocess.Popen[bytes]]
 
@@ -57,17 +58,18 @@ class Cluster:
     def host(self, name: str) -> Host:
         return self.hosts.hosts[1 + int(name[-1])]
 
-    def start_worker(self, name: str, *, label: str = "", **environment: str) -> subprocess.Popen[bytes]:
+    def start_worker(
+        self, name: str, *, label: str = "", address: str = "", **environment: str
+    ) -> subprocess.Popen[bytes]:
         """A worker on the host that its name says; it has a cache of its own."""
         label = label or name
-        own = self.folder / label
-        own.mkdir(exist_ok=True)
+        own = Path("/tmp", label)  # of the host
         held = {"HELD_FOLDER": str(self.folder), "HELD_NAME": label, "PYTHONPATH": str(self.folder)}
         environment = {**held, **environment}
         host = self.host(name)
         process = host.start(
-            "-m", "distributed.cli.dask_worker", self.address, "--nthreads", "1", "--no-nanny", "--no-dashboard",
-            "--host", host.address, "--name", label, "--local-directory", str(own),
+            "-m", "distributed.cli.dask_worker", address or self.address, "--nthreads", "1", "--no-nanny",
+            "--no-dashboard", "--host", host.address, "--name", label, "--local-directory", str(own),
             "--preload", str(SUPPORT / "held_worker.py"), OMP_NUM_THREADS="1",
             ACOUSTIC_FEM_CACHE=str(own / "cells"), **environment,
         )  # fmt: skip
@@ -76,12 +78,12 @@ class Cluster:
 
     @contextmanager
     def sweep(
-        self, study: Path, out: Path, worker: str = NEVER, scheduler: str = NEVER, **environment: str
+        self, study: Path, out: Path, worker: str = NEVER, scheduler: str = NEVER, address: str = "", **environment: str
     ) -> Iterator[subprocess.Popen[bytes]]:
         """A sweep that runs, of whoever asks, and the times after which it gives up a worker and the scheduler."""
         run = self.hosts.hosts[0].start(
             str(SUPPORT / "impatient_sweep.py"), worker, scheduler, "sweep", str(study), "--out", str(out),
-            "--scheduler", self.address, told=True, **environment,
+            "--scheduler", address or self.address, told=True, **environment,
         )  # fmt: skip
         try:
             yield run
@@ -109,7 +111,7 @@ class Cluster:
 def cluster(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Cluster]:
     folder = tmp_path_factory.mktemp("cluster")
     try:
-        hosts = Hosts(5)
+        hosts = Hosts(5, folder)
     except NoHosts as reason:
         pytest.skip(str(reason))
     coarse_in_children(folder)
@@ -155,6 +157,19 @@ def wrote_more(out: Path, blocks: int) -> bool:
     return len(events(out, "block")) > blocks
 
 
+def test_hosts_share_a_folder_and_no_other(cluster: Cluster) -> None:
+    look = "import sys, pathlib; print([pathlib.Path(each).exists() for each in sys.argv[1:]])"
+    write = "import sys, pathlib; [pathlib.Path(each).touch() for each in sys.argv[1:]]"
+    places = [str(Path(folder, "hosts-share")) for folder in (cluster.folder, Path.home(), "/tmp", "/dev/shm")]
+    for _ in range(2):  # what the first wrote, the second finds, or not
+        first, second = (cluster.host(name).start("-c", code, *places, told=True)
+                         for name, code in (("w1", write), ("w2", look)))  # fmt: skip
+        assert first.communicate() == (b"", b"")
+        found, _ = second.communicate()
+    assert json.loads(found.decode().lower()) == [True, False, False, False]
+    assert [Path(place).exists() for place in places] == [True, False, False, False]
+
+
 def test_a_worker_that_is_stopped_or_killed_changes_nothing(
     cluster: Cluster, alone: tuple[Path, Path], tmp_path: Path
 ) -> None:
@@ -194,7 +209,7 @@ def test_a_worker_whose_cable_is_out_for_a_while_changes_nothing(
 def test_a_worker_with_another_version_computes_nothing(
     cluster: Cluster, alone: tuple[Path, Path], tmp_path: Path
 ) -> None:
-    about = tmp_path / "other" / "numpy-0.0.1.dist-info"
+    about = cluster.folder / "older" / "numpy-0.0.1.dist-info"
     about.mkdir(parents=True)
     (about / "METADATA").write_text("Metadata-Version: 2.1\nName: numpy\nVersion: 0.0.1\n")
     process = cluster.start_worker("w3", label="other", PYTHONPATH=str(about.parent))
@@ -211,6 +226,46 @@ def test_a_worker_with_another_version_computes_nothing(
     assert re.fullmatch(rf"worker tcp://{host}:\d+ is not used: it has numpy 0\.0\.1 \(here [\d.]+\)", note), note
     assert not cluster.reached("other")
     assert_same_store(out, alone[1])
+
+
+def certificate_in(folder: Path) -> dict[str, str]:
+    """A certificate that signs itself, and the variables that name it."""
+    certificate, key = folder / "cert.pem", folder / "key.pem"
+    make = "openssl req -x509 -newkey ec -pkeyopt ec_paramgen_curve:prime256v1 -nodes -days 2 -subj /CN=cluster"
+    subprocess.run([*make.split(), "-keyout", key, "-out", certificate], check=True, capture_output=True)
+    named = {"DASK_DISTRIBUTED__COMM__TLS__CA_FILE": str(certificate)}
+    for who in ("SCHEDULER", "WORKER", "CLIENT"):
+        named[f"DASK_DISTRIBUTED__COMM__TLS__{who}__CERT"] = str(certificate)
+        named[f"DASK_DISTRIBUTED__COMM__TLS__{who}__KEY"] = str(key)
+    return named
+
+
+def test_over_tls_the_result_is_the_same_and_nobody_without_a_certificate_gets_in(
+    cluster: Cluster, alone: tuple[Path, Path], tmp_path: Path
+) -> None:
+    """With the variables that docs/cluster.md names."""
+    tls = {"DASK_DISTRIBUTED__COMM__REQUIRE_ENCRYPTION": "true", **certificate_in(cluster.folder)}
+    page = (ROOT / "docs" / "cluster.md").read_text(encoding="utf-8")
+    assert all(re.sub("SCHEDULER|WORKER|CLIENT", "${who}", name) in page for name in tls)
+    host = cluster.hosts.hosts[1]
+    place = ("--host", host.address, "--port", "8789", "--no-dashboard", "--protocol", "tls")
+    scheduler = host.start("-m", "distributed.cli.dask_scheduler", *place, **tls)
+    address = f"tls://{host.address}:8789"
+    worker = cluster.start_worker("w1", label="secret", address=address, **tls)
+    try:
+        with cluster.sweep(alone[0], tmp_path / "r.zarr", address=address, **tls) as run:
+            assert ended(run) == (0, [])
+        assert cluster.reached("secret")
+        assert_same_store(tmp_path / "r.zarr", alone[1])
+        strange = {**tls, **certificate_in(tmp_path)}  # a certificate that nobody of this cluster signed
+        with cluster.sweep(alone[0], tmp_path / "none.zarr", address=address, **strange) as run:
+            code, lines = ended(run)
+        assert (code, len(lines)) == (1, 1), lines
+        assert f"no scheduler answers at {address}" in lines[0]
+    finally:
+        for process in (worker, scheduler):
+            process.kill()
+            process.wait()
 
 
 def test_cells_are_solved_once_whoever_solves_them(

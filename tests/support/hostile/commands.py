@@ -28,11 +28,11 @@ ADDRESSES = 24 * 2**30
 MODULES = (
     "studies.cli.app, acoustic_fem.calibration, acoustic_fem.cell.design_cells, acoustic_fem.library.exchange, "
     "acoustic_fem.scatter, cadquery, dask.array, distributed, gmsh, localize, localize.decoders.bayes, "
-    "localize.decoders.judgement, localize.decoders.tolerant, localize.learned.onnx, localize.learned.training, "
-    "localize.live.sources, matplotlib.backends.backend_agg, matplotlib.pyplot, netCDF4, onnx, onnxruntime, optuna, "
-    "PIL.features, pyvista, rich.table, safetensors.torch, scipy.cluster.hierarchy, scipy.fftpack, scipy.io, studies, "
-    "studies.findings, studies.judging, studies.made_sensor, studies.run, studies.sweep.run, "
-    "studies.optimization.search, torch, torch._dynamo, trimesh, xarray, zarr"
+    "localize.decoders.judgement, localize.decoders.tolerant, localize.graphs.onnx_localizer, localize.learned.onnx, "
+    "localize.learned.training, localize.live.sources, h5netcdf, matplotlib.backends.backend_agg, matplotlib.pyplot, "
+    "onnx, onnxruntime, optuna, PIL.features, pyvista, rich.table, safetensors.torch, scipy.cluster.hierarchy, "
+    "scipy.fftpack, scipy.io, studies, studies.findings, studies.judging, studies.made_sensor, studies.run, "
+    "studies.sweep.run, studies.optimization.search, torch, torch._dynamo, trimesh, xarray, zarr"
 )
 
 

@@ -2,7 +2,7 @@
 
 A graph of the exporter holds a few operators, none of which repeats or calls others, and the shape of every value
 follows from the shape of the frames: what all values take together is then known. A graph of which this cannot be shown
-runs in a process of its own (:mod:`localize.learned.foreign_graph`).
+runs in a process of its own (:mod:`localize.graphs.foreign_graph`).
 """
 
 from __future__ import annotations

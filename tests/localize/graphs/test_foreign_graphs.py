@@ -11,10 +11,9 @@ from onnx import TensorProto, helper
 from rc_line import rc_line
 
 import localize
-from localize.learned import foreign_graph
-from localize.learned.foreign_graph import ForeignGraph
-from localize.learned.graph_check import LARGEST_VALUES, doubt
-from localize.learned.onnx import KEY
+from localize.graphs import KEY, foreign_graph
+from localize.graphs.foreign_graph import ForeignGraph
+from localize.graphs.graph_check import LARGEST_VALUES, doubt
 
 POINTS = 5
 
