@@ -53,7 +53,7 @@ def test_a_prototype_passes_the_check(command: Command, name: str, tmp_path: Pat
     assert "lumped milliseconds; from navier-stokes, 1 to 100 Hz, it was at most 0.3 % and 0.2 degrees on" in out
     assert "1.7 % and 0.6 degrees on line-3" in out
     count = len(found["cells"])
-    costs = f"about 7 s of one processor per distinct cell, here {count}: {7 * count} s; then from the cache"
+    costs = f"about 3 s of one processor per distinct cell, here {count}: {3 * count} s; then from the cache"
     assert f"navier-stokes, the default {costs}" in out
 
 
