@@ -39,7 +39,9 @@ _ACCURACY_RANGE = (2e-4, 3e-3)
 _USUAL_FLOW_SCALE, _USUAL_HEAT_SCALE = 0.95, 0.7
 """Scales (see :func:`mesh_sizes`) that give an accuracy of 1e-3 in most bodies."""
 _BELIEVED = 0.85e-3
-"""Least error of the flow that is believed at its usual scale: where two meshes are nearer than that it is chance."""
+"""Least error of the flow that is believed at its usual scale: where two meshes are nearer than that it is chance.
+Chosen by 27 random cells of designs up to 200 Hz, of which two meshes seldom say more.
+"""
 
 
 _PUMPED_ERROR = 0.05

@@ -37,7 +37,7 @@ AHEAD = 2
 #: Workers that a task may end before it is given up.
 DEATHS = 2
 #: Distributions that change results, or how they are handed on.
-LIBRARIES = ("acoustic-fem", "numpy", "scipy", "scikit-fem", "gmsh", "mkl", "pydantic", "dask", "distributed")
+LIBRARIES = ("acoustic-fem", "numpy", "scipy", "scikit-fem", "gmsh", "mkl", "torch", "pydantic", "dask", "distributed")
 _CODE = ("geometry", "acoustic_fem", "localize", "studies")
 
 
@@ -359,7 +359,7 @@ def installed() -> dict[str, str]:
     found = {"Python": ".".join(platform.python_version_tuple()[:2])}
     for name in LIBRARIES:
         try:
-            found[name] = version(name)
+            found[name] = version(name).partition("+")[0]  # a build for other cards is the same on a processor
         except PackageNotFoundError:
             found[name] = "none"
     digest = hashlib.sha256()
