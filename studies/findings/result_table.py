@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
+from functools import partial
 from itertools import combinations
 from typing import TYPE_CHECKING, Any
 
@@ -96,6 +97,10 @@ class ResultTable:
     def base(self) -> ArrayDesign:
         """Design that was varied."""
         return self.open_base()
+
+    def __getstate__(self) -> dict[str, Any]:
+        """What another process is handed: the base itself."""
+        return {**self.__dict__, "open_base": partial(_same, self.base)}
 
     def values(self, row: int) -> dict[str, Any]:
         """Parameters of a design by dotted name."""
@@ -295,6 +300,10 @@ def table_of_search(problem: Optimization, result: OptimizationResult) -> Result
         waiting=0,
         base_metrics=result.base.metrics,
     )  # fmt: skip
+
+
+def _same(design: ArrayDesign) -> ArrayDesign:
+    return design
 
 
 def _value(column: Column, row: int) -> float | int | str:

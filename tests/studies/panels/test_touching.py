@@ -53,7 +53,7 @@ def test_a_touch_is_decoded_as_locate_decodes_its_recording(tmp_path: Path) -> N
     write_wav(tmp_path / "take.wav", signals / FULL_SCALE, 1000, bits=32)
     content = (tmp_path / "take.wav").read_bytes()
     shown = replayed(ARRAY, content, "take.wav", FULL_SCALE)
-    solve_library(ARRAY, tmp_path / "library.nc", fidelity="lumped")
+    solve_library(ARRAY, tmp_path / "library.nc", fidelity="atlas")
     located = locate_recording(tmp_path / "library.nc", tmp_path / "take.wav", full_scale=FULL_SCALE)
     expected = [[each.start, each.end, each.point, each.probability, each.level] for each in located.touches]
     assert shown["touches"] == expected
