@@ -3,7 +3,8 @@
     python -m benchmarks.speed
 
 One thread, processor time, the least of several runs, so that a busy machine changes little. OpenWind and NGSolve come
-with the extra ``verify``; where they are not, OpenWind's row says so and NGSolve's table stays. Half an hour with them.
+with the extra ``verify``; where they are not, OpenWind's row says so and NGSolve's table stays. The sweep with all
+metrics, in docs/evidence/sweeps.md, and NGSolve follow: half an hour in all.
 """
 
 from __future__ import annotations
@@ -34,7 +35,7 @@ from acoustic_fem.batch.network import batch_transfer_function
 from acoustic_fem.batch.parameters import ArrayParameters
 from acoustic_fem.batch.topology import Topology
 from acoustic_fem.quantities.local_air import design_air
-from benchmarks import ngsolve_cell
+from benchmarks import ngsolve_cell, sweep
 from benchmarks.frame_time import frame_time
 from benchmarks.localizer import QUIET, rate, step_rate
 from benchmarks.network import varied
@@ -155,7 +156,8 @@ CELLS = {
     "three, no mirror plane, to 1 kHz, default accuracy": ((0, 100, 220), 0.4, None, 1000.0, "wanted: 30 s, 1.07 GB"),
 }
 CELL_PROGRAM = """
-import resource, sys, time
+import sys, time
+from pathlib import Path
 from acoustic_fem.cell import one_cell
 from benchmarks.one_mesh import BORE, HEIGHT, RADIUS
 from geometry.air.cells import Cell
@@ -167,7 +169,10 @@ ports = tuple(CellPort(float(angle), BORE) for angle in angles)
 cell = Cell("resonator", 2 * RADIUS, HEIGHT, part * HEIGHT, ports, 2 * RADIUS, 0.0)
 start = time.process_time()
 one_cell.solve_task(one_cell.CellTask(cell, AIR, (1.0, highest), "navier-stokes"), lambda done: None)
-print(time.process_time() - start, resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024)
+seconds = time.process_time() - start
+# ru_maxrss would be at least that of the process that started this one
+(peak,) = (line.split()[1] for line in Path("/proc/self/status").read_text().splitlines() if line.startswith("VmHWM"))
+print(seconds, 1024 * int(peak))
 """
 
 
@@ -284,6 +289,7 @@ def main() -> None:
     lines = [state, *tables]
     print("\n".join(lines))
     replace_section(PAGE, "<!-- speed: made by benchmarks/speed.py -->", "<!-- end speed -->", lines)
+    sweep.with_all_metrics(10_000)
     if find_spec("ngsolve") is not None:
         ngsolve_cell.main()
 

@@ -221,6 +221,19 @@ def _nothing(number: int) -> int:
     return number
 
 
+def machine() -> str:
+    """What runs, and how busy it is."""
+    versions = f"Python {platform.python_version()}, numpy {np.__version__}, {platform.machine()}"
+    return f"{versions}, {cores()} cores, load {psutil.getloadavg()[0]:.1f} at the start"
+
+
+def with_all_metrics(cases: int) -> None:
+    """Sweeps with all metrics, printed and put on the page."""
+    about = f"{machine()}, {cases:,} cases."
+    print(about)
+    replace_section(PAGE, BEGIN_ALL, END_ALL, [about, "", *all_metrics(cases)])
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--quick", action="store_true", help="smaller studies")
@@ -228,15 +241,11 @@ def main() -> None:
     arguments = parser.parse_args()
     quick = arguments.quick
     assert set(METRICS_OF_STUDY) <= set(METRICS)
-    about = (
-        f"Python {platform.python_version()}, numpy {np.__version__}, {platform.machine()}, {cores()} cores, load "
-        f"{psutil.getloadavg()[0]:.1f} at the start{', smaller studies (`--quick`)' * quick}."
-    )
-    print(about)
     if arguments.all_metrics:
-        replace_section(PAGE, BEGIN_ALL, END_ALL, [about, "", *all_metrics(1000 if quick else 10_000)])
+        with_all_metrics(1000 if quick else 10_000)
         return
-    lines = [about]
+    lines = [machine() + ", smaller studies (`--quick`)" * quick + "."]
+    print(lines[0])
     for part in (
         against_others(64 if quick else 256),
         scaling(1000 if quick else 10_000),

@@ -19,7 +19,7 @@ from acoustic_fem.duct.known_bores import known_port_admittance
 from acoustic_fem.fields.cylinder_heat import CylinderField
 from acoustic_fem.fields.diffusion import DiffusionField, diffusion_field, field_coefficients
 from acoustic_fem.fields.helmholtz import pressure_system
-from acoustic_fem.fields.navier_stokes import WallMotion, cell_system, compliance_mass
+from acoustic_fem.fields.navier_stokes import FlowMatrices, WallMotion, cell_system, compliance_mass, flow_matrices
 from acoustic_fem.numerics.rational_sweep import ReducedModel, reduce_system, require_passive
 from acoustic_fem.quantities.fidelity import Physics
 from acoustic_fem.quantities.medium import Medium
@@ -108,7 +108,7 @@ class CondensedBody:
     flow: ReducedModel
     """Reduced model of the flow."""
     pumped: Pumped | None
-    """What a midplane leaves out: None without one."""
+    """What a midplane leaves out: None without one, or without a wall that moves."""
     bores: tuple[StraightBore, ...]
     """Straight bores beyond the tube ports, exact ones: one per port, or none."""
     energies: NDArray[np.float64]
@@ -160,7 +160,7 @@ def condense(
         air: gas, frequencies and equations.
         tolerance: of the frequency sweep, relative.
         report: called with the fraction done.
-        pumped: what the midplane leaves out, from another mesh; None: it is solved on this one, where there is one.
+        pumped: what the midplane leaves out, from another mesh; None: it is solved on this one, where there is any.
 
     Raises:
         LinearSolverError: a solve misses its residual limit.
@@ -171,8 +171,11 @@ def condense(
         heat = diffusion_field(heat, faces.open, medium.thermal_diffusivity, air.band)
     viscous: DiffusionField | None = None
     if air.physics == "navier-stokes":
-        solve = partial(_condense_navier_stokes, flow_mesh, heat, air=air, tolerance=tolerance)
-        if faces.midplane is not None and pumped is None:
+        whole = flow_matrices(flow_mesh)
+        means = heat.means_over(whole.pressure)
+        storage = [whole.compliance, *(compliance_mass(whole.pressure, mean) for mean in means)]
+        solve = partial(_condense_navier_stokes, whole, storage, heat, air=air, tolerance=tolerance)
+        if faces.midplane is not None and faces.motions and pumped is None:
             # Its pressure is zero in the midplane, as in one more port.
             through = replace(faces, tubes=[*faces.tubes, faces.midplane], midplane=None)
             pumped = Pumped(*solve(through, report=lambda done: None, driven=False)[:2])
@@ -205,7 +208,8 @@ def condense(
 
 
 def _condense_navier_stokes(
-    mesh: SolidMesh,
+    whole: FlowMatrices,
+    storage: Sequence[sp.csr_array],
     heat: ThermalField,
     faces: BodyFaces,
     air: AirModel,
@@ -214,11 +218,10 @@ def _condense_navier_stokes(
     driven: bool = True,
 ) -> tuple[ReducedModel, NDArray[np.float64], int]:
     """Model of the flow, energies of the motions and unknowns; where not driven, ports hold no pressure."""
-    system = cell_system(mesh, faces.tubes, faces.motions, faces.planes)
+    system = cell_system(whole, faces.tubes, faces.motions, faces.planes)
     blank = sp.csr_array((system.n_velocity, system.n_velocity))
-    parts = [system.compliance, *(compliance_mass(system.pressure, mean) for mean in heat.means_over(system.pressure))]
     matrices = [system.viscous, system.inertia, system.coupling]
-    matrices += [sp.csr_array(sp.block_diag([blank, part], format="csr")) for part in parts]
+    matrices += [sp.csr_array(sp.block_diag([blank, part], format="csr")) for part in storage]
     n_port = len(faces.tubes) if driven else 0
     excitations = [np.zeros((system.size, n_port + len(faces.motions))) for _ in range(4)]
     excitations[0][:, :n_port] = system.port_flux[:, :n_port]

@@ -46,7 +46,7 @@ class CellSystem:
 
     The unknowns are the free velocities followed by the pressures. With s = j w L^2 / nu and
     t = j w mu / (rho c^2) (L = 1 mm) the system matrix is
-    ``viscous + s inertia - coupling - t (gamma compliance - (gamma - 1) thermal)``.
+    ``viscous + s inertia - coupling - t (gamma compliance - (gamma - 1) thermal)``, the last two on the pressures.
     """
 
     viscous: sp.csr_array
@@ -55,8 +55,6 @@ class CellSystem:
     """Term of inertia, (n, n), taken s times."""
     coupling: sp.csr_array
     """Coupling of velocity and pressure, (n, n), subtracted."""
-    compliance: sp.csr_array
-    """Storage of the gas at one weight everywhere, (n, n), taken t times."""
     port_flux: NDArray[np.float64]
     """Volume velocity out through each port, (n, n_port) float64, mm^2 times the velocity."""
     motion_terms: tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]
@@ -67,8 +65,6 @@ class CellSystem:
     """Viscous and inertia energy of the wall motions themselves, (2, n_motion, n_motion) float64."""
     n_velocity: int
     """Number of free velocities, which come first among the unknowns."""
-    pressure: skfem.CellBasis
-    """Finite element space of the pressure, lengths in mm."""
 
     @property
     def size(self) -> int:
@@ -110,22 +106,53 @@ class WallMotion:
     """Centre of the profile, mm."""
 
 
+@dataclass(frozen=True, eq=False)
+class FlowMatrices:
+    """Matrices of all velocities and pressures on a mesh, those on walls included, whatever moves it; lengths mm."""
+
+    mesh: SolidMesh
+    """The air."""
+    facets: dict[str, NDArray[np.int64]]
+    """Facets of each face by name, (n_facet,) int64."""
+    velocity: skfem.CellBasis
+    """Space of each component of the velocity; the components follow one another."""
+    pressure: skfem.CellBasis
+    """Space of the pressure."""
+    viscous: sp.csr_array
+    """Viscous term, (n, n)."""
+    inertia: sp.csr_array
+    """Term of inertia, (n, n)."""
+    divergence: sp.csr_array
+    """Divergence, (n_pressure, n)."""
+    compliance: sp.csr_array
+    """Storage of the gas at one weight everywhere, (n_pressure, n_pressure)."""
+
+
+def flow_matrices(mesh: SolidMesh) -> FlowMatrices:
+    """Assemble the flow on a mesh, with every port, moving wall and mirror plane named."""
+    tetrahedra, facets = tetrahedral_mesh(mesh)
+    quadratic = skfem.Basis(tetrahedra, skfem.ElementTetP2(), intorder=4)
+    linear = quadratic.with_element(skfem.ElementTetP1())
+    # The three components of the velocity share one scalar matrix each.
+    scalars = stiffness_matrix(quadratic), mass_matrix(quadratic)
+    viscous, inertia = (sp.csr_array(sp.block_diag([block] * 3, format="csr")) for block in scalars)
+    compliance = compliance_mass(linear, np.ones(tetrahedra.nelements))
+    divergence = divergence_matrix(quadratic, linear)
+    return FlowMatrices(mesh, facets, quadratic, linear, viscous, inertia, divergence, compliance)
+
+
 def cell_system(
-    mesh: SolidMesh, ports: Sequence[str], motions: Sequence[WallMotion] = (), mirrors: Sequence[str] = ()
+    whole: FlowMatrices, ports: Sequence[str], motions: Sequence[WallMotion] = (), mirrors: Sequence[str] = ()
 ) -> CellSystem:
-    """Assemble a cell.
+    """A cell with walls, ports and mirror planes built in.
 
     Args:
-        mesh: the air, with every port, moving wall and mirror plane named.
+        whole: the matrices on its mesh.
         ports: names of the ports, in order.
         motions: walls that move, in order; several may share a face.
         mirrors: names of the planes that halve the cell; the ports and moving walls they cut are then halves as well.
     """
-    tetrahedra, facets = tetrahedral_mesh(mesh)
-    # Each component of the velocity is a field on the same quadratic elements; they follow one another.
-    quadratic = skfem.Basis(tetrahedra, skfem.ElementTetP2(), intorder=4)
-    linear = quadratic.with_element(skfem.ElementTetP1())
-
+    mesh, facets, quadratic = whole.mesh, whole.facets, whole.velocity
     # Through a port the flow is straight, along a mirror it is free.
     barred = {name: _tangents(mesh.normals[name]) for name in ports}
     barred |= {name: mesh.normals[name][:, None] for name in mirrors}
@@ -134,12 +161,11 @@ def cell_system(
         dirichlet_nodes(quadratic, facets, [*barred]),
         [(quadratic.get_dofs(facets[name]).all(), directions) for name, directions in barred.items()],
     )
-    full_viscous, full_inertia, full_divergence = _full_matrices(quadratic, linear)
-    n_velocity, n_pressure = reduction.shape[1], linear.N
+    n_velocity, n_pressure = reduction.shape[1], whole.pressure.N
     blank = sp.csr_array((n_pressure, n_pressure))
-    viscous = sp.block_diag([reduction.T @ full_viscous @ reduction, blank], format="csr")
-    inertia = sp.block_diag([reduction.T @ full_inertia @ reduction, blank], format="csr")
-    reduced_divergence = full_divergence @ reduction
+    viscous = sp.block_diag([reduction.T @ whole.viscous @ reduction, blank], format="csr")
+    inertia = sp.block_diag([reduction.T @ whole.inertia @ reduction, blank], format="csr")
+    reduced_divergence = whole.divergence @ reduction
     coupling = sp.block_array([[None, reduced_divergence.T], [reduced_divergence, None]], format="csr")
 
     flux = np.zeros((n_velocity + n_pressure, len(ports)))
@@ -150,34 +176,22 @@ def cell_system(
     for k, motion in enumerate(motions):
         resting = [index for name, index in facets.items() if name not in (motion.face, *mirrors)]
         lift[:, k] = _wall_motion(quadratic, facets[motion.face], resting, mesh.normals[motion.face], motion)
-    terms = (full_viscous @ lift, full_inertia @ lift)
+    terms = (whole.viscous @ lift, whole.inertia @ lift)
     zeros = np.zeros((n_pressure, len(motions)))
     motion_terms = (
         np.concatenate([reduction.T @ terms[0], zeros]),
         np.concatenate([reduction.T @ terms[1], zeros]),
-        np.concatenate([np.zeros((n_velocity, len(motions))), full_divergence @ lift]),
+        np.concatenate([np.zeros((n_velocity, len(motions))), whole.divergence @ lift]),
     )
     return CellSystem(
         viscous=viscous,
         inertia=inertia,
         coupling=coupling,
-        compliance=compliance_mass(linear, np.ones(tetrahedra.nelements)),
         port_flux=flux,
         motion_terms=motion_terms,
         motion_energy=np.stack([lift.T @ terms[0], lift.T @ terms[1]]),
         n_velocity=n_velocity,
-        pressure=linear,
     )
-
-
-def _full_matrices(
-    quadratic: skfem.CellBasis, linear: skfem.CellBasis
-) -> tuple[sp.csr_array, sp.csr_array, sp.csr_array]:
-    """Viscous, inertia and divergence of all velocities, those on walls included."""
-    # The three components of the velocity share one scalar matrix each.
-    scalars = stiffness_matrix(quadratic), mass_matrix(quadratic)
-    viscous, inertia = (sp.csr_array(sp.block_diag([block] * 3, format="csr")) for block in scalars)
-    return viscous, inertia, divergence_matrix(quadratic, linear)
 
 
 def _flux_through(face: NDArray[np.int64], quadratic: skfem.CellBasis) -> NDArray[np.float64]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from functools import partial
+from functools import cached_property, partial
 from itertools import combinations
 from typing import TYPE_CHECKING, Any
 
@@ -79,7 +79,7 @@ class ResultTable:
     frequency: Values
     """Frequencies of the study; (n_freq,) float64, Hz."""
     open_base: Callable[[], ArrayDesign]
-    """Maker of :attr:`base`."""
+    """Maker of :attr:`base`, which another process can be handed."""
     number: NDArray[np.int64]
     """Number of the case or trial of each row; (n,) int64."""
     parameters: tuple[Column, ...]
@@ -93,14 +93,10 @@ class ResultTable:
     base_metrics: Mapping[str, float]
     """Figures of the base design, in their units; empty where they are not known."""
 
-    @property
+    @cached_property  # a table is listed without the classes of designs
     def base(self) -> ArrayDesign:
         """Design that was varied."""
         return self.open_base()
-
-    def __getstate__(self) -> dict[str, Any]:
-        """What another process is handed: the base itself."""
-        return {**self.__dict__, "open_base": partial(_same, self.base)}
 
     def values(self, row: int) -> dict[str, Any]:
         """Parameters of a design by dotted name."""
@@ -255,7 +251,7 @@ def table_of_sweep(sweep: Sweep) -> ResultTable:
         source="sweep",
         fidelity=str(about["fidelity"]),
         frequency=np.asarray(values["frequency"], np.float64),
-        open_base=lambda: sweep.base,
+        open_base=sweep.open_base,
         number=rows.astype(np.int64),
         parameters=tuple(
             _parameter(name, values[name][rows], str(sweep.attributes[name].get("units", "")))
@@ -286,7 +282,7 @@ def table_of_search(problem: Optimization, result: OptimizationResult) -> Result
         source="search",
         fidelity=problem.study.fidelity,
         frequency=problem.study.frequency,
-        open_base=lambda: problem.study.base,
+        open_base=partial(_same, problem.study.base),
         number=np.array([each.number for each in kept], dtype=np.int64),
         parameters=tuple(
             _parameter(parameter.name, np.array([each.values[parameter.name] for each in kept], dtype=object),

@@ -15,7 +15,6 @@ if TYPE_CHECKING:
     from geometry.design.array_design import ArrayDesign
     from geometry.stated.parts import Microphone, Tube
 
-
 #: kg/m^3
 DENSITIES = {
     "wire": (7900.0, "stainless steel"),
