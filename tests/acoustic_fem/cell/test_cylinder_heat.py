@@ -21,13 +21,16 @@ HEAT = AIR.thermal_diffusivity
 
 
 @pytest.mark.physics
-@pytest.mark.parametrize(("radius", "height"), [(3.0, 2.5), (1.1, 1.9), (10.0, 5.0)])
-def test_the_closed_cylinder_is_that_of_the_series(radius, height):
-    """A bore that is next to nothing leaves the closed cylinder."""
-    field = cylinder_field(CylinderAir(radius, height, (SideBore(1e-3, 1e-3, height / 2),)), HEAT, BAND)
-    mean = field.mean(GRID, HEAT)
+@pytest.mark.parametrize(
+    ("radius", "height", "highest"), [(3.0, 2.5, 2e3), (1.1, 1.9, 2e3), (10.0, 5.0, 2e3), (3.59, 5.615, 500.0)]
+)
+def test_the_closed_cylinder_is_that_of_the_series(radius, height, highest):
+    """A bore that is next to nothing leaves the closed cylinder; of the last one, equal places differ in the last bits."""
+    field = cylinder_field(CylinderAir(radius, height, (SideBore(1e-3, 1e-3, height / 2),)), HEAT, (1.0, highest))
+    grid = np.geomspace(1.0, highest, 12)
+    mean = field.mean(grid, HEAT)
     compliance = np.pi * radius**2 * height * 1e-9 * (AIR.gamma - (AIR.gamma - 1) * mean) / (AIR.gamma * AIR.pressure)
-    exact = closed_cylinder_compliance(radius * 1e-3, height * 1e-3, GRID, AIR)
+    exact = closed_cylinder_compliance(radius * 1e-3, height * 1e-3, grid, AIR)
     np.testing.assert_allclose(compliance, exact, rtol=1e-5)
 
 
