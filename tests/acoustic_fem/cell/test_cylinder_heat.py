@@ -25,7 +25,7 @@ HEAT = AIR.thermal_diffusivity
     ("radius", "height", "highest"), [(3.0, 2.5, 2e3), (1.1, 1.9, 2e3), (10.0, 5.0, 2e3), (3.59, 5.615, 500.0)]
 )
 def test_the_closed_cylinder_is_that_of_the_series(radius, height, highest):
-    """A bore that is next to nothing leaves the closed cylinder; of the last one, equal places differ in the last bits."""
+    """A bore that is next to nothing leaves the closed cylinder; of the last one, places differ in the last bits."""
     field = cylinder_field(CylinderAir(radius, height, (SideBore(1e-3, 1e-3, height / 2),)), HEAT, (1.0, highest))
     grid = np.geomspace(1.0, highest, 12)
     mean = field.mean(grid, HEAT)
