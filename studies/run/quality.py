@@ -25,6 +25,8 @@ from studies.output.frequencies import FREQUENCIES, stated_frequencies
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
+    from acoustic_fem.atlas import QuickFidelity
+
 #: Mis-made sensors for designs of up to so many points; of larger ones fewer, as each takes the square of its points,
 #: and never less than the last.
 SENSORS, SENSORS_UP_TO, _LEAST_SENSORS = 64, 24, 4
@@ -56,10 +58,10 @@ class DesignQuality:
     """Force there that stands out of the noise, rms from 1 to 100 Hz, N."""
     cost: float
     """Cost of the materials of one array, molds left out, at assumed prices, USD."""
-    fidelity: str
-    """Fidelity of the nominal sensor's transfer functions, in words: the atlas, or lumped and why."""
-    made_fidelity: str
-    """That of the mis-made sensors; empty without sensors."""
+    fidelity: QuickFidelity
+    """Fidelity of the nominal sensor's transfer functions: the atlas, or lumped and why."""
+    made_fidelity: QuickFidelity | None
+    """That of the mis-made sensors; None without sensors."""
     per_point: NDArray[np.float64] = field(repr=False)
     """Share of the touches of each point on the nominal sensor that name it; (n_point,) float64."""
 
@@ -70,19 +72,20 @@ class DesignQuality:
         made = f"{100 * self.mis_made:.1f} % ({100 * self.worst:.1f} %)" if self.sensors else "not known"
         of = f"mean of {self.sensors} (the worst), not calibrated" if self.sensors else "told by acoustic-fem tolerance"
         fidelities = {"nominal sensor": self.fidelity, "mis-made sensors": self.made_fidelity}
-        told = [(whose, *words.partition(": ")[::2]) for whose, words in fidelities.items() if words]
         return (
             ("named right, nominal sensor", f"{100 * self.named:.1f} %", "sums of sines, predicted for a localizer"),
             ("named right, mis-made sensors", made, of),
             ("hardest pair", f"{first} and {second}", f"{self.level:.2g} dB, {self.phase:.2g} degrees apart"),
             ("smallest force", f"{number(1e9 * self.force)} nN", f"rms, point {self.weakest}, over the noise"),
             ("cost", f"{self.cost:.2f} USD", "materials of one array, assumed prices"),
-            *((f"fidelity, {whose}", name, why) for whose, name, why in told),
+            *((f"fidelity, {whose}", each.name, each.outside) for whose, each in fidelities.items() if each),
         )
 
     def to_dict(self) -> dict[str, Any]:
         """Figures as JSON can hold them."""
         known = {**asdict(self), "per_point": self.per_point.tolist(), "hardest": list(self.hardest)}
+        known["fidelity"] = self.fidelity.words
+        known["made_fidelity"] = self.made_fidelity and self.made_fidelity.words
         return {name: None if value != value else value for name, value in known.items()}
 
 
@@ -122,27 +125,26 @@ def design_quality(design: ArrayDesign) -> DesignQuality | None:
         weakest=apart.points[weakest],
         force=float(limits[weakest]),
         cost=float(cost(design)),
-        fidelity=fidelity.words,
+        fidelity=fidelity,
         made_fidelity=made_fidelity,
         per_point=np.diagonal(predicted.confusion[0]).copy(),
     )
 
 
-def _mis_made(design: ArrayDesign) -> tuple[NDArray[np.float64], str]:
-    """Predicted shares of mis-made sensors, (n,) float64; none where the batch does not take it or it takes long. And
-    their fidelity, in words.
+def _mis_made(design: ArrayDesign) -> tuple[NDArray[np.float64], QuickFidelity | None]:
+    """Predicted shares of mis-made sensors, (n,) float64, and their fidelity; none where the batch does not take the
+    design or it takes long.
     """
     from studies.scatter.effects import quick_scattered_accuracy
 
     if design.point_count > _MOST_POINTS:
-        return np.zeros(0), ""
+        return np.zeros(0), None
     count = math.ceil(SENSORS * (SENSORS_UP_TO / design.point_count) ** 2)
     count = max(_LEAST_SENSORS, min(SENSORS, count))
     try:
-        found, fidelity = quick_scattered_accuracy(design, stated_frequencies(FREQUENCIES), sensors=count)
+        return quick_scattered_accuracy(design, stated_frequencies(FREQUENCIES), sensors=count)
     except Refusal:
-        return np.zeros(0), ""
-    return found, fidelity.words
+        return np.zeros(0), None
 
 
 def draw_quality(design: ArrayDesign, quality: DesignQuality, path: str | os.PathLike[str]) -> Path:

@@ -52,8 +52,7 @@ def tolerance_study(
     """Spread of transfer functions and accuracy by manufacturing scatter, and which tolerance matters most.
 
     Every tube, cavity and membrane deviates by itself; fidelity ``atlas`` where that has the design and all that can be
-    made of it, else ``lumped``. :func:`studies.scatter.scatter_effects` is the
-    same without files.
+    made of it, else ``lumped``. :func:`studies.scatter.scatter_effects` is the same without files.
 
     Args:
         design: the nominal array.

@@ -26,7 +26,7 @@ def test_the_figures_are_those_of_the_metrics(tmp_path):
     assert found.named == pytest.approx(metrics["predicted_top1"].of_library(library))
     assert found.cost == pytest.approx(metrics["cost"].of_library(library))
     assert found.per_point.mean() == pytest.approx(found.named)
-    assert (found.fidelity, found.made_fidelity) == ("atlas", "atlas")
+    assert (found.fidelity.words, found.made_fidelity.words) == ("atlas", "atlas")
     made = scattered_accuracy(design, grid, sensors=found.sensors, fidelity="atlas")
     assert (found.mis_made, found.worst) == (pytest.approx(made.mean()), pytest.approx(made.min()))
     assert found.sensors == 64
@@ -41,7 +41,7 @@ def test_a_design_at_the_edge_of_the_atlas_is_lumped_where_it_is_mis_made_and_sa
     beyond = small.with_values({"resonator.cavity_height": round(1.1 * tall, 3)})
     found, other = design_quality(edge), design_quality(beyond)
     assert found.fidelity == "atlas"
-    assert found.made_fidelity.startswith("lumped: lines.0 tube 0 at points of column 0: ")
+    assert found.made_fidelity.words.startswith("lumped: lines.0 tube 0 at points of column 0: ")
     assert other.fidelity.startswith("lumped: resonator ")
     rows = {what: value for what, value, _ in found.lines}
     assert (rows["fidelity, nominal sensor"], rows["fidelity, mis-made sensors"]) == ("atlas", "lumped")
