@@ -40,9 +40,9 @@ def test_a_design_at_the_edge_of_the_atlas_is_lumped_where_it_is_mis_made_and_sa
     edge = small.with_values({"resonator.cavity_height": round(tall, 3)})
     beyond = small.with_values({"resonator.cavity_height": round(1.1 * tall, 3)})
     found, other = design_quality(edge), design_quality(beyond)
-    assert found.fidelity == "atlas"
+    assert found.fidelity.words == "atlas"
     assert found.made_fidelity.words.startswith("lumped: lines.0 tube 0 at points of column 0: ")
-    assert other.fidelity.startswith("lumped: resonator ")
+    assert other.fidelity.words.startswith("lumped: resonator ")
     rows = {what: value for what, value, _ in found.lines}
     assert (rows["fidelity, nominal sensor"], rows["fidelity, mis-made sensors"]) == ("atlas", "lumped")
 
