@@ -88,6 +88,9 @@ class Hosts:
         missing = [name for name in ("unshare", "nsenter", "ip", "mount") if shutil.which(name) is None]
         if missing:
             raise NoHosts(f"{' and '.join(missing)} not found")
+        allowed = ["unshare", "--user", "--map-root-user", "--net", "--mount", "mount", "-t", "tmpfs", "tmpfs", _ASIDE]
+        if subprocess.run(allowed, check=False, **_QUIET).returncode:
+            raise NoHosts(f"not allowed here: {' '.join(allowed)}")
         self._held: list[subprocess.Popen[bytes]] = []
         self.hosts: list[Host] = []
         try:
@@ -105,7 +108,7 @@ class Hosts:
                 for line in ("link set lo up", f"addr add {address}/24 dev eth0", "link set eth0 up"):
                     self._inside(own, "ip", *line.split())
                 self.hosts.append(Host(own, address))
-        except NoHosts:
+        except (NoHosts, RuntimeError):
             self.close()
             raise
 
@@ -128,7 +131,7 @@ class Hosts:
         others = {own, *(os.readlink(f"/proc/{each.pid}/ns/net") for each in self._held[:-1])}
         while place.read_text().strip() != "cat" or os.readlink(f"/proc/{holder.pid}/ns/net") in others:
             if holder.poll() is not None:
-                raise NoHosts("no namespaces may be made here (unshare --user --net --mount)")
+                raise RuntimeError(f"a host ended while it was prepared, with {holder.returncode}:\n{prepare}")
             time.sleep(0.01)
         return ["nsenter", "--target", str(holder.pid), "--user", "--net", "--mount", "--preserve-credentials"]
 
