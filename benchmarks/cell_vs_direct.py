@@ -55,9 +55,7 @@ def direct(
     coefficients = field_coefficients(field.model, frequency, AIR.thermal_diffusivity)
     blank = sp.csr_array((system.n_velocity, system.n_velocity))
     length, answers = metres(1.0), []
-    pattern = abs(system.viscous) + abs(system.inertia) + abs(system.coupling)
-    pattern = pattern + sp.block_diag([blank, abs(whole.compliance)], format="csr")
-    with SymmetricSolver(sp.csr_array(pattern)) as solver:
+    with SymmetricSolver(system.size) as solver:
         for f, c in zip(frequency, coefficients, strict=True):
             omega = 2 * np.pi * f
             cold = sum(value * mean for value, mean in zip(c, means, strict=True))

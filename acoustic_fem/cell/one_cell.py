@@ -38,7 +38,7 @@ CHECKED_UP_TO = 200.0
 
 
 #: Part of the cache key: raise it when the mesh or the equations of a cell change.
-CELL_MODEL_VERSION = 14
+CELL_MODEL_VERSION = 15
 
 
 _MODELS, _PUMPED = ("heat", "viscous", "flow"), "pumped"

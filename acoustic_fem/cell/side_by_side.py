@@ -1,4 +1,4 @@
-"""Cells solved side by side, each in a process of its own."""
+"""Cells solved side by side, in processes that solve one after another."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ import sys
 import tempfile
 import threading
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -18,6 +19,8 @@ from geometry.system.extras import NotInstalled
 
 #: Exit status of a process whose cell could not be solved, that lacks a library, and that ended with a traceback.
 _NOT_SOLVED, _LACKING, _TRACEBACK = 3, 4, 1
+#: What a process writes to standard output when a cell is solved.
+_SOLVED = "solved"
 
 
 def solve_side_by_side(
@@ -26,9 +29,10 @@ def solve_side_by_side(
     report: Callable[[CellTask, float], None],
     keep: Callable[[CellTask, CellRecord], None],
 ) -> None:
-    """Solve cells in processes of their own, which hand their results over through a cache of their own.
+    """Solve cells in a few processes, which hand their results over through a cache of their own.
 
-    Plain child programs rather than a process pool: a pool would import the caller's main program again.
+    Plain child programs rather than a process pool: a pool would import the caller's main program again. They live
+    until no cell is left: what they import takes as long as a cell.
 
     Args:
         tasks: the cells, in the order in which they are begun.
@@ -47,22 +51,38 @@ def solve_side_by_side(
             children.start(waiting.pop(0))
         while children.running:
             child, line = children.messages.get()
-            if line is not None:
+            if child not in children.running:
+                continue
+            if line is None:
+                raise children.failure(child)
+            if line.strip() != _SOLVED:
                 report(child.task, float(line))
                 continue
             keep(child.task, children.result(child))
             if waiting:
-                children.start(waiting.pop(0))
+                child.solve(waiting.pop(0))
+            else:
+                children.dismiss(child)
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(eq=False)
 class _Child:
-    """A process that solves one cell."""
+    """A process that solves cells."""
 
     task: CellTask
+    """Cell that it solves."""
     process: subprocess.Popen[str]
     complaints: Path
     """What it writes to standard error."""
+
+    def solve(self, task: CellTask) -> None:
+        """Hand it a cell."""
+        self.task = task
+        with suppress(OSError):  # it has died; the end of its output says so
+            if self.process.stdin is not None:
+                # Left open: its end tells the child that its parent is gone, or wants no more of it.
+                self.process.stdin.write(task.as_json() + "\n")
+                self.process.stdin.flush()
 
 
 class _Children:
@@ -70,6 +90,7 @@ class _Children:
 
     def __init__(self) -> None:
         self.running: list[_Child] = []
+        #: What they say, and None at their end.
         self.messages: queue.Queue[tuple[_Child, str | None]] = queue.Queue()
         self._handover = tempfile.TemporaryDirectory(prefix="acoustic-fem-cells-")
         self._started = 0
@@ -84,7 +105,7 @@ class _Children:
         self._handover.cleanup()
 
     def start(self, task: CellTask) -> None:
-        """Begin with a cell: lines of its process become messages, the last of which is None."""
+        """Begin with a cell in a new process."""
         complaints = Path(self._handover.name) / f"{self._started}.log"
         self._started += 1
         environment = {**os.environ, "PYTHONPATH": os.pathsep.join(p for p in sys.path if p)}
@@ -105,62 +126,67 @@ class _Children:
         threading.Thread(target=self._listen, args=(child,), daemon=True).start()
 
     def _listen(self, child: _Child) -> None:
-        task, process = child.task, child.process
-        try:
-            if process.stdin is not None and process.stdout is not None:
-                # Left open: its end tells the child that its parent is gone.
-                process.stdin.write(task.as_json() + "\n")
-                process.stdin.flush()
-                for line in process.stdout:
-                    self.messages.put((child, line))
-        except OSError:
-            pass  # the child died early; its exit status says so
-        finally:
-            self.messages.put((child, None))
+        child.solve(child.task)
+        for line in child.process.stdout or ():
+            self.messages.put((child, line))
+        self.messages.put((child, None))
 
     def result(self, child: _Child) -> CellRecord:
-        """What a process that has said its last has found.
+        """What a process has found.
 
         Raises:
-            CellError: the cell cannot be solved.
-            NotInstalled: nothing can be meshed on this system.
-            CellFault: the process ended with a traceback.
+            CellError: nothing.
         """
-        label, status = child.task.cell.label, child.process.wait()
-        said = child.complaints.read_text(encoding="utf-8").strip()
-        if said and status in (0, _TRACEBACK):
-            print(said, file=sys.stderr)
-        if status == _TRACEBACK and said:
-            raise CellFault(f"{label}: {said.splitlines()[-1]}")
-        if status == _LACKING and said:
-            raise NotInstalled(said.splitlines()[-1])
-        if status != 0:
-            raise CellError(said.splitlines()[-1] if said else f"{label}: the solver ended with {status}")
-        self.running.remove(child)
         record = disk_cache.fetch(child.task.key, Path(self._handover.name))
         if record is None:
-            raise CellError(f"{label}: the solver ended without a result")
+            raise CellError(f"{child.task.cell.label}: the solver ended without a result")
         return record
+
+    def dismiss(self, child: _Child) -> None:
+        """End a process that has solved its cells, and pass its warnings on."""
+        self.running.remove(child)
+        if child.process.stdin is not None:
+            child.process.stdin.close()
+        child.process.wait()
+        if said := self._said(child):
+            print(said, file=sys.stderr)
+
+    def failure(self, child: _Child) -> Exception:
+        """Why a process has ended: its cell cannot be solved, nothing can be meshed on this system, or a traceback."""
+        label, status, said = child.task.cell.label, child.process.wait(), self._said(child)
+        if status == _TRACEBACK and said:
+            print(said, file=sys.stderr)
+            return CellFault(f"{label}: {said.splitlines()[-1]}")
+        if status == _LACKING and said:
+            return NotInstalled(said.splitlines()[-1])
+        return CellError(said.splitlines()[-1] if said else f"{label}: the solver ended with {status}")
+
+    @staticmethod
+    def _said(child: _Child) -> str:
+        return child.complaints.read_text(encoding="utf-8").strip()
 
 
 def solve_as_child() -> int:
-    """Solve the cell described on standard input; write the fraction done to standard output."""
-    task = CellTask.from_json(sys.stdin.readline())
+    """Solve the cells described on standard input, one a line; write the fraction done to standard output."""
+    lines: queue.Queue[str] = queue.Queue()
 
-    def end_with_parent() -> None:
-        sys.stdin.read()
-        os._exit(1)
+    def listen() -> None:
+        for line in sys.stdin:
+            lines.put(line)
+        os._exit(0)  # the parent is gone, or wants no more
 
-    threading.Thread(target=end_with_parent, daemon=True).start()
+    threading.Thread(target=listen, daemon=True).start()
     try:
-        disk_cache.store(task.key, *solve_task(task, lambda fraction: print(fraction, flush=True)))
+        while True:
+            task = CellTask.from_json(lines.get())
+            disk_cache.store(task.key, *solve_task(task, lambda fraction: print(fraction, flush=True)))
+            print(_SOLVED, flush=True)
     except CellError as error:
         print(error, file=sys.stderr)
         return _NOT_SOLVED
     except NotInstalled as error:
         print(error, file=sys.stderr)
         return _LACKING
-    return 0
 
 
 if __name__ == "__main__":

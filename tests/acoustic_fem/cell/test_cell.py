@@ -3,6 +3,7 @@
 import dataclasses
 import errno
 import os
+import subprocess
 
 import cadquery as cq
 import numpy as np
@@ -217,14 +218,21 @@ def test_cells_solved_side_by_side_are_those_solved_alone(tmp_path, monkeypatch)
     coarse_in_children(tmp_path)
     monkeypatch.syspath_prepend(tmp_path)
     other = Cell("microphone", 2.0, 1.5, 0.75, (CellPort(0.0, 0.44),), 0.5, 0.3)
+    # of two processes one solves two
+    cells = [CHAMBER, other, dataclasses.replace(CHAMBER, height=1.1 * CHAMBER.height)]
+    begun = []
+    start = subprocess.Popen.__init__
+    monkeypatch.setattr(subprocess.Popen, "__init__", lambda self, *a, **k: begun.append(a) or start(self, *a, **k))
     monkeypatch.setenv("ACOUSTIC_FEM_CACHE", str(tmp_path / "alone"))
     with coarse_cells():
-        alone = [solve_cells([cell], [10.0], AIR)[cell].admittance for cell in (CHAMBER, other)]
+        alone = [solve_cells([cell], [10.0], AIR)[cell].admittance for cell in cells]
         monkeypatch.setenv("ACOUSTIC_FEM_CACHE", str(tmp_path / "together"))
         monkeypatch.setattr("acoustic_fem.cell.design_cells.cores", lambda: 2)
         fractions = []
-        together = solve_cells([CHAMBER, other], [10.0], AIR, progress=lambda label, done: fractions.append(done))
-    for cell, expected in zip((CHAMBER, other), alone, strict=True):
+        begun.clear()
+        together = solve_cells(cells, [10.0], AIR, progress=lambda label, done: fractions.append(done))
+    assert len(begun) == 2
+    for cell, expected in zip(cells, alone, strict=True):
         np.testing.assert_allclose(together[cell].admittance, expected, rtol=1e-9)
     assert fractions == sorted(fractions)
     assert fractions[-1] == pytest.approx(1.0)
