@@ -35,7 +35,7 @@ from acoustic_fem.batch.network import batch_transfer_function
 from acoustic_fem.batch.parameters import ArrayParameters
 from acoustic_fem.batch.topology import Topology
 from acoustic_fem.quantities.local_air import design_air
-from benchmarks import ngsolve_cell, sweep
+from benchmarks import ngsolve_cell
 from benchmarks.frame_time import frame_time
 from benchmarks.localizer import QUIET, rate, step_rate
 from benchmarks.network import varied
@@ -198,7 +198,7 @@ def commands() -> dict[str, float]:
         study.write_text(STUDY, encoding="utf-8")
         subprocess.run([*ours, "sweep", str(study), "--out", store], check=True, capture_output=True)
         verbs = {"--help": ["--help"], "prototypes": ["prototypes"], "best": ["best", store]}
-        return {name: others([*ours, *words]) for name, words in verbs.items()}
+        return {name: others([*ours, *words], 6) for name, words in verbs.items()}
 
 
 def by_points(name: str) -> dict[str, float]:
@@ -289,7 +289,8 @@ def main() -> None:
     lines = [state, *tables]
     print("\n".join(lines))
     replace_section(PAGE, "<!-- speed: made by benchmarks/speed.py -->", "<!-- end speed -->", lines)
-    sweep.with_all_metrics(10_000)
+    # in a process of its own: what is in this one's memory is not the sweep's
+    subprocess.run([sys.executable, "-m", "benchmarks.sweep", "--all-metrics"], check=True)
     if find_spec("ngsolve") is not None:
         ngsolve_cell.main()
 
