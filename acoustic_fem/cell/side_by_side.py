@@ -135,7 +135,7 @@ class _Children:
         """What a process has found.
 
         Raises:
-            CellError: nothing.
+            CellError: it has found nothing.
         """
         record = disk_cache.fetch(child.task.key, Path(self._handover.name))
         if record is None:

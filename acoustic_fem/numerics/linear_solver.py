@@ -165,10 +165,11 @@ class _Pardiso:
 
     def match(self) -> bool:
         """Scale and match columns to rows from now on; whether that is new."""
-        new = self._parameters[12] == 0
+        if self._parameters[12] == 1:
+            return False
         self.release()
         self._parameters[10] = self._parameters[12] = 1
-        return bool(new)
+        return True
 
     def solve(self, matrix: sp.csr_array, right_hand_sides: NDArray) -> NDArray:
         if self._matrix is not matrix:
