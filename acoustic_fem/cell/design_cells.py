@@ -46,8 +46,8 @@ def solve_cells(
         medium: the gas.
         fidelity: ``"navier-stokes"`` or ``"helmholtz"``.
         progress: called with the label of a cell, its number among them, and the fraction done of all.
-        apart: solve a single cell in a process of its own, too: what stops that one does not stop the caller,
-            and the caller's other threads go on.
+        apart: solve a single cell in a process of its own, too, which is left to the next call for a few seconds: what
+            stops that one does not stop the caller, and the caller's other threads go on.
 
     Returns:
         Per cell its solution.
@@ -82,7 +82,7 @@ def solve_cells(
     if workers > 1 or (apart and missing):
         # Chambers and what has many tubes take longest: begun last, they would leave the other processes idle.
         missing.sort(key=lambda task: (task.cell.kind == "microphone", len(task.cell.ports)), reverse=True)
-        solve_side_by_side(missing, workers, report, keep)
+        solve_side_by_side(missing, workers, report, keep, apart)
     else:
         for task in missing:
             keep(task, solve_task(task, partial(report, task)))

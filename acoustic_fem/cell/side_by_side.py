@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import atexit
 import os
 import queue
 import subprocess
@@ -12,6 +13,7 @@ from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
+from typing import ClassVar
 
 from acoustic_fem.cell.one_cell import CellError, CellFault, CellRecord, CellTask, solve_task
 from acoustic_fem.numerics import disk_cache
@@ -21,6 +23,8 @@ from geometry.system.extras import NotInstalled
 _NOT_SOLVED, _LACKING, _TRACEBACK = 3, 4, 1
 #: What a process writes to standard output when a cell is solved.
 _SOLVED = "solved"
+#: After so long without a cell a process ends, s.
+_IDLE = 10.0
 
 
 def solve_side_by_side(
@@ -28,6 +32,7 @@ def solve_side_by_side(
     workers: int,
     report: Callable[[CellTask, float], None],
     keep: Callable[[CellTask, CellRecord], None],
+    lasting: bool = False,
 ) -> None:
     """Solve cells in a few processes, which hand their results over through a cache of their own.
 
@@ -39,6 +44,7 @@ def solve_side_by_side(
         workers: processes at a time, not more than there are tasks.
         report: called with a task and the fraction of it that is done.
         keep: called with a task and its result.
+        lasting: leave the processes, for a few seconds, to the next call.
 
     Raises:
         CellError: a cell cannot be solved.
@@ -46,7 +52,7 @@ def solve_side_by_side(
         CellFault: a process ended with a traceback.
     """
     waiting = list(tasks)
-    with _Children() as children:
+    with _Children.left(_environment()) as children:
         for _ in range(workers):
             children.start(waiting.pop(0))
         while children.running:
@@ -54,15 +60,27 @@ def solve_side_by_side(
             if child not in children.running:
                 continue
             if line is None:
-                raise children.failure(child)
+                if (failure := children.failure(child)) is not None:
+                    raise failure
+                children.start(child.task)
+                continue
             if line.strip() != _SOLVED:
                 report(child.task, float(line))
                 continue
             keep(child.task, children.result(child))
+            children.pass_on(child)
             if waiting:
                 child.solve(waiting.pop(0))
+            elif lasting:
+                children.rest(child)
             else:
                 children.dismiss(child)
+
+
+def _environment() -> dict[str, str]:
+    """Environment of a process that solves cells, one thread each."""
+    threads = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), "1")
+    return {**os.environ, **threads, "PYTHONPATH": os.pathsep.join(p for p in sys.path if p)}
 
 
 @dataclass(eq=False)
@@ -74,6 +92,8 @@ class _Child:
     process: subprocess.Popen[str]
     complaints: Path
     """What it writes to standard error."""
+    told: int = 0
+    """How much of that has been passed on, characters."""
 
     def solve(self, task: CellTask) -> None:
         """Hand it a cell."""
@@ -86,32 +106,66 @@ class _Child:
 
 
 class _Children:
-    """Processes that solve cells; none outlives the block."""
+    """Processes that solve cells; none outlives the block but those that rest, which end by themselves."""
 
-    def __init__(self) -> None:
+    _left: ClassVar[list[_Children]] = []
+    """Those of which a process rests."""
+
+    def __init__(self, environment: dict[str, str]) -> None:
         self.running: list[_Child] = []
+        self.resting: list[_Child] = []
         #: What they say, and None at their end.
         self.messages: queue.Queue[tuple[_Child, str | None]] = queue.Queue()
+        self._environment, self._owner = environment, os.getpid()
         self._handover = tempfile.TemporaryDirectory(prefix="acoustic-fem-cells-")
         self._started = 0
+
+    @classmethod
+    def left(cls, environment: dict[str, str]) -> _Children:
+        """Those that rest in the same environment, or new ones."""
+        while True:
+            try:
+                found = cls._left.pop()
+            except IndexError:
+                return cls(environment)
+            if found._owner != os.getpid():
+                continue  # this process is a fork of theirs
+            if found._environment == environment:
+                return found
+            found._end()
+
+    @classmethod
+    def end_left(cls) -> None:
+        """End those that rest, as this program ends."""
+        for each in cls._left:
+            if each._owner == os.getpid():
+                each._end()
 
     def __enter__(self) -> _Children:
         return self
 
-    def __exit__(self, *_: object) -> None:
-        for child in self.running:
+    def __exit__(self, failed: type[BaseException] | None, *_: object) -> None:
+        if failed is None and self.resting:
+            self._left.append(self)
+        else:
+            self._end()
+
+    def _end(self) -> None:
+        for child in (*self.running, *self.resting):
             child.process.kill()
             child.process.wait()
         self._handover.cleanup()
 
     def start(self, task: CellTask) -> None:
-        """Begin with a cell in a new process."""
+        """Begin with a cell, in a process that rests or in a new one."""
+        while self.resting:
+            child = self.resting.pop()
+            if child.process.poll() is None:
+                self.running.append(child)
+                child.solve(task)
+                return
         complaints = Path(self._handover.name) / f"{self._started}.log"
         self._started += 1
-        environment = {**os.environ, "PYTHONPATH": os.pathsep.join(p for p in sys.path if p)}
-        environment["ACOUSTIC_FEM_CACHE"] = self._handover.name
-        for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"):
-            environment[name] = "1"
         with complaints.open("wb") as log:  # the child has its own copy of the handle
             process = subprocess.Popen(
                 [sys.executable, "-m", __name__],
@@ -119,7 +173,7 @@ class _Children:
                 stdout=subprocess.PIPE,
                 stderr=log,
                 text=True,
-                env=environment,
+                env={**self._environment, "ACOUSTIC_FEM_CACHE": self._handover.name},
             )
         child = _Child(task, process, complaints)
         self.running.append(child)
@@ -142,28 +196,44 @@ class _Children:
             raise CellError(f"{child.task.cell.label}: the solver ended without a result")
         return record
 
+    def pass_on(self, child: _Child) -> None:
+        """Pass on what a process has warned of."""
+        said = child.complaints.read_text(encoding="utf-8")
+        if new := said[child.told :].strip():
+            print(new, file=sys.stderr)
+        child.told = len(said)
+
+    def rest(self, child: _Child) -> None:
+        """Leave a process that has solved its cells to the next."""
+        self.running.remove(child)
+        self.resting.append(child)
+
     def dismiss(self, child: _Child) -> None:
-        """End a process that has solved its cells, and pass its warnings on."""
+        """End a process that has solved its cells."""
         self.running.remove(child)
         if child.process.stdin is not None:
             child.process.stdin.close()
         child.process.wait()
-        if said := self._said(child):
-            print(said, file=sys.stderr)
 
-    def failure(self, child: _Child) -> Exception:
-        """Why a process has ended: its cell cannot be solved, nothing can be meshed on this system, or a traceback."""
-        label, status, said = child.task.cell.label, child.process.wait(), self._said(child)
+    def failure(self, child: _Child) -> Exception | None:
+        """Why a process has ended: its cell cannot be solved, nothing can be meshed on this system, or a traceback.
+
+        None where it had nothing to do, as its cell came too late.
+        """
+        self.running.remove(child)
+        label, status = child.task.cell.label, child.process.wait()
+        said = child.complaints.read_text(encoding="utf-8")[child.told :].strip()
         if status == _TRACEBACK and said:
             print(said, file=sys.stderr)
             return CellFault(f"{label}: {said.splitlines()[-1]}")
         if status == _LACKING and said:
             return NotInstalled(said.splitlines()[-1])
+        if status == 0:
+            return None
         return CellError(said.splitlines()[-1] if said else f"{label}: the solver ended with {status}")
 
-    @staticmethod
-    def _said(child: _Child) -> str:
-        return child.complaints.read_text(encoding="utf-8").strip()
+
+atexit.register(_Children.end_left)
 
 
 def solve_as_child() -> int:
@@ -175,10 +245,15 @@ def solve_as_child() -> int:
             lines.put(line)
         os._exit(0)  # the parent is gone, or wants no more
 
+    def following() -> str | None:
+        with suppress(queue.Empty):
+            return lines.get(timeout=_IDLE)
+        return None
+
     threading.Thread(target=listen, daemon=True).start()
     try:
-        while True:
-            task = CellTask.from_json(lines.get())
+        while (line := following()) is not None:
+            task = CellTask.from_json(line)
             disk_cache.store(task.key, *solve_task(task, lambda fraction: print(fraction, flush=True)))
             print(_SOLVED, flush=True)
     except CellError as error:
@@ -187,6 +262,7 @@ def solve_as_child() -> int:
     except NotInstalled as error:
         print(error, file=sys.stderr)
         return _LACKING
+    return 0
 
 
 if __name__ == "__main__":

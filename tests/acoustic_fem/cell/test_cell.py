@@ -3,12 +3,11 @@
 import dataclasses
 import errno
 import os
-import subprocess
 
 import cadquery as cq
 import numpy as np
 import pytest
-from coarse_cells import coarse_cells, coarse_in_children
+from coarse_cells import coarse_cells
 from reference_data import AIR, column
 
 from acoustic_fem.cavity.closed_forms import closed_cylinder_compliance
@@ -211,31 +210,6 @@ def test_helmholtz_is_exact_in_a_straight_tube_and_five_percent_off_at_openings(
     cell = rigid_and_extended(solve_cells([STRAIGHT], FREQUENCY, AIR, "helmholtz")[STRAIGHT].admittance, extension)
     error = np.abs(cell[0, 0, 0] / column("resonator_cell", "Y11")[0] - 1)
     assert 0.04 < error < 0.06
-
-
-@pytest.mark.slow
-def test_cells_solved_side_by_side_are_those_solved_alone(tmp_path, monkeypatch):
-    coarse_in_children(tmp_path)
-    monkeypatch.syspath_prepend(tmp_path)
-    other = Cell("microphone", 2.0, 1.5, 0.75, (CellPort(0.0, 0.44),), 0.5, 0.3)
-    # of two processes one solves two
-    cells = [CHAMBER, other, dataclasses.replace(CHAMBER, height=1.1 * CHAMBER.height)]
-    begun = []
-    start = subprocess.Popen.__init__
-    monkeypatch.setattr(subprocess.Popen, "__init__", lambda self, *a, **k: begun.append(a) or start(self, *a, **k))
-    monkeypatch.setenv("ACOUSTIC_FEM_CACHE", str(tmp_path / "alone"))
-    with coarse_cells():
-        alone = [solve_cells([cell], [10.0], AIR)[cell].admittance for cell in cells]
-        monkeypatch.setenv("ACOUSTIC_FEM_CACHE", str(tmp_path / "together"))
-        monkeypatch.setattr("acoustic_fem.cell.design_cells.cores", lambda: 2)
-        fractions = []
-        begun.clear()
-        together = solve_cells(cells, [10.0], AIR, progress=lambda label, done: fractions.append(done))
-    assert len(begun) == 2
-    for cell, expected in zip(cells, alone, strict=True):
-        np.testing.assert_allclose(together[cell].admittance, expected, rtol=1e-9)
-    assert fractions == sorted(fractions)
-    assert fractions[-1] == pytest.approx(1.0)
 
 
 @pytest.mark.slow
