@@ -91,7 +91,7 @@ def solve_bent_bores(
         Refusal: a bore as wide as the bend, frequencies at which the mesh does not resolve the layer at the
             wall, or another bad value, by name.
         LinearSolverError: a solve misses its residual limit.
-        SweepError: the sweep does not reach its tolerance.
+        RationalFitError: the sweep does not reach its tolerance.
     """
     grid = check_bent_bore(radius, windings, frequency, medium)
     physics = checked_physics(fidelity)

@@ -164,7 +164,7 @@ def condense(
 
     Raises:
         LinearSolverError: a solve misses its residual limit.
-        SweepError: the sweep does not reach its tolerance, or its model gives energy.
+        RationalFitError: the sweep does not reach its tolerance, or its model gives energy.
     """
     medium = air.medium
     if isinstance(heat, SolidMesh):

@@ -17,8 +17,8 @@ from acoustic_fem.quantities.checks import frequency_grid
 from acoustic_fem.quantities.medium import Medium
 from geometry.air.cells import Cell
 
-#: Processor time of a cell that is not in the cache, s: a middling one of the prototypes', 1 to 7 s, and half of it is
-#: the start of the process.
+#: Processor time of a cell that is not in the cache, s: a middling one of the prototypes', 1 to 5 s, and its part of
+#: the start of the processes, 2 s each.
 SECONDS_PER_CELL = 3.0
 
 
@@ -37,7 +37,7 @@ def solve_cells(
     membrane and 1 - (r/a)^2 at the end of a sound hole; the pressure of its node is the mean weighted by
     that shape. Its mechanics belong to the network, so another membrane needs no new solve.
 
-    Cells that are not in the cache are solved in one process per core. A run that is killed keeps the
+    Cells that are not in the cache are solved in as many processes as there are cores. A run that is killed keeps the
     cells it had finished.
 
     Args:

@@ -5,10 +5,13 @@ from __future__ import annotations
 import atexit
 import os
 import queue
+import shutil
+import signal
 import subprocess
 import sys
 import tempfile
 import threading
+import warnings
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
@@ -78,8 +81,10 @@ def solve_side_by_side(
 
 
 def _environment() -> dict[str, str]:
-    """Environment of a process that solves cells, one thread each."""
+    """Environment of a process that solves cells, one thread each; where it begins is in it."""
     threads = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), "1")
+    with suppress(FileNotFoundError):
+        threads["PWD"] = str(Path.cwd())
     return {**os.environ, **threads, "PYTHONPATH": os.pathsep.join(p for p in sys.path if p)}
 
 
@@ -94,6 +99,8 @@ class _Child:
     """What it writes to standard error."""
     told: int = 0
     """How much of that has been passed on, characters."""
+    rested: bool = False
+    """Whether it waited for a cell once it had solved others."""
 
     def solve(self, task: CellTask) -> None:
         """Hand it a cell."""
@@ -117,7 +124,7 @@ class _Children:
         #: What they say, and None at their end.
         self.messages: queue.Queue[tuple[_Child, str | None]] = queue.Queue()
         self._environment, self._owner = environment, os.getpid()
-        self._handover = tempfile.TemporaryDirectory(prefix="acoustic-fem-cells-")
+        self._handover = Path(tempfile.mkdtemp(prefix="acoustic-fem-cells-"))
         self._started = 0
 
     @classmethod
@@ -128,18 +135,15 @@ class _Children:
                 found = cls._left.pop()
             except IndexError:
                 return cls(environment)
-            if found._owner != os.getpid():
-                continue  # this process is a fork of theirs
-            if found._environment == environment:
+            if found._environment == environment and found._owner == os.getpid():
                 return found
             found._end()
 
     @classmethod
     def end_left(cls) -> None:
         """End those that rest, as this program ends."""
-        for each in cls._left:
-            if each._owner == os.getpid():
-                each._end()
+        while cls._left:
+            cls._left.pop()._end()
 
     def __enter__(self) -> _Children:
         return self
@@ -151,10 +155,12 @@ class _Children:
             self._end()
 
     def _end(self) -> None:
+        if self._owner != os.getpid():
+            return  # this process is a fork of theirs
         for child in (*self.running, *self.resting):
             child.process.kill()
             child.process.wait()
-        self._handover.cleanup()
+        shutil.rmtree(self._handover, ignore_errors=True)
 
     def start(self, task: CellTask) -> None:
         """Begin with a cell, in a process that rests or in a new one."""
@@ -164,7 +170,7 @@ class _Children:
                 self.running.append(child)
                 child.solve(task)
                 return
-        complaints = Path(self._handover.name) / f"{self._started}.log"
+        complaints = self._handover / f"{self._started}.log"
         self._started += 1
         with complaints.open("wb") as log:  # the child has its own copy of the handle
             process = subprocess.Popen(
@@ -173,16 +179,17 @@ class _Children:
                 stdout=subprocess.PIPE,
                 stderr=log,
                 text=True,
-                env={**self._environment, "ACOUSTIC_FEM_CACHE": self._handover.name},
+                env={**self._environment, "ACOUSTIC_FEM_CACHE": str(self._handover)},
             )
         child = _Child(task, process, complaints)
         self.running.append(child)
         threading.Thread(target=self._listen, args=(child,), daemon=True).start()
+        child.solve(task)
 
     def _listen(self, child: _Child) -> None:
-        child.solve(child.task)
         for line in child.process.stdout or ():
             self.messages.put((child, line))
+        child.process.wait()
         self.messages.put((child, None))
 
     def result(self, child: _Child) -> CellRecord:
@@ -191,9 +198,10 @@ class _Children:
         Raises:
             CellError: it has found nothing.
         """
-        record = disk_cache.fetch(child.task.key, Path(self._handover.name))
+        record = disk_cache.fetch(child.task.key, self._handover)
         if record is None:
             raise CellError(f"{child.task.cell.label}: the solver ended without a result")
+        disk_cache.forget(child.task.key, self._handover)
         return record
 
     def pass_on(self, child: _Child) -> None:
@@ -206,6 +214,7 @@ class _Children:
     def rest(self, child: _Child) -> None:
         """Leave a process that has solved its cells to the next."""
         self.running.remove(child)
+        child.rested = True
         self.resting.append(child)
 
     def dismiss(self, child: _Child) -> None:
@@ -218,7 +227,7 @@ class _Children:
     def failure(self, child: _Child) -> Exception | None:
         """Why a process has ended: its cell cannot be solved, nothing can be meshed on this system, or a traceback.
 
-        None where it had nothing to do, as its cell came too late.
+        None where it had rested and was ended before it began: another can solve its cell.
         """
         self.running.remove(child)
         label, status = child.task.cell.label, child.process.wait()
@@ -228,7 +237,7 @@ class _Children:
             return CellFault(f"{label}: {said.splitlines()[-1]}")
         if status == _LACKING and said:
             return NotInstalled(said.splitlines()[-1])
-        if status == 0:
+        if child.rested and status != _NOT_SOLVED:
             return None
         return CellError(said.splitlines()[-1] if said else f"{label}: the solver ended with {status}")
 
@@ -250,11 +259,13 @@ def solve_as_child() -> int:
             return lines.get(timeout=_IDLE)
         return None
 
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # of the parent's terminal; it ends its children itself
     threading.Thread(target=listen, daemon=True).start()
     try:
         while (line := following()) is not None:
             task = CellTask.from_json(line)
-            disk_cache.store(task.key, *solve_task(task, lambda fraction: print(fraction, flush=True)))
+            with warnings.catch_warnings():  # what one cell has warned of the next may warn of again
+                disk_cache.store(task.key, *solve_task(task, lambda fraction: print(fraction, flush=True)))
             print(_SOLVED, flush=True)
     except CellError as error:
         print(error, file=sys.stderr)

@@ -1,9 +1,8 @@
 """Symmetric sparse systems, real or complex: factorise once, solve for many right-hand sides, check every residual.
 
-Those of a flow at a real shift are quasi-definite, positive for velocities and negative for pressures: any ordering
-has stable factors (Vanderbei, SIAM J. Optim. 5 (1995) 100; how stable, Gill, Saunders and Shinnerl, SIAM J. Matrix
-Anal. Appl. 17 (1996) 35), so that the one of least fill is taken. Where residuals say that it does not do, columns are
-first matched to rows of large entries, which costs a third more.
+Those of a cell's flow at a real shift are quasi-definite, positive for velocities and, if barely, negative for
+pressures: they have factors in any ordering (Vanderbei, SIAM J. Optim. 5 (1995) 100). So the one of least fill is taken
+first; where its residuals do not do, columns are matched to rows of large entries, which costs a third more.
 
 Two backends: MKL PARDISO through the plain ``mkl`` wheel (the extra ``fast``), and SciPy's SuperLU, which
 is always there and several times slower.
@@ -15,6 +14,7 @@ import ctypes
 import importlib.metadata
 import sys
 from collections.abc import Callable
+from contextlib import suppress
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -86,9 +86,13 @@ class SymmetricSolver:
         if matrix.shape != self._shape:
             raise LinearSolverError(f"the matrix has shape {matrix.shape}, the solver was made for {self._shape}")
         backend_solve = self._superlu_solve if self._pardiso is None else self._pardiso.solve
+        if self._pardiso is not None and not self._pardiso.matched:
+            with suppress(LinearSolverError):
+                solution, relative = _refined(backend_solve, matrix, right_hand_sides)
+                if relative <= RESIDUAL_LIMIT:
+                    return solution
+            self._pardiso.match()
         solution, relative = _refined(backend_solve, matrix, right_hand_sides)
-        if not relative <= _IMPROVED_ABOVE and self._pardiso is not None and self._pardiso.match():
-            solution, relative = _refined(backend_solve, matrix, right_hand_sides)
         if not relative <= RESIDUAL_LIMIT:
             raise LinearSolverError(
                 f"{backend()} returned a solution with relative residual {relative:.2g}, above {RESIDUAL_LIMIT:g}"
@@ -163,13 +167,15 @@ class _Pardiso:
         self._pattern: tuple[NDArray[np.int32], NDArray[np.int32]] | None = None
         self._values: NDArray | None = None
 
-    def match(self) -> bool:
-        """Scale and match columns to rows from now on; whether that is new."""
-        if self._parameters[12] == 1:
-            return False
+    @property
+    def matched(self) -> bool:
+        """Whether columns are matched to rows."""
+        return bool(self._parameters[12])
+
+    def match(self) -> None:
+        """Scale, and match columns to rows, from now on."""
         self.release()
         self._parameters[10] = self._parameters[12] = 1
-        return True
 
     def solve(self, matrix: sp.csr_array, right_hand_sides: NDArray) -> NDArray:
         if self._matrix is not matrix:

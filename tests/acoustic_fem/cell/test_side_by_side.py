@@ -1,6 +1,8 @@
 """Processes that solve cells one after another: which are started, which are left to the next cell, and their ends."""
 
 import dataclasses
+import os
+import signal
 import subprocess
 import sys
 import threading
@@ -12,6 +14,7 @@ from reference_data import AIR
 
 from acoustic_fem.cell import side_by_side
 from acoustic_fem.cell.design_cells import solve_cells
+from acoustic_fem.cell.one_cell import CellError
 from geometry.air.cells import Cell
 from geometry.stated.ports import CellPort
 
@@ -72,6 +75,7 @@ def test_a_process_is_left_to_the_next_cell_where_nothing_has_changed(begun, mon
     assert begun == [PROGRAM]
     ((children,),) = [side_by_side._Children._left]
     (child,) = children.resting
+    assert [path.suffix for path in children._handover.iterdir()] == [".log"], "results are not kept twice"
     child.process.kill()
     child.process.wait()
     apart(higher(1.2))
@@ -85,14 +89,40 @@ def test_a_process_is_left_to_the_next_cell_where_nothing_has_changed(begun, mon
 
 
 @pytest.mark.slow
+def test_a_program_that_ends_well_and_solves_nothing_is_an_error(begun, monkeypatch):
+    monkeypatch.setattr(sys, "executable", "/bin/true")
+    with pytest.raises(CellError, match=r"2\.2 x 1\.3 mm .*the solver ended with 0"):
+        apart(CHAMBER)
+    assert len(begun) == 1
+
+
+@pytest.mark.slow
+def test_a_forked_program_leaves_the_processes_of_the_other_alone(begun):
+    apart(CHAMBER)
+    if not (fork := os.fork()):
+        side_by_side._Children.end_left()
+        os._exit(0)
+    os.waitpid(fork, 0)
+    apart(higher(1.1))
+    assert begun == [PROGRAM]
+
+
+@pytest.mark.slow
+def test_an_interrupt_does_not_reach_a_process_that_rests(begun):
+    apart(CHAMBER)
+    side_by_side._Children._left[0].resting[0].process.send_signal(signal.SIGINT)
+    apart(higher(1.1))
+    assert begun == [PROGRAM]
+
+
+@pytest.mark.slow
 def test_a_cell_that_comes_as_its_process_ends_is_given_to_another(begun):
     """The process ends well and has solved nothing."""
     children = side_by_side._Children(side_by_side._environment())
     gone = subprocess.Popen([sys.executable, "-c", "input()"], stdin=-1, stdout=-1, text=True)
-    complaints = children._handover.name + "/gone.log"
-    child = side_by_side._Child(None, gone, side_by_side.Path(complaints))
+    child = side_by_side._Child(None, gone, children._handover / "gone.log", rested=True)
     child.complaints.touch()
-    threading.Thread(target=lambda: children.messages.put((child, gone.wait() or None)), daemon=True).start()
+    threading.Thread(target=children._listen, args=(child,), daemon=True).start()
     children.resting.append(child)
     side_by_side._Children._left.append(children)
     apart(CHAMBER)

@@ -62,7 +62,7 @@ def test_a_matrix_that_needs_its_columns_matched_is_solved_too(backend, monkeypa
     rhs = matrix @ rng.standard_normal((2 * side**2, 2))
     if backend == "pardiso":
         with monkeypatch.context() as only, SymmetricSolver(len(rhs)) as solver:
-            only.setattr(linear_solver._Pardiso, "match", lambda self: False)
+            only.setattr(linear_solver._Pardiso, "match", lambda self: None)
             with pytest.raises(LinearSolverError, match="residual"):
                 solver.solve(matrix, rhs)
     with SymmetricSolver(len(rhs)) as solver:
