@@ -24,7 +24,7 @@ from acoustic_fem.calibration.manifest import read_manifest
 from acoustic_fem.calibration.measured_library import calibrate
 from acoustic_fem.calibration.model_updating import Update, update
 from geometry.design.array_design import ArrayDesign
-from geometry.files.writing import replace_section
+from geometry.ground.whole_files import replace_section
 from localize.recalibration.accuracy_to_expect import ENOUGH, expected_accuracy, is_enough
 from localize.signals.array_response import response_of
 from studies.made_sensor.priors import fit_priors

@@ -13,7 +13,7 @@ from ratio_baseline import RatioBaseline
 
 import acoustic_fem
 import geometry
-from geometry.files.writing import replace_section
+from geometry.ground.whole_files import replace_section
 from localize import ArrayResponse, BayesDecoder, judge
 from localize.decoders.judgement import ResidualTest
 from localize.signals.array_response import response_of

@@ -19,7 +19,7 @@ from scipy.stats import spearmanr
 import acoustic_fem
 import geometry
 from geometry import ArrayDesign
-from geometry.files.writing import replace_section, whole_file
+from geometry.ground.whole_files import replace_section, whole_file
 from studies.study.file import read_study
 from studies.study.metric_registry import METRICS
 from studies.sweep.run import run_sweep

@@ -14,7 +14,7 @@ import acoustic_fem
 import geometry
 from acoustic_fem.calibration.fitted_model import UpdatedModel
 from acoustic_fem.calibration.model_discrepancy import COMMON, OF_MICROPHONE, OWN, TOTAL
-from geometry.files.writing import replace_section
+from geometry.ground.whole_files import replace_section
 from studies.made_sensor.rig import HiddenScatter, Rig
 from studies.made_sensor.rig_parameters import hidden_parameters
 

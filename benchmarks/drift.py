@@ -21,7 +21,7 @@ import geometry
 import localize
 from acoustic_fem.calibration.model_discrepancy import draw
 from acoustic_fem.library.result import measured_library
-from geometry.files.writing import replace_section
+from geometry.ground.whole_files import replace_section
 from localize.signals.array_response import response_of
 from studies.made_sensor.rig import HiddenScatter, Rig
 

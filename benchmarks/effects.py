@@ -12,7 +12,7 @@ import geometry
 from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.scatter import ScatteredDesign, Tolerance, made_transfer_functions
 from geometry import ArrayDesign
-from geometry.files.writing import replace_section
+from geometry.ground.whole_files import replace_section
 
 PAGE = Path(__file__).parents[1] / "docs" / "evidence" / "models.md"
 END = "<!-- end {name} -->"

@@ -16,7 +16,7 @@ import numpy as np
 import geometry
 from benchmarks.boards import run_on_board
 from benchmarks.embedded_touches import LIMIT, STATES, array_of, decided_of, in_the_wake
-from geometry.files.writing import replace_section
+from geometry.ground.whole_files import replace_section
 from localize.embedded import Cost, cost_of, embed
 from localize.embedded.tables import PRECISIONS, embedded_tables
 

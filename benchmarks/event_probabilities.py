@@ -20,7 +20,7 @@ from streams import FREQUENCY, PERIOD, Sensor, session
 import acoustic_fem
 import geometry
 import localize
-from geometry.files.writing import replace_section
+from geometry.ground.whole_files import replace_section
 from localize.signals.array_response import response_of
 
 PAGE = Path(__file__).parents[1] / "docs" / "evidence" / "streams.md"

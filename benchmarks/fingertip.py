@@ -11,7 +11,7 @@ import numpy as np
 
 import acoustic_fem
 import geometry
-from geometry.files.writing import replace_section
+from geometry.ground.whole_files import replace_section
 from studies.scatter.effects import scatter_effects
 from studies.study.metric_registry import METRICS
 

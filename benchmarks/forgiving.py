@@ -19,7 +19,7 @@ from tolerant import PARTS, decoders_of, judged
 import acoustic_fem
 import geometry
 from geometry.design.array_design import ArrayDesign
-from geometry.files.writing import replace_section
+from geometry.ground.whole_files import replace_section
 from localize.signals.array_response import response_of
 from studies.made_sensor.rig import Rig
 from studies.metrics.scatter_detection import scatter_detection

@@ -21,8 +21,8 @@ from numpy.typing import NDArray
 import acoustic_fem
 import geometry
 import localize
-from geometry.files.writing import replace_section
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
+from geometry.ground.whole_files import replace_section
 from localize.contacts import Contact, ContactRecorder, double_tap, press, tap
 from localize.decoders.reconstruct import Reconstructor
 from localize.evaluation.accuracy import wilson_interval

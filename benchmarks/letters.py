@@ -20,7 +20,7 @@ from made_sensors import calibrated, made_sensors
 import acoustic_fem
 import geometry
 import localize
-from geometry.files.writing import replace_section
+from geometry.ground.whole_files import replace_section
 from localize.contacts import FEATHER, FINGER, STYLUS
 from localize.evaluation.accuracy import wilson_interval
 from localize.recognition.letters import LETTERS, Hand

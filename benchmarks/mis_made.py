@@ -19,7 +19,7 @@ import numpy as np
 import acoustic_fem
 import geometry
 import localize
-from geometry.files.writing import replace_section
+from geometry.ground.whole_files import replace_section
 from localize.signals.array_response import response_of
 from studies.metrics.confusion import predict_confusion
 from studies.scatter.effects import scattered_accuracy

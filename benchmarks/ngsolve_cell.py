@@ -25,7 +25,7 @@ from numpy.typing import NDArray
 import acoustic_fem
 from acoustic_fem.quantities.units import metres
 from benchmarks.one_mesh import BORE, CELL, HEIGHT, RADIUS
-from geometry.files.writing import replace_section
+from geometry.ground.whole_files import replace_section
 from tests.support.reference_data import AIR
 
 PAGE = Path(__file__).parents[1] / "docs" / "evidence" / "speed.md"

@@ -20,7 +20,7 @@ import numpy as np
 import acoustic_fem
 import geometry
 import studies
-from geometry.files.writing import replace_section
+from geometry.ground.whole_files import replace_section
 from localize import Decision, read_recording, touches_of
 from localize.recordings.touch_manifest import Part, read_touch_manifest
 from studies.listening.opening import Decoding, open_localizer, open_stream

@@ -161,7 +161,7 @@ def with_interval(share: float, touches: int) -> str:
 
 def write_table(folder: Path, rows: list[dict[str, Any]], full: bool) -> None:
     """Write the table into the folder's README.md where that has a place for it, else into table.md."""
-    from geometry.files.writing import replace_section, write_text
+    from geometry.ground.whole_files import replace_section, write_text
 
     page = folder / "README.md"
     begin, end = (FULL_BEGIN, FULL_END) if full else (BEGIN, END)

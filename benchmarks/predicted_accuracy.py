@@ -16,7 +16,7 @@ import numpy as np
 import acoustic_fem
 import geometry
 import localize
-from geometry.files.writing import replace_section
+from geometry.ground.whole_files import replace_section
 from studies.metrics.confusion import Listener, predict_confusion
 
 DOCS = Path(__file__).parents[1] / "docs"

@@ -21,7 +21,7 @@ import acoustic_fem
 import geometry
 import localize
 import studies
-from geometry.files.writing import replace_section
+from geometry.ground.whole_files import replace_section
 from localize.signals.array_response import response_of
 
 PAGE = Path(__file__).parents[1] / "docs" / "studies" / "paper_table" / "README.md"

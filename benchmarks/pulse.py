@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 import acoustic_fem
 import geometry
 import localize
-from geometry.files.writing import replace_section
+from geometry.ground.whole_files import replace_section
 from localize.contacts import Contact, ContactRecorder, covered_force, pulse_times, pulse_wave
 from localize.contacts.gestures import WAVES
 from localize.evaluation.accuracy import wilson_interval

@@ -20,7 +20,7 @@ from made_sensors import HEARD, made_sensors
 import acoustic_fem
 import geometry
 import localize
-from geometry.files.writing import replace_section
+from geometry.ground.whole_files import replace_section
 from localize.decoders import ROOM
 from localize.evaluation.accuracy import Locator, wilson_interval
 from localize.signals.array_response import ArrayResponse, interpolated, response_of

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 import acoustic_fem
 import geometry
 from geometry import ArrayDesign
-from geometry.files.writing import replace_section
+from geometry.ground.whole_files import replace_section
 
 PAGE = Path(__file__).parents[1] / "docs" / "evidence" / "models.md"
 END = "<!-- end {name} -->"

@@ -19,7 +19,7 @@ import acoustic_fem
 import geometry
 import localize
 from acoustic_fem.library.result import Library
-from geometry.files.writing import replace_section
+from geometry.ground.whole_files import replace_section
 from localize.live.front_end import HIGH_PASS
 from localize.recalibration.self_calibration import SelfCalibration, self_calibrate
 from localize.signals.array_response import ArrayResponse, response_of

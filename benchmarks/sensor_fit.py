@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 import acoustic_fem
 import geometry
-from geometry.files.writing import replace_section
+from geometry.ground.whole_files import replace_section
 from localize import TolerantDecoder, TouchStream, read_recording
 from localize.evaluation.goodness_of_fit import LoudFrames, SensorFit, sensor_fit
 from localize.live.front_end import Listening

@@ -40,7 +40,7 @@ from benchmarks.frame_time import frame_time
 from benchmarks.localizer import QUIET, rate, step_rate
 from benchmarks.network import varied
 from geometry import ArrayDesign
-from geometry.files.writing import replace_section
+from geometry.ground.whole_files import replace_section
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.touch_generator import SHARD
 from studies.metrics.responses import Responses

@@ -27,7 +27,7 @@ from acoustic_fem.batch.network import batch_response
 from acoustic_fem.library.result import Library
 from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.scatter.tolerances import ScatteredDesign, Tolerance
-from geometry.files.writing import replace_section
+from geometry.ground.whole_files import replace_section
 from localize.signals.array_response import ArrayResponse, response_of
 
 PAGE = Path(__file__).parents[1] / "docs" / "evidence" / "streams.md"

@@ -29,7 +29,7 @@ from distributed import LocalCluster
 
 import acoustic_fem
 from geometry import ArrayDesign
-from geometry.files.writing import replace_section
+from geometry.ground.whole_files import replace_section
 from studies.study.cases import Cases, cases_of
 from studies.study.file import read_study
 from studies.study.metric_registry import METRICS, metrics_named

@@ -24,7 +24,7 @@ from numpy.typing import NDArray
 import acoustic_fem
 import geometry
 import localize
-from geometry.files.writing import replace_section, write_text
+from geometry.ground.whole_files import replace_section, write_text
 from localize.evaluation.accuracy import Evaluation
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.finger_stimuli import STIMULI

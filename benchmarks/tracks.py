@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 import acoustic_fem
 import geometry
 import localize
-from geometry.files.writing import replace_section
+from geometry.ground.whole_files import replace_section
 from localize.contacts import Contact, ContactRecorder, Tool, covered_force, stroke, tap
 from localize.signals import response_of
 from localize.signals.array_response import ArrayResponse

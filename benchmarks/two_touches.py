@@ -16,7 +16,7 @@ import numpy as np
 import acoustic_fem
 import geometry
 from geometry.design.array_design import ArrayDesign
-from geometry.files.writing import replace_section
+from geometry.ground.whole_files import replace_section
 from localize import ArrayResponse, TwoTouchDecoder
 from localize.signals.array_response import response_of
 from localize.signals.stimulus import multi_sines, time_signal

@@ -37,11 +37,11 @@ membrane or wiring needs no new 3-D solve.
 
 Four packages, each of which may import from those before it: `geometry` (what the sensor is, in mm), `acoustic_fem`
 (what it does, in SI), `localize` (what the signals say), `studies` (what the designer asks). Each is a house of
-rooms: folders of at most twelve modules with one subject. A room's face, its `__init__.py` with a stub beside it,
+rooms: folders of modules with one subject, a dozen as a habit. A room's face, its `__init__.py` with a stub beside it,
 says what lives there, lists its public names, imported when first used, and names the rooms it stands on: within a
 package its modules import from these alone, also inside functions and for types, and never in a circle. Below, a room
-stands on rooms above it. `geometry.refusal` belongs to no room: every error raised on purpose derives from its
-`Refusal`.
+stands on rooms above it. Every error raised on purpose derives from
+`geometry.Refusal`, in `geometry.ground`.
 
 Public are the names of the faces; everything else may move without notice. The site has a page of every room.
 """

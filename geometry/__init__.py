@@ -5,7 +5,7 @@ Names are loaded when first used, so that importing the package loads neither th
 
 import lazy_loader
 
-from geometry.system.loading import tell_what_is_missing
+from geometry.ground.missing_packages import tell_what_is_missing
 
 tell_what_is_missing()
 __getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

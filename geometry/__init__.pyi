@@ -2,8 +2,8 @@ from . import (
     air as air,
     assembly as assembly,
     design as design,
-    files as files,
     formats as formats,
+    ground as ground,
     layout as layout,
     molds as molds,
     pictures as pictures,
@@ -11,7 +11,6 @@ from . import (
     printing as printing,
     solids as solids,
     stated as stated,
-    system as system,
 )
 from .assembly.bill import bill_of_materials as bill_of_materials
 from .assembly.model import build_assembly as build_assembly
@@ -25,6 +24,6 @@ from .design.design_file import (
     save_design as save_design,
 )
 from .formats.part_files import export as export
+from .ground.refusal import Kind as Kind, Refusal as Refusal
 from .printing.report import print_report as print_report
-from .refusal import Refusal as Refusal
 from .stated.fields import DesignError as DesignError

@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from acoustic_fem.atlas.polynomial import Array
 from acoustic_fem.atlas.table import CellAtlas, Opening, OutsideAtlas, cell_atlas
 from acoustic_fem.cavity.closed_forms import closed_cylinder_compliance
 from acoustic_fem.duct.known_bores import known_port_admittance
@@ -16,6 +15,7 @@ from acoustic_fem.duct.opening import entrance_impedance
 from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.units import metres
 from geometry.air.cells import Cell
+from geometry.ground.typed import NumpyOrTorch
 
 #: Prandtl number and ratio of heat capacities of the air that the atlas was made in, and how far others may be off.
 _PRANDTL, _GAMMA, _PART = 0.71, 1.4, 0.05
@@ -60,7 +60,9 @@ def atlas_admittance(cell: Cell, frequency: NDArray[np.float64], medium: Medium)
     return _around_node(necks, storage, passage, through)
 
 
-def opening_node(storage: Array, load: Array, passage: Array, through: Array) -> tuple[Array, Array, Array]:
+def opening_node(
+    storage: NumpyOrTorch, load: NumpyOrTorch, passage: NumpyOrTorch, through: NumpyOrTorch
+) -> tuple[NumpyOrTorch, NumpyOrTorch, NumpyOrTorch]:
     """The cavity and what loads its membrane as one node between the tubes.
 
     Tubes 1, 2, ... open at pressures p_k = (1/s + m12) sum(Q) + (1/s + m) U, the membrane is at (1/s + m) sum(Q) + U/s,
@@ -152,7 +154,7 @@ def _neck(
 
 
 def _around_node(
-    necks: list[NDArray[np.complex128]], storage: NDArray[np.complex128], passage: Array, through: Array
+    necks: list[NDArray[np.complex128]], storage: NDArray[np.complex128], passage: NumpyOrTorch, through: NumpyOrTorch
 ) -> NDArray[np.complex128]:
     """Nodal admittance of necks around a cavity: their outer ends, then the membrane; see :func:`opening_node`."""
     transfer = np.stack([neck[:, 0, 1] for neck in necks], -1)

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
+from geometry.ground.typed import NumpyOrTorch
+
 #: A NumPy array or a torch tensor; all arrays of one call are of one kind.
-Array: TypeAlias = Any
 
 
 @dataclass(frozen=True, eq=False)
@@ -27,7 +27,7 @@ class ShapePolynomial:
     imag: NDArray[np.float64]
     """Coefficients of the second, (n_term, n_layer) float64, in the same unit."""
 
-    def __call__(self, ratios: Sequence[Array], layer: Array) -> tuple[Array, Array]:
+    def __call__(self, ratios: Sequence[NumpyOrTorch], layer: NumpyOrTorch) -> tuple[NumpyOrTorch, NumpyOrTorch]:
         """Values of both, float64, of the broadcast shape.
 
         Args:
@@ -38,7 +38,7 @@ class ShapePolynomial:
         return _series(terms, self.real, layer), _series(terms, self.imag, layer)
 
 
-def layer_number(square: Array) -> Array:
+def layer_number(square: NumpyOrTorch) -> NumpyOrTorch:
     """sqrt(1 + s^2/4) - 1 of the square of a shear number s; shape of the square, float64.
 
     It goes with s^2 where the layer fills the bore and with s where it is thin, as impedances of openings do.
@@ -46,19 +46,19 @@ def layer_number(square: Array) -> Array:
     return (1 + square / 4) ** 0.5 - 1
 
 
-def _term(ratios: Sequence[Array], powers: NDArray[np.int64]) -> Array:
-    value: Array = 1.0
+def _term(ratios: Sequence[NumpyOrTorch], powers: NDArray[np.int64]) -> NumpyOrTorch:
+    value: NumpyOrTorch = 1.0
     for ratio, power in zip(ratios, powers, strict=True):
         if power:
             value = value * ratio ** int(power)
     return value
 
 
-def _series(terms: Sequence[Array], coefficients: NDArray[np.float64], layer: Array) -> Array:
+def _series(terms: Sequence[NumpyOrTorch], coefficients: NDArray[np.float64], layer: NumpyOrTorch) -> NumpyOrTorch:
     """Horner's rule in the layer's number."""
-    total: Array = 0.0
+    total: NumpyOrTorch = 0.0
     for column in coefficients.T[::-1]:
-        here: Array = 0.0
+        here: NumpyOrTorch = 0.0
         for coefficient, term in zip(column, terms, strict=True):
             here = here + float(coefficient) * term
         total = total * layer + here

@@ -18,9 +18,10 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from acoustic_fem.atlas.polynomial import Array, ShapePolynomial, layer_number
-from geometry.files.reading import parse_json, read_text
-from geometry.refusal import Refusal
+from acoustic_fem.atlas.polynomial import ShapePolynomial, layer_number
+from geometry.ground.refusal import Refusal
+from geometry.ground.text_files import parse_json, read_text
+from geometry.ground.typed import NumpyOrTorch
 
 #: What a cavity belongs to: its tubes open under a membrane or into the chamber of a microphone.
 House = Literal["resonator", "microphone"]
@@ -39,19 +40,19 @@ class OutsideAtlas(Refusal):
 class Opening:
     """Shapes of openings of tubes into cavities, as arrays or tensors that broadcast with each other."""
 
-    radius: Array
+    radius: NumpyOrTorch
     """Radius a of the bore, scalar or (n_design, 1, 1) float64, m."""
-    cavity_radius: Array
+    cavity_radius: NumpyOrTorch
     """Radius R of the cavity, scalar or (n_design, 1, 1) float64, m."""
-    cavity_height: Array
+    cavity_height: NumpyOrTorch
     """Height of the cavity, scalar or (n_design, 1, 1) float64, m."""
-    port_height: Array
+    port_height: NumpyOrTorch
     """Height of the bore's axis above the floor, scalar or (n_design, 1, 1) float64, m."""
-    hole_radius: Array | None = None
+    hole_radius: NumpyOrTorch | None = None
     """Radius of the sound hole of a chamber, scalar or (n_design, 1, 1) float64, m; None under a membrane."""
 
     @property
-    def ratios(self) -> tuple[Array, Array, Array]:
+    def ratios(self) -> tuple[NumpyOrTorch, NumpyOrTorch, NumpyOrTorch]:
         """A by R, by the distance to the floor, and by that to the ceiling; shape of the radius, float64."""
         above = self.cavity_height - self.port_height
         return self.radius / self.cavity_radius, self.radius / self.port_height, self.radius / above
@@ -111,7 +112,7 @@ class CellAtlas:
                 stacklevel=3,
             )
 
-    def impedance(self, house: House, opening: Opening, square: Array) -> Array:
+    def impedance(self, house: House, opening: Opening, square: NumpyOrTorch) -> NumpyOrTorch:
         """Impedance of openings in series with their tubes, in mu / a^3.
 
         Args:
@@ -127,7 +128,7 @@ class CellAtlas:
         resistance, inertance = self.openings[house](ratios, layer_number(square))
         return resistance + 1j * (square * inertance)
 
-    def compliance(self, opening: Opening, square: Array) -> Array:
+    def compliance(self, opening: Opening, square: NumpyOrTorch) -> NumpyOrTorch:
         """What openings add to the compliance of their cavity, in a^3 / p.
 
         Their shapes and ``square`` broadcast, as for :meth:`impedance`.
@@ -138,7 +139,7 @@ class CellAtlas:
         real, imag = self.storage((opening.ratios[0],), layer_number(square) ** 0.5)
         return real + 1j * imag
 
-    def inertances(self, opening: Opening) -> tuple[Array, Array]:
+    def inertances(self, opening: Opening) -> tuple[NumpyOrTorch, NumpyOrTorch]:
         """Inertances in rho / R that two openings of a cavity share, and that an opening and the membrane share.
 
         Of openings opposite each other; the angle between them changes little of a chain. Both float64, shape of the
@@ -148,12 +149,12 @@ class CellAtlas:
         place = opening.port_height / opening.cavity_height - 0.5
         powers = [[flatness**m * place**n if n else flatness**m for n in range(2)] for m in range(3)]
 
-        def total(coefficients: NDArray[np.float64]) -> Array:
+        def total(coefficients: NDArray[np.float64]) -> NumpyOrTorch:
             return sum(float(coefficients[m, n]) * powers[m][n] for m in range(3) for n in range(2))
 
         return total(self.passage), total(self.to_membrane)
 
-    def check(self, house: House, opening: Opening, square: Array, where: str) -> None:
+    def check(self, house: House, opening: Opening, square: NumpyOrTorch, where: str) -> None:
         """Refuse openings outside the bounds.
 
         Args:
@@ -173,7 +174,7 @@ class CellAtlas:
                     'fidelity "navier-stokes" solves it in 3-D'
                 )
 
-    def is_outside(self, house: House, opening: Opening, square: Array) -> NDArray[np.bool_]:
+    def is_outside(self, house: House, opening: Opening, square: NumpyOrTorch) -> NDArray[np.bool_]:
         """Which openings :meth:`check` would refuse, from shapes and a ``square`` that broadcasts with them, as there.
 
         Of the shape of one of its numbers.
@@ -182,7 +183,7 @@ class CellAtlas:
         return np.asarray(np.any(np.broadcast_arrays(*found), axis=0))
 
     def _bounded(
-        self, house: House, opening: Opening, square: Array
+        self, house: House, opening: Opening, square: NumpyOrTorch
     ) -> Iterator[tuple[str, NDArray[np.float64], tuple[float, float]]]:
         """Names, values and bounds of what :meth:`check` looks at."""
         by_radius, by_floor, by_ceiling = opening.ratios

@@ -15,11 +15,12 @@ import numpy as np
 
 from acoustic_fem.batch.interpolation import cylinder_means, disc_means
 from acoustic_fem.batch.means import ball_mean, hyperbolic
-from acoustic_fem.batch.numpy_or_torch import Array, inverse, largest
+from acoustic_fem.batch.numpy_or_torch import inverse, largest
 from acoustic_fem.batch.parameters import ArrayParameters, MediumParameters
 from acoustic_fem.duct.opening import INERTANCE, LARGEST_SHEAR_NUMBER, RESISTANCE
 from acoustic_fem.membrane.rubber import causal_slope, modulus_ratio
 from acoustic_fem.quantities.medium import Medium
+from geometry.ground.typed import NumpyOrTorch
 
 #: Largest (f/f_1)^2 at which the membrane's modes are summed as a power series; it has then up to 29 terms.
 _SERIES = 0.25
@@ -29,7 +30,7 @@ _SERIES = 0.25
 class Conditions:
     """Frequencies and air, shaped to broadcast with (n_design, n_column, n_freq)."""
 
-    omega: Array
+    omega: NumpyOrTorch
     """Angular frequencies, (n_freq,) float64, rad/s."""
     medium: Any
     """The gas in numbers, or in arrays (n_design, 1, 1), by the fields of :class:`acoustic_fem.quantities.Medium`."""
@@ -37,7 +38,7 @@ class Conditions:
     """How many blocks of designs are worked on in this way, one after the other."""
 
     @classmethod
-    def of(cls, omega: Array, medium: Medium | MediumParameters, blocks: int = 1) -> Conditions:
+    def of(cls, omega: NumpyOrTorch, medium: Medium | MediumParameters, blocks: int = 1) -> Conditions:
         """Conditions at angular frequencies, (n_freq,) float64 in rad/s, in the air of all designs or of each."""
         if isinstance(medium, MediumParameters):
             values = {field.name: getattr(medium, field.name).reshape(-1, 1, 1) for field in fields(medium)}
@@ -45,16 +46,16 @@ class Conditions:
         return cls(omega, medium, blocks)
 
     @property
-    def per_viscosity(self) -> Array:
+    def per_viscosity(self) -> NumpyOrTorch:
         """Inverse of the kinematic viscosity 1 / nu, s/m^2: a scalar, or (n_design, 1, 1) float64."""
         return self.medium.density / self.medium.viscosity
 
     @property
-    def per_diffusivity(self) -> Array:
+    def per_diffusivity(self) -> NumpyOrTorch:
         """Inverse of the thermal diffusivity 1 / alpha, s/m^2: a scalar, or (n_design, 1, 1) float64."""
         return self.medium.density * self.medium.heat_capacity / self.medium.conductivity
 
-    def compliance(self, volume: Array, mean: Array) -> Array:
+    def compliance(self, volume: NumpyOrTorch, mean: NumpyOrTorch) -> NumpyOrTorch:
         """Compliance of closed volumes, V (gamma - (gamma - 1) <Psi>) / (gamma p).
 
         Args:
@@ -71,35 +72,35 @@ class Conditions:
 class Tubes(NamedTuple):
     """Tubes with the losses of both openings: a series admittance between shunts."""
 
-    series: Array
+    series: NumpyOrTorch
     """Admittance between both ends, (n_design, n_column, n_freq) complex128, m^3/(Pa s)."""
-    first: Array
+    first: NumpyOrTorch
     """Admittance to ground at the first end, (n_design, n_column, n_freq) complex128, m^3/(Pa s)."""
-    last: Array
+    last: NumpyOrTorch
     """That at the last end, (n_design, n_column, n_freq) complex128, m^3/(Pa s)."""
 
 
 class Ducts(NamedTuple):
     """Tubes without their openings."""
 
-    series: Array
+    series: NumpyOrTorch
     """Impedance of the whole length Z' L, (n_design, n_column, n_freq) complex128, Pa s/m^3."""
-    shunt: Array
+    shunt: NumpyOrTorch
     """Admittance of the whole length Y' L, (n_design, n_column, n_freq) complex128, m^3/(Pa s)."""
-    rise: Array
+    rise: NumpyOrTorch
     """cosh(G L) - 1 with G^2 = Z' Y', (n_design, n_column, n_freq) complex128."""
-    ratio: Array
+    ratio: NumpyOrTorch
     """sinh(G L) / (G L), (n_design, n_column, n_freq) complex128."""
 
 
 class Points(NamedTuple):
     """Cavities with all that yields around them, as nodes between tubes."""
 
-    shunt: Array
+    shunt: NumpyOrTorch
     """Admittance of the node to ground, (n_design, n_column, n_freq) complex128, m^3/(Pa s)."""
-    ratio: Array | None = None
+    ratio: NumpyOrTorch | None = None
     """Pressure at the membrane by that of the node, (n_design, n_column, n_freq) complex128, Pa/Pa; None: the same."""
-    own: Array | None = None
+    own: NumpyOrTorch | None = None
     """Impedance at the membrane while the node is at zero pressure, (n_design, n_column, n_freq) complex128, Pa s/m^3;
     None: zero."""
 
@@ -107,11 +108,11 @@ class Points(NamedTuple):
 class Chambers(NamedTuple):
     """Microphone chambers."""
 
-    shunt: Array
+    shunt: NumpyOrTorch
     """Admittance of chamber, sound hole and microphone, (n_design, n_column, n_freq) complex128, m^3/(Pa s)."""
-    ratio: Array
+    ratio: NumpyOrTorch
     """Pressure on the microphone per pressure in the chamber, (n_design, n_column, n_freq) complex128, Pa/Pa."""
-    own: Array
+    own: NumpyOrTorch
     """Pressure on the microphone per volume velocity injected there while the chamber is at zero pressure, (n_design,
     n_column, n_freq) complex128, Pa s/m^3.
     """
@@ -132,7 +133,7 @@ def tubes(parameters: ArrayParameters, air: Conditions) -> Tubes:
 def ducts(parameters: ArrayParameters, air: Conditions) -> Ducts:
     """Tubes from cavity wall to cavity wall without their openings: Zwikker-Kosten ducts."""
     radius, length = parameters.tube_radius[..., None], parameters.tube_length[..., None]
-    wall: Array | float = 0.0
+    wall: NumpyOrTorch | float = 0.0
     if _counts(parameters.sheath_compliance):
         wall = length * parameters.sheath_compliance[..., None] * _softness("sheath", parameters, air)
     return _duct(radius, length, air, wall)
@@ -144,7 +145,7 @@ def points(parameters: ArrayParameters, air: Conditions) -> Points:
     return Points(cavity + load)
 
 
-def yielding(parameters: ArrayParameters, air: Conditions) -> tuple[Array, Array]:
+def yielding(parameters: ArrayParameters, air: Conditions) -> tuple[NumpyOrTorch, NumpyOrTorch]:
     """Admittances of the air of cavities and of all that yields around it.
 
     Returns:
@@ -166,7 +167,7 @@ def yielding(parameters: ArrayParameters, air: Conditions) -> tuple[Array, Array
     return rate * cavity, rate * membrane + parameters.leak_conductance[..., None]
 
 
-def _modes(parameters: ArrayParameters, air: Conditions) -> Array:
+def _modes(parameters: ArrayParameters, air: Conditions) -> NumpyOrTorch:
     """Sum of share / (e - (f/f_k)^2) over the modes, (n_design, n_column, n_freq); e is the modulus by the stated one.
 
     Well below the first mode it is a power series in f^2 / e with moments of the modes.
@@ -190,7 +191,7 @@ def _modes(parameters: ArrayParameters, air: Conditions) -> Array:
     return series * softness
 
 
-def membrane_modulus(parameters: ArrayParameters, frequency: Array) -> Array:
+def membrane_modulus(parameters: ArrayParameters, frequency: NumpyOrTorch) -> NumpyOrTorch:
     """Complex modulus of the membranes by the stated one.
 
     Args:
@@ -203,16 +204,16 @@ def membrane_modulus(parameters: ArrayParameters, frequency: Array) -> Array:
     return _modulus("membrane", parameters, frequency)
 
 
-def _counts(values: Array) -> bool:
+def _counts(values: NumpyOrTorch) -> bool:
     """Whether any of the values is not 0, or its derivative is asked for."""
     return bool(getattr(values, "requires_grad", False)) or bool((values > 0).any())
 
 
-def _softness(part: str, parameters: ArrayParameters, air: Conditions) -> Array:
+def _softness(part: str, parameters: ArrayParameters, air: Conditions) -> NumpyOrTorch:
     return inverse(_modulus(part, parameters, air.omega / (2 * np.pi)))
 
 
-def _modulus(part: str, parameters: ArrayParameters, frequency: Array) -> Array:
+def _modulus(part: str, parameters: ArrayParameters, frequency: NumpyOrTorch) -> NumpyOrTorch:
     loss, slope, reference, strength, time = (
         getattr(parameters, f"{part}_{name}")
         for name in ("loss", "slope", "reference", "relaxation", "relaxation_time")
@@ -241,7 +242,7 @@ def chambers(parameters: ArrayParameters, air: Conditions) -> Chambers:
     return Chambers(rate * chamber + (inward + (1 + rise) * load) * opening, opening, through * opening)
 
 
-def _duct(radius: Array, length: Array, air: Conditions, wall: Array | float = 0.0) -> Ducts:
+def _duct(radius: NumpyOrTorch, length: NumpyOrTorch, air: Conditions, wall: NumpyOrTorch | float = 0.0) -> Ducts:
     """Ducts whose wall has a compliance, m^3/Pa."""
     square = radius * radius
     section = np.pi * square
@@ -253,7 +254,7 @@ def _duct(radius: Array, length: Array, air: Conditions, wall: Array | float = 0
     return Ducts(impedance, admittance, *hyperbolic(impedance * admittance))
 
 
-def _entrance(radius: Array, air: Conditions) -> Array:
+def _entrance(radius: NumpyOrTorch, air: Conditions) -> NumpyOrTorch:
     """Z = 1.5 mu / a^3 + j w 0.42 rho / a, with the warning of :func:`acoustic_fem.duct.opening.entrance_impedance`."""
     shear = (largest(radius * radius * air.per_viscosity) * largest(air.omega)) ** 0.5
     if shear > LARGEST_SHEAR_NUMBER:
@@ -267,7 +268,7 @@ def _entrance(radius: Array, air: Conditions) -> Array:
     return resistance + (1j * air.omega) * (INERTANCE * air.medium.density / radius)
 
 
-def _cylinder(radius: Array, height: Array, air: Conditions) -> Array:
+def _cylinder(radius: NumpyOrTorch, height: NumpyOrTorch, air: Conditions) -> NumpyOrTorch:
     """Compliance of closed cylinders, m^3/Pa."""
     square = radius * radius
     mean = cylinder_means(square * air.per_diffusivity, height / (2 * radius), air.omega, air.blocks)

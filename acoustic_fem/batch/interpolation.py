@@ -19,14 +19,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acoustic_fem.batch.means import ball_mean, cylinder_mean
-from acoustic_fem.batch.numpy_or_torch import Array, namespace
+from acoustic_fem.batch.numpy_or_torch import namespace
+from geometry.ground.typed import NumpyOrTorch
 
 
 @dataclass(frozen=True)
 class _Mean:
     """A mean of t = scale w and further sizes."""
 
-    exact: Callable[..., Array]
+    exact: Callable[..., NumpyOrTorch]
     """The mean as a function of t and the further sizes."""
     width: tuple[float, ...]
     """Width of a tile per size, in logarithms."""
@@ -36,7 +37,7 @@ class _Mean:
     """Number of sizes in a tile from which on it is interpolated."""
 
 
-def _disc(t: Array) -> Array:
+def _disc(t: NumpyOrTorch) -> NumpyOrTorch:
     return ball_mean(0, t)
 
 
@@ -48,7 +49,7 @@ _DISC = _Mean(_disc, (np.log(4),), (22,), 11)
 _CYLINDER = _Mean(cylinder_mean, (np.log(2), np.log(2)), (14, 20), 140)
 
 
-def disc_means(scale: Array, omega: Array, blocks: int = 1) -> Array:
+def disc_means(scale: NumpyOrTorch, omega: NumpyOrTorch, blocks: int = 1) -> NumpyOrTorch:
     """Interpolated :func:`acoustic_fem.batch.means.ball_mean` of order 0 at t = scale omega.
 
     Args:
@@ -62,7 +63,7 @@ def disc_means(scale: Array, omega: Array, blocks: int = 1) -> Array:
     return _means(_DISC, [scale], omega, blocks)
 
 
-def cylinder_means(scale: Array, aspect: Array, omega: Array, blocks: int = 1) -> Array:
+def cylinder_means(scale: NumpyOrTorch, aspect: NumpyOrTorch, omega: NumpyOrTorch, blocks: int = 1) -> NumpyOrTorch:
     """Interpolated :func:`acoustic_fem.batch.means.cylinder_mean` at t = scale omega.
 
     Args:
@@ -77,7 +78,7 @@ def cylinder_means(scale: Array, aspect: Array, omega: Array, blocks: int = 1) -
     return _means(_CYLINDER, [scale, aspect], omega, blocks)
 
 
-def _means(mean: _Mean, sizes: Sequence[Array], omega: Array, blocks: int) -> Array:
+def _means(mean: _Mean, sizes: Sequence[NumpyOrTorch], omega: NumpyOrTorch, blocks: int) -> NumpyOrTorch:
     xp = namespace(omega)
     shape = np.broadcast_shapes(*(tuple(size.shape) for size in sizes))
     flat = [xp.broadcast_to(size, shape).reshape(-1) for size in sizes]
@@ -108,7 +109,7 @@ def _means(mean: _Mean, sizes: Sequence[Array], omega: Array, blocks: int) -> Ar
     return values.reshape((*shape[:-1], omega.shape[0]))
 
 
-def _put_back(pieces: Sequence[Array], rows: Sequence[NDArray[np.int64]]) -> Array:
+def _put_back(pieces: Sequence[NumpyOrTorch], rows: Sequence[NDArray[np.int64]]) -> NumpyOrTorch:
     """One array of the pieces, each at its rows."""
     xp = namespace(pieces[0])
     if xp is not np:
@@ -144,7 +145,7 @@ def _series(mean: _Mean, tile: tuple[int, ...], grid: bytes) -> tuple[NDArray[np
     return np.ascontiguousarray(left[:, :rank] * singular[:rank]), right[:rank] * size
 
 
-def _chebyshev(x: Array, terms: int) -> Array:
+def _chebyshev(x: NumpyOrTorch, terms: int) -> NumpyOrTorch:
     """(n, terms) polynomials of x, (n,)."""
     polynomials = [x * 0 + 1, x]
     for _ in range(terms - 2):
@@ -152,11 +153,11 @@ def _chebyshev(x: Array, terms: int) -> Array:
     return namespace(x).stack(polynomials, 1)
 
 
-def _chosen(values: Array, rows: NDArray[np.int64]) -> Array:
+def _chosen(values: NumpyOrTorch, rows: NDArray[np.int64]) -> NumpyOrTorch:
     return values if len(rows) == values.shape[0] else values[rows]
 
 
-def _numbers(values: Array) -> NDArray[np.float64]:
+def _numbers(values: NumpyOrTorch) -> NDArray[np.float64]:
     """The values as a NumPy array, outside any graph of torch."""
     array: NDArray[np.float64] = values if isinstance(values, np.ndarray) else values.detach().cpu().numpy()
     return array

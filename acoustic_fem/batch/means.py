@@ -11,11 +11,12 @@ from math import factorial
 
 import numpy as np
 
-from acoustic_fem.batch.numpy_or_torch import Array, largest
+from acoustic_fem.batch.numpy_or_torch import largest
 from acoustic_fem.batch.series import ball_mean_values, cylinder_mean_values
+from geometry.ground.typed import NumpyOrTorch
 
 
-def ball_mean(order: float, t: Array) -> Array:
+def ball_mean(order: float, t: NumpyOrTorch) -> NumpyOrTorch:
     """Mean <Psi> of a disc (order 0) or a ball (order 1/2) of radius R: I_{order+2}(x) / I_{order}(x), x^2 = j t.
 
     Equal to -J2/J0 of the duct formulas; no cancellation at small t. Continued fraction of Gauss,
@@ -35,7 +36,7 @@ def ball_mean(order: float, t: Array) -> Array:
     return BallMean.apply(order, t)
 
 
-def cylinder_mean(t: Array, aspect: Array) -> Array:
+def cylinder_mean(t: NumpyOrTorch, aspect: NumpyOrTorch) -> NumpyOrTorch:
     """Mean <Psi> of a closed cylinder of radius R and height H with isothermal walls.
 
     Sum over the zeros l of J0 of 4/l^2 s/q^2 (1 - tanh(q h)/(q h)), q^2 = l^2 + s, s = j t, h = H/(2 R)
@@ -57,7 +58,7 @@ def cylinder_mean(t: Array, aspect: Array) -> Array:
     return CylinderMean.apply(t, aspect)
 
 
-def hyperbolic(g: Array) -> tuple[Array, Array]:
+def hyperbolic(g: NumpyOrTorch) -> tuple[NumpyOrTorch, NumpyOrTorch]:
     """cosh(G) - 1 and sinh(G)/G as functions of g = G^2, entire, so without a root and without cancellation.
 
     Power series of g / 4^k, then k doublings; rounding error about 2^k 1e-16 (k = 9 at the longest and

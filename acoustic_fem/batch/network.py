@@ -18,14 +18,15 @@ from typing import Any, NamedTuple
 from numpy.typing import ArrayLike
 
 from acoustic_fem.batch.elements import Chambers, Conditions, Points, Tubes, chambers, points, tubes
-from acoustic_fem.batch.numpy_or_torch import Array, inverse, namespace
+from acoustic_fem.batch.numpy_or_torch import inverse, namespace
 from acoustic_fem.batch.openings import check_openings, open_parts, opening_columns
 from acoustic_fem.batch.parameters import ArrayParameters, MediumParameters, check_medium, check_parameters
 from acoustic_fem.batch.topology import LineWiring, Topology
 from acoustic_fem.quantities.checks import frequency_grid
 from acoustic_fem.quantities.fidelity import CLOSED_FORMS
 from acoustic_fem.quantities.medium import Medium
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
+from geometry.ground.typed import NumpyOrTorch
 
 #: Values per array worked on at once (designs x points x frequencies): larger leaves the processor's cache.
 _CHUNK = 100_000
@@ -38,17 +39,17 @@ _LARGEST_GRAPH = 1_500_000
 class BatchResponse:
     """Pressures per unit volume velocity injected at one membrane or microphone."""
 
-    source_response: Array
+    source_response: NumpyOrTorch
     """Pressure on the microphones, (n_design, n_point, n_microphone, n_freq) complex128, Pa s/m^3."""
-    point_impedance: Array
+    point_impedance: NumpyOrTorch
     """Pressure in the cavity of the same point, (n_design, n_point, n_freq) complex128, Pa s/m^3."""
-    microphone_impedance: Array
+    microphone_impedance: NumpyOrTorch
     """Pressure on one microphone per volume velocity injected at the front of another, (n_design, n_microphone,
     n_microphone, n_freq) complex128, Pa s/m^3.
     """
 
     @property
-    def transfer_function(self) -> Array:
+    def transfer_function(self) -> NumpyOrTorch:
         """Microphone pressure per pressure in the touched cavity, (n_design, n_point, n_microphone, n_freq), Pa/Pa."""
         return self.source_response * inverse(self.point_impedance)[:, :, None]
 
@@ -59,7 +60,7 @@ def batch_transfer_function(
     frequency: ArrayLike,
     medium: Medium | MediumParameters,
     fidelity: str = "lumped",
-) -> Array:
+) -> NumpyOrTorch:
     """Transfer functions of a batch of designs.
 
     The frequency is (n_freq,) in Hz; arguments and errors as :func:`batch_response`.
@@ -109,11 +110,11 @@ def batch_response(
     step = max(1, _CHUNK // (topology.point_count * len(grid)))
     blocks = -(-count // step)
 
-    def block(first: int) -> tuple[Array, Array, Array]:
+    def block(first: int) -> tuple[NumpyOrTorch, NumpyOrTorch, NumpyOrTorch]:
         air = Conditions.of(omega, _rows(medium, first, step), blocks)
         return _respond(_rows(parameters, first, step), topology, air, min(step, count - first), fidelity)
 
-    work: Callable[[int], tuple[Array, Array, Array]] = block
+    work: Callable[[int], tuple[NumpyOrTorch, NumpyOrTorch, NumpyOrTorch]] = block
     if blocks * _CHUNK > _LARGEST_GRAPH and parameters.needs_gradient:
         from torch.utils.checkpoint import checkpoint
 
@@ -125,21 +126,21 @@ def batch_response(
 class _Chain(NamedTuple):
     """Lines of equal length between grounded ends; arrays (n_design, n_line, ...)."""
 
-    series: Array
+    series: NumpyOrTorch
     """Admittance of the whole line between its ends, (n_design, n_line, n_freq)."""
-    shunts: tuple[Array, Array]
+    shunts: tuple[NumpyOrTorch, NumpyOrTorch]
     """Admittances of the whole line to ground at its first and last end, (n_design, n_line, n_freq)."""
-    own: Array
+    own: NumpyOrTorch
     """Impedance at each point while both ends are at zero pressure, (n_design, n_line, n_point, n_freq)."""
-    first: Array
+    first: NumpyOrTorch
     """Pressure at each point per pressure at the first end, the last at zero; shaped as ``own``."""
-    last: Array
+    last: NumpyOrTorch
     """Pressure at each point per pressure at the last end, the first at zero; shaped as ``own``."""
 
 
 def _respond(
     parameters: ArrayParameters, topology: Topology, air: Conditions, count: int, fidelity: str
-) -> tuple[Array, Array, Array]:
+) -> tuple[NumpyOrTorch, NumpyOrTorch, NumpyOrTorch]:
     if fidelity == "atlas":
         tube, point, chamber = open_parts(parameters, topology, air)
         topology = opening_columns(topology).topology
@@ -171,7 +172,7 @@ def join_parts(topology: Topology, tube: Tubes, point: Points, chamber: Chambers
     ]
 
     grounds = [chamber.shunt[:, number] for number in range(len(topology.microphones))]
-    series: dict[tuple[int, int], Array] = {}
+    series: dict[tuple[int, int], NumpyOrTorch] = {}
     for members, chain in chains:
         for place, number in enumerate(members):
             line, of_line = topology.lines[number], (slice(None), min(place, chain.series.shape[1] - 1))
@@ -202,7 +203,7 @@ def join_parts(topology: Topology, tube: Tubes, point: Points, chamber: Chambers
     return BatchResponse(_joined(xp, sources, 1), _joined(xp, at_points, 1), at_microphones)
 
 
-def _fold(xp: ModuleType, lines: list[LineWiring], tube: Tubes, point: Array) -> _Chain:
+def _fold(xp: ModuleType, lines: list[LineWiring], tube: Tubes, point: NumpyOrTorch) -> _Chain:
     """Lines with the same number of points, folded from both ends; once for lines that are all alike."""
     if len({(line.tubes, line.points) for line in lines}) == 1:
         lines = lines[:1]
@@ -232,7 +233,9 @@ def _fold(xp: ModuleType, lines: list[LineWiring], tube: Tubes, point: Array) ->
     return _Chain(before[-1], (at_first, grounds_before[-1]), own, near * own, far * own)
 
 
-def _star_mesh(first: Array, ground: Array, last: Array) -> tuple[Array, Array, Array]:
+def _star_mesh(
+    first: NumpyOrTorch, ground: NumpyOrTorch, last: NumpyOrTorch
+) -> tuple[NumpyOrTorch, NumpyOrTorch, NumpyOrTorch]:
     """A node with admittances to two others and to ground, eliminated.
 
     Returns:
@@ -243,13 +246,15 @@ def _star_mesh(first: Array, ground: Array, last: Array) -> tuple[Array, Array, 
     return first * (last * total), last * share, first * share
 
 
-def impedance_between(xp: ModuleType, grounds: list[Array], series: dict[tuple[int, int], Array]) -> Array:
+def impedance_between(
+    xp: ModuleType, grounds: list[NumpyOrTorch], series: dict[tuple[int, int], NumpyOrTorch]
+) -> NumpyOrTorch:
     """Impedance between nodes with admittances to ground and between them: (n_design, n, n, n_freq).
 
     Nodes are eliminated from the last to the first and put back, by the star-mesh rule.
     """
     grounds, series = list(grounds), dict(series)
-    shares: list[tuple[Array, dict[int, Array]]] = []
+    shares: list[tuple[NumpyOrTorch, dict[int, NumpyOrTorch]]] = []
     for node in range(len(grounds) - 1, 0, -1):
         joined = {other: series.pop((other, node)) for other in range(node) if (other, node) in series}
         held = inverse(sum(joined.values(), grounds[node]))
@@ -272,24 +277,24 @@ def impedance_between(xp: ModuleType, grounds: list[Array], series: dict[tuple[i
     return xp.stack([xp.stack([rows[max(i, k)][min(i, k)] for k in size], 1) for i in size], 1)
 
 
-def _total(values: list[Array]) -> Array:
+def _total(values: list[NumpyOrTorch]) -> NumpyOrTorch:
     return sum(values[1:], values[0])
 
 
-def _add(series: dict[tuple[int, int], Array], pair: tuple[int, int], admittance: Array) -> None:
+def _add(series: dict[tuple[int, int], NumpyOrTorch], pair: tuple[int, int], admittance: NumpyOrTorch) -> None:
     series[pair] = series[pair] + admittance if pair in series else admittance
 
 
-def _parts(values: Array, columns: Sequence[int]) -> Array:
+def _parts(values: NumpyOrTorch, columns: Sequence[int]) -> NumpyOrTorch:
     """(n_design, n_part, n_freq): the columns of the parts, a view where it is only one part."""
     return values[:, columns[0] : columns[0] + 1] if len(columns) == 1 else values[:, list(columns)]
 
 
-def _all_designs(xp: ModuleType, values: Array, count: int) -> Array:
+def _all_designs(xp: ModuleType, values: NumpyOrTorch, count: int) -> NumpyOrTorch:
     return xp.broadcast_to(values, (count, *values.shape[1:]))
 
 
-def _joined(xp: ModuleType, arrays: Mapping[int, Array], axis: int) -> Array:
+def _joined(xp: ModuleType, arrays: Mapping[int, NumpyOrTorch], axis: int) -> NumpyOrTorch:
     """Arrays put after each other in the order of their numbers."""
     return arrays[0] if len(arrays) == 1 else xp.concatenate([arrays[number] for number in sorted(arrays)], axis)
 

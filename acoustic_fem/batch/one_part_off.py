@@ -15,8 +15,9 @@ from typing import NamedTuple
 
 from acoustic_fem.batch.elements import Chambers, Tubes
 from acoustic_fem.batch.network import impedance_between
-from acoustic_fem.batch.numpy_or_torch import Array, inverse, namespace
+from acoustic_fem.batch.numpy_or_torch import inverse, namespace
 from acoustic_fem.batch.topology import LineWiring, Topology
+from geometry.ground.typed import NumpyOrTorch
 
 
 class PartsOff(NamedTuple):
@@ -24,14 +25,14 @@ class PartsOff(NamedTuple):
 
     tubes: tuple[Tubes, Tubes]
     """As designed, and off."""
-    shunts: tuple[Array, ...]
+    shunts: tuple[NumpyOrTorch, ...]
     """Shunts of the points, (n_design, n_column, n_freq) each: as designed, with each deviation that a point has alone,
     and with that which all have together."""
     chambers: tuple[Chambers, Chambers]
     """As designed, and off."""
 
 
-def one_part_off(topology: Topology, parts: PartsOff) -> tuple[Array, ...]:
+def one_part_off(topology: Topology, parts: PartsOff) -> tuple[NumpyOrTorch, ...]:
     """Pressures at each microphone from a source at each point, up to a factor that all microphones have in common.
 
     Args:
@@ -50,14 +51,14 @@ def one_part_off(topology: Topology, parts: PartsOff) -> tuple[Array, ...]:
         _chain(xp, line, parts, 1 + sum(own[:number]), sum(own[number + 1 :]) + microphones)
         for number, line in enumerate(topology.lines)
     ]
-    grounds: list[Array] = []
-    ratios: list[Array] = []
+    grounds: list[NumpyOrTorch] = []
+    ratios: list[NumpyOrTorch] = []
     for number, column in enumerate(topology.microphones):
         off = [0] * (2 + sum(own) + microphones)
         off[1 + sum(own) + number] = 1
         for name, found in (("shunt", grounds), ("ratio", ratios)):
             found.append(xp.stack([getattr(each, name)[:, column] for each in parts.chambers], 1)[:, off])
-    series: dict[tuple[int, int], Array] = {}
+    series: dict[tuple[int, int], NumpyOrTorch] = {}
     for line, chain in zip(topology.lines, chains, strict=True):
         between = min(line.first, line.last), max(line.first, line.last)
         series[between] = series[between] + chain.series if between in series else chain.series
@@ -65,7 +66,7 @@ def one_part_off(topology: Topology, parts: PartsOff) -> tuple[Array, ...]:
         grounds[line.last] = grounds[line.last] + chain.last
     impedance = impedance_between(xp, grounds, series)
 
-    def heard(microphone: int) -> Array:
+    def heard(microphone: int) -> NumpyOrTorch:
         received = impedance[:, :, microphone] * ratios[microphone][:, None]  # from each end
         lines = [
             chain.to_last * received[:, line.first][:, :, None] + chain.to_first * received[:, line.last][:, :, None]
@@ -79,15 +80,15 @@ def one_part_off(topology: Topology, parts: PartsOff) -> tuple[Array, ...]:
 class _Chain(NamedTuple):
     """A line in all sensors."""
 
-    series: Array
+    series: NumpyOrTorch
     """Admittance between its ends, (n_design, n_sensor, n_freq)."""
-    first: Array
+    first: NumpyOrTorch
     """Admittance to ground at its first end, shaped as ``series``."""
-    last: Array
+    last: NumpyOrTorch
     """Admittance to ground at its last end, shaped as ``series``."""
-    to_first: Array
+    to_first: NumpyOrTorch
     """Inverse of the series admittance from each point to the first end, (n_design, n_sensor, n_point, n_freq)."""
-    to_last: Array
+    to_last: NumpyOrTorch
     """That to the last end, shaped as ``to_first``."""
 
 
@@ -97,13 +98,13 @@ class _Links(NamedTuple):
     Along the first axis the way is that of the line, and backwards.
     """
 
-    a: Array
+    a: NumpyOrTorch
     """A - 1."""
-    b: Array
+    b: NumpyOrTorch
     """B."""
-    c: Array
+    c: NumpyOrTorch
     """C."""
-    d: Array
+    d: NumpyOrTorch
     """D - 1."""
 
 
@@ -135,13 +136,15 @@ def _links(xp: ModuleType, tubes: Tubes) -> _Links:
     return _Links(_both_ways(xp, a, d), _both_ways(xp, b), _both_ways(xp, c), _both_ways(xp, d, a))
 
 
-def _both_ways(xp: ModuleType, forth: Array, back: Array | None = None) -> Array:
+def _both_ways(xp: ModuleType, forth: NumpyOrTorch, back: NumpyOrTorch | None = None) -> NumpyOrTorch:
     """Parts (n_design, n, n_freq) along a line, and ``back`` (or they) backwards: (2, n_design, n, n_freq)."""
     turned = list(range(forth.shape[1] - 1, -1, -1))
     return xp.stack([forth, (forth if back is None else back)[:, turned]])
 
 
-def _from_the_end(xp: ModuleType, tubes: _Links, loads: Array) -> tuple[Array, list[tuple[Array, Array]]]:
+def _from_the_end(
+    xp: ModuleType, tubes: _Links, loads: NumpyOrTorch
+) -> tuple[NumpyOrTorch, list[tuple[NumpyOrTorch, NumpyOrTorch]]]:
     """Products of all matrices from the end of a chain to each of its parts.
 
     Returns:
@@ -164,18 +167,18 @@ def _each_off(
     xp: ModuleType,
     tubes: _Links,
     change: _Links,
-    loads: Array,
-    changes: Sequence[Array],
-    nominal: Array,
-    behind: Sequence[tuple[Array, Array]],
-) -> list[list[Array]]:
+    loads: NumpyOrTorch,
+    changes: Sequence[NumpyOrTorch],
+    nominal: NumpyOrTorch,
+    behind: Sequence[tuple[NumpyOrTorch, NumpyOrTorch]],
+) -> list[list[NumpyOrTorch]]:
     """What :func:`_from_the_end` returns first, with each tube off; then with each load by each of its changes."""
     count = loads.shape[2]
     nothing = xp.zeros_like(loads[:, :, :1])
     one = 1 + nothing
     # rows of the products of all matrices up to a place: from the other end (0, 1) and (1, 0), from each point (1, 0)
     first, second = xp.concatenate([nothing, one], 2), xp.concatenate([one, nothing], 2)
-    found: list[list[Array]] = [[] for _ in range(1 + len(changes))]
+    found: list[list[NumpyOrTorch]] = [[] for _ in range(1 + len(changes))]
     for place in range(count + 1):
         begun, still = nominal[:, :, : place + 2], nominal[:, :, place + 2 :]
         a, b, c, d = (each[:, :, place, None] for each in tubes)

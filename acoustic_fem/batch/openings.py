@@ -16,9 +16,10 @@ import numpy as np
 from acoustic_fem.atlas.cell_in_atlas import check_gas, opening_node
 from acoustic_fem.atlas.table import CellAtlas, House, Opening, cell_atlas
 from acoustic_fem.batch.elements import Chambers, Conditions, Ducts, Points, Tubes, chambers, ducts, yielding
-from acoustic_fem.batch.numpy_or_torch import Array, inverse, namespace
+from acoustic_fem.batch.numpy_or_torch import inverse, namespace
 from acoustic_fem.batch.parameters import ArrayParameters
 from acoustic_fem.batch.topology import LineWiring, Topology
+from geometry.ground.typed import NumpyOrTorch
 
 
 class Mouth(NamedTuple):
@@ -92,7 +93,7 @@ def opening_columns(topology: Topology) -> OpeningColumns:
     )
 
 
-def check_openings(parameters: ArrayParameters, topology: Topology, frequency: Array, medium: Any) -> None:
+def check_openings(parameters: ArrayParameters, topology: Topology, frequency: NumpyOrTorch, medium: Any) -> None:
     """Refuse designs outside the atlas.
 
     Args:
@@ -114,7 +115,9 @@ def check_openings(parameters: ArrayParameters, topology: Topology, frequency: A
             cell_atlas().check(house, opening, square, f"{topology.tube_names[mouth.tube]} at {at}")
 
 
-def designs_outside(parameters: ArrayParameters, topology: Topology, frequency: Array, medium: Any) -> Array:
+def designs_outside(
+    parameters: ArrayParameters, topology: Topology, frequency: NumpyOrTorch, medium: Any
+) -> NumpyOrTorch:
     """Which designs :func:`check_openings` would refuse for their openings, (n_design,) bool; arguments as there."""
     outside = np.zeros(parameters.design_count, dtype=bool)
     for house, mouths in _by_house(opening_columns(topology).mouths):
@@ -130,8 +133,8 @@ def _by_house(mouths: Sequence[Mouth]) -> list[tuple[House, list[Mouth]]]:
 
 
 def _stated_openings(
-    parameters: ArrayParameters, mouths: Sequence[Mouth], frequency: Array, medium: Any
-) -> tuple[Opening, Array]:
+    parameters: ArrayParameters, mouths: Sequence[Mouth], frequency: NumpyOrTorch, medium: Any
+) -> tuple[Opening, NumpyOrTorch]:
     """Shapes of mouths of one house and the largest squares of their shear numbers, (n_design, n_mouth, 1), NumPy."""
     plain = parameters if parameters.namespace is np else parameters.map(lambda values: values.detach().cpu().numpy())
     per_viscosity = medium.density / medium.viscosity
@@ -163,7 +166,7 @@ def open_parts(parameters: ArrayParameters, topology: Topology, air: Conditions)
 
 def _at_mouths(
     atlas: CellAtlas, parameters: ArrayParameters, mouths: Sequence[Mouth], air: Conditions
-) -> tuple[Array, Array]:
+) -> tuple[NumpyOrTorch, NumpyOrTorch]:
     """Impedance and compliance of the mouths, (n_design, n_mouth, n_freq) complex128."""
     impedances, compliances, order = [], [], []
     for house, of_house in _by_house(mouths):
@@ -178,14 +181,14 @@ def _at_mouths(
     return _at(_beside(xp, impedances), back), _at(_beside(xp, compliances), back)
 
 
-def _shared(atlas: CellAtlas, opening: Opening, air: Conditions) -> tuple[Array, Array]:
+def _shared(atlas: CellAtlas, opening: Opening, air: Conditions) -> tuple[NumpyOrTorch, NumpyOrTorch]:
     """Impedances that tubes share with each other and with the membrane beside that of the air's compliance."""
     unit = (1j * air.omega) * (air.medium.density / opening.cavity_radius)
     passage, to_membrane = atlas.inertances(opening)
     return unit * passage, unit * to_membrane
 
 
-def _tubes(columns: OpeningColumns, duct: Ducts, impedance: Array) -> Tubes:
+def _tubes(columns: OpeningColumns, duct: Ducts, impedance: NumpyOrTorch) -> Tubes:
     """Tubes between the impedances of their openings, as series and shunts."""
     of_tubes, *ends = ([each[k] for each in columns.tubes] for k in range(3))
     total, across, rise, ratio = (_at(values, of_tubes) for values in duct)
@@ -200,7 +203,7 @@ def _opening(parameters: ArrayParameters, mouths: Sequence[Mouth]) -> Opening:
     """Shapes of the openings of mouths of one house, (n_design, n_mouth, 1) each."""
     cavities = [mouth.cavity for mouth in mouths]
 
-    def of_cavities(*names: str) -> list[Array]:
+    def of_cavities(*names: str) -> list[NumpyOrTorch]:
         return [_at(getattr(parameters, name), cavities)[..., None] for name in names]
 
     radius = _at(parameters.tube_radius, [mouth.tube for mouth in mouths])[..., None]
@@ -210,13 +213,13 @@ def _opening(parameters: ArrayParameters, mouths: Sequence[Mouth]) -> Opening:
     return Opening(radius, *of_cavities("cavity_radius", "cavity_height", "port_height"))
 
 
-def _at(values: Array, columns: list[int]) -> Array:
+def _at(values: NumpyOrTorch, columns: list[int]) -> NumpyOrTorch:
     """Some columns, a view where they are one."""
     first = columns[0]
     return values[:, first : first + 1] if len(columns) == 1 else values[:, columns]
 
 
-def _beside(xp: Any, values: list[Array]) -> Array:
+def _beside(xp: Any, values: list[NumpyOrTorch]) -> NumpyOrTorch:
     """Columns put beside each other, of all designs or of each."""
     rows = max(value.shape[0] for value in values)
     return xp.concatenate([xp.broadcast_to(value, (rows, *value.shape[1:])) for value in values], 1)

@@ -14,7 +14,7 @@ from typing import Any, cast
 
 import numpy as np
 
-from acoustic_fem.batch.numpy_or_torch import Array, namespace
+from acoustic_fem.batch.numpy_or_torch import namespace
 from acoustic_fem.batch.topology import Topology, tubes_in_use
 from acoustic_fem.membrane.disc import DiscSolution, KnownDiscs, design_disc, design_rubber
 from acoustic_fem.membrane.rubber import Rubber
@@ -24,85 +24,86 @@ from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.units import cubic_metres, metres
 from geometry.design.array_design import ArrayDesign
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
+from geometry.ground.typed import NumpyOrTorch
 
 
 @dataclass(frozen=True, eq=False)
 class ArrayParameters:
     """Numbers of a batch of arrays of one topology: NumPy arrays or torch tensors, float64, SI."""
 
-    tube_radius: Array
+    tube_radius: NumpyOrTorch
     """Radius of the smooth tube that a tube is worth, (n_design, n_tube_column) float64, m."""
-    tube_length: Array
+    tube_length: NumpyOrTorch
     """Length of that smooth tube, (n_design, n_tube_column) float64, m."""
-    cavity_radius: Array
+    cavity_radius: NumpyOrTorch
     """Radius of the cavity, (n_design, n_point_column) float64, m."""
-    cavity_height: Array
+    cavity_height: NumpyOrTorch
     """Height of the cavity, (n_design, n_point_column) float64, m."""
-    port_height: Array
+    port_height: NumpyOrTorch
     """Height of the axes of the tubes above the floor of the cavity, (n_design, n_point_column) float64, m; counts at
     fidelity ``atlas``."""
-    membrane_compliance: Array
+    membrane_compliance: NumpyOrTorch
     """Static volume compliance of the membrane at its stated modulus, (n_design, n_point_column) float64, m^3/Pa."""
-    membrane_loss: Array
+    membrane_loss: NumpyOrTorch
     """Loss factor of the membrane, without that of its relaxations, (n_design, n_point_column) float64."""
-    membrane_slope: Array
+    membrane_slope: NumpyOrTorch
     """Slope of its modulus over frequency by that which the loss factor asks for, (n_design, n_point_column) float64: 1
     for a spring-pot, 0 for a modulus that stays, which is not causal."""
-    membrane_reference: Array
+    membrane_reference: NumpyOrTorch
     """Frequency of the modulus that the compliance and the modes belong to, (n_design, n_point_column) float64, Hz."""
-    membrane_relaxation: Array
+    membrane_relaxation: NumpyOrTorch
     """Relaxing moduli by that one, ratios, (n_design, n_point_column, n_term) float64; n_term may be 0."""
-    membrane_relaxation_time: Array
+    membrane_relaxation_time: NumpyOrTorch
     """Relaxation times, (n_design, n_point_column, n_term) float64, s."""
-    membrane_share: Array
+    membrane_share: NumpyOrTorch
     """Share of one of each mode in the static compliance, (n_design, n_point_column, n_mode) float64; sum 1."""
-    membrane_frequency: Array
+    membrane_frequency: NumpyOrTorch
     """Frequency of each mode in vacuo at that modulus, (n_design, n_point_column, n_mode) float64, ascending, Hz. Modes
     from a design end with two that correct the statics (:class:`acoustic_fem.membrane.DiscSolution`).
     """
-    leak_conductance: Array
+    leak_conductance: NumpyOrTorch
     """Conductance of the leak of the cavity to the outside, 0 where it is tight, (n_design, n_point_column) float64,
     m^3/(Pa s)."""
-    floor_compliance: Array
+    floor_compliance: NumpyOrTorch
     """Static volume compliance of the floor at its stated modulus, 0 where it is rigid, (n_design, n_point_column)
     float64, m^3/Pa."""
-    floor_loss: Array
+    floor_loss: NumpyOrTorch
     """Loss factor of the floor, without that of its relaxations, (n_design, n_point_column) float64."""
-    floor_slope: Array
+    floor_slope: NumpyOrTorch
     """Slope of its modulus as ``membrane_slope``, an exponent, (n_design, n_point_column) float64."""
-    floor_reference: Array
+    floor_reference: NumpyOrTorch
     """Frequency of its stated modulus, (n_design, n_point_column) float64, Hz."""
-    floor_relaxation: Array
+    floor_relaxation: NumpyOrTorch
     """Relaxing moduli by that one, ratios, (n_design, n_point_column, n_term) float64; n_term may be 0."""
-    floor_relaxation_time: Array
+    floor_relaxation_time: NumpyOrTorch
     """Relaxation times, (n_design, n_point_column, n_term) float64, s."""
-    sheath_compliance: Array
+    sheath_compliance: NumpyOrTorch
     """Change of the bore's section per pressure at the stated modulus of the sheath, 0 where it is rigid, (n_design,
     n_tube_column) float64, m^2/Pa."""
-    sheath_loss: Array
+    sheath_loss: NumpyOrTorch
     """Loss factor of the sheath, without that of its relaxations, (n_design, n_tube_column) float64."""
-    sheath_slope: Array
+    sheath_slope: NumpyOrTorch
     """Slope of its modulus as ``membrane_slope``, an exponent, (n_design, n_tube_column) float64."""
-    sheath_reference: Array
+    sheath_reference: NumpyOrTorch
     """Frequency of its stated modulus, (n_design, n_tube_column) float64, Hz."""
-    sheath_relaxation: Array
+    sheath_relaxation: NumpyOrTorch
     """Relaxing moduli by that one, ratios, (n_design, n_tube_column, n_term) float64; n_term may be 0."""
-    sheath_relaxation_time: Array
+    sheath_relaxation_time: NumpyOrTorch
     """Relaxation times, (n_design, n_tube_column, n_term) float64, s."""
-    chamber_radius: Array
+    chamber_radius: NumpyOrTorch
     """Radius of the microphone's chamber, (n_design, n_microphone_column) float64, m."""
-    chamber_height: Array
+    chamber_height: NumpyOrTorch
     """Height of the microphone's chamber, (n_design, n_microphone_column) float64, m."""
-    hole_radius: Array
+    hole_radius: NumpyOrTorch
     """Radius of the sound hole, (n_design, n_microphone_column) float64, m."""
-    hole_length: Array
+    hole_length: NumpyOrTorch
     """Length of the sound hole, (n_design, n_microphone_column) float64, m."""
-    diaphragm_compliance: Array
+    diaphragm_compliance: NumpyOrTorch
     """Compliance of the diaphragm, (n_design, n_microphone_column) float64, m^3/Pa."""
-    back_volume: Array
+    back_volume: NumpyOrTorch
     """Volume behind the diaphragm, (n_design, n_microphone_column) float64, m^3."""
-    vent_admittance: Array
+    vent_admittance: NumpyOrTorch
     """Admittance 1/R of the vent, (n_design, n_microphone_column) float64, m^3/(Pa s)."""
 
     @classmethod
@@ -163,7 +164,7 @@ class ArrayParameters:
         """Whether any of the numbers is a tensor that torch follows."""
         return any(getattr(getattr(self, field.name), "requires_grad", False) for field in fields(self))
 
-    def map(self, function: Callable[[Array], Array]) -> ArrayParameters:
+    def map(self, function: Callable[[NumpyOrTorch], NumpyOrTorch]) -> ArrayParameters:
         """The parameters with a function applied to every field."""
         return ArrayParameters(**{field.name: function(getattr(self, field.name)) for field in fields(self)})
 
@@ -211,17 +212,17 @@ _MAY_VANISH = {
 class MediumParameters:
     """A gas for each design, as arrays or tensors; fields as :class:`acoustic_fem.quantities.Medium`."""
 
-    density: Array
+    density: NumpyOrTorch
     """Density, (n_design,) float64, kg/m^3."""
-    viscosity: Array
+    viscosity: NumpyOrTorch
     """Dynamic viscosity, (n_design,) float64, Pa s."""
-    conductivity: Array
+    conductivity: NumpyOrTorch
     """Thermal conductivity, (n_design,) float64, W/(m K)."""
-    heat_capacity: Array
+    heat_capacity: NumpyOrTorch
     """Heat capacity at constant pressure, (n_design,) float64, J/(kg K)."""
-    gamma: Array
+    gamma: NumpyOrTorch
     """Ratio of heat capacities, of one, (n_design,) float64."""
-    pressure: Array
+    pressure: NumpyOrTorch
     """Static pressure, (n_design,) float64, Pa."""
 
     @classmethod

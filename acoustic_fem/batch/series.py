@@ -9,8 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.special import binom, zeta
 
-from acoustic_fem.batch.numpy_or_torch import Array, joined, largest, namespace
+from acoustic_fem.batch.numpy_or_torch import joined, largest, namespace
 from acoustic_fem.cavity.closed_forms import bessel_zeros
+from geometry.ground.typed import NumpyOrTorch
 
 #: Powers of s kept in the tail of the cylinder's series, and how far past sqrt(|s|) it begins: 1.7^-48 = 9e-12
 #: of what is a hundredth of the whole.
@@ -28,7 +29,7 @@ _LARGEST_TANH = 11.0
 _BLOCK = 16384
 
 
-def ball_mean_values(order: float, t: Array) -> Array:
+def ball_mean_values(order: float, t: NumpyOrTorch) -> NumpyOrTorch:
     """Values of :func:`acoustic_fem.batch.means.ball_mean`, without derivatives.
 
     Args:
@@ -42,7 +43,7 @@ def ball_mean_values(order: float, t: Array) -> Array:
     return mean
 
 
-def _ball_mean_block(order: float, t: Array) -> Array:
+def _ball_mean_block(order: float, t: NumpyOrTorch) -> NumpyOrTorch:
     depth = 4 + int(np.ceil(6.3 * largest(t) ** 0.25))
     real, imag = 1 / (2 * (order + depth + 1)) + 0 * t, 0 * t
     for level in range(depth - 1, -1, -1):
@@ -54,7 +55,7 @@ def _ball_mean_block(order: float, t: Array) -> Array:
     return first * second
 
 
-def ball_mean_slope(order: float, t: Array, mean: Array) -> Array:
+def ball_mean_slope(order: float, t: NumpyOrTorch, mean: NumpyOrTorch) -> NumpyOrTorch:
     """Slope d <Psi> / dt, from the Riccati equation d Psi / ds = (1-Psi)^2 / (4 (n+1)) - (n+1) Psi / s at s = j t.
 
     Args:
@@ -68,7 +69,7 @@ def ball_mean_slope(order: float, t: Array, mean: Array) -> Array:
     return 1j * (1 - mean) ** 2 / (4 * (order + 1)) - (order + 1) * mean / t
 
 
-def cylinder_mean_values(t: Array, aspect: Array, slopes: bool) -> tuple[Array, ...]:
+def cylinder_mean_values(t: NumpyOrTorch, aspect: NumpyOrTorch, slopes: bool) -> tuple[NumpyOrTorch, ...]:
     """Values of :func:`acoustic_fem.batch.means.cylinder_mean` and, where asked for, its derivatives.
 
     Args:
@@ -82,7 +83,7 @@ def cylinder_mean_values(t: Array, aspect: Array, slopes: bool) -> tuple[Array, 
     return _in_blocks(lambda rate, ratio: _cylinder_block(rate, ratio, slopes), t, aspect)
 
 
-def _cylinder_block(t: Array, aspect: Array, slopes: bool) -> tuple[Array, ...]:
+def _cylinder_block(t: NumpyOrTorch, aspect: NumpyOrTorch, slopes: bool) -> tuple[NumpyOrTorch, ...]:
     reach = max(_TAIL_START * largest(t) ** 0.5, _LARGEST_TANH / float(aspect.min()))
     count = max(4, int(np.ceil(reach / np.pi + 0.25)))
     xp, twice, square_t = namespace(t), 2 * aspect, t * t
@@ -115,7 +116,9 @@ def _cylinder_block(t: Array, aspect: Array, slopes: bool) -> tuple[Array, ...]:
     return (value, 1j * (by_s + tail_by_s), by_aspect / aspect + tail_by_aspect) if slopes else (value,)
 
 
-def _in_blocks(function: Callable[[Array, Array], tuple[Array, ...]], t: Array, other: Array) -> tuple[Array, ...]:
+def _in_blocks(
+    function: Callable[[NumpyOrTorch, NumpyOrTorch], tuple[NumpyOrTorch, ...]], t: NumpyOrTorch, other: NumpyOrTorch
+) -> tuple[NumpyOrTorch, ...]:
     """Pointwise functions of two arrays that broadcast, so many elements at once that they stay in the cache."""
     xp = namespace(t)
     shape = np.broadcast_shapes(tuple(t.shape), tuple(other.shape))
@@ -124,7 +127,9 @@ def _in_blocks(function: Callable[[Array, Array], tuple[Array, ...]], t: Array, 
     return tuple(xp.concatenate(parts, 0).reshape(shape) for parts in zip(*pieces, strict=True))
 
 
-def _cylinder_tail(count: int, t: Array, aspect: Array, slopes: bool) -> tuple[Array, Array, Array]:
+def _cylinder_tail(
+    count: int, t: NumpyOrTorch, aspect: NumpyOrTorch, slopes: bool
+) -> tuple[NumpyOrTorch, NumpyOrTorch, NumpyOrTorch]:
     """Terms past ``count``, tanh = 1: 4 s / (l^2 (l^2 + s)) - 4 s / (h l^2 (l^2 + s)^(3/2)), expanded in s = j t."""
     disc, ends = _tail_coefficients(count)
     flat, square = 1 / aspect, -t * t
@@ -138,10 +143,12 @@ def _cylinder_tail(count: int, t: Array, aspect: Array, slopes: bool) -> tuple[A
     return value, by_s, joined(caps[0] * flat * flat, caps[1] * flat * flat)
 
 
-def _polynomial(coefficients: tuple[float, ...], t: Array, square: Array) -> tuple[Array, Array]:
+def _polynomial(
+    coefficients: tuple[float, ...], t: NumpyOrTorch, square: NumpyOrTorch
+) -> tuple[NumpyOrTorch, NumpyOrTorch]:
     """Real and imaginary part of a real polynomial at j t; ``square`` is -t^2."""
 
-    def horner(terms: tuple[float, ...]) -> Array:
+    def horner(terms: tuple[float, ...]) -> NumpyOrTorch:
         result = terms[-1] * square + terms[-2]
         for term in terms[-3::-1]:
             result = result * square + term

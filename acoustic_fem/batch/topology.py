@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from geometry.design.array_design import ArrayDesign
-from geometry.refusal import Refusal, counted
+from geometry.ground.refusal import Refusal, counted
 from geometry.stated.parts import Tube
 
 

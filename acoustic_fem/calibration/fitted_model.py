@@ -20,9 +20,7 @@ from acoustic_fem.library.result import Library
 from acoustic_fem.network.microphone import vent_ratio
 from acoustic_fem.quantities.checks import in_range
 from geometry.design.array_design import ArrayDesign
-
-Array = NDArray[np.float64]
-
+from geometry.ground.typed import Array
 
 Complex = NDArray[np.complex128]
 

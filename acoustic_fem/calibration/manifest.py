@@ -29,8 +29,8 @@ from pydantic_core import PydanticCustomError
 from acoustic_fem.sound.estimate import Estimator
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import prototype_names, resolve_design
-from geometry.files.reading import read_toml
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
+from geometry.ground.text_files import read_toml
 from geometry.stated.fields import model_of
 
 #: The channel of the calibration microphone.

@@ -23,10 +23,9 @@ from acoustic_fem.calibration.recording_checks import (
 from acoustic_fem.library.result import Library, described, measured_library
 from acoustic_fem.sound.estimate import TransferEstimate, shortest_record, transfer_estimate
 from acoustic_fem.sound.sound_file import Sound, SoundFileError, read_sound
-from geometry.files.ordinary import MOST_NUMBERS
-from geometry.refusal import Refusal, counted
-
-Array = NDArray[np.float64]
+from geometry.ground.file_checks import MOST_NUMBERS
+from geometry.ground.refusal import Refusal, counted
+from geometry.ground.typed import Array
 
 #: Mains frequencies, Hz, whose hum is looked for, and removed where it is found.
 MAINS = (50.0, 60.0)

@@ -12,7 +12,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from geometry.ground.typed import Array
+
 Complex = NDArray[np.complex128]
 
 COMMON, OF_MICROPHONE, OWN = 0.012, 0.008, 0.007

@@ -19,11 +19,12 @@ from typing import Any, NamedTuple
 import numpy as np
 import scipy.stats
 
-from acoustic_fem.calibration.fitted_model import Array, Complex, Posterior, UpdatedModel
+from acoustic_fem.calibration.fitted_model import Complex, Posterior, UpdatedModel
 from acoustic_fem.calibration.model_discrepancy import Discrepancy
 from acoustic_fem.quantities.checks import in_range
 from acoustic_fem.sound.estimate import TransferEstimate
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
+from geometry.ground.typed import Array
 
 #: s, standard deviation of what the stated delay of the reference is off by, alike at all points.
 DELAY = 1e-3

@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 from acoustic_fem.calibration.manifest import REFERENCE
 from acoustic_fem.sound.clipping import first_clipped
 from acoustic_fem.sound.estimate import TransferEstimate, amplitudes, shortest_record
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
+from geometry.ground.typed import Array
 
-Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
 #: Seconds of equal samples that show a gap, and how many they must be at least.

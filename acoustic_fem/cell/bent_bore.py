@@ -29,7 +29,7 @@ from acoustic_fem.quantities.fidelity import Physics
 from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.units import metres
 from geometry.air.wound_tube import FIRST, LAST, Winding, swept_mesh
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 
 #: Length of the piece that is solved, in bore radii.
 PIECE = 4.0

@@ -26,9 +26,8 @@ from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.units import metres
 from geometry.air.mesh import SolidMesh
 from geometry.air.straight_bores import StraightBore
-from geometry.refusal import Refusal
-
-Array = NDArray[np.complex128]
+from geometry.ground.refusal import Refusal
+from geometry.ground.typed import ComplexArray
 
 #: A solved thermal field: on a mesh of its own, or of the sections of a cylinder and its bores.
 ThermalField: TypeAlias = DiffusionField | CylinderField
@@ -116,7 +115,7 @@ class CondensedBody:
     unknowns: int
     """Number of unknowns of the largest system solved."""
 
-    def nodal_admittance(self, frequency: NDArray[np.float64]) -> Array:
+    def nodal_admittance(self, frequency: NDArray[np.float64]) -> ComplexArray:
         """Symmetric admittance between the ports and the pressures on the moving walls.
 
         The pressure of a wall's node is the mean over the wall weighted by the shape of its motion.
@@ -241,7 +240,7 @@ def _condense_navier_stokes(
 
 def _navier_stokes_coefficients(
     frequency: NDArray[np.float64], heat: ReducedModel, medium: Medium
-) -> tuple[Array, Array]:
+) -> tuple[ComplexArray, ComplexArray]:
     """Coefficients of the matrices viscous, inertia, coupling, storage and of the excitations."""
     rate = _inertia_coefficient(frequency, medium)
     one = np.ones_like(rate)
@@ -250,7 +249,7 @@ def _navier_stokes_coefficients(
     return theta, np.column_stack([one, one, rate, -one])
 
 
-def _navier_stokes_response(body: CondensedBody, frequency: NDArray[np.float64]) -> Array:
+def _navier_stokes_response(body: CondensedBody, frequency: NDArray[np.float64]) -> ComplexArray:
     medium, n = body.medium, body.n_port
     response = body.flow.response(*_navier_stokes_coefficients(frequency, body.heat, medium))
     rate = _inertia_coefficient(frequency, medium)[:, None, None]
@@ -299,7 +298,7 @@ def _condense_helmholtz(
 
 def _helmholtz_coefficients(
     frequency: NDArray[np.float64], heat: ReducedModel, viscous: ReducedModel, medium: Medium
-) -> tuple[Array, Array]:
+) -> tuple[ComplexArray, ComplexArray]:
     """Coefficients of conduction and storage, in Pa -> m^3/s per mm, and of the excitations.
 
     A p = source with A = Psi_v grad . grad / (j w rho) + j w storage / (gamma p0).
@@ -311,7 +310,7 @@ def _helmholtz_coefficients(
     return theta, np.column_stack([theta, np.ones(len(frequency), dtype=np.complex128)])
 
 
-def _helmholtz_response(body: CondensedBody, frequency: NDArray[np.float64]) -> Array:
+def _helmholtz_response(body: CondensedBody, frequency: NDArray[np.float64]) -> ComplexArray:
     if body.viscous is None:
         raise RuntimeError("a lossy Helmholtz body must have a viscous field")
     n = body.n_port
@@ -325,7 +324,7 @@ def _helmholtz_response(body: CondensedBody, frequency: NDArray[np.float64]) -> 
 # -- shared -----------------------------------------------------------------------------------------------
 
 
-def _nodal(y: NDArray, b: NDArray, z: NDArray) -> Array:
+def _nodal(y: NDArray, b: NDArray, z: NDArray) -> ComplexArray:
     """Ports and walls, Q = Y p + B U and F = -B^T p + Z U, solved for Q and U at given pressures."""
     n, m = y.shape[1], y.shape[1] + z.shape[1]
     nodal = np.zeros((len(y), m, m), dtype=np.complex128)
@@ -337,7 +336,9 @@ def _nodal(y: NDArray, b: NDArray, z: NDArray) -> Array:
     return nodal
 
 
-def _through_bore(nodal: Array, port: int, bore: StraightBore, frequency: NDArray[np.float64], medium: Medium) -> Array:
+def _through_bore(
+    nodal: ComplexArray, port: int, bore: StraightBore, frequency: NDArray[np.float64], medium: Medium
+) -> ComplexArray:
     """The admittance with the port at the far end of a bore."""
     duct = known_port_admittance(metres(bore.radius), metres(bore.length), frequency, medium)
     met = nodal[:, port, port] + duct[:, 1, 1]
@@ -348,12 +349,12 @@ def _through_bore(nodal: Array, port: int, bore: StraightBore, frequency: NDArra
     return np.asarray(beyond, dtype=np.complex128)
 
 
-def _storage_factors(frequency: NDArray[np.float64], heat: ReducedModel, medium: Medium) -> Array:
+def _storage_factors(frequency: NDArray[np.float64], heat: ReducedModel, medium: Medium) -> ComplexArray:
     """Factors of the storage matrices in gamma - (gamma - 1) sum_k c_k v_k, (n_freq, 1 + r)."""
     coefficients = field_coefficients(heat, frequency, medium.thermal_diffusivity)
     constant = np.full((len(frequency), 1), medium.gamma, dtype=np.complex128)
     return np.hstack([constant, -(medium.gamma - 1) * coefficients])
 
 
-def _inertia_coefficient(frequency: NDArray[np.float64], medium: Medium) -> Array:
+def _inertia_coefficient(frequency: NDArray[np.float64], medium: Medium) -> ComplexArray:
     return np.asarray(2j * np.pi * frequency * _LENGTH**2 / medium.kinematic_viscosity, dtype=np.complex128)

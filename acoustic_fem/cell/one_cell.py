@@ -16,10 +16,10 @@ from acoustic_fem.quantities.fidelity import Physics
 from acoustic_fem.quantities.medium import Medium
 from geometry.air.cells import Cell
 from geometry.air.straight_bores import StraightBore
-from geometry.refusal import Refusal, said_by
+from geometry.ground.extras import NotInstalled, installed_version
+from geometry.ground.refusal import Refusal, said_by
 from geometry.stated.cavity_shapes import Box, Dome
 from geometry.stated.ports import CellPort
-from geometry.system.extras import NotInstalled, installed_version
 
 if TYPE_CHECKING:
     from acoustic_fem.fields.cylinder_heat import CylinderAir

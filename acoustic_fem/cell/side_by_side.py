@@ -20,7 +20,7 @@ from typing import ClassVar
 
 from acoustic_fem.cell.one_cell import CellError, CellFault, CellRecord, CellTask, solve_task
 from acoustic_fem.numerics import disk_cache
-from geometry.system.extras import NotInstalled
+from geometry.ground.extras import NotInstalled
 
 #: Exit status of a process whose cell could not be solved, that lacks a library, and that ended with a traceback.
 _NOT_SOLVED, _LACKING, _TRACEBACK = 3, 4, 1

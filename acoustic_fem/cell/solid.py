@@ -19,8 +19,8 @@ from acoustic_fem.numerics.refinement import BEST_ORDER, FLOW_ORDER, HEAT_ORDER,
 from acoustic_fem.quantities.checks import frequency_grid, in_range, numbers, port_points
 from acoustic_fem.quantities.fidelity import PHYSICS, Physics
 from acoustic_fem.quantities.medium import Medium
-from geometry.files.ordinary import LARGEST_DATA, library_reads, ordinary_file
-from geometry.refusal import Refusal
+from geometry.ground.file_checks import LARGEST_DATA, library_reads, ordinary_file
+from geometry.ground.refusal import Refusal
 
 if TYPE_CHECKING:
     import cadquery

@@ -31,7 +31,7 @@ from acoustic_fem.duct.plane_wave import Line, diffusion_rate
 from acoustic_fem.numerics.rational_sweep import reduce_system
 from acoustic_fem.quantities.checks import positive
 from acoustic_fem.quantities.medium import Medium
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 
 #: Columns of elements over a quarter of the wire; see tests/acoustic_fem/duct/test_coil_bore.py for the error.
 REFINEMENT = 12

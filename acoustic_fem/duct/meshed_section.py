@@ -17,7 +17,7 @@ from skfem.helpers import dot, grad
 from acoustic_fem.duct.sections import Section
 from acoustic_fem.numerics.rational_sweep import reduce_system
 from acoustic_fem.quantities.checks import positive
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 
 #: Wall layer sqrt(2/|s|) per element edge on the wall below which a meshed section warns.
 RESOLVED_LAYER = 1.0

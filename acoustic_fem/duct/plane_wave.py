@@ -25,7 +25,7 @@ from scipy.special import jve, zeta
 
 from acoustic_fem.quantities.checks import in_range, positive
 from acoustic_fem.quantities.medium import Medium
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 
 #: A complex quantity over frequency: values that broadcast with the frequencies, or a function of Hz.
 Spectrum = ArrayLike | Callable[[NDArray[np.float64]], ArrayLike]

@@ -19,7 +19,7 @@ from numpy.typing import ArrayLike, NDArray
 from acoustic_fem.duct.plane_wave import Line
 from acoustic_fem.quantities.checks import positive
 from acoustic_fem.quantities.medium import Medium
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 
 #: Polynomial degree of the elements; the two-port converges with twice that order.
 DEGREE = 4

@@ -8,7 +8,7 @@ import json
 import numpy as np
 import xarray as xr
 
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 
 CHECKSUMS = "checksums"
 """Attribute of a data set: SHA-256 of its members by name, as JSON."""

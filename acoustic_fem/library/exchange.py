@@ -37,16 +37,15 @@ from acoustic_fem.library.sealed_netcdf import read_netcdf, seal
 from acoustic_fem.quantities.units import metres
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import read_stored_design
-from geometry.files.arrays import read_npz
-from geometry.files.ordinary import MOST_NUMBERS, ordinary_file
-from geometry.files.reading import parse_json
-from geometry.files.replacing import check_own_kind
-from geometry.files.tables import read_csv
-from geometry.files.writing import whole_file
+from geometry.ground.array_files import read_npz
+from geometry.ground.csv_files import read_csv
+from geometry.ground.extras import check_extras
+from geometry.ground.file_checks import MOST_NUMBERS, ordinary_file
+from geometry.ground.refusal import Refusal, counted
+from geometry.ground.text_files import parse_json
+from geometry.ground.whole_files import check_own_kind, whole_file
 from geometry.layout.arrangement import place_housings
 from geometry.layout.placement import point_places
-from geometry.refusal import Refusal, counted
-from geometry.system.extras import check_extras
 
 #: Formats of libraries, by the ending of their names: netCDF-4, SOFA, NPZ, CSV.
 FORMATS = (".nc", ".sofa", ".npz", ".csv")

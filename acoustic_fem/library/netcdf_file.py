@@ -30,9 +30,9 @@ from acoustic_fem.quantities.checks import frequency_grid
 from acoustic_fem.quantities.fidelity import FIDELITIES
 from acoustic_fem.quantities.medium import Medium
 from geometry.design.design_file import read_stored_design, write_design
-from geometry.files.writing import whole_file
+from geometry.ground.refusal import Refusal, counted
+from geometry.ground.whole_files import whole_file
 from geometry.layout.placement import point_places
-from geometry.refusal import Refusal, counted
 
 #: Global attributes of every library file.
 _TITLE = "acoustic-fem library"

@@ -23,7 +23,7 @@ from acoustic_fem.library.touch import TOUCHES
 from acoustic_fem.network.microphone import noise_density as own_noise_density, noise_density_behind_vent
 from acoustic_fem.quantities.checks import in_range, positive
 from acoustic_fem.quantities.medium import Medium
-from geometry.refusal import Refusal, counted
+from geometry.ground.refusal import Refusal, counted
 
 #: J/K, exact (SI 2019).
 BOLTZMANN = 1.380649e-23

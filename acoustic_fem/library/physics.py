@@ -12,7 +12,7 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from acoustic_fem.library.result import MEASURED, Library
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 
 #: Part of the size of impedances by which resistances may be negative, and impedances unequal, from rounding: cells
 #: in 3-D are symmetric and passive to 1e-9.

@@ -17,8 +17,8 @@ from acoustic_fem.library.touch import touch_flow, touch_response
 from acoustic_fem.quantities.local_air import LocalAir, design_air
 from acoustic_fem.quantities.medium import Medium
 from geometry.design.array_design import ArrayDesign
+from geometry.ground.refusal import Refusal
 from geometry.layout.placement import point_places
-from geometry.refusal import Refusal
 
 #: What stands in place of a fidelity in a library made from recordings (:mod:`acoustic_fem.calibration`).
 MEASURED = "measured"

@@ -16,7 +16,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any, TypeVar
 
-from geometry.files.ordinary import library_reads, ordinary_file
+from geometry.ground.file_checks import library_reads, ordinary_file
 
 _MARK = b"\nacoustic-fem sha256 "
 _LENGTH = len(_MARK) + 64 + 1

@@ -14,7 +14,7 @@ from acoustic_fem.quantities.fidelity import FIDELITIES
 from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.quantities.medium import Medium
 from geometry.design.array_design import ArrayDesign
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 
 
 def solve(

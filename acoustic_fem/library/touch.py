@@ -11,7 +11,7 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from geometry.design.array_design import ArrayDesign
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 
 if TYPE_CHECKING:
     from acoustic_fem.membrane.disc import DiscResponse

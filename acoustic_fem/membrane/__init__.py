@@ -1,6 +1,6 @@
 """The elastic disc.
 
-Stands on: quantities, numerics.
+Stands on: numerics, quantities.
 """
 
 import lazy_loader

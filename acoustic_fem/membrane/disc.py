@@ -15,7 +15,7 @@ from acoustic_fem.membrane.solved_discs import solved_disc
 from acoustic_fem.quantities.checks import in_range, positive
 from acoustic_fem.quantities.units import metres, pascals
 from geometry.design.array_design import ArrayDesign
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 
 #: Radius of the contact patch per radius of the opening, where none is given.
 CONTACT = 0.25

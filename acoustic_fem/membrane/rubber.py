@@ -24,7 +24,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from acoustic_fem.quantities.checks import in_range, positive
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from geometry.stated.materials import Material
 
 

@@ -17,15 +17,16 @@ from acoustic_fem.duct.known_bores import known_port_admittance
 from acoustic_fem.duct.plane_wave import CompliantWall, Line, two_port
 from acoustic_fem.duct.sections import CircularSection
 from acoustic_fem.membrane.disc import KnownDiscs, design_compliance
-from acoustic_fem.network.chain import Array, PointCell, TwoPort, chains_of, join
+from acoustic_fem.network.chain import PointCell, TwoPort, chains_of, join
 from acoustic_fem.network.microphone import load_admittance
 from acoustic_fem.network.yielding import beside_air, sheath_compliance, soft_rubber
 from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.units import metres
 from geometry.air.cells import Cell, CellCatalogue, CellUse
 from geometry.design.array_design import ArrayDesign
+from geometry.ground.refusal import Refusal
+from geometry.ground.typed import ComplexArray
 from geometry.layout.placement import Housings
-from geometry.refusal import Refusal
 from geometry.stated.parts import Tube
 
 #: A tube that is nothing but its two stubs still gets a duct this much of its length, so that its ends
@@ -37,11 +38,11 @@ _SHORTEST_DUCT = 1e-6
 class NetworkResponse:
     """Pressures per unit volume velocity injected at one membrane."""
 
-    source_response: Array
+    source_response: ComplexArray
     """Pressure on the microphones, (n_point, n_microphone, n_freq) complex128, Pa s/m^3."""
-    point_impedance: Array
+    point_impedance: ComplexArray
     """Pressure in the cavity of the same point, (n_point, n_freq) complex128, Pa s/m^3."""
-    microphone_impedance: Array
+    microphone_impedance: ComplexArray
     """Pressure on one microphone per volume velocity injected at the front of another, (n_microphone, n_microphone,
     n_freq) complex128, Pa s/m^3; symmetric. Its real part is the thermal noise.
     """
@@ -51,7 +52,7 @@ def solve_network(
     design: ArrayDesign,
     layout: Housings,
     catalogue: CellCatalogue,
-    admittances: Mapping[Cell, Array],
+    admittances: Mapping[Cell, ComplexArray],
     frequency: NDArray[np.float64],
     medium: Medium,
     known: KnownDiscs | None = None,
@@ -100,8 +101,8 @@ def solve_network(
 def _loaded_cells(
     design: ArrayDesign,
     uses: tuple[CellUse, ...],
-    admittances: Mapping[Cell, Array],
-    beside: Array,
+    admittances: Mapping[Cell, ComplexArray],
+    beside: ComplexArray,
     frequency: NDArray[np.float64],
 ) -> tuple[PointCell, list[int]]:
     """The points' cells that differ, (n, n_freq), with what yields beside their air, and which of them each point has.
@@ -145,11 +146,11 @@ def _line(line: Line, length: float, frequency: NDArray[np.float64], medium: Med
     return _as_two_port(two_port(series, shunt, length))
 
 
-def _as_two_port(nodal: Array) -> TwoPort:
+def _as_two_port(nodal: ComplexArray) -> TwoPort:
     return TwoPort(nodal[:, 0, 0], nodal[:, 0, 1], nodal[:, 1, 1])
 
 
-def _at_place(use: CellUse, admittances: Mapping[Cell, Array], frequency: NDArray[np.float64]) -> Array:
+def _at_place(use: CellUse, admittances: Mapping[Cell, ComplexArray], frequency: NDArray[np.float64]) -> ComplexArray:
     """Nodal admittance of a cell with its ports in the order of the place's tubes."""
     cell = use.cell
     if cell not in admittances:
@@ -166,11 +167,11 @@ def _microphones(
     design: ArrayDesign,
     layout: Housings,
     uses: tuple[CellUse, ...],
-    admittances: Mapping[Cell, Array],
+    admittances: Mapping[Cell, ComplexArray],
     lines: list[TwoPort],
     frequency: NDArray[np.float64],
     medium: Medium,
-) -> tuple[Array, dict[tuple[int, int], int], list[int]]:
+) -> tuple[ComplexArray, dict[tuple[int, int], int], list[int]]:
     """The chambers joined by the condensed lines.
 
     Returns:

@@ -9,17 +9,17 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-Array = NDArray[np.complex128]
+from geometry.ground.typed import ComplexArray
 
 
 class TwoPort(NamedTuple):
     """A reciprocal two-port: volume velocities into its ends per pressure there."""
 
-    first: Array
+    first: ComplexArray
     """Y11, (n_freq,) complex128, m^3/(Pa s)."""
-    transfer: Array
+    transfer: ComplexArray
     """Y12 = Y21, (n_freq,) complex128, m^3/(Pa s)."""
-    last: Array
+    last: ComplexArray
     """Y22, (n_freq,) complex128, m^3/(Pa s)."""
 
 
@@ -40,17 +40,17 @@ class PointCell(NamedTuple):
     Entries of its symmetric nodal admittance, (n, n_freq) complex128, m^3/(Pa s); the membrane is node 3.
     """
 
-    y11: Array
+    y11: ComplexArray
     """Of the tube towards the first microphone, (n, n_freq)."""
-    y12: Array
+    y12: ComplexArray
     """Between the tubes, (n, n_freq)."""
-    y22: Array
+    y22: ComplexArray
     """Of the tube towards the second microphone, (n, n_freq)."""
-    y13: Array
+    y13: ComplexArray
     """Between the first tube and the membrane, (n, n_freq)."""
-    y23: Array
+    y23: ComplexArray
     """Between the second tube and the membrane, (n, n_freq)."""
-    y33: Array
+    y33: ComplexArray
     """Of the membrane, (n, n_freq)."""
 
     def passed(self) -> TwoPort:
@@ -58,7 +58,7 @@ class PointCell(NamedTuple):
         first, last = self.y13 / self.y33, self.y23 / self.y33
         return TwoPort(self.y11 - first * self.y13, self.y12 - first * self.y23, self.y22 - last * self.y23)
 
-    def at_membrane(self, before: Array, after: Array) -> tuple[Array, Array, Array]:
+    def at_membrane(self, before: ComplexArray, after: ComplexArray) -> tuple[ComplexArray, ComplexArray, ComplexArray]:
         """Pressures at the tubes and at the membrane per volume velocity injected there.
 
         Args:
@@ -84,11 +84,11 @@ class Chain:
 
     whole: TwoPort
     """The line as a two-port, (n_freq,)."""
-    own: Array
+    own: ComplexArray
     """Impedance at each membrane while both ends of the line are held at zero pressure, (n_point, n_freq) complex128,
     Pa s/m^3.
     """
-    share: tuple[Array, Array]
+    share: tuple[ComplexArray, ComplexArray]
     """Cavity pressure per pressure at the first end of the line and at the second, (n_point, n_freq) complex128 each.
 
     By reciprocity also the volume velocity out of that end, held at zero, per volume velocity injected.

@@ -24,7 +24,7 @@ import scipy.sparse as sp
 import scipy.sparse.linalg as spla
 from numpy.typing import NDArray
 
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 
 #: A solution whose relative residual is larger is refused, never returned.
 RESIDUAL_LIMIT = 1e-8

@@ -20,7 +20,7 @@ import scipy.sparse as sp
 from numpy.typing import NDArray
 
 from acoustic_fem.numerics.linear_solver import SymmetricSolver
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 
 #: Frequency (n_freq,) in Hz -> coefficients (n_freq, n_term) complex. They are analytic functions of s = j 2 pi f,
 #: real where s is real and positive, and are asked for there as well, at f = -j s / (2 pi).

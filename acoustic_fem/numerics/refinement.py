@@ -10,7 +10,7 @@ from typing import TypeVar
 
 import numpy as np
 
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 
 #: What is solved on a mesh.
 Solution = TypeVar("Solution")

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from geometry.refusal import Refusal, counted
+from geometry.ground.refusal import Refusal, counted
 
 _BAND = (1e-3, 2e3)
 """Lowest and highest frequency of a grid, Hz."""

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from acoustic_fem.quantities.checks import in_range
 from acoustic_fem.quantities.medium import Medium
 from geometry.design.array_design import ArrayDesign
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 
 #: m, between which :func:`standard_pressure` stays within what :class:`acoustic_fem.Medium` takes.
 ALTITUDES = (-1000.0, 5500.0)

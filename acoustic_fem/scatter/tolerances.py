@@ -14,17 +14,16 @@ from pathlib import Path
 from typing import Literal, get_args
 
 import numpy as np
-from numpy.typing import NDArray
 
 from acoustic_fem.batch.parameters import ArrayParameters
 from acoustic_fem.batch.topology import Topology
 from acoustic_fem.membrane.disc import DiscOptions, DiscSolution, KnownDiscs, design_rubber, solve_disc
 from acoustic_fem.quantities.units import metres, pascals
 from geometry.design.array_design import ArrayDesign
-from geometry.files.reading import read_toml
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
+from geometry.ground.text_files import read_toml
+from geometry.ground.typed import Array
 
-Array = NDArray[np.float64]
 Kind = Literal["absolute", "relative"]
 
 #: What can scatter, and the part it belongs to.

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from geometry.ground.typed import Array
 
 #: Consecutive equal samples at an extreme that may be a flat top.
 FLAT = 8

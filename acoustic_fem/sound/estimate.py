@@ -20,9 +20,9 @@ from typing import Literal, get_args
 import numpy as np
 from numpy.typing import NDArray
 
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
+from geometry.ground.typed import Array
 
-Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 #: Estimator of a transfer function: noise in the output, in the input, or in both.
 Estimator = Literal["H1", "H2", "Hv"]

@@ -18,8 +18,8 @@ from typing import Self
 import numpy as np
 from numpy.typing import NDArray
 
-from geometry.files.writing import writing
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
+from geometry.ground.whole_files import writing
 
 LARGEST = 2**31
 """Bytes of samples in a file; WAV can state twice that, and many readers no more than this."""

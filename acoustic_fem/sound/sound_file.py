@@ -14,12 +14,11 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from geometry.files.arrays import read_mat, read_npz
-from geometry.files.ordinary import LARGEST_DATA, MOST_NUMBERS, library_reads, ordinary_file
-from geometry.files.tables import read_csv
-from geometry.refusal import Refusal, counted
-
-Array = NDArray[np.float64]
+from geometry.ground.array_files import read_mat, read_npz
+from geometry.ground.csv_files import read_csv
+from geometry.ground.file_checks import LARGEST_DATA, MOST_NUMBERS, library_reads, ordinary_file
+from geometry.ground.refusal import Refusal, counted
+from geometry.ground.typed import Array
 
 FORMATS = (".wav", ".csv", ".npz", ".mat")
 #: What a file may hold beside its channels.
@@ -119,7 +118,7 @@ def write_wav(path: str | os.PathLike[str], samples: Array, rate: int, bits: int
     """
     import scipy.io.wavfile
 
-    from geometry.files.writing import whole_file
+    from geometry.ground.whole_files import whole_file
 
     if bits not in (16, 24, 32):
         raise Refusal(f"bits = {bits} must be 16, 24 or 32")

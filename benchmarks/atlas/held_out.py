@@ -18,8 +18,8 @@ from acoustic_fem.quantities.local_air import design_air
 from benchmarks.atlas.fitting import BOUNDS
 from geometry import ArrayDesign
 from geometry.air.cells import cell_catalogue
+from geometry.ground.refusal import Refusal
 from geometry.layout.arrangement import lay_out
-from geometry.refusal import Refusal
 
 FIRST_SEED = 2600
 COUNT = 40

@@ -1,6 +1,6 @@
 """The air of the distinct cells: catalogue, solid, mesh (the only place that knows gmsh).
 
-Stands on: design, layout, stated.
+Stands on: design, ground, layout, stated.
 """
 
 import lazy_loader

@@ -10,7 +10,7 @@ from multiprocessing import Pipe
 from multiprocessing.connection import Connection
 from typing import NoReturn, TypeVar
 
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 
 Result = TypeVar("Result")
 

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from geometry.refusal import Refusal, counted
+from geometry.ground.refusal import Refusal, counted
 
 if TYPE_CHECKING:
     import cadquery

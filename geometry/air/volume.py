@@ -8,7 +8,7 @@ from itertools import combinations
 from typing import TYPE_CHECKING
 
 from geometry.air.cells import Cell
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from geometry.stated.cavity_shapes import draw_cavity, separation
 from geometry.stated.ports import CellPort
 

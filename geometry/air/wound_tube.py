@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from geometry.air.curved_tetrahedra import EDGES
 from geometry.air.mesh import WALL, SolidMesh, checked_mesh
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 
 #: Names of the ends of a swept mesh.
 FIRST, LAST = "first", "last"

@@ -1,6 +1,6 @@
 """All parts of an array: which, how many, where; bill and fit.
 
-Stands on: design, files, layout, molds, plan, stated, solids.
+Stands on: design, ground, layout, molds, plan, solids, stated.
 """
 
 import lazy_loader

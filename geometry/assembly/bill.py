@@ -17,11 +17,11 @@ from typing import TYPE_CHECKING, Literal, get_args
 
 from geometry.assembly.parts import PartSet, build_parts
 from geometry.design.array_design import ArrayDesign
-from geometry.files.writing import write_text
+from geometry.ground.refusal import Refusal
+from geometry.ground.whole_files import write_text
 from geometry.layout.cutting import Cut, cutting_list
 from geometry.layout.placement import ArrayLayout
 from geometry.molds.mold import MoldKind
-from geometry.refusal import Refusal
 from geometry.stated.parts import BOARD_SEAL
 
 if TYPE_CHECKING:

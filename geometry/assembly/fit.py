@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from geometry.assembly.model import ArrayModel, plane_of
 from geometry.assembly.parts import Kind, PlacedPart
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from geometry.stated.ports import ANGLE_STEP
 
 if TYPE_CHECKING:

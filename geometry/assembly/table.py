@@ -12,7 +12,7 @@ from pathlib import Path
 from geometry.assembly.model import ArrayModel
 from geometry.assembly.parts import place_parts
 from geometry.design.array_design import ArrayDesign
-from geometry.files.writing import write_text
+from geometry.ground.whole_files import write_text
 from geometry.layout.arrangement import lay_out
 from geometry.layout.cutting import cut_lengths
 from geometry.layout.placement import TubePlacement

@@ -1,6 +1,6 @@
 """The checked design: rules between fields, changed copies, TOML in and out.
 
-Stands on: files, plan, stated.
+Stands on: ground, plan, stated.
 """
 
 import lazy_loader

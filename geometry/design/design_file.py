@@ -19,9 +19,8 @@ from tomlkit.items import AbstractTable, Item
 import geometry
 from geometry.design.array_design import ArrayDesign, validated
 from geometry.design.changes import as_lists, keys_of
-from geometry.files.reading import parse_toml, read_text
-from geometry.files.replacing import check_own_kind
-from geometry.files.writing import write_text
+from geometry.ground.text_files import parse_toml, read_text
+from geometry.ground.whole_files import check_own_kind, write_text
 from geometry.stated.array import StatedArray
 from geometry.stated.declared import fields_of
 from geometry.stated.fields import DesignError, UnknownField, nearest

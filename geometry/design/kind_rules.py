@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from geometry.refusal import counted
+from geometry.ground.refusal import counted
 from geometry.stated.fields import nearest
 
 if TYPE_CHECKING:

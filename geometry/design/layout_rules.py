@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from geometry.ground.refusal import Refusal
 from geometry.plan import area, cylinder, hand, ring
-from geometry.refusal import Refusal
 
 if TYPE_CHECKING:
     from geometry.stated.array import StatedArray

@@ -11,7 +11,7 @@ from geometry.design import shell_rules
 from geometry.design.kind_rules import kind_rules, pattern_rules
 from geometry.design.layout_rules import area_rules, cylinder_rules, hand_rules, plane_rules
 from geometry.design.tube_rules import microphone_socket_rules, socket_rules, tube_rules
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from geometry.stated.materials import MATERIALS
 from geometry.stated.parts import SOCKET_COVER
 from geometry.stated.print_processes import process_of

@@ -6,8 +6,8 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from geometry.ground.refusal import counted
 from geometry.plan import area, hand, ring
-from geometry.refusal import counted
 from geometry.stated.parts import SOCKET_COVER, STUB_LENGTH_IN_RADII
 
 if TYPE_CHECKING:

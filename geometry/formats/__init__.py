@@ -1,6 +1,6 @@
 """STL, STEP, 3MF: written, read back, compared.
 
-Stands on: assembly, files, solids.
+Stands on: assembly, ground, solids.
 """
 
 import lazy_loader

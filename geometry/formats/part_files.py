@@ -14,10 +14,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from geometry.assembly.parts import part_set
-from geometry.files.writing import whole_file
 from geometry.formats.names import FORMATS
 from geometry.formats.three_mf import Body, read_3mf, write_3mf
-from geometry.refusal import Refusal, counted
+from geometry.ground.refusal import Refusal, counted
+from geometry.ground.whole_files import whole_file
 
 if TYPE_CHECKING:
     import cadquery as cq

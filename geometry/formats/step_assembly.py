@@ -7,8 +7,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from geometry.assembly.model import ArrayModel, assembly_of, component_name
-from geometry.files.writing import whole_file
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
+from geometry.ground.whole_files import whole_file
 
 if TYPE_CHECKING:
     from OCP.TDF import TDF_Label

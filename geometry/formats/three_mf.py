@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 
 if TYPE_CHECKING:
     import trimesh

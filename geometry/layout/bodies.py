@@ -7,16 +7,14 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from geometry.design.array_design import ArrayDesign
 from geometry.design.shell_rules import FOOT_EDGE, ledge_height, seat_underside
+from geometry.ground.typed import Array
 from geometry.layout.placement import ArrayLayout, MicrophonePlacement, PointPlacement, microphone_ports, point_ports
 from geometry.plan.cylinder import Frame
 from geometry.plan.routing import unit
 from geometry.stated.ports import ANGLE_STEP, foot_directions, in_common_rotation
-
-Array = NDArray[np.float64]
 
 #: Directions that are tried for a plane between two bodies; what is then not parted is said to overlap.
 _TRIES = 200

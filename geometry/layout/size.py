@@ -5,18 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
 from geometry.design.array_design import ArrayDesign
 from geometry.design.shell_rules import FOOT_EDGE, ledge_height, membrane_top
+from geometry.ground.typed import Array
 from geometry.layout.arrangement import lay_out
 from geometry.layout.placement import ArrayLayout, MicrophonePlacement, TubePlacement, microphone_ports, point_ports
 from geometry.layout.straight_rows import is_wide_apart, straight_size
 from geometry.plan.cylinder import Frame
 from geometry.plan.routing import unit
 from geometry.stated.ports import ANGLE_STEP, foot_directions, in_common_rotation
-
-Array = NDArray[np.float64]
 
 
 def array_size(design: ArrayDesign, layout: ArrayLayout | None = None) -> tuple[float, float, float]:

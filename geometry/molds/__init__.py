@@ -1,6 +1,6 @@
 """The mold in which membranes are cast.
 
-Stands on: design, stated, solids.
+Stands on: design, solids, stated.
 """
 
 import lazy_loader

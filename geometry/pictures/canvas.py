@@ -10,9 +10,9 @@ import numpy as np
 import pyvista as pv
 from numpy.typing import NDArray
 
-from geometry.files.writing import whole_file
+from geometry.ground.missing_packages import load_before_renderer
+from geometry.ground.whole_files import whole_file
 from geometry.solids.measure import tessellate
-from geometry.system.loading import load_before_renderer
 
 #: Facets for the eye: within this distance (mm) and angle (rad).
 _DEVIATION, _FACET_ANGLE = 0.05, 0.2

@@ -13,8 +13,8 @@ import numpy as np
 from geometry.assembly.model import LOOKS, ArrayModel, Kind, array_model
 from geometry.assembly.table import assembly_steps, assembly_text
 from geometry.design.array_design import ArrayDesign
-from geometry.files.writing import whole_file
-from geometry.refusal import counted
+from geometry.ground.refusal import counted
+from geometry.ground.whole_files import whole_file
 
 if TYPE_CHECKING:
     import trimesh

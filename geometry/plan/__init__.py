@@ -1,6 +1,6 @@
 """Where points could lie in plan, from lengths alone: ring, area, hand, cylinder, routes, wiring counts.
 
-Stands on: stated.
+Stands on: ground, stated.
 """
 
 import lazy_loader

@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from geometry.ground.refusal import Refusal
 from geometry.plan.crossing import zero_crossing
-from geometry.refusal import Refusal
 
 if TYPE_CHECKING:
     from geometry.stated.array import StatedArray

@@ -9,8 +9,8 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
+from geometry.ground.refusal import Refusal
 from geometry.plan.crossing import zero_crossing
-from geometry.refusal import Refusal
 
 #: Chords per arc; the polyline of a half circle is then shorter than the arc by 1e-4.
 _CHORDS = 64

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from geometry.refusal import Refusal, counted
+from geometry.ground.refusal import Refusal, counted
 
 
 @dataclass(frozen=True)

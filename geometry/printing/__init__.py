@@ -1,6 +1,6 @@
 """Can it be printed: measures, rules, pose, plates, report.
 
-Stands on: assembly, design, files, formats, stated, solids.
+Stands on: assembly, design, formats, ground, solids, stated.
 """
 
 import lazy_loader

@@ -12,11 +12,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from geometry.assembly.parts import part_set
-from geometry.files.writing import whole_file
 from geometry.formats.part_files import SharedShape, tessellate_distinct
 from geometry.formats.three_mf import Body, write_3mf
+from geometry.ground.refusal import Refusal
+from geometry.ground.whole_files import whole_file
 from geometry.printing.pose import Pose, find_pose
-from geometry.refusal import Refusal
 from geometry.stated.print_processes import PrintProcess
 
 if TYPE_CHECKING:

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING
 
 from geometry.assembly.parts import Kind, part_set
 from geometry.formats.part_files import SharedShape, tessellation_tolerance
+from geometry.ground.refusal import Refusal
 from geometry.printing.rules import Finding, judge_cast, judge_printed, judge_shims
 from geometry.printing.tolerance import USUAL_TOLERANCE, AcousticEffect, acoustic_effects
-from geometry.refusal import Refusal
 from geometry.stated.print_processes import PrintProcess, Verdict, find_process, process_of
 
 if TYPE_CHECKING:

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import geometry
-from geometry.files.writing import write_text
+from geometry.ground.whole_files import write_text
 from geometry.stated.print_processes import NUMBERS, RULES, Rule
 
 if TYPE_CHECKING:

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from functools import partial
 
 from geometry.design.array_design import ArrayDesign
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 
 #: What small printed lengths are commonly true to, mm: told for every process, so that designs compare.
 USUAL_TOLERANCE = 0.05

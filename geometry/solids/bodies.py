@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import cadquery as cq
 
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from geometry.solids.measure import pinched_edges
 
 

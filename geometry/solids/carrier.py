@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import cadquery as cq
 
 from geometry.design.array_design import ArrayDesign
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from geometry.solids.bodies import one_solid
 from geometry.solids.shell import build_shell
 from geometry.stated.making import Printing

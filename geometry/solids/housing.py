@@ -8,7 +8,7 @@ from itertools import combinations
 import cadquery as cq
 
 from geometry.design.shell_rules import seat_underside
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from geometry.solids.bodies import cylinder, one_solid
 from geometry.solids.shell import cut_ports, refuse_thin_web
 from geometry.stated.making import Printing

@@ -19,7 +19,7 @@ from OCP.TopExp import TopExp
 from OCP.TopLoc import TopLoc_Location
 from OCP.TopTools import TopTools_IndexedDataMapOfShapeListOfShape
 
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 
 #: Largest angle between neighbouring facets, rad: a round body of such facets lacks angle^2 / 6 = 0.05 % of volume.
 FACET_ANGLE = 0.055

@@ -8,8 +8,8 @@ from itertools import combinations
 import cadquery as cq
 
 from geometry.design.shell_rules import cavity_problems, feature_problems, ledge_height
+from geometry.ground.refusal import Refusal, counted
 from geometry.plan.routing import unit
-from geometry.refusal import Refusal, counted
 from geometry.solids.bodies import cylinder, one_solid
 from geometry.solids.shell_features import add_feet, add_label, cut_groove
 from geometry.stated.cavity_shapes import draw_cavity, wall_distance

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import cadquery as cq
 
 from geometry.design.shell_rules import FOOT_EDGE
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from geometry.solids.letters import SPACE, WIDTH, strokes
 from geometry.stated.parts import Shell
 from geometry.stated.ports import foot_directions, largest_gap

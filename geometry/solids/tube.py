@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from geometry.ground.refusal import Refusal
 from geometry.plan.routing import path_length, tightest_bend, trimmed
-from geometry.refusal import Refusal
 from geometry.stated.parts import Tube
 
 if TYPE_CHECKING:

@@ -1,6 +1,6 @@
 """What a design file states: sections, fields, units, ranges; materials, processes and cavity shapes as data.
 
-Stands on: files.
+Stands on: ground.
 """
 
 import lazy_loader

@@ -10,7 +10,7 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 
 if TYPE_CHECKING:
     import cadquery

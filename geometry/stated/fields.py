@@ -11,7 +11,7 @@ from pydantic import BaseModel, ConfigDict, Field, TypeAdapter, ValidationError
 from pydantic.fields import FieldInfo
 from pydantic_core import ErrorDetails, PydanticUndefined
 
-from geometry.refusal import Refusal, counted, in_one_line
+from geometry.ground.refusal import Refusal, counted, in_one_line
 from geometry.stated.declared import DesignField, declared_field, section_of
 
 _Stated = TypeVar("_Stated", bound=BaseModel)

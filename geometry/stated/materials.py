@@ -7,7 +7,7 @@ from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
 
-from geometry.refusal import Refusal, counted
+from geometry.ground.refusal import Refusal, counted
 from geometry.stated.fields import Number, Section
 
 #: Frequency of a modulus that comes from a hardness or from another static test, Hz. A rubber's hardness is read one

@@ -8,7 +8,7 @@ from typing import Any, Literal
 
 from pydantic import Field, model_validator
 
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from geometry.stated.cavity_shapes import USUAL_BOX, Box, Dome
 from geometry.stated.fields import Count, Millimetre, Number, Section
 

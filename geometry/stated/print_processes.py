@@ -9,8 +9,8 @@ from dataclasses import dataclass, fields, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
-from geometry.files.reading import read_toml
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
+from geometry.ground.text_files import read_toml
 
 if TYPE_CHECKING:
     from geometry.stated.making import Printing

@@ -12,15 +12,15 @@ import math
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from acoustic_fem.quantities.checks import in_range, numbers
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
+from geometry.ground.typed import Array
 from localize.contacts.contact import Contact
 from localize.contacts.draws import Draws
 from localize.signals.random_streams import Kind, Purpose
 
-Array = NDArray[np.float64]
 Place = tuple[float, float]
 
 RATE = 1000.0

@@ -13,10 +13,10 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 from acoustic_fem.quantities.checks import in_range, numbers
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
+from geometry.ground.typed import Array
 from localize.contacts.radii import RADII
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.random_streams import Purpose, random_words, uniform
@@ -24,7 +24,6 @@ from localize.signals.random_streams import Purpose, random_words, uniform
 if TYPE_CHECKING:
     from acoustic_fem import Library
 
-Array = NDArray[np.float64]
 
 GRAIN = (0.25, 4.0)
 """Shortest and longest wave of a rough contact along its path, mm: about half and eight times the ridges of a finger,

@@ -6,15 +6,13 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from acoustic_fem.quantities.checks import in_range
+from geometry.ground.typed import Array
 from localize.contacts.bodies import FINGER, QUIET, Place, Tool, held, still, stroke, times
 from localize.contacts.contact import Contact
 from localize.contacts.draws import Draws
 from localize.signals.random_streams import Purpose
-
-Array = NDArray[np.float64]
 
 TAP_SECONDS = (0.01, 0.1)
 """Shortest and longest tap, s."""

@@ -18,7 +18,8 @@ import torch
 from numpy.typing import NDArray
 
 from acoustic_fem.quantities.checks import in_range
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
+from geometry.ground.typed import Array
 from localize.contacts.contact import Contact, covered_force, surface_of
 from localize.signals.array_response import ArrayResponse, interpolated, interpolated_from_zero, response_of
 from localize.signals.finger_stimuli import top_faded
@@ -38,7 +39,6 @@ from localize.signals.touch_generator import TouchGenerator
 if TYPE_CHECKING:
     from acoustic_fem import Library
 
-Array = NDArray[np.float64]
 
 RATES = (250.0, 1e5)
 """Lowest and highest sample rate, Hz."""

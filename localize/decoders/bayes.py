@@ -23,7 +23,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from localize.decoders.frame_covariance import SAMPLES, check_level, check_noise, joint_whitening, touch_covariances
 from localize.decoders.likelihood import (
     CHUNK,

@@ -22,7 +22,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.special import logsumexp
 
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from localize.decoders.bayes import Ambient, BayesDecoder
 from localize.decoders.frame_covariance import SAMPLES, touch_covariances
 from localize.decoders.likelihood import CHUNK

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.special import logsumexp, softmax
 
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from localize.decoders.bayes import BayesDecoder
 from localize.signals.array_response import ArrayResponse
 from localize.signals.frames import checked_signals

@@ -16,7 +16,7 @@ import scipy.linalg
 import scipy.signal
 from numpy.typing import NDArray
 
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from localize.signals.array_response import ArrayResponse, interpolation
 from localize.signals.disturbances import LOWEST_SOUND, MAINS, REFERENCE
 from localize.signals.frames import FRAME

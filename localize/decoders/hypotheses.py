@@ -23,7 +23,7 @@ from scipy.cluster.vq import kmeans2
 from scipy.interpolate import CubicSpline, make_interp_spline
 
 from acoustic_fem.scatter.made_sensors import scatter_factors
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from localize.decoders.frame_covariance import DEVIATING, SOURCE_RMS, SourceDensity, source_density, touch_covariances
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.stimulus import BAND, SAMPLE_RATE

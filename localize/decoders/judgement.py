@@ -17,7 +17,7 @@ import numpy as np
 import scipy.stats
 from numpy.typing import ArrayLike, NDArray
 
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from localize.decoders.bayes import BayesDecoder
 from localize.decoders.frame_covariance import (
     ambient_covariance,

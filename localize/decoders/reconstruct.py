@@ -24,7 +24,7 @@ import scipy.linalg
 import scipy.signal
 from numpy.typing import ArrayLike, NDArray
 
-from geometry.refusal import Refusal, counted
+from geometry.ground.refusal import Refusal, counted
 from localize.decoders.frame_covariance import SOURCE_RMS, check_noise, noise_covariance, source_density
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.frames import checked_signals

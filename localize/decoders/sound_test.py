@@ -15,7 +15,7 @@ import numpy as np
 import scipy.special
 from numpy.typing import ArrayLike, NDArray
 
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from localize.decoders.frame_covariance import ambient_covariance, check_level, check_noise, low_pass, whitening
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.frames import checked_signals, cut_frames

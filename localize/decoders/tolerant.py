@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acoustic_fem.scatter.tolerances import UNCALIBRATED, UnknownScatterError
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from localize.decoders.bayes import Ambient, BayesDecoder, air_of
 from localize.decoders.deviations import DeviatingTables
 from localize.decoders.frame_covariance import SAMPLES, touch_covariances

@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from localize.decoders.frame_covariance import check_noise, low_pass, touch_covariances, whitening
 from localize.decoders.hypotheses import made_covariances
 from localize.decoders.likelihood import CHUNK, POWERS, vertex

@@ -10,7 +10,7 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from localize.decoders.frame_covariance import SAMPLES
 from localize.embedded.reflections import BLOCK
 from localize.embedded.source import POWER_COUNT, named_points, table_bytes

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from geometry.ground.typed import Array
 
 BLOCK = 4
 """Number of reflections that are done at once."""

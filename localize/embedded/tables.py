@@ -18,7 +18,8 @@ import numpy as np
 import scipy.signal
 from numpy.typing import NDArray
 
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
+from geometry.ground.typed import Array
 from localize.decoders.bayes import POWERS, TEMPERATURE, WEAKEST, share_of
 from localize.decoders.frame_covariance import (
     CUTOFF,
@@ -40,7 +41,6 @@ from localize.signals.stimulus import SAMPLE_RATE
 if TYPE_CHECKING:
     from acoustic_fem import Library
 
-Array = NDArray[np.float64]
 Single = NDArray[np.float32]
 #: Precision of the tables of a decoder in C.
 Precision = Literal["float32", "int16"]

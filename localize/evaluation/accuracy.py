@@ -11,7 +11,7 @@ import numpy as np
 import scipy.stats
 from numpy.typing import ArrayLike, NDArray
 
-from geometry.refusal import Refusal, counted
+from geometry.ground.refusal import Refusal, counted
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.frames import FRAME
 from localize.signals.noise import NoiseChoice, NoiseSpectrum

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from localize.decoders.bayes import BayesDecoder
 from localize.decoders.tolerant import TolerantDecoder
 from localize.live.events import Decision

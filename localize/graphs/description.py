@@ -16,7 +16,7 @@ from typing import Annotated, Any, Literal, Self, TypeVar
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
 
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from localize.signals.frames import FRAME
 from localize.signals.stimulus import SAMPLE_RATE
 

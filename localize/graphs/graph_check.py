@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from geometry.refusal import Refusal, said_by
+from geometry.ground.refusal import Refusal, said_by
 from localize.signals.frames import FRAME
 
 if TYPE_CHECKING:

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from geometry.files.ordinary import library_reads, read_bytes
-from geometry.files.reading import parse_json
-from geometry.refusal import Refusal
+from geometry.ground.file_checks import library_reads, read_bytes
+from geometry.ground.refusal import Refusal
+from geometry.ground.text_files import parse_json
 from localize.graphs.description import (
     LARGEST_MODEL,
     GraphDescription,

@@ -18,10 +18,10 @@ from typing import Any
 import torch
 from torch import Tensor, nn
 
-from geometry.files.ordinary import library_reads, read_bytes
-from geometry.files.reading import parse_json
-from geometry.files.writing import whole_file
-from geometry.refusal import Refusal
+from geometry.ground.file_checks import library_reads, read_bytes
+from geometry.ground.refusal import Refusal
+from geometry.ground.text_files import parse_json
+from geometry.ground.whole_files import whole_file
 from localize.graphs.description import LARGEST_MODEL, described, is_sealed, sealed
 from localize.learned.description import TrainingState
 from localize.signals.touch_generator import TouchGenerator

@@ -18,7 +18,7 @@ from typing import Any
 import torch
 from torch import Tensor, nn
 
-from geometry.refusal import Refusal, counted
+from geometry.ground.refusal import Refusal, counted
 from localize.layers.gradients import Layer, Stages, block, merging, normalisation, patches_of_maps
 from localize.layers.partial_block import PARTIAL, PartialBlock, PatchConvolution
 from localize.learned.features import COLUMNS, FREQUENCIES, FeatureChoice, PairFeatures

@@ -13,10 +13,10 @@ import torch
 from pydantic import ConfigDict, Field, create_model, model_validator
 from torch import Tensor
 
-from geometry.files.ordinary import library_reads, read_bytes
-from geometry.files.reading import parse_json
-from geometry.files.writing import whole_file, write_text
-from geometry.refusal import Refusal
+from geometry.ground.file_checks import library_reads, read_bytes
+from geometry.ground.refusal import Refusal
+from geometry.ground.text_files import parse_json
+from geometry.ground.whole_files import whole_file, write_text
 from localize.graphs.description import (
     LARGEST_DESCRIPTION,
     LARGEST_MODEL,

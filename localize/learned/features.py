@@ -31,7 +31,7 @@ import torch
 from numpy.typing import NDArray
 from torch import Tensor, nn
 
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from localize.signals.frames import FRAME
 from localize.signals.stimulus import BAND, SAMPLE_RATE
 

@@ -26,8 +26,8 @@ import torch
 from torch import Tensor, nn
 
 from acoustic_fem.library.provenance import versions
-from geometry.files.writing import whole_file
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
+from geometry.ground.whole_files import whole_file
 from localize.decoders.bayes import BayesDecoder
 from localize.decoders.drift import DriftDecoder
 from localize.decoders.likelihood import SCREEN_ERROR, SURE, TEMPERATURE, DecoderTables

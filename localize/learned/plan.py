@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal
 
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 
 if TYPE_CHECKING:
     from localize.learned.features import FeatureChoice

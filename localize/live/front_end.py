@@ -20,13 +20,12 @@ import numpy as np
 import scipy.signal
 from numpy.typing import NDArray
 
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
+from geometry.ground.typed import Array
 from localize.live.events import HOP
 from localize.signals.disturbances import MAINS
 from localize.signals.frames import FRAME
 from localize.signals.stimulus import SAMPLE_RATE
-
-Array = NDArray[np.float64]
 
 HIGH_PASS = 3.0
 """Corner of the high-pass, Hz: the lowest at which what is left of a touch soon is below its noise."""

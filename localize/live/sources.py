@@ -19,11 +19,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acoustic_fem.sound.sound_file import read_wav
-from geometry.files.ordinary import MOST_NUMBERS
-from geometry.refusal import Refusal
+from geometry.ground.file_checks import MOST_NUMBERS
+from geometry.ground.refusal import Refusal
+from geometry.ground.typed import Array
 from localize.recordings.recording import HIGHEST_RATE, LOWEST_RATE, check_length
-
-Array = NDArray[np.float64]
 
 BLOCK = 0.004
 """Length of the blocks in which a source hands on its samples, s."""

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from localize.live.events import HOP, Decision, Fault, FaultKind
 from localize.live.front_end import WEAK, HighPass, Hum, Listening, NoiseFloor
 from localize.live.spare import Judges, JudgesOfTheRest, Spare, StreamLocator

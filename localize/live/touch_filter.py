@@ -14,7 +14,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 
 
 class TouchFilter:

@@ -26,6 +26,7 @@ import scipy.signal
 from numpy.typing import NDArray
 from scipy.special import logsumexp
 
+from geometry.ground.typed import Array
 from localize.decoders.frame_covariance import low_pass, sampled_waves, source_density, whitening
 from localize.decoders.likelihood import POWERS, TEMPERATURE
 from localize.live.front_end import high_pass_sections
@@ -33,7 +34,6 @@ from localize.signals.array_response import interpolation
 from localize.signals.stimulus import BAND, SAMPLE_RATE
 from localize.signals.threads import one_thread
 
-Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
 STEP = 1.0

@@ -17,7 +17,6 @@ from numpy.typing import NDArray
 from acoustic_fem.calibration.fitted_model import Posterior
 from localize.recalibration.marginal_likelihood import MarginalLikelihood
 
-Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
 NEEDED = (

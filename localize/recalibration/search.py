@@ -18,10 +18,9 @@ import torch
 from numpy.typing import NDArray
 
 from acoustic_fem.calibration.fitted_model import UpdatedModel
+from geometry.ground.typed import Array
 from localize.recalibration.marginal_likelihood import MarginalLikelihood
 from localize.signals.threads import one_thread
-
-Array = NDArray[np.float64]
 
 DISTINCT = 0.02
 """Share of the frames that two sensors must name differently to be two."""

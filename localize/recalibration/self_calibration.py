@@ -19,7 +19,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from acoustic_fem.calibration.fitted_model import Posterior, Priors, UpdatedModel
 from acoustic_fem.library.result import Library, described, measured_library
-from geometry.refusal import Refusal, counted
+from geometry.ground.refusal import Refusal, counted
+from geometry.ground.typed import Array
 from localize.decoders.judgement import ResidualTest
 from localize.live.front_end import Listening
 from localize.recalibration.marginal_likelihood import MarginalLikelihood
@@ -30,7 +31,6 @@ from localize.signals.frames import FRAME, checked_signals
 from localize.signals.stimulus import SAMPLE_RATE
 from localize.signals.threads import one_thread
 
-Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
 FEWEST = 100

@@ -10,14 +10,13 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 import numpy as np
-from numpy.typing import NDArray
 
+from geometry.ground.typed import Array
 from localize.contacts.bodies import FINGER
 from localize.contacts.gestures import DOUBLE_TAP_SECONDS, HOLD_SECONDS, PRESS_SECONDS, TAP_SECONDS, pulse_wave
 from localize.recognition.power_maps import WINDOW
 from localize.signals.stimulus import SAMPLE_RATE
 
-Array = NDArray[np.float64]
 Draw = np.random.Generator
 
 

@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
-from numpy.typing import NDArray
 
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
+from geometry.ground.typed import Array
 from localize.decoders.reconstruct import Reconstructor
 from localize.evaluation.accuracy import Locator
 from localize.live.front_end import HIGH_PASS, HighPass
@@ -35,8 +35,6 @@ from localize.tracking.sliding import straight_slide
 
 if TYPE_CHECKING:
     from acoustic_fem import Library
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from torch import Tensor
 
 from acoustic_fem.library.provenance import versions
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from localize.decoders.reconstruct import Reconstructor
 from localize.learned.checkpoint import Checkpoint
 from localize.learned.classifier import NETWORKS, MapClassifier, NetworkShape

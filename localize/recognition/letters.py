@@ -11,13 +11,12 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
+from geometry.ground.typed import Array
 from localize.contacts import FINGER, Contact, Tool, joined, stroke
 from localize.signals.array_response import ArrayResponse
 from localize.signals.random_streams import PURPOSES, Purpose
 
-Array = NDArray[np.float64]
 Stroke = list[tuple[float, float]]
 
 LETTERS = tuple("ABCDEFGHIJKLMNOPQRSTUVWXYZ")

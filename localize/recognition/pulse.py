@@ -15,9 +15,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 import scipy.signal
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
+from geometry.ground.typed import Array
 from localize.decoders.bayes import BayesDecoder
 from localize.decoders.frame_covariance import INTEGRATION_STEP, SAMPLES, SOURCE_RMS, touch_covariances, whitening
 from localize.decoders.reconstruct import Reconstructor
@@ -30,7 +31,6 @@ from localize.signals.stimulus import BAND, SAMPLE_RATE
 if TYPE_CHECKING:
     from acoustic_fem import Library
 
-Array = NDArray[np.float64]
 
 RATES = (40.0, 160.0)
 """Lowest and highest heart rate that is looked for, beats a minute."""

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from pydantic import Field
 from torch import Tensor
 
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from localize.graphs.description import Digest, Strict, naming
 from localize.learned.classifier import MapClassifier, NetworkShape
 from localize.learned.description import Network, read_model, save_model, with_weights

@@ -10,6 +10,7 @@ import torch
 from numpy.typing import NDArray
 from torch import Tensor
 
+from geometry.ground.typed import Array
 from localize.decoders.reconstruct import Reconstructor
 from localize.learned.features import COLUMNS, FREQUENCIES
 from localize.learned.recorded_frames import touched_frames
@@ -28,8 +29,6 @@ from localize.recordings.touch_manifest import (
 from localize.signals.array_response import ArrayResponse
 from localize.signals.frames import FRAME
 from localize.signals.stimulus import SAMPLE_RATE
-
-Array = NDArray[np.float64]
 
 APART = 0.4
 """Silence from which two touches are two, s: the taps of a double tap lie closer."""

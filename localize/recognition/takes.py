@@ -13,7 +13,8 @@ import torch
 from numpy.typing import NDArray
 from torch import Tensor
 
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
+from geometry.ground.typed import Array
 from localize.decoders.reconstruct import Reconstructor
 from localize.live.front_end import HighPass
 from localize.recognition.events import EVENTS, event_pressure
@@ -27,7 +28,6 @@ from localize.signals.random_streams import PURPOSES, Purpose
 from localize.signals.stimulus import SAMPLE_RATE
 from localize.signals.threads import one_thread
 
-Array = NDArray[np.float64]
 LEAD = FRAME
 """Samples before a window that the filter of the waveform needs."""
 CORNER = 1.0

@@ -10,15 +10,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
+from geometry.ground.typed import Array
 from localize.contacts.contact import hertz_share
 from localize.recognition.events import band_noise
 from localize.recognition.letters import PAD
 from localize.signals.stimulus import SAMPLE_RATE
-
-Array = NDArray[np.float64]
 
 SPEED = 12.0
 """Speed at which textures are told, mm/s: that of the paper, 1.2 cm/s."""

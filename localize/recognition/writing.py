@@ -15,6 +15,7 @@ import torch
 from numpy.typing import NDArray
 from torch import Tensor
 
+from geometry.ground.typed import Array
 from localize.contacts import ContactRecorder
 from localize.contacts.contact import surface_of
 from localize.decoders.bayes import BayesDecoder
@@ -30,8 +31,6 @@ from localize.signals.stimulus import BAND
 from localize.signals.threads import one_thread
 from localize.tracking.footprints import pitch_of
 from localize.tracking.pen import PAD, PenTracker
-
-Array = NDArray[np.float64]
 
 WRITTEN = "letters"
 """Subject of a recognizer of letters."""

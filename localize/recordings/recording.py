@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from acoustic_fem.sound.clipping import clipped_samples
 from acoustic_fem.sound.sound_file import MATRIX, Sound, SoundFileError, read_sound
-from geometry.refusal import Refusal, counted
+from geometry.ground.refusal import Refusal, counted
 from localize.signals.frames import FRAME
 from localize.signals.resampling import at_one_kilohertz, check_full_scale
 from localize.signals.stimulus import SAMPLE_RATE

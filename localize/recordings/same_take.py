@@ -16,10 +16,10 @@ import scipy.fft
 import scipy.signal
 from numpy.typing import NDArray
 
+from geometry.ground.typed import Array
 from localize.signals.frames import FRAME
 from localize.signals.stimulus import SAMPLE_RATE
 
-Array = NDArray[np.float64]
 Single = NDArray[np.float32]
 
 STRETCH = 4000

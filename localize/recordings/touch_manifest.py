@@ -28,9 +28,9 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict, Field
 
-from geometry.files.ordinary import LARGEST_DATA, read_bytes
-from geometry.files.reading import read_toml
-from geometry.refusal import Refusal
+from geometry.ground.file_checks import LARGEST_DATA, read_bytes
+from geometry.ground.refusal import Refusal
+from geometry.ground.text_files import read_toml
 from geometry.stated.fields import model_of
 from localize.recordings.same_take import find_same_take
 from localize.signals.resampling import FULL_SCALES

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
-from geometry.refusal import Refusal, counted
+from geometry.ground.refusal import Refusal, counted
 from localize.signals.noise import NoiseChoice, NoiseSpectrum, microphone_noise
 from localize.signals.stimulus import BAND, SAMPLE_RATE
 

@@ -16,7 +16,7 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from localize.signals.random_streams import Purpose, between, complex_normal, random_words, uniform
 from localize.signals.stimulus import SAMPLE_LENGTH, SAMPLE_RATE, Device
 

@@ -25,7 +25,7 @@ import torch
 from torch import Tensor
 
 from acoustic_fem.quantities.checks import in_range
-from geometry.refusal import Refusal, counted
+from geometry.ground.refusal import Refusal, counted
 from localize.signals.frames import FRAME
 from localize.signals.random_streams import Purpose, between, choice, complex_normal, log_between, random_words, uniform
 from localize.signals.stimulus import (

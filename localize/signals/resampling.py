@@ -10,12 +10,10 @@ from functools import lru_cache
 
 import numpy as np
 import scipy.signal
-from numpy.typing import NDArray
 
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
+from geometry.ground.typed import Array
 from localize.signals.stimulus import SAMPLE_RATE
-
-Array = NDArray[np.float64]
 
 HALF_LENGTH = 10
 """Length of the filter from its middle to its end, samples of the lower rate."""

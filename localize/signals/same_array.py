@@ -8,7 +8,7 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 
 _NOT_OF_THE_ARRAY = ("name", "description", "air", "printing")
 """Fields that may differ: what an array is called, where it is, and how its parts are printed."""

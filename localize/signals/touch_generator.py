@@ -17,7 +17,7 @@ import torch
 from numpy.typing import NDArray
 from torch import Tensor
 
-from geometry.refusal import Refusal, counted
+from geometry.ground.refusal import Refusal, counted
 from localize.signals import disturbances, stimulus
 from localize.signals.array_response import (
     ArrayResponse,

@@ -13,12 +13,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
+from geometry.ground.typed import Array
 from localize.contacts.contact import Contact, covered_force
 from localize.signals.array_response import ArrayResponse
 from localize.signals.stimulus import BAND
-
-Array = NDArray[np.float64]
 
 STEP = 0.1
 """Least distance of two places of a grid, in pitches: at 0.2 half as many taps of a wide finger are named right."""

@@ -11,13 +11,11 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from geometry.ground.typed import Array
 from localize.live.events import Decision, TrackedGesture, TrackedPlace
 from localize.tracking.path import PathTracker, Track
 from localize.tracking.smoothing import HOP_TIME
-
-Array = NDArray[np.float64]
 
 Kind = Literal["tap", "double tap", "hold", "swipe", "circle", "stroke"]
 

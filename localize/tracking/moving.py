@@ -21,6 +21,7 @@ import scipy.linalg
 import scipy.signal
 from numpy.typing import NDArray
 
+from geometry.ground.typed import Array
 from localize.decoders.frame_covariance import (
     DECIMATION,
     SAMPLES,
@@ -40,8 +41,6 @@ from localize.signals.array_response import ArrayResponse, interpolated
 from localize.signals.noise import NoiseChoice
 from localize.signals.stimulus import BAND, SAMPLE_RATE
 from localize.tracking.footprints import Footprints, footprint_response
-
-Array = NDArray[np.float64]
 
 AHEAD = 24
 """Number of decimated samples, 96 ms, over which a footprint is taken to be pressed: of half as many it is heard too

@@ -13,6 +13,7 @@ import numpy as np
 import scipy.ndimage
 from numpy.typing import NDArray
 
+from geometry.ground.typed import Array
 from localize.contacts.radii import MOVING
 from localize.live.events import Decision, TrackedPlace
 from localize.live.front_end import HIGH_PASS
@@ -26,7 +27,6 @@ from localize.tracking.smoothing import HOP_TIME, Cells, smoothed
 if TYPE_CHECKING:
     from acoustic_fem import Library
 
-Array = NDArray[np.float64]
 
 MOST = 100
 """Number of footprints at most, unless points are more: their number makes the time of a frame."""

@@ -19,12 +19,12 @@ import scipy.ndimage
 import scipy.sparse
 from numpy.typing import NDArray
 
+from geometry.ground.typed import Array
 from localize.signals.array_response import ArrayResponse
 from localize.signals.frames import FRAME
 from localize.signals.stimulus import SAMPLE_RATE
 from localize.tracking.footprints import pitch_of, shares_at
 
-Array = NDArray[np.float64]
 Single = NDArray[np.float32]
 
 PAD = 6.5

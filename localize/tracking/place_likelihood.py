@@ -19,6 +19,7 @@ import scipy.fft
 import scipy.linalg
 from numpy.typing import NDArray
 
+from geometry.ground.typed import Array
 from localize.decoders.frame_covariance import (
     HUM,
     INTEGRATION_STEP,
@@ -32,8 +33,6 @@ from localize.signals.frames import FRAME
 from localize.signals.noise import NoiseChoice, NoiseSpectrum
 from localize.signals.stimulus import BAND, SAMPLE_RATE
 from localize.tracking.footprints import footprint_response, pitch_of, shares_at
-
-Array = NDArray[np.float64]
 
 LOWEST = 0.25
 """Lowest frequency of a contact, Hz: fingers come down and stay."""

@@ -12,11 +12,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from geometry.ground.typed import Array
 from localize.tracking.place_likelihood import PlaceLikelihood
-
-Array = NDArray[np.float64]
 
 FIRST = 1e-3
 """Share of a frame's level that is noise in the first stage."""

@@ -13,7 +13,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
+from geometry.ground.typed import Array
 from localize.decoders.bayes import Ambient, BayesDecoder
 from localize.decoders.frame_covariance import SAMPLES, touch_covariances
 from localize.signals.array_response import ArrayResponse, response_of
@@ -29,7 +30,6 @@ if TYPE_CHECKING:
 
     from acoustic_fem import Library
 
-Array = NDArray[np.float64]
 
 RADIUS = 4.0
 """Radius of a contact where none is given, mm: that of a finger that touches lightly."""

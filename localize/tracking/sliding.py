@@ -15,14 +15,13 @@ import numpy as np
 import scipy.optimize
 from numpy.typing import NDArray
 
+from geometry.ground.typed import Array
 from localize.contacts.contact import hertz_share, surface_of
 from localize.live.front_end import HIGH_PASS, HighPass
 from localize.signals.array_response import ArrayResponse
 from localize.signals.frames import FRAME
 from localize.signals.stimulus import SAMPLE_RATE
 from localize.signals.threads import one_thread
-
-Array = NDArray[np.float64]
 
 HOP = 32
 """Samples from frame to frame."""

@@ -12,13 +12,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from geometry.ground.typed import Array
 from localize.live.events import HOP
 from localize.signals.stimulus import SAMPLE_RATE
 from localize.tracking.footprints import Footprints
-
-Array = NDArray[np.float64]
 
 HOP_TIME = HOP / SAMPLE_RATE
 """Time from hop to hop, s."""

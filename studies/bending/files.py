@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from geometry.files.writing import write_text
+from geometry.ground.whole_files import write_text
 from studies.bending.solution import Bending
 from studies.output.figure_style import frequency_panels, save_figure
 from studies.output.folders import write_json

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal, TypeAlias, get_args
 
-from geometry.refusal import Refusal, counted
+from geometry.ground.refusal import Refusal, counted
 
 if TYPE_CHECKING:
     from geometry.air.wound_tube import Winding

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import time
 from dataclasses import dataclass
-from typing import Any, TypeAlias
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -27,10 +27,9 @@ from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.quantities.units import metres
 from geometry.air.wound_tube import Winding
 from geometry.design.design_file import prototype
+from geometry.ground.typed import ComplexArray
 from geometry.stated.parts import Microphone
 from studies.bending.rig import BendingRig, End
-
-Array: TypeAlias = NDArray[np.complex128]
 
 #: Rings of elements in the section of the bore: of the result, and of the mesh twice as coarse beside it.
 FINE, COARSE = 4, 2
@@ -52,11 +51,11 @@ class Bending:
     """Air in the tube."""
     frequency: NDArray[np.float64]
     """Frequencies; (n_freq,) float64, Hz."""
-    transfer_function: Array
+    transfer_function: ComplexArray
     """Pressure at the far end over that at the near end, per angle; (n_angle, n_freq) complex128, Pa/Pa."""
-    straight: Array
+    straight: ComplexArray
     """Pressure at the far end over that at the near end of the straight tube, exact; (n_freq,) complex128, Pa/Pa."""
-    bend_change: Array
+    bend_change: ComplexArray
     """Relative change of the transfer admittance Y12 of the wound part alone; (n_angle, n_freq) complex128."""
     mesh_error: float
     """Share of the differences to the straight tube that the mesh may be wrong by, estimated from a mesh twice as
@@ -81,7 +80,7 @@ class Bending:
         return np.asarray(np.degrees(np.angle(1 + self._relative_change)))
 
     @property
-    def _relative_change(self) -> Array:
+    def _relative_change(self) -> ComplexArray:
         return (self.transfer_function - self.straight) / self.straight
 
     @property
@@ -149,7 +148,7 @@ def solve_bending(
     )
 
 
-def end_load(end: End, microphone: Microphone, frequency: NDArray[np.float64], medium: Medium) -> Array:
+def end_load(end: End, microphone: Microphone, frequency: NDArray[np.float64], medium: Medium) -> ComplexArray:
     """Admittance that closes the far end.
 
     The chamber's compliance and the microphone at one pressure; the entrance losses of the chamber and of the sound
@@ -175,10 +174,10 @@ def transfer(
     rig: BendingRig,
     angle: float,
     bores: dict[float, BentBore],
-    load: Array,
+    load: ComplexArray,
     frequency: NDArray[np.float64],
     medium: Medium,
-) -> Array:
+) -> ComplexArray:
     """Far over near pressure of the tube wound over an angle in its middle.
 
     Args:
@@ -206,7 +205,7 @@ def transfer(
 
 def bend_change(
     rig: BendingRig, angle: float, bores: dict[float, BentBore], frequency: NDArray[np.float64], medium: Medium
-) -> Array:
+) -> ComplexArray:
     """Relative change of the transfer admittance of the wound part alone.
 
     Args:

@@ -20,8 +20,8 @@ from typing import TYPE_CHECKING, Annotated, Any, NoReturn, TextIO
 
 import typer
 
-from geometry.files.writing import FULL
-from geometry.refusal import Refusal, in_one_line
+from geometry.ground.refusal import Refusal, in_one_line
+from geometry.ground.whole_files import FULL
 from studies.cli.options import Verb, in_options
 
 __all__ = ["app", "fail", "main"]
@@ -166,8 +166,8 @@ def _tell(error: Exception) -> None:
         fail(f"{message}; try {error.ctx.command_path if error.ctx else 'acoustic-fem'} --help", 2)
     if not isinstance(error, (ImportError, OSError)):
         return
-    from geometry.system.extras import what_to_install
-    from geometry.system.libraries import what_is_missing
+    from geometry.ground.extras import what_to_install
+    from geometry.ground.system_libraries import what_is_missing
 
     if missing := what_is_missing(str(error)):
         fail(missing)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from acoustic_fem.quantities.fidelity import Fidelity
-from geometry.refusal import counted
+from geometry.ground.refusal import counted
 from studies.cli.options import (
     AIR_OPTIONS,
     Altitude,

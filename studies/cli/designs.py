@@ -9,7 +9,7 @@ import typer
 
 from acoustic_fem.quantities.fidelity import Fidelity
 from geometry.formats.names import FORMATS
-from geometry.refusal import Refusal, counted
+from geometry.ground.refusal import Refusal, counted
 from studies.cli.options import (
     AIR_OPTIONS,
     Altitude,

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Self
 
 import typer
 
-from geometry.refusal import Refusal, counted
+from geometry.ground.refusal import Refusal, counted
 from studies.cli.locating import ArrayLibrary, DecoderAmbient, DecoderNoise, FollowDrift, RefusedShare
 from studies.cli.options import AIR_OPTIONS, Altitude, Pressure, Temperature, named
 from studies.cli.tables import show, table_of

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from geometry.refusal import counted
+from geometry.ground.refusal import counted
 from localize.learned.plan import PLANS, TrainingPlan
 from studies.cli.options import LibraryFile, Noise, defaults_of, display_on_stderr, named
 from studies.cli.tables import show, table_of, tell

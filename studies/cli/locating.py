@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from geometry.refusal import counted
+from geometry.ground.refusal import counted
 from localize.contacts.radii import MOVING
 from studies.cli.options import AIR_OPTIONS, Altitude, LibraryFile, Pressure, Temperature, named
 from studies.cli.tables import show, table_of, tell

@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING, Annotated, Any, TypeVar
 import typer
 from typer.core import TyperCommand
 
-from geometry.refusal import Refusal
-from geometry.system.extras import check_extras
+from geometry.ground.extras import check_extras
+from geometry.ground.refusal import Refusal
 
 if TYPE_CHECKING:
     from studies.output.display import Display

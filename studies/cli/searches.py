@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from geometry.refusal import counted
+from geometry.ground.refusal import counted
 from studies.cli.options import (
     Design,
     Frequencies,

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from acoustic_fem.quantities.fidelity import CLOSED_FORMS
-from geometry.refusal import counted
+from geometry.ground.refusal import counted
 from studies.cli.options import Scheduler, check_workers, defaults_of, display_on_stderr
 from studies.cli.tables import show, table_of, tell
 from studies.findings.reporting import best_designs, save_best_design

@@ -8,8 +8,8 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from geometry.refusal import counted, in_one_line
-from geometry.system.extras import is_installed
+from geometry.ground.extras import is_installed
+from geometry.ground.refusal import counted, in_one_line
 from studies.output.display import number
 
 if TYPE_CHECKING:

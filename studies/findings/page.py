@@ -17,8 +17,8 @@ from numpy.typing import NDArray
 import studies
 from geometry import ArrayDesign
 from geometry.design.design_file import value_of, write_design
-from geometry.files.writing import write_text
-from geometry.refusal import counted
+from geometry.ground.refusal import counted
+from geometry.ground.whole_files import write_text
 from studies.findings.result_table import Column, ResultTable, effect, pair_map
 from studies.output.display import number
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from studies.output.display import Display
 from studies.output.folders import check_new_file
 

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acoustic_fem.quantities.fidelity import CLOSED_FORMS
-from geometry.refusal import Refusal, counted
+from geometry.ground.refusal import Refusal, counted
 from studies.study.failure_reasons import by_kind
 from studies.study.metric_registry import METRICS
 

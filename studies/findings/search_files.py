@@ -8,8 +8,8 @@ from collections.abc import Callable
 from pathlib import Path
 
 from geometry import ArrayDesign, save_design
-from geometry.files.reading import read_text
-from geometry.files.writing import write_text
+from geometry.ground.text_files import read_text
+from geometry.ground.whole_files import write_text
 from geometry.printing.report import PrintReport
 from studies.optimization.printable import worst_accepted
 from studies.optimization.problem import Optimization

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from geometry.files.writing import writing
-from geometry.refusal import Refusal, counted
-from geometry.system.loading import check_system_libraries
+from geometry.ground.missing_packages import check_system_libraries
+from geometry.ground.refusal import Refusal, counted
+from geometry.ground.whole_files import writing
 from studies.output.display import Display
 from studies.output.folders import check_folder
 from studies.output.sole_writer import sole_writer_of

@@ -15,7 +15,7 @@ from acoustic_fem.library.provenance import versions
 from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.scatter.made_sensors import scatter_factors
 from acoustic_fem.scatter.tolerances import ScatteredDesign
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 
 if TYPE_CHECKING:
     from acoustic_fem import Library

@@ -9,8 +9,8 @@ from importlib import resources
 from pathlib import Path
 
 import studies
-from geometry.files.writing import write_text
-from geometry.refusal import counted
+from geometry.ground.refusal import counted
+from geometry.ground.whole_files import write_text
 from studies.judging.figures import draw_conditions, draw_reliability
 from studies.judging.full_evaluation import SENSORS, FullEvaluation
 from studies.judging.headline import SIGNALS, Headline

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from geometry.files.writing import write_text
+from geometry.ground.whole_files import write_text
 
 if TYPE_CHECKING:
     from localize import Evaluation, Localizer, Recognizer

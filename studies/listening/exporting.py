@@ -6,7 +6,7 @@ import os
 from dataclasses import dataclass
 from pathlib import Path
 
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from studies.listening.opening import Decoding, assumed_by, open_trained
 from studies.output.folders import check_new_file
 

@@ -12,8 +12,8 @@ from pathlib import Path
 from time import perf_counter
 from typing import TYPE_CHECKING
 
-from geometry.files.writing import whole_lines
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
+from geometry.ground.whole_files import whole_lines
 from studies.listening.opening import Decoding, assumed_by, open_localizer, open_stream, open_tracker
 from studies.output.folders import check_new_file
 

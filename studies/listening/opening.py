@@ -7,7 +7,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from localize.contacts.radii import RADII
 
 if TYPE_CHECKING:

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from geometry.files.writing import write_text
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
+from geometry.ground.whole_files import write_text
 from studies.listening.opening import Decoding, library_there
 from studies.output.folders import check_new_file, is_own_table
 

@@ -7,8 +7,8 @@ import os
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
-from geometry.files.writing import write_text
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
+from geometry.ground.whole_files import write_text
 from studies.listening.opening import Decoding, library_there, open_localizer
 from studies.output.folders import check_new_file
 

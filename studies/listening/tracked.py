@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from geometry.files.writing import write_text
+from geometry.ground.whole_files import write_text
 from localize.contacts.radii import MOVING
 from studies.listening.opening import Decoding, open_stream, open_tracker
 from studies.output.folders import check_new_file, is_own_table

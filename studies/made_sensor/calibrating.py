@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from studies.output.display import Display
 from studies.output.folders import check_new_file
 from studies.output.frequencies import CALIBRATION_FREQUENCIES, stated_frequencies

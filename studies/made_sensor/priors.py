@@ -7,7 +7,6 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from acoustic_fem.batch.network import batch_transfer_function
 from acoustic_fem.calibration.fitted_model import Priors
@@ -15,8 +14,7 @@ from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.scatter.made_sensors import made_transfer_functions
 from acoustic_fem.scatter.tolerances import TOLERANCES, ScatteredDesign, Tolerance
 from geometry.design.array_design import ArrayDesign
-
-Array = NDArray[np.float64]
+from geometry.ground.typed import Array
 
 _PER_VOLUME = math.pi / (1.4 * 101325)
 """Compliance of a cylinder of air per its radius squared times its height, 1/Pa."""

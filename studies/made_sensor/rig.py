@@ -33,11 +33,11 @@ from acoustic_fem.quantities.medium import Medium
 from acoustic_fem.sound.sound_file import write_wav
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import write_design
-from geometry.files.writing import write_text
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
+from geometry.ground.typed import Array
+from geometry.ground.whole_files import write_text
 from studies.output.folders import check_folder, make_folder
 
-Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
 #: Marks a folder as one of recordings of a rig.

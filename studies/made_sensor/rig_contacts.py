@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from acoustic_fem.library.solving import solve
 from acoustic_fem.sound.sound_file import write_wav
-from geometry.files.writing import write_text
+from geometry.ground.whole_files import write_text
 from localize.contacts import Contact, covered_force
 from localize.signals.array_response import interpolated, response_of
 from studies.made_sensor.rig import BAND, HEARD, LENGTHS, Recorder, Rig

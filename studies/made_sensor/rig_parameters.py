@@ -5,15 +5,13 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from acoustic_fem.batch.elements import membrane_modulus
 from acoustic_fem.batch.parameters import ArrayParameters
 from acoustic_fem.calibration.fitted_model import Posterior, UpdatedModel
 from acoustic_fem.scatter.tolerances import Tolerance
+from geometry.ground.typed import Array
 from studies.made_sensor.rig import HiddenScatter, Rig
-
-Array = NDArray[np.float64]
 
 #: Hz, where compliances of membranes are compared; and the step of a difference.
 _MID_BAND, _STEP = np.array([10.0]), 1e-4

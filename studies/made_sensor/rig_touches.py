@@ -13,16 +13,14 @@ from pathlib import Path
 import numpy as np
 import scipy.signal
 import tomlkit
-from numpy.typing import NDArray
 
 from acoustic_fem.quantities.checks import in_range
 from acoustic_fem.sound.sound_file import write_wav
-from geometry.files.writing import write_text
+from geometry.ground.typed import Array
+from geometry.ground.whole_files import write_text
 from localize.recordings.touch_manifest import PARTS, Part
 from studies.made_sensor.rig import LENGTHS, RIG_MARK, Recorder, Rig
 from studies.output.folders import check_folder, make_folder
-
-Array = NDArray[np.float64]
 
 MANIFEST = "touches.toml"
 LEAK = 2.0

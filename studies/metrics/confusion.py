@@ -28,7 +28,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
+from geometry.ground.typed import Array
 from studies.metrics.filtered_touches import BAND, Listener, ear_of, noise_of_filters, standard_noise
 
 if TYPE_CHECKING:
@@ -39,7 +40,6 @@ POWERS = 10.0 ** np.arange(-4.0, 2.1)
 _MEMORY = 5_000_000
 """Bytes of simulated frames and what they score at once: what the processor keeps near."""
 
-Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
 

@@ -5,13 +5,13 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
+
+from geometry.ground.typed import Array
 
 if TYPE_CHECKING:
     from geometry.design.array_design import ArrayDesign
     from geometry.layout.placement import ArrayLayout
 
-Array = NDArray[np.float64]
 
 FINGER = 5.0
 """Radius of the contact of a finger that presses lightly, mm; ours."""

@@ -14,7 +14,8 @@ from typing import TYPE_CHECKING, Literal, get_args
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
+from geometry.ground.typed import Array
 
 if TYPE_CHECKING:
     from localize.signals.noise import NoiseSpectrum
@@ -34,7 +35,6 @@ _ROUNDING = 1e-13
 
 #: Who decides: the trained network, or the decoder that needs no training.
 Listener = Literal["network", "model"]
-Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
 

@@ -16,7 +16,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
+from geometry.ground.typed import Array
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -27,8 +28,6 @@ if TYPE_CHECKING:
 BAND = (1.0, 100.0)
 #: dB per neper.
 DECIBEL = 20 / math.log(10)
-
-Array = NDArray[np.float64]
 
 
 def microphone_ratios(transfer_function: xr.DataArray) -> NDArray[np.complex128]:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from geometry.refusal import Refusal, counted
+from geometry.ground.refusal import Refusal, counted
 
 if TYPE_CHECKING:
     from acoustic_fem import Library, Medium

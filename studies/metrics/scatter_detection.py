@@ -33,7 +33,8 @@ from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.scatter.tolerances import UNCALIBRATED
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import value_of
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
+from geometry.ground.typed import Array
 from geometry.stated.fields import DesignError
 
 if TYPE_CHECKING:
@@ -42,7 +43,6 @@ if TYPE_CHECKING:
     from geometry.stated.array import Air
     from geometry.stated.parts import Microphone
 
-Array = NDArray[np.float64]
 
 FREQUENCIES = np.geomspace(1.5, 90.0, 8)
 """Hz, at which responses are compared."""

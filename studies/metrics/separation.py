@@ -7,16 +7,15 @@ from itertools import combinations, product
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
+from geometry.ground.typed import Array
 from studies.metrics.pairs import BAND, DECIBEL, trapezoidal_weights
 from studies.metrics.responses import Responses
 
 if TYPE_CHECKING:
     import xarray as xr
 
-Array = NDArray[np.float64]
 #: Differences of points, of one and all after it, worked on at once.
 _CHUNK = 20_000
 

@@ -6,8 +6,8 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from geometry.ground.typed import Array
 from studies.metrics.build import Volumes, volumes_of
 from studies.metrics.confusion import PredictedConfusion, predict_confusions
 from studies.metrics.responses import Complex, Responses, known
@@ -16,8 +16,6 @@ from studies.metrics.touch import in_vacuo, touch_response
 
 if TYPE_CHECKING:
     from acoustic_fem.membrane.disc import DiscResponse
-
-Array = NDArray[np.float64]
 
 
 class SharedFigures:

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
+from geometry.ground.typed import Array
 from studies.metrics.pairs import BAND, trapezoidal_weights
 from studies.metrics.responses import Complex, Responses, known
 
@@ -17,7 +18,6 @@ if TYPE_CHECKING:
     from acoustic_fem.membrane.disc import DiscResponse
     from geometry.design.array_design import ArrayDesign
 
-Array = NDArray[np.float64]
 
 #: What these figures need beside the transfer functions.
 NEEDS = frozenset({"designs", "source_response", "point_impedance"})

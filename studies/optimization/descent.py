@@ -11,17 +11,16 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from geometry.design.design_file import value_of
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
+from geometry.ground.typed import Array
 from studies.optimization.problem import Optimization, searched_range
 
 if TYPE_CHECKING:
     from acoustic_fem.membrane.disc_table import DiscTables
     from acoustic_fem.membrane.elasticity import DiscShape, ElasticDisc
 
-Array = NDArray[np.float64]
 
 #: Length of the first and of the last step, in logistic units; between them it falls evenly in logarithms.
 RATES = (0.1, 0.005)

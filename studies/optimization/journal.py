@@ -12,10 +12,10 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from pydantic import BaseModel, ConfigDict, NonNegativeInt, ValidationError
 
-from geometry.files.ordinary import read_bytes
-from geometry.files.reading import read_text
-from geometry.files.writing import write_text
-from geometry.refusal import said_by
+from geometry.ground.file_checks import read_bytes
+from geometry.ground.refusal import said_by
+from geometry.ground.text_files import read_text
+from geometry.ground.whole_files import write_text
 from studies.study.differences import other_table
 from studies.study.study import StudyError
 

@@ -11,8 +11,8 @@ from typing import Annotated, Any, Literal
 from pydantic import Field
 
 from geometry import ArrayDesign
-from geometry.files.reading import parse_toml, read_text
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
+from geometry.ground.text_files import parse_toml, read_text
 from geometry.stated.fields import model_of
 from studies.optimization.printable import Demand, PrintDemand
 from studies.study.cases import check_base

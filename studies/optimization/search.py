@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from geometry import ArrayDesign, DesignError
-from geometry.refusal import counted
+from geometry.ground.refusal import counted
 from studies.optimization.descent import Descent
 from studies.optimization.journal import opened, read_only, read_seal, seal
 from studies.optimization.problem import Optimization, searched_range

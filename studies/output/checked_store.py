@@ -21,9 +21,9 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict, NonNegativeInt, ValidationError
 
-from geometry.files.ordinary import library_reads, read_bytes
-from geometry.files.reading import parse_json
-from geometry.files.writing import write_text
+from geometry.ground.file_checks import library_reads, read_bytes
+from geometry.ground.text_files import parse_json
+from geometry.ground.whole_files import write_text
 
 #: Attribute of the group.
 CHECKSUMS = "checksums"

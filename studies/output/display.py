@@ -8,7 +8,7 @@ from time import perf_counter
 from types import TracebackType
 from typing import TYPE_CHECKING, Self, TextIO
 
-from geometry.refusal import in_one_line
+from geometry.ground.refusal import in_one_line
 
 if TYPE_CHECKING:
     from rich.progress import Progress

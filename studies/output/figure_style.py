@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from geometry.files.writing import whole_file
+from geometry.ground.whole_files import whole_file
 from studies.metrics.pairs import BAND
 
 if TYPE_CHECKING:

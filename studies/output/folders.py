@@ -18,12 +18,11 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
-from geometry.files.ordinary import read_bytes
-from geometry.files.reading import LARGEST_TEXT, read_text
-from geometry.files.replacing import check_own_kind
-from geometry.files.writing import write_text
-from geometry.refusal import Refusal
-from geometry.system.extras import check_extras
+from geometry.ground.extras import check_extras
+from geometry.ground.file_checks import read_bytes
+from geometry.ground.refusal import Refusal
+from geometry.ground.text_files import LARGEST_TEXT, read_text
+from geometry.ground.whole_files import check_own_kind, write_text
 
 #: Marks a folder as the result of a run, which a later run may replace.
 MARK = ".acoustic-fem-run"

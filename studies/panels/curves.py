@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from geometry.design.array_design import ArrayDesign
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from studies.metrics.pairs import BAND, microphone_ratios
 
 if TYPE_CHECKING:

@@ -11,7 +11,7 @@ from typing import Any
 
 from geometry.design.array_design import ArrayDesign, validated
 from geometry.design.design_file import value_of
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from geometry.stated.declared import DesignField, field_named
 
 #: Steps that can be taken back.

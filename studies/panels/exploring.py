@@ -20,9 +20,9 @@ from acoustic_fem.numerics.disk_cache import cache_folder
 from acoustic_fem.quantities.fidelity import CLOSED_FORMS
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import write_design
-from geometry.files.reading import parse_toml
-from geometry.files.writing import write_text
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
+from geometry.ground.text_files import parse_toml
+from geometry.ground.whole_files import write_text
 from studies.findings.page import design_of
 from studies.findings.result_table import Column, ResultTable, effect, fast_front, table_of_search, table_of_sweep
 from studies.optimization.problem import read_optimization

@@ -10,7 +10,7 @@ from pathlib import Path
 from acoustic_fem.quantities.fidelity import FIDELITIES, Fidelity
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import save_design
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from studies.panels.making import Told
 
 

@@ -7,10 +7,10 @@ from typing import Any
 import numpy as np
 
 from geometry.design.array_design import ArrayDesign
+from geometry.ground.refusal import Refusal
 from geometry.layout.arrangement import lay_out
 from geometry.layout.mending import mend_of
 from geometry.layout.overlaps import overlaps
-from geometry.refusal import Refusal
 from studies.metrics.covered_area import FINGER
 from studies.metrics.pairs import BAND
 from studies.metrics.responses import Responses

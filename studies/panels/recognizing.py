@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from geometry.design.array_design import ArrayDesign
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from studies.listening.opening import library_there
 from studies.panels.touching import decoded, listening_to
 

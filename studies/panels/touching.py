@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from geometry.design.array_design import ArrayDesign
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from localize.contacts.radii import MOVING
 from studies.listening.opening import Decoding, open_localizer, open_stream, open_tracker
 from studies.output.frequencies import LIBRARY_FREQUENCIES, stated_frequencies

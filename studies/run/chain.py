@@ -13,12 +13,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from geometry.design.array_design import ArrayDesign
+from geometry.ground.missing_packages import check_system_libraries
+from geometry.ground.refusal import Refusal, counted
 from geometry.layout.arrangement import lay_out
 from geometry.layout.mending import refuse_unbuildable
 from geometry.layout.overlaps import buildability_notes
 from geometry.layout.size import array_size
-from geometry.refusal import Refusal, counted
-from geometry.system.loading import check_system_libraries
 from studies.metrics.pairs import BAND, disagreement, worst_heard
 from studies.metrics.separation import Separability, separability
 from studies.output.display import Display, Report

@@ -13,6 +13,8 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from geometry.air.cells import Cell, cell_catalogue
 from geometry.design.array_design import ArrayDesign
+from geometry.ground.extras import check_extras, is_installed
+from geometry.ground.refusal import Refusal
 from geometry.layout.arrangement import lay_out
 from geometry.layout.mending import mend_of
 from geometry.layout.overlaps import overlaps, schematic_notes
@@ -20,9 +22,7 @@ from geometry.layout.placement import ArrayLayout
 from geometry.layout.size import array_size
 from geometry.plan.topology import WiringCounts, wiring_counts
 from geometry.printing.report_files import report_content
-from geometry.refusal import Refusal
 from geometry.stated.fields import DesignError
-from geometry.system.extras import check_extras, is_installed
 from studies.metrics.covered_area import FINGER, coverage
 from studies.metrics.pairs import BAND, worst_heard
 from studies.output.display import Display, Report

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from geometry.ground.refusal import counted
 from geometry.layout.size import array_size
-from geometry.refusal import counted
 from studies.judging.full_evaluation import RIG_GROUP
 from studies.metrics.covered_area import FINGER, coverage
 from studies.metrics.pairs import BAND, attenuation, sensitivity, worst_heard

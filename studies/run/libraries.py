@@ -7,8 +7,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from acoustic_fem.quantities.fidelity import CLOSED_FORMS
-from geometry.system.extras import check_extras
-from geometry.system.loading import check_system_libraries
+from geometry.ground.extras import check_extras
+from geometry.ground.missing_packages import check_system_libraries
 from studies.output.display import Display
 from studies.output.folders import check_new_library
 from studies.output.frequencies import LIBRARY_FREQUENCIES, stated_frequencies

@@ -9,12 +9,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from geometry.formats.names import FORMATS
+from geometry.ground.missing_packages import check_system_libraries
 from geometry.layout.arrangement import lay_out
 from geometry.layout.mending import refuse_unbuildable
 from geometry.layout.overlaps import buildability_notes
 from geometry.stated.fields import DesignError
 from geometry.stated.print_processes import PrintProcess, find_process, process_of
-from geometry.system.loading import check_system_libraries
 from studies.output.display import Display, Report
 from studies.output.folders import FILES, check_folder, replaced_files
 

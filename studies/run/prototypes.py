@@ -19,7 +19,7 @@ def copy_prototype(name: str, out: str | os.PathLike[str]) -> Path:
         Refusal: no prototype of that name, or a file that exists or cannot be written.
     """
     from geometry.design.design_file import prototype_text
-    from geometry.files.writing import write_text
+    from geometry.ground.whole_files import write_text
 
     path = Path(out)
     check_new_file(path, ".toml", kept="a design")

@@ -12,8 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from geometry.design.array_design import ArrayDesign
+from geometry.ground.refusal import Refusal
 from geometry.layout.arrangement import lay_out
-from geometry.refusal import Refusal
 from studies.metrics.build import cost
 from studies.metrics.pairs import BAND
 from studies.metrics.responses import Responses

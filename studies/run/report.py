@@ -12,9 +12,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 import studies
-from geometry.files.writing import write_text
+from geometry.ground.refusal import counted
+from geometry.ground.whole_files import write_text
 from geometry.layout.cutting import cutting_list
-from geometry.refusal import counted
 from studies.metrics.pairs import BAND
 from studies.output.display import number
 from studies.run.check import cell_uses

@@ -11,7 +11,7 @@ from numbers import Integral, Real
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from studies.output.folders import check_new_file
 
 if TYPE_CHECKING:

@@ -10,9 +10,9 @@ from pathlib import Path
 
 import numpy as np
 
-from geometry.files.writing import whole_file
+from geometry.ground.refusal import Refusal
+from geometry.ground.whole_files import whole_file
 from geometry.plan.topology import WiringCounts, wiring_counts
-from geometry.refusal import Refusal
 from studies.output.folders import check_new_file
 
 MOST_MICROPHONES, MOST_POINTS = 16, 1000

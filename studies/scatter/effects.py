@@ -28,7 +28,8 @@ from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.scatter.made_sensors import made_fidelity, made_transfer_functions
 from acoustic_fem.scatter.tolerances import TOLERANCES, ScatteredDesign, Tolerance
 from geometry.design.array_design import ArrayDesign
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
+from geometry.ground.typed import Array
 from studies.metrics.confusion import check_grid, predict_confusion
 from studies.metrics.responses import Responses
 from studies.metrics.separation import pair_distances
@@ -39,7 +40,6 @@ if TYPE_CHECKING:
     from acoustic_fem.quantities.fidelity import ClosedForm
     from localize.signals.noise import NoiseSpectrum
 
-Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
 #: The predicted accuracies, and who decides.

@@ -28,8 +28,8 @@ from acoustic_fem.scatter.made_sensors import made_fidelity, made_transfer_funct
 from acoustic_fem.scatter.tolerances import TOLERANCES, ScatteredDesign, Tolerance
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import read_stored_design, write_design
-from geometry.files.writing import writing
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
+from geometry.ground.whole_files import writing
 from studies.output.checked_store import CheckedStore, add_checksums, create_checked, read_store
 from studies.output.folders import check_folder
 from studies.output.seals import SEALS, Seals, create_seals

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from geometry.design.array_design import ArrayDesign
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from studies.panels.exploring import FoundDesigns, study_figures, study_file
 from studies.studio.messages import is_number
 from studies.studio.stage import Job, Say, outcome, progress, teller

@@ -7,7 +7,7 @@ import math
 from collections.abc import Mapping
 from typing import Any, TypeGuard
 
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from studies.panels.curves import Curves
 from studies.studio.stage import Job
 

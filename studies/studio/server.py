@@ -18,7 +18,7 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 import studies.studio as here
 from geometry.design.array_design import ArrayDesign
 from geometry.design.design_file import prototype_names
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from studies.panels.curves import CURVES
 from studies.panels.exploring import MOST_DESIGNS, MOST_METRICS, metric_words
 from studies.panels.export_files import EXPORTS

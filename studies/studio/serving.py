@@ -11,8 +11,8 @@ from collections.abc import Callable
 from ipaddress import ip_address
 
 from geometry.design.array_design import ArrayDesign
-from geometry.refusal import Refusal
-from geometry.system.extras import check_extras
+from geometry.ground.extras import check_extras
+from geometry.ground.refusal import Refusal
 
 #: Port that is taken where it is free, and how many after it are tried.
 USUAL_PORT, _PORTS = 8765, 20

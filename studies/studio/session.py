@@ -11,7 +11,7 @@ from typing import Any
 
 from geometry.design.array_design import ArrayDesign, validated
 from geometry.design.design_file import prototype, write_design
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from studies.panels.comparing import comparison
 from studies.panels.curves import CURVES
 from studies.panels.designing import DesignState, design_key, refusal_of

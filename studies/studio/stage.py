@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from geometry.design.array_design import ArrayDesign
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from studies.studio.workshop import Stopped
 
 #: Tells the page a message.

@@ -12,7 +12,7 @@ from shutil import rmtree
 from tempfile import TemporaryDirectory, mkdtemp
 from typing import TYPE_CHECKING, Any
 
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from studies.panels.curves import Curves, curves_of, quick_library
 from studies.panels.designing import design_key
 from studies.panels.exploring import FoundDesigns, run_study, study_so_far, write_study

@@ -12,7 +12,7 @@ from collections.abc import Callable, Sequence
 from multiprocessing.connection import Connection
 from typing import Any
 
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 
 #: Seconds that a process gets to end when it is told to.
 _PATIENCE = 2.0

@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 
 if TYPE_CHECKING:
     from geometry import ArrayDesign

@@ -16,8 +16,8 @@ from acoustic_fem.quantities.fidelity import Fidelity
 from geometry import ArrayDesign, DesignError, load_design
 from geometry.design.changes import as_lists, check_name
 from geometry.design.design_file import prototype, prototype_names, value_of
-from geometry.files.reading import parse_toml, read_text
-from geometry.refusal import Refusal, in_one_line
+from geometry.ground.refusal import Refusal, in_one_line
+from geometry.ground.text_files import parse_toml, read_text
 from geometry.stated.declared import field_named
 from geometry.stated.fields import check_value, model_of
 from studies.study.constraints import parse_constraint

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from studies.metrics import build, touch
 from studies.metrics.covered_area import FINGER, coverage
 from studies.metrics.pairs import BAND, check_band

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acoustic_fem.quantities.fidelity import Fidelity
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from studies.study.constraints import Constraint
 
 if TYPE_CHECKING:

@@ -36,9 +36,9 @@ from acoustic_fem.quantities.fidelity import CLOSED_FORMS
 from acoustic_fem.quantities.local_air import design_air
 from geometry import ArrayDesign, DesignError
 from geometry.air.cells import Cell, cell_catalogue
+from geometry.ground.extras import NotInstalled
+from geometry.ground.refusal import Refusal
 from geometry.layout.arrangement import lay_out
-from geometry.refusal import Refusal
-from geometry.system.extras import NotInstalled
 from studies.metrics.responses import Responses
 from studies.metrics.shared import SharedFigures
 from studies.study.cases import Cases

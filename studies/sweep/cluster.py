@@ -24,7 +24,7 @@ from pathlib import Path
 from time import monotonic
 from typing import Any
 
-from geometry.refusal import Refusal, counted, said_by
+from geometry.ground.refusal import Refusal, counted, said_by
 
 #: Seconds for which a worker, or the scheduler, may be silent; heartbeats come once a second or two.
 SILENCE = 60.0

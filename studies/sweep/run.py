@@ -19,7 +19,7 @@ import numpy as np
 from acoustic_fem.library.provenance import versions
 from acoustic_fem.membrane.disc_table import DiscTables, disc_tables
 from acoustic_fem.membrane.elasticity import DiscShape, ElasticDisc, solve_dimensionless
-from geometry.refusal import Refusal, counted
+from geometry.ground.refusal import Refusal, counted
 from studies.output.display import Display
 from studies.study.cases import Cases
 from studies.study.failure_reasons import PROGRAM_ERROR

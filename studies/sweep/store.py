@@ -22,8 +22,8 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict, Json, PositiveInt
 
-from geometry.files.ordinary import library_reads
-from geometry.files.writing import write_text, writing
+from geometry.ground.file_checks import library_reads
+from geometry.ground.whole_files import write_text, writing
 from studies.output.checked_store import METADATA, CheckedStore, read_store, take_checksums
 from studies.output.folders import check_folder
 from studies.output.seals import SEALS, Seals

@@ -9,9 +9,9 @@ from acoustic_fem.membrane.disc import design_shape
 from acoustic_fem.membrane.elasticity import DiscShape
 from acoustic_fem.quantities.fidelity import CLOSED_FORMS
 from geometry import ArrayDesign, DesignError
+from geometry.ground.extras import NotInstalled
+from geometry.ground.refusal import Refusal
 from geometry.layout.overlaps import refuse_overlaps
-from geometry.refusal import Refusal
-from geometry.system.extras import NotInstalled
 from studies.study.cases import Cases, cases_of, check_base
 from studies.study.study import Study, StudyError
 from studies.sweep.block import CellKey, Job, cells_of, check_metrics

@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from typing import Any, Protocol
 
 from acoustic_fem.numerics.processors import cores
-from geometry.refusal import Refusal, said_by
+from geometry.ground.refusal import Refusal, said_by
 from studies.sweep.cluster import Cluster, WorkersLost, in_one_thread
 
 #: Seconds to wait for a scheduler, which runs already, and for processes of this machine, which may be busy.

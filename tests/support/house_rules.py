@@ -11,7 +11,6 @@ from types import ModuleType
 from imports import PACKAGES, House, circles, room_of
 
 ROOT = Path(__file__).resolve().parents[2]
-MOST_MODULES = 12
 #: Names that say nothing of what lives there.
 EMPTY_NAMES = {"utils", "util", "helpers", "common", "misc", "tools"}
 
@@ -67,23 +66,21 @@ def module_circles(root: Path) -> list[str]:
 
 
 def rooms_and_modules(root: Path) -> list[str]:
-    """Rooms with too many modules, modules in no room, and names that say nothing."""
+    """Modules in no room, file names that stand twice, and names that say nothing."""
     modules = [name for name, path in House(root).files.items() if path.name != "__init__.py"]
-    count: dict[str, int] = defaultdict(int)
+    places: dict[str, list[str]] = defaultdict(list)
     broken = []
     for name in modules:
         if name.rsplit(".", 1)[1] == "__main__":
             continue
-        place = room_of(name)
-        if place is None and name != "geometry.refusal":
+        places[name.rsplit(".", 1)[1]].append(name)
+        if room_of(name) is None:
             broken.append(f"{name} stands in no room")
-        elif place is not None:
-            count[place] += 1
         if EMPTY_NAMES & {*name.split(".")}:
             broken.append(f"{name}: a name that says nothing")
         if name.count(".") > 2:
             broken.append(f"{name}: a room within a room")
-    return broken + [f"{place} has {found} modules" for place, found in count.items() if found > MOST_MODULES]
+    return broken + [f"one file name twice: {', '.join(found)}" for found in places.values() if len(found) > 1]
 
 
 def names_at_the_doors(root: Path) -> list[str]:

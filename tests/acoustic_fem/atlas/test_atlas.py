@@ -17,8 +17,8 @@ from acoustic_fem.cell.lumped import lumped_admittance
 from acoustic_fem.quantities.medium import Medium
 from geometry.air.cells import cell_catalogue
 from geometry.design.design_file import prototype
+from geometry.ground.refusal import Refusal
 from geometry.layout.arrangement import lay_out
-from geometry.refusal import Refusal
 
 BAND = np.array([1.0, 12.0, 60.0, 200.0])
 AIR = Medium.at(20, 0.5)

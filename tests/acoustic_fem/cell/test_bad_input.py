@@ -19,7 +19,7 @@ from acoustic_fem.numerics.disk_cache import CacheWarning
 from acoustic_fem.quantities import checks
 from geometry.air.cells import Cell
 from geometry.design.design_file import prototype
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from geometry.stated.ports import CellPort
 
 CHAMBER = Cell("microphone", 2.2, 1.3, 0.65, (CellPort(0.0, 0.44),), 0.5, 0.3)

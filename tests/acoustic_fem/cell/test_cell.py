@@ -21,7 +21,7 @@ from acoustic_fem.numerics.linear_solver import LinearSolverError
 from geometry.air.cells import Cell
 from geometry.air.mesh import MeshError
 from geometry.air.mirror_symmetry import mirror_half
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from geometry.stated.cavity_shapes import Box, Dome
 from geometry.stated.ports import CellPort
 

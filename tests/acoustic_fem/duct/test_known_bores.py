@@ -6,7 +6,7 @@ import pytest
 from acoustic_fem.duct.known_bores import known_port_admittance
 from acoustic_fem.duct.plane_wave import port_admittance
 from acoustic_fem.quantities.medium import Medium
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 
 AIR, OTHER = Medium.at(20, 0.5), Medium.at(30, 0.5)
 

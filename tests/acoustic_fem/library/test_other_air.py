@@ -9,7 +9,7 @@ import acoustic_fem
 import geometry
 from acoustic_fem.library.result import VARIABLES, Library
 from acoustic_fem.quantities.local_air import LocalAir, standard_pressure
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 
 FREQUENCY = np.linspace(1.0, 100.0, 12)
 

@@ -15,7 +15,7 @@ import acoustic_fem
 import geometry
 from acoustic_fem.library.physics import check_physics
 from acoustic_fem.library.result import MEASURED, Library
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 
 pytestmark = pytest.mark.filterwarnings("ignore:entrance loss")
 AIR = acoustic_fem.Medium.at(20, 0.5)

@@ -8,7 +8,7 @@ import pytest
 
 from geometry.air.apart import apart
 from geometry.air.mesh import MeshError, MeshSizes, mesh_solid
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 
 SIZES = MeshSizes(1, 1, 0.5, 0.5)
 BOX = cq.Solid.makeBox(1, 1, 1)

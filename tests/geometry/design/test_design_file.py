@@ -377,7 +377,7 @@ def test_saving_leaves_the_whole_file_or_the_old_one(tmp_path: Path, monkeypatch
     first = geometry.prototype("array-2x6")
     geometry.save_design(first, path)
     monkeypatch.setattr(
-        "geometry.files.writing.os.fsync", lambda _: (_ for _ in ()).throw(OSError(28, "No space left"))
+        "geometry.ground.whole_files.os.fsync", lambda _: (_ for _ in ()).throw(OSError(28, "No space left"))
     )
     with pytest.raises(DesignError, match="cannot be written: No space left"):
         geometry.save_design(first.with_values({"tube.length": 20.0}), path)

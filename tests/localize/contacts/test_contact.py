@@ -5,7 +5,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from localize.contacts import Contact, hertz_share
 
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from localize import contacts
 
 PATH = [(0.0, 0.0), (30.0, 0.0), (30.0, 10.0)]

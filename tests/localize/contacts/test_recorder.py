@@ -13,7 +13,7 @@ from whole_network import every_node_at_once
 import acoustic_fem
 import geometry
 from acoustic_fem.library.touch import touch_flow
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from localize.contacts import Contact, ContactRecorder, covered_force, record
 from localize.signals import TouchGenerator, response_of, stimulus
 from localize.signals.array_response import interpolated

@@ -11,7 +11,7 @@ from shared import solved
 
 import localize
 from acoustic_fem.library.result import Library, measured_library
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from localize.decoders.drift import STATES
 from localize.learned.onnx import export_onnx
 from localize.signals.array_response import response_of

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from embedded_bench import COMPILER, needs_compiler
 
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from localize import ArrayResponse
 from localize.embedded import Budget, Cost, embed, in_units
 

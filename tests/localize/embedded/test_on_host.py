@@ -10,7 +10,7 @@ from small_run import small_design
 
 import acoustic_fem
 from benchmarks.embedded_touches import LIMIT, STATES, array_of, calibrated, decided_in_python, decided_of, touches
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from localize.embedded import embed
 from localize.signals.array_response import response_of
 

@@ -10,7 +10,7 @@ import pytest
 from shared import solved
 
 import localize
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from localize.contacts import Contact, record
 from localize.recognition import PROFILES, SPEED, texture_force
 from localize.recognition.hearing import Ear

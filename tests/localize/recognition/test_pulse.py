@@ -9,7 +9,7 @@ import pytest
 from rc_line import rc_line
 
 import localize
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from localize.contacts import pulse_times, pulse_wave
 from localize.recognition.pulse import PulseDecoder, waves_of
 from localize.recognition.takes import heard, prepared

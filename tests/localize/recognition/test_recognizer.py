@@ -14,7 +14,7 @@ from shared import solved
 
 import localize
 from acoustic_fem.sound.sound_file import write_wav
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from localize.decoders.reconstruct import Reconstructor
 from localize.learned import epochs
 from localize.learned.checkpoint import CheckpointError

@@ -7,7 +7,7 @@ import pytest
 from rc_line import rc_line
 from shared import solved
 
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from localize.contacts import Contact
 from localize.contacts.contact import covered_force
 from localize.decoders.reconstruct import Reconstructor

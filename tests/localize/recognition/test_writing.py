@@ -11,7 +11,7 @@ from rc_line import rc_line
 
 import localize
 from acoustic_fem.sound.sound_file import write_wav
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from localize.contacts import ContactRecorder
 from localize.recognition import LETTERS, Hand, LetterMaker, LineReader, letter_maps, written
 from localize.recognition.hearing import Ear

@@ -9,7 +9,7 @@ import pytest
 from numpy.typing import NDArray
 from rc_line import rc_line
 
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from localize.tracking.pen import FLOOR, SPEEDS, PenTracker
 
 PITCH = 18.0

@@ -10,7 +10,7 @@ import pytest
 import acoustic_fem
 import geometry
 import localize
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from localize.contacts import Contact, record
 from localize.signals import response_of
 from localize.signals.array_response import ArrayResponse

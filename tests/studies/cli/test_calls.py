@@ -22,7 +22,7 @@ import geometry
 import localize
 import studies
 from acoustic_fem.quantities.local_air import LocalAir
-from geometry.refusal import counted
+from geometry.ground.refusal import counted
 from localize.signals.array_response import response_of
 from studies.cli import app
 from studies.cli.options import in_options

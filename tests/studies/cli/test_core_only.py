@@ -12,7 +12,7 @@ from core_only import ROOT, acoustic_fem_of_core, link_core, megabytes_on_disk
 import acoustic_fem
 import localize
 from acoustic_fem.library import export
-from geometry.system.extras import EXTRAS
+from geometry.ground.extras import EXTRAS
 from studies.cli.app import VERBS
 from studies.cli.options import NEEDS
 

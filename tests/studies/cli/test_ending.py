@@ -42,7 +42,7 @@ def test_a_full_disk_is_told_in_one_line(command: Command, monkeypatch: pytest.M
         with open("/dev/full", "w") as file:
             file.write("x" * 10_000)
 
-    monkeypatch.setattr("geometry.files.writing.os.replace", full)
+    monkeypatch.setattr("geometry.ground.whole_files.os.replace", full)
     told = command("prototypes", "glove", "--out", tmp_path / "mine.toml")
     assert told.code == 1
     assert "No space left on device" in told.err.splitlines()[-1]

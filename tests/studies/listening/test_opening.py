@@ -12,7 +12,7 @@ from shared import solved
 import acoustic_fem
 import localize
 from acoustic_fem.library.result import MEASURED, measured_library
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from localize.signals.array_response import response_of
 from studies.listening.opening import Decoding, assumed_by, open_localizer, open_stream, open_trained
 from studies.listening.recorded import locate_recording

@@ -10,7 +10,7 @@ import pytest
 import acoustic_fem
 import geometry
 import studies
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from localize.contacts import pulse_wave, record
 from localize.signals.array_response import response_of
 

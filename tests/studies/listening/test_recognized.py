@@ -14,7 +14,7 @@ import localize
 import studies
 from acoustic_fem.quantities.local_air import LocalAir
 from acoustic_fem.sound import write_wav
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 
 
 @pytest.mark.parametrize(

@@ -5,8 +5,8 @@ import pytest
 from scipy.spatial import ConvexHull, Delaunay
 
 import geometry
+from geometry.ground.refusal import Refusal
 from geometry.layout.arrangement import lay_out
-from geometry.refusal import Refusal
 from studies.metrics import coverage
 from studies.metrics.covered_area import _CORNER, _hull, _is_mirrored, _rim, _together
 

@@ -5,9 +5,9 @@ from dataclasses import replace
 import pytest
 
 from geometry import prototype
+from geometry.ground.refusal import Refusal
 from geometry.layout.overlaps import OverlapError
 from geometry.pictures import mold_cut, viewer, views
-from geometry.refusal import Refusal
 from studies.cli.tables import show_check
 from studies.run.chain import run_design
 from studies.run.check import check_design

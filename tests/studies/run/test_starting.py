@@ -8,9 +8,9 @@ import pytest
 
 import geometry
 import studies
+from geometry.ground.refusal import Refusal
 from geometry.layout.arrangement import lay_out
 from geometry.layout.overlaps import overlaps
-from geometry.refusal import Refusal
 from studies.run.starting import PLACES
 
 SIZES = [

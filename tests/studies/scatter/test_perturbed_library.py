@@ -20,7 +20,7 @@ from acoustic_fem.atlas import cell_atlas
 from acoustic_fem.batch.network import batch_transfer_function
 from acoustic_fem.quantities.local_air import design_air
 from acoustic_fem.scatter.tolerances import ScatteredDesign
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from localize.signals.array_response import response_of
 from localize.signals.touch_generator import TouchGenerator
 from studies.output.checked_store import StoreWarning

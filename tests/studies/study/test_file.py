@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from geometry import DesignError, prototype, save_design
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from studies.study.cases import cases_of
 from studies.study.file import load_study, read_study
 from studies.study.study import StudyError

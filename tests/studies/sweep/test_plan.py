@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner
 
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from studies.cli.app import app
 from studies.study.cases import cases_of
 from studies.study.file import read_study

@@ -19,7 +19,7 @@ import pytest
 from stores import assert_same_store
 
 from geometry import ArrayDesign
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 from studies.study.cases import Cases, cases_of
 from studies.study.file import load_study, read_study
 from studies.study.study import Study, StudyError

@@ -156,7 +156,7 @@ def _become(words: list[str], folder: str, out: int, err: int) -> None:
 def _call(words: list[str]) -> int:
     """Run the command, or Python where the first word is ``-c``, as a user's program would: a refusal in one line."""
     if words[0] == "-c":
-        from geometry.refusal import Refusal
+        from geometry.ground.refusal import Refusal
 
         try:
             exec(words[1], {"__name__": "__main__"})

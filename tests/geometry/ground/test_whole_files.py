@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from geometry.files.writing import replace_section, whole_file, whole_lines, writing
+from geometry.ground.whole_files import replace_section, whole_file, whole_lines, writing
 
 resource = pytest.importorskip("resource")
 

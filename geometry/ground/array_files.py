@@ -14,7 +14,7 @@ from typing import IO, Any, Literal, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from geometry.files.ordinary import LARGEST_DATA, MOST_NUMBERS, library_reads, ordinary_file
+from geometry.ground.file_checks import LARGEST_DATA, MOST_NUMBERS, library_reads, ordinary_file
 
 _NUMBER = 8  # bytes of a float64
 _Order: TypeAlias = Literal["big", "little"]

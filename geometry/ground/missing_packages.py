@@ -13,8 +13,8 @@ from importlib.machinery import ModuleSpec, PathFinder
 from importlib.util import find_spec
 from types import ModuleType
 
-from geometry.system.extras import MissingExtra, NotInstalled, what_to_install
-from geometry.system.libraries import missing_libraries, what_is_missing
+from geometry.ground.extras import MissingExtra, NotInstalled, what_to_install
+from geometry.ground.system_libraries import missing_libraries, what_is_missing
 
 #: The CAD kernel, the mesher and the renderer, by what is loaded of them.
 PACKAGES = frozenset({"OCP", "cadquery", "gmsh", "pyvista", "vtkmodules"})

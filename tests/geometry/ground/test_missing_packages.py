@@ -14,10 +14,10 @@ from pathlib import Path
 
 import pytest
 
-from geometry.refusal import Refusal
-from geometry.system import loading
-from geometry.system.extras import EXTRAS, MissingExtra
-from geometry.system.loading import MissingLibrary
+from geometry.ground.extras import EXTRAS, MissingExtra
+from geometry.ground import missing_packages
+from geometry.ground.missing_packages import MissingLibrary
+from geometry.ground.refusal import Refusal
 
 ROOT = Path(__file__).parents[3]
 FILE = "cannot open shared object file: No such file or directory"
@@ -116,7 +116,7 @@ def test_other_mistakes_and_other_packages_are_left_alone(tmp_path: Path, monkey
     (tmp_path / "drawn_by_nobody.py").write_text("raise ImportError('no such thing')\n")
     (tmp_path / "somebody_elses.py").write_text(f"raise OSError('libGL.so.1: {FILE}')\n")
     monkeypatch.syspath_prepend(tmp_path)
-    monkeypatch.setattr(loading, "PACKAGES", frozenset({"drawn_by_nobody"}))
+    monkeypatch.setattr(missing_packages, "PACKAGES", frozenset({"drawn_by_nobody"}))
     with pytest.raises(ImportError, match=r"^no such thing$") as found:
         importlib.import_module("drawn_by_nobody")
     assert not isinstance(found.value, Refusal)
@@ -128,7 +128,7 @@ def test_a_module_keeps_its_own_loader(tmp_path: Path, monkeypatch: pytest.Monke
     """Others look there for its source and its data."""
     (tmp_path / "drawn_by_nobody.py").write_text("")
     monkeypatch.syspath_prepend(tmp_path)
-    monkeypatch.setattr(loading, "PACKAGES", frozenset({"drawn_by_nobody"}))
+    monkeypatch.setattr(missing_packages, "PACKAGES", frozenset({"drawn_by_nobody"}))
     monkeypatch.delitem(sys.modules, "drawn_by_nobody", raising=False)
     module = importlib.import_module("drawn_by_nobody")
     assert isinstance(module.__loader__, SourceFileLoader)

@@ -9,7 +9,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from geometry.files.ordinary import read_bytes
+from geometry.ground.file_checks import read_bytes
 
 LARGEST_TEXT = 1_000_000
 """Most bytes of a text; a design of a hundred lines has ten thousand."""

@@ -10,8 +10,8 @@ import pytest
 from acoustic_fem.calibration.manifest import ManifestError, read_manifest
 from acoustic_fem.scatter.tolerances import read_tolerances
 from geometry import DesignError, load_design
-from geometry.files.reading import parse_json, parse_toml, read_toml
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
+from geometry.ground.text_files import parse_json, parse_toml, read_toml
 from geometry.stated.print_processes import find_process
 from localize.recordings.touch_manifest import TouchManifestError, read_touch_manifest
 from studies.optimization.problem import load_optimization
@@ -90,9 +90,9 @@ def test_what_is_no_json_is_refused_in_one_line(text: str | bytes, message: str)
 @pytest.mark.parametrize(
     ("library", "module"),
     [
-        ("tomllib|tomlkit.parse", "geometry/files/reading.py"),
-        ("loadmat|zipfile", "geometry/files/arrays.py"),
-        ("csv.reader", "geometry/files/tables.py"),
+        ("tomllib|tomlkit.parse", "geometry/ground/text_files.py"),
+        ("loadmat|zipfile", "geometry/ground/array_files.py"),
+        ("csv.reader", "geometry/ground/csv_files.py"),
         ("wavfile.read", "acoustic_fem/sound/sound_file.py"),
     ],
 )

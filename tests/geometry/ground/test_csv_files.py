@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from geometry.files.tables import Table, read_csv
-from geometry.refusal import Refusal
+from geometry.ground.csv_files import Table, read_csv
+from geometry.ground.refusal import Refusal
 
 
 def table(path: Path, content: bytes) -> Table:

@@ -13,7 +13,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from geometry.refusal import Refusal, counted, said_by
+from geometry.ground.refusal import Refusal, counted, said_by
 
 LARGEST_DATA = 2**29
 """Most bytes of a file of numbers or sound: eight channels of 16 bits at 48 kHz for eleven minutes."""

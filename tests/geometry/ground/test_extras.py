@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from geometry.system import extras
-from geometry.system.extras import EXTRAS, MissingExtra, check_extras, what_to_install
+from geometry.ground import extras
+from geometry.ground.extras import EXTRAS, MissingExtra, check_extras, what_to_install
 
 PROJECT = Path(__file__).parents[3] / "pyproject.toml"
 

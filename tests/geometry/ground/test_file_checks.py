@@ -9,9 +9,9 @@ from pathlib import Path
 
 import pytest
 
-from geometry.files.ordinary import library_reads, ordinary_file, read_bytes
-from geometry.files.reading import read_toml
-from geometry.refusal import Refusal
+from geometry.ground.file_checks import library_reads, ordinary_file, read_bytes
+from geometry.ground.refusal import Refusal
+from geometry.ground.text_files import read_toml
 
 
 def folder(path: Path) -> None:

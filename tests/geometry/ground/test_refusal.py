@@ -8,7 +8,7 @@ import unicodedata
 import pytest
 from hypothesis import given, strategies as st
 
-from geometry.refusal import Refusal, counted, in_one_line, said_by
+from geometry.ground.refusal import Refusal, counted, in_one_line, said_by
 from geometry.stated.fields import DesignError
 
 

@@ -17,8 +17,8 @@ import scipy.io
 import scipy.sparse
 from numpy.typing import NDArray
 
-from geometry.files.arrays import read_mat, read_npz
-from geometry.refusal import Refusal
+from geometry.ground.array_files import read_mat, read_npz
+from geometry.ground.refusal import Refusal
 
 ARRAYS = {"a": np.arange(6.0).reshape(2, 3), "rate": np.array(1000), "text": np.array("as it is")}
 
@@ -82,7 +82,7 @@ def test_an_npz_file_that_claims_what_it_does_not_hold_is_refused(kind: str, tmp
 def test_numbers_beyond_the_bound_are_refused_before_they_are_unpacked(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("geometry.files.arrays.MOST_NUMBERS", 100)
+    monkeypatch.setattr("geometry.ground.array_files.MOST_NUMBERS", 100)
     for read, name, save in ((read_npz, "a.npz", np.savez_compressed), (read_mat, "a.mat", save_mat)):
         path = tmp_path / name
         save(path, a=np.zeros(40, np.int8), b=np.zeros(60))
@@ -95,7 +95,7 @@ def test_numbers_beyond_the_bound_are_refused_before_they_are_unpacked(
 def test_a_mat_file_that_unpacks_to_more_than_the_bound_is_refused(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("geometry.files.arrays.MOST_NUMBERS", 1000)
+    monkeypatch.setattr("geometry.ground.array_files.MOST_NUMBERS", 1000)
     path = tmp_path / "given.mat"
     packed = zlib.compress(bytes(10_000_000))
     head = b"MATLAB 5.0".ljust(124) + b"\x00\x01IM"

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import IO
 
-from geometry.files.ordinary import LARGEST_DATA, library_reads, ordinary_file
+from geometry.ground.file_checks import LARGEST_DATA, library_reads, ordinary_file
 
 _LONGEST_LINE = 4_000_000  # characters; the longest that is written is a design in one line of text
 

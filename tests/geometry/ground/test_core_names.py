@@ -25,7 +25,7 @@ THERE = {
 #: Each name of each face; those that are there, and the lines of the others, are printed as JSON.
 NAMES = """
 import importlib, json, sys
-from geometry.system import MissingExtra
+from geometry.ground import MissingExtra
 
 there, told = [], {}
 for face in json.loads(sys.argv[1]):
@@ -75,7 +75,7 @@ CALLS = {
 CALLING = """
 import json, sys
 import geometry, acoustic_fem, localize, studies
-from geometry.system import MissingExtra
+from geometry.ground import MissingExtra
 
 design = geometry.prototype("array-2x6")
 box = design.with_values({"resonator.shape": "box"})

@@ -1,4 +1,4 @@
-"""Files in, checked before they are read, one reader per kind; whole files out (written beside, then renamed).
+"""What all stands on: refusals as data, files read with care and written whole, extras and libraries of the system.
 
 Stands on: nothing.
 """

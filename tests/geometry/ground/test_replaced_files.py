@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 import geometry
-from geometry.files.replacing import check_own_kind
+from geometry.ground.whole_files import check_own_kind
 
 
 @pytest.mark.parametrize("name", ["picture.png", "touches.wav", "design"])

@@ -6,9 +6,9 @@ import sys
 
 import pytest
 
-from geometry.refusal import Refusal
-from geometry.system import libraries
-from geometry.system.loading import check_system_libraries
+from geometry.ground import system_libraries
+from geometry.ground.missing_packages import check_system_libraries
+from geometry.ground.refusal import Refusal
 from studies.cli import app
 
 GL = "libGL.so.1: cannot open shared object file: No such file or directory"
@@ -16,7 +16,7 @@ GL = "libGL.so.1: cannot open shared object file: No such file or directory"
 
 @pytest.fixture(autouse=True)
 def _a_system_without_them(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(libraries, "_can_load", lambda name: name not in ("libGL.so.1", "libEGL.so.1"))
+    monkeypatch.setattr(system_libraries, "_can_load", lambda name: name not in ("libGL.so.1", "libEGL.so.1"))
 
 
 @pytest.mark.parametrize("error", [ImportError(GL), OSError(GL)], ids=["cadquery", "gmsh"])
@@ -45,9 +45,9 @@ def test_drawing_is_refused_where_child_programs_and_the_renderer_would_crash() 
 
 @pytest.mark.parametrize("message", ["No module named 'studies.nowhere'", "cannot import name 'x' from 'y'", ""])
 def test_mistakes_of_the_program_are_none_of_these(message: str) -> None:
-    assert libraries.what_is_missing(message) == ""
+    assert system_libraries.what_is_missing(message) == ""
 
 
 def test_a_library_without_a_known_package_is_named() -> None:
-    said = libraries.what_is_missing("libxyz.so.3: cannot open shared object file: No such file or directory")
+    said = system_libraries.what_is_missing("libxyz.so.3: cannot open shared object file: No such file or directory")
     assert said == "libxyz.so.3: this library of the system is missing; install the package that holds it"

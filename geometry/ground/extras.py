@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from importlib.util import find_spec
 
-from geometry.refusal import Refusal
+from geometry.ground.refusal import Refusal
 
 #: Extra of pyproject.toml: packages by which it is known to be there, as they are imported.
 EXTRAS = {
