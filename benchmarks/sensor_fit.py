@@ -20,7 +20,7 @@ import geometry
 from geometry.ground.whole_files import replace_section
 from localize import TolerantDecoder, TouchStream, read_recording
 from localize.evaluation.goodness_of_fit import LoudFrames, SensorFit, sensor_fit
-from localize.live.front_end import Listening
+from localize.live.options import StreamOptions
 from studies.made_sensor.rig import HiddenScatter, Recorder, Rig
 from studies.made_sensor.rig_touches import TouchSession, record_touches
 
@@ -45,7 +45,7 @@ def fitted(decoder: TolerantDecoder, recordings: list[NDArray[np.float64]], fact
     """What is said of recordings whose microphones are off by a factor."""
     loud = LoudFrames()
     for number, signals in enumerate(recordings):
-        stream = TouchStream(_Anyhow(decoder), listening=Listening(frames=True))
+        stream = TouchStream(_Anyhow(decoder), options=StreamOptions(frames=True))
         loud.take(stream.push(signals * factor[:, None], 10**6 * number))
     found = sensor_fit(decoder, loud.frames)
     assert found is not None

@@ -5,7 +5,6 @@ from .events import (
     State as State,
     TrackedPlace as TrackedPlace,
 )
-from .front_end import AS_IT_COMES as AS_IT_COMES, Listening as Listening
 from .listener import Heard as Heard, Latencies as Latencies, LiveListener as LiveListener, Notice as Notice
 from .recorder import LiveRecorder as LiveRecorder
 from .sound_device import DeviceSource as DeviceSource, input_devices as input_devices

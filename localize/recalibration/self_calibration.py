@@ -22,7 +22,7 @@ from acoustic_fem.library.result import Library, described, measured_library
 from geometry.ground.refusal import Refusal, counted
 from geometry.ground.typed import Array
 from localize.decoders.judgement import ResidualTest
-from localize.live.front_end import Listening
+from localize.live.options import StreamOptions
 from localize.recalibration.marginal_likelihood import MarginalLikelihood
 from localize.recalibration.objections import FALSE_ALARM, NEEDED, Objections, likeliest_order
 from localize.recalibration.search import FINE, ascend, distinct, search
@@ -148,7 +148,7 @@ def self_calibrate(
     """
     if not 1e-9 <= microphone_noise <= 10:
         raise Refusal(f"microphone_noise = {microphone_noise} Pa must be between 1e-9 and 10 Pa")
-    Listening(high_pass)
+    StreamOptions(high_pass)
     response = response_of(library)
     heard = _usable(np.asarray(frames, np.float64), response, microphone_noise)
     _check_channels(heard, response.microphones)

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
 from geometry.ground.refusal import Refusal, counted
+from localize.signals.locator import ArrayFacts
 from localize.signals.noise import NoiseChoice, NoiseSpectrum, microphone_noise
 from localize.signals.stimulus import BAND, SAMPLE_RATE
 
@@ -106,6 +107,11 @@ class ArrayResponse:
     def point_count(self) -> int:
         """Number of sensing points."""
         return len(self.transfer_function)
+
+    @property
+    def array(self) -> ArrayFacts:
+        """Facts of the array, as a localizer for it keeps them."""
+        return ArrayFacts(self.name, self.microphones, self.line, self.place, self.provenance)
 
     @property
     def force_response(self) -> NDArray[np.complex128] | None:

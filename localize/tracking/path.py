@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from geometry.ground.typed import Array
 from localize.contacts.radii import MOVING
 from localize.live.events import Decision, TrackedPlace
-from localize.live.front_end import HIGH_PASS
+from localize.live.options import HIGH_PASS
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.noise import NoiseChoice
 from localize.signals.threads import one_thread

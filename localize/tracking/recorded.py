@@ -8,8 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from localize.contacts.radii import MOVING
-from localize.decoders.bayes import BayesDecoder, sound_levels
-from localize.live.front_end import Listening
+from localize.decoders.bayes import BayesDecoder
+from localize.decoders.surroundings import sound_levels
+from localize.live.options import StreamOptions
 from localize.live.stream import TouchStream
 from localize.signals.array_response import response_of
 from localize.signals.noise import NoiseChoice
@@ -46,7 +47,7 @@ def track(
     """
     response = response_of(library)
     decoder = BayesDecoder(response, microphone_noise, sound_levels(ambient))
-    stream = TouchStream(decoder, listening=Listening(frames=True))
+    stream = TouchStream(decoder, options=StreamOptions(frames=True))
     return tracks_of(stream, PathTracker(response, radius, microphone_noise, ambient), signals)
 
 

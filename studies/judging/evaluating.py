@@ -11,7 +11,7 @@ from studies.output.display import Display
 from studies.output.folders import check_folder
 
 if TYPE_CHECKING:
-    from localize.evaluation.accuracy import Locator
+    from localize.signals.locator import Locator
     from localize.signals.noise import NoiseChoice
     from studies.judging.headline import Headline
 

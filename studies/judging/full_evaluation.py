@@ -19,9 +19,10 @@ from geometry.ground.refusal import Refusal
 
 if TYPE_CHECKING:
     from acoustic_fem import Library
-    from localize.evaluation.accuracy import Evaluation, Locator
+    from localize.evaluation.accuracy import Evaluation
     from localize.evaluation.conditions import Outcome
     from localize.signals.array_response import ArrayResponse
+    from localize.signals.locator import Locator
     from localize.signals.noise import NoiseChoice
 
 Progress = Callable[[str, float], None]

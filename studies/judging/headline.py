@@ -16,9 +16,9 @@ from studies.judging.full_evaluation import LEAST, RIG_GROUP, RIGS, Progress, ri
 
 if TYPE_CHECKING:
     from acoustic_fem import Library
-    from localize.evaluation.accuracy import Locator
     from localize.evaluation.conditions import Outcome
     from localize.signals.array_response import ArrayResponse
+    from localize.signals.locator import Locator
     from localize.signals.noise import NoiseChoice
 
 #: Whose signals a headline figure is of.

@@ -25,8 +25,8 @@ if TYPE_CHECKING:
     from localize.live.listener import Heard, Latencies, LiveListener
     from localize.live.recorder import LiveRecorder
     from localize.live.sources import Source
-    from localize.live.spare import StreamLocator
     from localize.live.touches import Array as TouchedArray
+    from localize.signals.locator import Locator
 
 
 @dataclass(frozen=True)
@@ -46,7 +46,7 @@ class LiveInput:
         if self.device is not None and self.replay is not None:
             raise Refusal("`device` must not be given beside `replay`")
 
-    def open(self, locator: StreamLocator) -> Source:
+    def open(self, locator: Locator) -> Source:
         """Source of a locator's microphones, not listened to yet."""
         from localize.live.sound_device import DeviceSource
         from localize.live.sources import ReplaySource

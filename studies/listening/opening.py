@@ -11,10 +11,11 @@ from geometry.ground.refusal import Refusal
 from localize.contacts.radii import RADII
 
 if TYPE_CHECKING:
+    from localize.live.spare import Judges, Locator
+
     from acoustic_fem import Library
     from acoustic_fem.quantities.local_air import LocalAir
     from localize import BayesDecoder, Localizer, OnnxLocalizer, PathTracker, TouchStream
-    from localize.live.spare import Judges, StreamLocator
     from localize.signals.array_response import ArrayResponse
     from localize.signals.noise import NoiseChoice
 
@@ -245,10 +246,11 @@ def _decoder(
     return tolerant_decoder(library, noise, levels, microphones) or BayesDecoder(known, noise, levels)
 
 
-def _judges(locator: StreamLocator, response: ArrayResponse, noise: NoiseChoice, decoding: Decoding) -> Judges:
+def _judges(locator: Locator, response: ArrayResponse, noise: NoiseChoice, decoding: Decoding) -> Judges:
     """Locator with the tests that are asked for, and that of sound where the library is of a design."""
-    from localize import ResidualTest, SoundTest
     from localize.live.spare import Judges
+
+    from localize import ResidualTest, SoundTest
 
     sound = None
     if decoding.ambient is not None:

@@ -20,8 +20,8 @@ if TYPE_CHECKING:
 
     from localize import Decision, Fault, SensorFit, Touch, TouchEvent, TouchStream
     from localize.live.events import State
-    from localize.live.spare import StreamLocator
     from localize.live.touches import Array as TouchedArray
+    from localize.signals.locator import Locator
 
 PART = 60_000
 """Number of samples that are decided at once: a minute."""
@@ -144,7 +144,7 @@ def locate_recording(
 
 
 def _decided(
-    stream: TouchStream, localizer: StreamLocator, signals: NDArray[np.float64]
+    stream: TouchStream, localizer: Locator, signals: NDArray[np.float64]
 ) -> tuple[list[Decision | Fault], SensorFit | None]:
     """What a stream says of signals, (n_microphone, n) Pa, and whether they are of the localizer's sensor."""
     from localize import BayesDecoder

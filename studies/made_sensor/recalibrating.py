@@ -67,7 +67,8 @@ def recalibrate(
 
     import acoustic_fem
     from localize import SelfCalibrationError, read_recording, self_calibrate
-    from localize.live.front_end import HIGH_PASS, HighPass
+    from localize.live.front_end import HighPass
+    from localize.live.options import HIGH_PASS
     from localize.signals.array_response import response_of
     from localize.signals.frames import cut_frames
     from localize.signals.noise import NoiseSpectrum

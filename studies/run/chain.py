@@ -36,7 +36,7 @@ if TYPE_CHECKING:
     from geometry.layout.placement import ArrayLayout
     from geometry.printing.report import PrintReport
     from localize import Localizer, TrainingPlan
-    from localize.evaluation.accuracy import Locator
+    from localize.signals.locator import Locator
     from studies.judging.headline import Headline
 
 #: The localizer is trained for so many epochs, with so many touches of each point per epoch and at most so many in all:

@@ -14,8 +14,8 @@ from pathlib import Path
 
 import pytest
 
-from geometry.ground.extras import EXTRAS, MissingExtra
 from geometry.ground import missing_packages
+from geometry.ground.extras import EXTRAS, MissingExtra
 from geometry.ground.missing_packages import MissingLibrary
 from geometry.ground.refusal import Refusal
 

@@ -77,7 +77,7 @@ def test_a_stream_tells_sound_from_a_touch_in_it(array, sound_test, decoder):
     turn = int(np.argmax(touched.std(-1).max(-1)))
     # The sound of a sample repeats after its second.
     samples = np.concatenate([*[noise[turn]] * 3, touched[turn], *[noise[turn]] * 3], axis=1)
-    as_it_comes = TouchStream(decoder, listening=AS_IT_COMES)
+    as_it_comes = TouchStream(decoder, options=AS_IT_COMES)
     assert {event.state for event in as_it_comes.push(samples)} == {"touch"}  # sound taken for touches
     events = TouchStream(localize.BayesDecoder(array, NOISE, 60.0), sound_test=sound_test).push(samples)
     within = [e for e in events if isinstance(e, Decision) and 3.3 < e.time < 4.0]
@@ -108,7 +108,7 @@ def test_a_stream_names_no_point_for_two_touches_at_once(array, decoder):
         [
             event.state
             for each in some
-            for event in TouchStream(decoder, residual_test=residuals, refused=1e-4, listening=AS_IT_COMES).push(each)
+            for event in TouchStream(decoder, residual_test=residuals, refused=1e-4, options=AS_IT_COMES).push(each)
             if isinstance(event, Decision)
         ]
         for some in (both[:20], signals[:20])

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from localize.live import Listening
 from localize.live.events import HOP
 from localize.live.front_end import HighPass, Hum, NoiseFloor
+from localize.live.options import StreamOptions
 from localize.signals.stimulus import SAMPLE_RATE
 
 
@@ -82,7 +82,7 @@ def test_the_noise_is_found_beside_touches_and_followed() -> None:
 @pytest.mark.parametrize("corner", [0.4, 21.0, float("nan")])
 def test_a_corner_out_of_range_is_refused(corner) -> None:
     with pytest.raises(ValueError, match=r"high_pass = .* Hz must be between 0.5 and 20 Hz, or None for none"):
-        Listening(high_pass=corner)
+        StreamOptions(high_pass=corner)
 
 
 def test_what_all_microphones_hear_is_no_noise() -> None:

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from localize.live.spare import Judges
 from rings import triangle
 
 import acoustic_fem
 import localize
 from localize import Decision, Fault, SoundTest, TouchStream
-from localize.live.spare import Judges
 from localize.signals import finger_stimuli
 from localize.signals.array_response import response_of
 

@@ -56,7 +56,7 @@ def streamed(stream, signals, cuts, numbered=False):
 
 
 def test_a_stream_gives_what_a_batch_of_its_frames_gives(array, decoder, signals):
-    events = TouchStream(decoder, listening=AS_IT_COMES).push(signals[0])
+    events = TouchStream(decoder, options=AS_IT_COMES).push(signals[0])
     frames = np.lib.stride_tricks.sliding_window_view(signals[0], 250, axis=1)[:, ::HOP].swapaxes(0, 1)
     batch = decoder.locate(frames)
     assert len(events) == len(frames)
