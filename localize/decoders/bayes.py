@@ -26,7 +26,7 @@ from localize.decoders.library_decoder import PointDecoder
 from localize.decoders.options import DecoderOptions
 from localize.decoders.surroundings import Ambient, Surroundings
 from localize.signals.array_response import ArrayResponse, response_of
-from localize.signals.noise import NoiseChoice
+from localize.signals.noise_model import NoiseChoice
 from localize.signals.threads import one_thread
 
 if TYPE_CHECKING:
@@ -40,8 +40,8 @@ class BayesDecoder(PointDecoder):
         library: transfer functions that cover 1 to 100 Hz, of at least two points and two microphones; touches are
             taken to be silent above their last frequency, with a warning where that is below 500 Hz.
         microphone_noise: the noise floor to assume: "design" for that of the library's design, see
-            :mod:`localize.signals.noise`; or white, Pa rms over 0 to 500 Hz, 1e-9 to 10. It also stands for what the
-            library does not know; a higher one is kinder to a sensor that differs from its design.
+            :mod:`localize.signals.noise_model`; or white, Pa rms over 0 to 500 Hz, 1e-9 to 10. It also stands for what
+            the library does not know; a higher one is kinder to a sensor that differs from its design.
         ambient: pink sound around, the same pressure on all membranes: its level in dB SPL, 0 to 140; None for
             quiet; or several levels, such as :data:`ROOM`, of which each frame takes the likeliest. Tables, and where
             there is sound also time, grow with their number. Needs a library with a design.

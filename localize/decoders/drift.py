@@ -23,7 +23,7 @@ from numpy.typing import ArrayLike
 from scipy.special import logsumexp
 
 from acoustic_fem.calibration.fitted_model import UpdatedModel
-from acoustic_fem.library.result import MEASURED
+from acoustic_fem.library.transfer_functions import MEASURED
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
 from localize.decoders.frame_covariance import SAMPLES, touch_covariances
@@ -33,7 +33,7 @@ from localize.decoders.options import DriftOptions
 from localize.decoders.surroundings import Ambient, Surroundings
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.frames import checked_signals, cut_frames
-from localize.signals.noise import NoiseChoice
+from localize.signals.noise_model import NoiseChoice
 from localize.signals.threads import one_thread
 
 if TYPE_CHECKING:

@@ -31,7 +31,7 @@ from localize.decoders.library_decoder import LibraryDecoder
 from localize.decoders.options import ResidualOptions
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.frames import checked_signals, cut_frames
-from localize.signals.noise import NoiseChoice
+from localize.signals.noise_model import NoiseChoice
 from localize.signals.stimulus import BAND, NOISE, SAMPLE_RATE
 from localize.signals.threads import one_thread
 

@@ -16,7 +16,7 @@ from localize.decoders.options import DecoderOptions
 from localize.decoders.surroundings import Surroundings
 from localize.signals.array_response import ArrayResponse
 from localize.signals.frames import cut_frames
-from localize.signals.noise import NoiseSpectrum
+from localize.signals.noise_model import NoiseSpectrum
 
 Whitening: TypeAlias = Callable[[ArrayResponse, float | NoiseSpectrum, float | None], Array]
 """Makes the matrix, (n, n) float64, 1/Pa, by which noise and sound of a level at all microphones become white."""

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from acoustic_fem.library.result import MEASURED
+from acoustic_fem.library.transfer_functions import MEASURED
 from geometry.ground.typed import Array
 from localize.decoders.level_likelihood import BoundedSearch, LevelLikelihood
 from localize.decoders.likelihood import DecoderTables
@@ -16,7 +16,7 @@ from localize.decoders.surroundings import Surroundings
 from localize.signals.array_response import ArrayResponse
 from localize.signals.frames import checked_signals, cut_frames
 from localize.signals.locator import Locator
-from localize.signals.noise import NoiseChoice
+from localize.signals.noise_model import NoiseChoice
 from localize.signals.threads import one_thread
 
 if TYPE_CHECKING:

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from geometry.ground.typed import Array
 from localize.decoders.frame_covariance import SAMPLES, low_pass
 from localize.decoders.options import DecoderOptions
-from localize.signals.noise import NoiseSpectrum
+from localize.signals.noise_model import NoiseSpectrum
 
 BOUND_ERROR = 8 * float(np.finfo(np.float32).eps)
 """Error that the length of a frame's part may have in single precision, per unit of the length of the whole."""

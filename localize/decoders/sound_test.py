@@ -21,7 +21,7 @@ from localize.decoders.judgement import too_loud
 from localize.decoders.options import SoundOptions
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.frames import checked_signals, cut_frames
-from localize.signals.noise import NoiseChoice, NoiseSpectrum
+from localize.signals.noise_model import NoiseChoice, NoiseSpectrum
 from localize.signals.threads import one_thread
 
 if TYPE_CHECKING:

@@ -11,7 +11,7 @@ import numpy as np
 from geometry.ground.refusal import Kind, Refusal
 from localize.decoders.frame_covariance import check_level, check_noise
 from localize.signals.array_response import ArrayResponse, warn_of_uncovered
-from localize.signals.noise import NoiseChoice, NoiseSpectrum
+from localize.signals.noise_model import NoiseChoice, NoiseSpectrum
 
 Ambient: TypeAlias = float | Sequence[float | None] | None
 """Sound around: none, a level in dB SPL, or several, of which each frame takes the likeliest."""

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from acoustic_fem.library.result import MEASURED
+from acoustic_fem.library.transfer_functions import MEASURED
 from acoustic_fem.scatter.tolerances import UNCALIBRATED, ScatteredDesign, Tolerance, UnknownScatterError
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.typed import Array
@@ -32,7 +32,7 @@ from localize.decoders.options import TolerantOptions
 from localize.decoders.surroundings import Ambient, Surroundings
 from localize.signals.array_response import ArrayResponse, response_of
 from localize.signals.frames import cut_frames
-from localize.signals.noise import NoiseChoice
+from localize.signals.noise_model import NoiseChoice
 from localize.signals.threads import one_thread
 
 if TYPE_CHECKING:

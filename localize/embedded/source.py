@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from localize.decoders.frame_covariance import DECIMATION, SAMPLES, TAPS
 from localize.decoders.options import DecoderOptions, SoundOptions
-from localize.embedded.tables import (
+from localize.embedded.decoder_tables import (
     EmbeddedTables,
     high_pass_coefficients,
     low_pass_taps,

@@ -13,7 +13,6 @@ from numpy.typing import NDArray
 from torch import Tensor
 
 from geometry.ground.typed import Array
-
 from localize.live.events import Decision
 from localize.live.options import AS_IT_COMES, StreamOptions
 from localize.live.stream import TouchStream
