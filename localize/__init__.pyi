@@ -7,6 +7,7 @@ from . import (
     layers as layers,
     learned as learned,
     live as live,
+    model as model,
     recalibration as recalibration,
     recognition as recognition,
     recordings as recordings,
@@ -52,6 +53,8 @@ from .live.options import StreamOptions as StreamOptions, TouchOptions as TouchO
 from .live.stream import TouchStream as TouchStream
 from .live.touch_filter import TouchFilter as TouchFilter
 from .live.touches import Touch as Touch, TouchTracker as TouchTracker, touches_of as touches_of
+from .model.located_touches import LocatedTouches as LocatedTouches
+from .model.opened_model import Model as Model, open_model as open_model
 from .recalibration.self_calibration import (
     SelfCalibration as SelfCalibration,
     SelfCalibrationError as SelfCalibrationError,

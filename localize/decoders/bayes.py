@@ -68,4 +68,4 @@ class BayesDecoder(PointDecoder):
     def heard_by(self, microphones: tuple[str, ...]) -> BayesDecoder:
         """The decoder of the same array by some of its microphones; as of :class:`localize.Locator`."""
         rest = self.response.heard_by(microphones)
-        return BayesDecoder(rest, self.microphone_noise, self.ambient, self.likelihood.options)
+        return BayesDecoder(rest, self.microphone_noise, self.ambient, self.options)

@@ -64,6 +64,8 @@ class DriftDecoder(LibraryDecoder):
             :class:`localize.BayesDecoder`.
     """
 
+    options: DriftOptions
+
     @one_thread()
     def __init__(
         self,

@@ -75,11 +75,6 @@ class FamilyDecoder(Locator):
         """What is assumed of the sensor, in words."""
         return "that the sensor is one of its libraries"
 
-    @property
-    def no_graph(self) -> str:
-        """Reason why no ONNX graph can hold this localizer, as a clause."""
-        return "it has several libraries"
-
     def _probability(self, batch: Array) -> Array:
         return np.asarray(softmax(logsumexp(self._joint(batch), axis=2), axis=1))
 

@@ -12,6 +12,7 @@ from acoustic_fem.library.transfer_functions import MEASURED
 from geometry.ground.typed import Array
 from localize.decoders.level_likelihood import BoundedSearch, LevelLikelihood
 from localize.decoders.likelihood import DecoderTables
+from localize.decoders.options import DecoderOptions
 from localize.decoders.surroundings import Surroundings
 from localize.signals.array_response import ArrayResponse
 from localize.signals.frames import checked_signals, cut_frames
@@ -32,9 +33,13 @@ class LibraryDecoder(Locator):
         likelihood: of the covariances that touches are taken to have; in the order of the points where each has one.
     """
 
+    response: ArrayResponse
+    options: DecoderOptions
+
     def __init__(self, response: ArrayResponse, around: Surroundings, likelihood: LevelLikelihood) -> None:
         self.array = replace(response.array, noise_rms=around.noise_rms)
         self.response, self.around, self.likelihood = response, around, likelihood
+        self.options = likelihood.options
 
     @property
     def ambient(self) -> tuple[float | None, ...]:
@@ -69,7 +74,7 @@ class LibraryDecoder(Locator):
     @property
     def largest_misfit(self) -> float | None:
         """Largest median misfit of a calibrated sensor; None for a library that was computed."""
-        return self.likelihood.options.calibrated_misfit if self.provenance.get("fidelity") == MEASURED else None
+        return self.options.calibrated_misfit if self.provenance.get("fidelity") == MEASURED else None
 
     def misfit(self, frames: Array) -> Array:
         """As of :meth:`localize.Locator.misfit`; (n,) float64."""
@@ -101,7 +106,7 @@ class LibraryDecoder(Locator):
             (n, n_point) float64, nats, up to a constant per signal.
         """
         frames = cut_frames(batch)
-        score = in_parts(self.log_likelihood, frames, self.likelihood.options.frames_at_once)
+        score = in_parts(self.log_likelihood, frames, self.options.frames_at_once)
         return np.asarray(score.reshape(*frames.shape[:2], -1).sum(1))
 
     def log_likelihood(self, frames: Array) -> Array:
@@ -125,6 +130,11 @@ class PointDecoder(LibraryDecoder):
     def __init__(self, response: ArrayResponse, around: Surroundings, likelihood: LevelLikelihood) -> None:
         super().__init__(response, around, likelihood)
         self._search = BoundedSearch(likelihood)
+
+    @property
+    def no_graph(self) -> str:
+        """Empty: an ONNX graph can hold this localizer."""
+        return ""
 
     def _probability(self, batch: Array) -> Array:
         if self._search.saves:

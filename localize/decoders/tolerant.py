@@ -30,7 +30,7 @@ from localize.decoders.library_decoder import LibraryDecoder
 from localize.decoders.likelihood import Bounds, Screen
 from localize.decoders.options import TolerantOptions
 from localize.decoders.surroundings import Ambient, Surroundings
-from localize.signals.array_response import ArrayResponse, response_of
+from localize.signals.array_response import response_of
 from localize.signals.frames import cut_frames
 from localize.signals.noise_model import NoiseChoice
 from localize.signals.threads import one_thread
@@ -57,6 +57,8 @@ class TolerantDecoder(LibraryDecoder):
             the library does not have, or as :class:`localize.BayesDecoder`.
     """
 
+    options: TolerantOptions
+
     @one_thread()
     def __init__(
         self,
@@ -67,7 +69,7 @@ class TolerantDecoder(LibraryDecoder):
         microphones: tuple[str, ...] | None = None,
         options: TolerantOptions = TolerantOptions(),
     ) -> None:
-        if isinstance(library, ArrayResponse):
+        if not hasattr(library, "fidelity"):
             raise bare_library()
         if library.fidelity == MEASURED:
             problem = "must be computed, because a measured one knows its sensor; take localize.BayesDecoder"

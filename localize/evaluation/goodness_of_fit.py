@@ -59,8 +59,8 @@ class SensorFit:
     the touches. Of two it is the one that leaves less, for all that is known is how they differ."""
 
     @property
-    def doubt(self) -> str | None:
-        """Reason to doubt what was decided, in words; None where there is none."""
+    def warning(self) -> str | None:
+        """Reason to distrust what was decided, in words; None where there is none."""
         if self.off_level is not None:
             name, level = self.off_level
             louder, quieter = ("louder", "quieter") if level > 0 else ("quieter", "louder")

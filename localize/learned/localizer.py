@@ -38,6 +38,11 @@ class Localizer(Locator):
     training: Mapping[str, Any] = field(repr=False)
     """Record of the training: loss and accuracy per epoch, seconds, touches."""
 
+    @property
+    def no_graph(self) -> str:
+        """Empty: an ONNX graph can hold this localizer."""
+        return ""
+
     def _probability(self, batch: Array) -> Array:
         frames = cut_frames(batch)
         flat = torch.from_numpy(frames.reshape(-1, *frames.shape[2:]).astype(np.float32))

@@ -28,13 +28,14 @@ from torch import Tensor, nn
 from acoustic_fem.library.provenance import versions
 from geometry.ground.refusal import Kind, Refusal
 from geometry.ground.whole_files import whole_file
-from localize.decoders.bayes import BayesDecoder
+from localize.decoders.library_decoder import LibraryDecoder
 from localize.decoders.likelihood import DecoderTables
 from localize.graphs.description import sealed
 from localize.graphs.graph_check import INPUT, OUTPUTS
 from localize.graphs.onnx_localizer import FORMAT, KEY, VERSION, bare_graph
 from localize.learned.localizer import Localizer
 from localize.signals.frames import FRAME
+from localize.signals.locator import Locator
 from localize.signals.stimulus import SAMPLE_RATE
 
 if TYPE_CHECKING:
@@ -43,11 +44,11 @@ if TYPE_CHECKING:
 OPSET = 20
 
 
-def export_onnx(localizer: Localizer | BayesDecoder, path: str | os.PathLike[str]) -> None:
+def export_onnx(localizer: Locator, path: str | os.PathLike[str]) -> None:
     """Write a trained network or a model-based decoder as one ONNX file.
 
     Args:
-        localizer: what :func:`localize.train` made, or a :class:`localize.BayesDecoder`.
+        localizer: a network of :func:`localize.train`, or a :class:`localize.BayesDecoder`.
         path: of the file, such as ``localizer.onnx``; it is there whole or not at all.
 
     Raises:
@@ -57,7 +58,11 @@ def export_onnx(localizer: Localizer | BayesDecoder, path: str | os.PathLike[str
     if localizer.no_graph:
         problem = f"cannot be written as a graph: {localizer.no_graph}"
         raise Refusal(problem, kind=Kind.UNSUITABLE, field="localizer")
-    graph = _NetworkGraph(localizer) if isinstance(localizer, Localizer) else DecoderGraph(localizer)
+    if isinstance(localizer, Localizer):
+        graph: nn.Module = _NetworkGraph(localizer)
+    else:
+        assert isinstance(localizer, LibraryDecoder)
+        graph = DecoderGraph(localizer)
     model = _translated(graph.eval(), len(localizer.microphones))
     model.producer_name = "acoustic-fem"
     del model.metadata_props[:]
@@ -83,10 +88,10 @@ class _NetworkGraph(nn.Module):
 class DecoderGraph(nn.Module):
     """Graph of the likelihood of :class:`localize.BayesDecoder`, all points in single precision, the best in double."""
 
-    def __init__(self, decoder: BayesDecoder) -> None:
+    def __init__(self, decoder: LibraryDecoder) -> None:
         super().__init__()
         several = len(decoder.tables) > 1
-        self._sure_lead = decoder.likelihood.options.sure_lead
+        self._sure_lead = decoder.options.sure_lead
         self._levels = tuple(_LevelGraph(tables, several) for tables in decoder.tables)
         self.levels = nn.ModuleList(self._levels)
 
@@ -198,7 +203,7 @@ def _translated(graph: nn.Module, microphones: int) -> ModelProto:
     return program.model_proto
 
 
-def _description(localizer: Localizer | BayesDecoder) -> dict[str, Any]:
+def _description(localizer: Locator) -> dict[str, Any]:
     """What a file says of itself."""
     return {
         "format": FORMAT,

@@ -10,6 +10,7 @@ import json
 from collections.abc import Callable, Generator, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
+from pathlib import Path
 from time import perf_counter, sleep
 from typing import Literal, Protocol
 
@@ -104,11 +105,20 @@ class LiveListener:
         """Why the recording was stopped while the listening went on, in one line with its file; empty if it was not."""
         self._wait = wait
         self._channels = len(stream.locator.microphones)
+        self._paths: list[Path] = [] if recorder is None else recorder.paths
         self.recent: NDArray[np.float64] = np.zeros((self._channels, RECENT))
         """(n_microphone, RECENT) Pa: the newest samples, replaced whenever there are more."""
         self._began: float | None = None  # when the stream's sample 0 was there
         self._due = 0  # number of the stream's sample that comes next
         self._new_run()
+
+    @property
+    def recordings(self) -> tuple[Path, ...]:
+        """Files that were recorded so far."""
+        return tuple(self._paths)
+
+    def __iter__(self) -> Generator[Heard, None, None]:
+        return self.listen()
 
     def listen(self) -> Generator[Heard, None, None]:
         """Events until the source ends; close it to stop earlier.

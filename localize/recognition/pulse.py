@@ -69,7 +69,7 @@ class PulseReading:
     """Pulse that was read from a recording."""
 
     point: int
-    """Point under which it is felt, from 0."""
+    """Point under which it is felt, from 1."""
     probability: float
     """Probability of that point."""
     waveform: Array
@@ -170,7 +170,7 @@ class PulseReader:
 
         Args:
             signals: (n_microphone, n_sample), Pa at 1 kHz, at least 3 s.
-            point: under which it is felt, from 0; by default the one that the decoder names over the whole of it.
+            point: under which it is felt, from 1; by default the one that the decoder names over the whole of it.
 
         Raises:
             Refusal: less than 3 s, no such point, or as :meth:`localize.BayesDecoder.locate`.
@@ -182,13 +182,13 @@ class PulseReader:
                 f"signals last {given.shape[1] / SAMPLE_RATE:g} s, must last at least {LEAST:g} s for a pulse"
             )
         probability = self._decoder.named(prepared(given))
-        felt = int(probability.argmax()) if point is None else point
-        waveform = self._filters.waveform(given, felt + 1).pressure[0]
+        felt = int(probability.argmax()) + 1 if point is None else point
+        waveform = self._filters.waveform(given, felt).pressure[0]
         waves = waves_of(waveform)
         between = np.diff(waves["percussion"])
         rate = 60 / float(between.mean()) if len(between) else float("nan")
         spread = float(between.std(ddof=1) / np.sqrt(len(between))) if len(between) > 1 else float("nan")
-        return PulseReading(felt, float(probability[felt]), waveform, waves, rate, rate**2 / 60 * spread)
+        return PulseReading(felt, float(probability[felt - 1]), waveform, waves, rate, rate**2 / 60 * spread)
 
 
 def waves_of(waveform: Array) -> dict[str, Array]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, Protocol, Self
+from typing import TYPE_CHECKING, Any, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -18,6 +18,8 @@ from localize.signals.threads import one_thread
 
 if TYPE_CHECKING:
     from torch import Tensor
+
+    from localize.signals.array_response import ArrayResponse
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,7 +58,7 @@ class ArrayFacts:
         return f", in air of {medium['pressure'] / 1e3:.1f} kPa" if medium else ""
 
 
-class Locator(Protocol):
+class Locator:
     """Localizer of any kind: it names the touched point of signals, and keeps nothing of what it has heard.
 
     A localizer that follows its sensor over the touches hands its next state back: see :meth:`follow`.
@@ -64,6 +66,10 @@ class Locator(Protocol):
 
     array: ArrayFacts
     """Array that is decoded."""
+    response: ArrayResponse | None = None
+    """Transfer functions that are decoded; None for a network or graph."""
+    options: Any = None
+    """Options that tune the localizer, a frozen dataclass; None for a network or graph."""
     start: Any = None
     """State of the sensor before the first touch, for :meth:`follow`; None where nothing is followed."""
 
@@ -156,7 +162,7 @@ class Locator(Protocol):
     @property
     def no_graph(self) -> str:
         """Reason why no ONNX graph can hold this localizer, as a clause; empty where one can."""
-        return ""
+        return "no graph holds a localizer of its kind"
 
     @property
     def design(self) -> str:

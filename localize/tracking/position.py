@@ -101,11 +101,6 @@ class PositionDecoder(LibraryDecoder):
         touched = touch_covariances(pressed, np.eye(SAMPLES), lowest=LOWEST)
         super().__init__(response, around, LevelLikelihood(touched, response, around, options))
 
-    @property
-    def no_graph(self) -> str:
-        """Reason why no ONNX graph can hold this localizer, as a clause."""
-        return "it looks for places between the points"
-
     def log_likelihood(self, frames: Array) -> Array:
         """Log-likelihood that each point is the nearest, all places of the grid equally likely beforehand.
 

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
     from localize.live.events import TrackedGesture, TrackedPlace
     from localize.live.listener import Heard, Latencies
-    from localize.live.touches import Array
+    from localize.signals.locator import ArrayFacts
 
 FRAMES = 12
 """Pictures a second."""
@@ -60,13 +60,13 @@ class LivePicture:
     def __init__(
         self,
         source: str,
-        array: Array,
-        microphones: tuple[str, ...],
+        array: ArrayFacts,
         recent: Callable[[], NDArray[np.float64]],
         latencies: Latencies,
         waveform: bool = False,
     ) -> None:
-        self._source, self._microphones, self._recent, self._latencies = source, microphones, recent, latencies
+        self._source, self._microphones = source, array.microphones
+        self._recent, self._latencies = recent, latencies
         self._lines = [
             own[np.argsort(array.place[own], kind="stable")]
             for own in (np.flatnonzero(array.line == line) for line in np.unique(array.line))

@@ -8,12 +8,12 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from geometry.design.array_design import ArrayDesign
-from studies.listening.live import LiveInput, listen
+from studies.inference.live import LiveInput, listen
 from studies.panels.touching import listening_to
 
 if TYPE_CHECKING:
     from localize.live.listener import Heard
-    from studies.listening.live import LiveSession
+    from studies.inference.live import LiveSession
 
 #: Digits of the pressures that are told.
 _DIGITS = 4
@@ -70,10 +70,10 @@ def hear_live(
             count = min(max(round(1000 * (event["time"] - before)), 0), session.recent.shape[1])
             newest = session.recent[:, session.recent.shape[1] - count :]
             event["samples"] = [[float(f"{value:.{_DIGITS}g}") for value in each] for each in newest]
-            event["microphones"] = list(session.microphones)
+            event["microphones"] = list(session.array.microphones)
             before = event["time"]
         tell(json.dumps(event, separators=(",", ":")))
 
     given = LiveInput(device=device, replay=replay, full_scale=full_scale)
-    found = listen(listening_to(design).library, given, hear=hear)
+    found = listen(listening_to(design).model, given, hear=hear)
     return {"seconds": found.seconds, "touches": found.touches, "samples_lost": found.samples_lost}

@@ -14,7 +14,6 @@ import numpy as np
 
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import Refusal
-from studies.listening.opening import library_there
 from studies.panels.touching import decoded, listening_to
 
 #: Files of a recognizer's folder.
@@ -105,11 +104,12 @@ def recognized(
     from localize import load_recognizer
     from localize.recognition.filter_bank import Ear
 
-    ears, recognizer = listening_to(design), load_recognizer(model)
-    if (recognizer.design, recognizer.microphones) != (design.name, ears.localizer.microphones):
+    model_of, recognizer = listening_to(design).model, load_recognizer(model)
+    assert model_of.response is not None
+    if (recognizer.design, recognizer.microphones) != (design.name, model_of.locator.microphones):
         raise Refusal(
             f"the recognizer is of {recognizer.design} with the microphones {', '.join(recognizer.microphones)}, not "
-            f"of {design.name} with {', '.join(ears.localizer.microphones)}"
+            f"of {design.name} with {', '.join(model_of.locator.microphones)}"
         )
     signals = np.frombuffer(found["signals"], "<f4").reshape(len(found["microphones"]), -1).astype(np.float64)
     kinds = [
@@ -120,6 +120,6 @@ def recognized(
             recognizer.labels[int(each.probability.argmax())],
             each.probability.max(),
         ]
-        for each in Ear(library_there(ears.library, None), recognizer).touches(signals, None, None, ears.localizer)
+        for each in Ear(model_of.response, recognizer).touches(signals, None, None, model_of.locator)
     ]
     return {**found, "kinds": kinds}

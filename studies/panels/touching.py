@@ -17,14 +17,12 @@ from numpy.typing import NDArray
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import Refusal
 from localize.contacts.radii import MOVING
-from studies.listening.opening import Decoding, open_localizer, open_stream, open_tracker
 from studies.output.frequencies import LIBRARY_FREQUENCIES, stated_frequencies
-from studies.run.library_files import solve_library
 
 if TYPE_CHECKING:
     from acoustic_fem.atlas import QuickFidelity
-    from localize import BayesDecoder, Localizer, OnnxLocalizer
     from localize.contacts import Contact, ContactRecorder
+    from localize.model import Model
 
 #: Kinds of simulated touches.
 TOUCHES = ("tap", "double tap", "press")
@@ -35,12 +33,10 @@ SLIDE_SPEED, LONGEST_SLIDE = 60.0, 600.0
 
 
 @dataclass(frozen=True, eq=False)
-class Ears:
-    """What listens to a design, with the folder of its library."""
+class DesignModel:
+    """Model of a design, by its quick library."""
 
-    folder: TemporaryDirectory[str]
-    library: Path
-    localizer: Localizer | BayesDecoder | OnnxLocalizer
+    model: Model
     recorder: ContactRecorder
     fidelity: QuickFidelity
     """Fidelity of the library."""
@@ -72,11 +68,11 @@ def touched(design: ArrayDesign, point: int, kind: str, sample: int) -> dict[str
         raise Refusal(f"kind = {kind!r} must be one of: {', '.join(TOUCHES)}")
     if not 1 <= point <= design.point_count:
         raise Refusal(f"point = {point} must be between 1 and {design.point_count}")
-    ears = listening_to(design)
-    place, _ = surface_of(ears.recorder.response)
+    heard_by = listening_to(design)
+    place, _ = surface_of(heard_by.recorder.response)
     x, y = (float(each) for each in place[point - 1])
-    take = ears.recorder.take(made[kind]((x, y), sample=sample), sample)
-    return decoded(ears, take.signals)
+    take = heard_by.recorder.take(made[kind]((x, y), sample=sample), sample)
+    return decoded(heard_by, take.signals)
 
 
 def slid(design: ArrayDesign, start: Sequence[float], end: Sequence[float], sample: int) -> dict[str, Any]:
@@ -99,17 +95,17 @@ def slid(design: ArrayDesign, start: Sequence[float], end: Sequence[float], samp
     length = math.dist(start, end)
     if not 1 <= length <= LONGEST_SLIDE:
         raise Refusal(f"the slide is {length:.3g} mm long; it must be between 1 and {LONGEST_SLIDE:g} mm")
-    ears = listening_to(design)
+    heard_by = listening_to(design)
     (x0, y0), (x1, y1) = start, end
-    take = ears.recorder.take(slide((x0, y0), (x1, y1), SLIDE_SPEED, sample=sample), sample)
-    return {**decoded(ears, take.signals), "paths": paths_of(ears, take.signals)}
+    take = heard_by.recorder.take(slide((x0, y0), (x1, y1), SLIDE_SPEED, sample=sample), sample)
+    return {**decoded(heard_by, take.signals), "paths": paths_of(heard_by, take.signals)}
 
 
-def paths_of(ears: Ears, signals: NDArray[np.float64]) -> list[dict[str, Any]]:
+def paths_of(heard_by: DesignModel, signals: NDArray[np.float64]) -> list[dict[str, Any]]:
     """Paths of contacts, as ``acoustic-fem track`` finds them.
 
     Args:
-        ears: what listens.
+        heard_by: model of the design.
         signals: (n_microphone, n_sample) float64, Pa, at 1 kHz.
 
     Returns:
@@ -117,11 +113,12 @@ def paths_of(ears: Ears, signals: NDArray[np.float64]) -> list[dict[str, Any]]:
         in words; ``length``, mm.
     """
     from localize import gesture_of
+    from localize.model.opened_model import opened_as_designed
     from localize.tracking import tracks_of
 
-    decoder, tracker = open_tracker(ears.library, Decoding(), MOVING)
+    model = opened_as_designed(heard_by.model)
     found = []
-    for each in tracks_of(open_stream(ears.library, decoder, Decoding(), frames=True), tracker, signals):
+    for each in tracks_of(model.stream(frames=True), model.tracker(MOVING), signals):
         gesture = gesture_of(each)
         found.append(
             {
@@ -150,24 +147,24 @@ def replayed(design: ArrayDesign, content: bytes, name: str, full_scale: float) 
     """
     from localize import read_recording
 
-    ears = listening_to(design)
+    heard_by = listening_to(design)
     with TemporaryDirectory() as folder:
         path = Path(folder) / f"{re.sub(r'[^A-Za-z0-9._-]', '_', Path(name).stem)[:60] or 'recording'}.wav"
         path.write_bytes(content)
         try:
-            heard = read_recording(path, ears.localizer.microphones, full_scale)
+            heard = read_recording(path, heard_by.model.locator.microphones, full_scale)
         except Refusal as error:
             raise Refusal(str(error).replace(f"{folder}/", "")) from None
     if heard.seconds > LONGEST:
         raise Refusal(f"{name}: {heard.seconds:.0f} s long; it must be at most {LONGEST:g} s")
-    return {**decoded(ears, heard.signals), "paths": paths_of(ears, heard.signals)}
+    return {**decoded(heard_by, heard.signals), "paths": paths_of(heard_by, heard.signals)}
 
 
-def decoded(ears: Ears, signals: NDArray[np.float64]) -> dict[str, Any]:
+def decoded(heard_by: DesignModel, signals: NDArray[np.float64]) -> dict[str, Any]:
     """Signals with what the decoder says of them.
 
     Args:
-        ears: what listens.
+        heard_by: model of the design.
         signals: (n_microphone, n_sample) float64, Pa, at 1 kHz.
 
     Returns:
@@ -177,18 +174,18 @@ def decoded(ears: Ears, signals: NDArray[np.float64]) -> dict[str, Any]:
     """
     from localize import Decision, touches_of
 
-    stream = open_stream(ears.library, ears.localizer, Decoding())
-    events = stream.push(signals)
-    found = touches_of(events, ears.localizer)
+    array = heard_by.model.locator.array
+    events = heard_by.model.stream().push(signals)
+    found = touches_of(events, array)
     return {
         "signals": np.asarray(signals, "<f4").tobytes(),
-        "microphones": list(ears.localizer.microphones),
+        "microphones": list(array.microphones),
         "samples": int(signals.shape[1]),
         "decisions": [
             [event.time, event.state, event.point, event.probability] for event in events if isinstance(event, Decision)
         ],
         "touches": [[each.start, each.end, each.point, each.probability, each.level] for each in found],
-        "fidelity": ears.fidelity.words,
+        "fidelity": heard_by.fidelity.words,
     }
 
 
@@ -215,20 +212,20 @@ def _fidelity(design: ArrayDesign) -> QuickFidelity:
     return quick_fidelity(design, stated_frequencies(LIBRARY_FREQUENCIES))
 
 
-def listening_to(design: ArrayDesign) -> Ears:
-    """What listens to a design, by its quick library."""
-    return _ears(design.model_dump_json())
+def listening_to(design: ArrayDesign) -> DesignModel:
+    """Model of a design, by its quick library, with a recorder of simulated contacts."""
+    return _model(design.model_dump_json())
 
 
 @lru_cache(maxsize=2)
-def _ears(design_json: str) -> Ears:
-    """What listens to a design: its decoder takes a second to be made."""
+def _model(design_json: str) -> DesignModel:
+    """Model of a design: its decoder takes a second to be made."""
+    import acoustic_fem
+    from localize import open_model
     from localize.contacts import ContactRecorder
 
     design = ArrayDesign.model_validate_json(design_json, strict=False)
-    folder = TemporaryDirectory(prefix="acoustic-fem-studio-")
-    path = Path(folder.name) / "library.nc"
     fidelity = _fidelity(design)
-    library = solve_library(design, path, fidelity=fidelity.name, frequency=LIBRARY_FREQUENCIES)
+    library = acoustic_fem.solve(design, stated_frequencies(LIBRARY_FREQUENCIES), fidelity=fidelity.name)
     recorder = ContactRecorder(library, microphone_noise="design")
-    return Ears(folder, path, open_localizer(path, Decoding()), recorder, fidelity)
+    return DesignModel(open_model(library), recorder, fidelity)

@@ -277,7 +277,7 @@ def _draw_figures(
     network: Headline,
     report: Report,
 ) -> dict[str, Path]:
-    from studies.output import figures as draw
+    from studies.output import response_figures as draw
 
     where = folder / "figures"
     report("curves", 0.0)

@@ -15,7 +15,7 @@ from localize import Decision
 from localize.contacts.contact import surface_of
 from localize.live import sound_device
 from studies import locate_recording, solve_library
-from studies.listening.tracked import track_recording
+from studies.inference.tracked import track_recording
 from studies.panels.live import hear_live, sound_cards
 from studies.panels.touching import TOUCHES, replayed, slid, surface, touched
 

@@ -10,7 +10,7 @@ import pytest
 from matplotlib.figure import Figure
 
 from localize import Decision, Fault, Touch
-from studies.listening.recorded import LocatedTouches, draw_touches
+from studies.inference.recorded import LocatedTouches, draw_touches
 
 
 @dataclass

@@ -14,8 +14,8 @@ import localize
 from acoustic_fem.library.transfer_functions import MEASURED, measured_library
 from geometry.ground.refusal import Refusal
 from localize.signals.array_response import response_of
-from studies.listening.opening import Decoding, assumed_by, open_localizer, open_stream, open_trained
-from studies.listening.recorded import locate_recording
+from studies.inference.opening import Decoding, assumed_by, open_localizer, open_stream, open_trained
+from studies.inference.recorded import locate_recording
 
 
 @pytest.mark.parametrize(
