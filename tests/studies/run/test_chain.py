@@ -23,8 +23,9 @@ from studies.metrics.separation import separability
 from studies.output.display import Display
 from studies.output.folders import MARK, claim_folder
 from studies.run import chain as run_module
-from studies.run.chain import cell_lines, run_design, training_plan
+from studies.run.chain import run_design, training_plan
 from studies.run.findings import membrane_compliances
+from studies.run.libraries import cell_lines
 from studies.run.result import RunResult
 
 ROOT = Path(__file__).parents[3]
