@@ -70,5 +70,5 @@ def test_a_zero_is_that_of_scipy_to_the_bit(shift, slope, low, high):
 
 
 def test_ends_of_one_sign_are_a_mistake():
-    with pytest.raises(ArithmeticError, match="no change of sign between 1.0 and 2.0"):
+    with pytest.raises(ArithmeticError, match="no change of sign between"):
         zero_crossing(lambda x: x, 1.0, 2.0)
