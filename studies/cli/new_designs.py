@@ -11,7 +11,7 @@ from geometry.design.design_file import prototype_names, prototype_text, stated_
 from geometry.ground.refusal import counted
 from geometry.layout.size import array_size
 from studies.cli.options import asked, defaults_of
-from studies.cli.tables import show, table_of, tell
+from studies.cli.terminal_tables import show, table_of, tell
 from studies.run.starting import PLACES, copy_prototype, new_design
 
 _PLACE: str = defaults_of(new_design)["place"]

@@ -101,7 +101,7 @@ VERBS = {
         ("train",),
     ),
     "live": Entry(
-        "live",
+        "live_input",
         "Name touches while they happen: listen to the microphones on a sound card, or play a recording in real time.",
     ),
     "run": Entry(

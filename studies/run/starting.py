@@ -19,7 +19,7 @@ from geometry.ground.whole_files import write_text
 from geometry.layout.arrangement import lay_out
 from geometry.layout.overlaps import OverlapError, refuse_overlaps, schematic_notes
 from geometry.plan import cylinder, hand
-from geometry.stated.fields import DesignError
+from geometry.schema.field_errors import DesignError
 from studies.output.folders import check_new_file
 
 
