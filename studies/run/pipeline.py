@@ -25,7 +25,7 @@ from studies.output.display import Display, Report
 from studies.output.folders import claim_folder, replaced_folder
 from studies.output.frequencies import LIBRARY_FREQUENCIES, stated_frequencies
 from studies.run.findings import AGREEMENT, write_results
-from studies.run.libraries import cell_lines
+from studies.run.library_files import cell_lines
 from studies.run.part_folder import ALL_THE_SAME
 from studies.run.run_result import RunResult
 from studies.run.validity import model_validity
