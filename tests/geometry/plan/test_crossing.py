@@ -5,7 +5,6 @@ import math
 import numpy as np
 import pytest
 from hypothesis import assume, given, strategies as st
-from scipy.optimize import brentq
 
 from geometry.plan.crossing import zero_crossing
 from geometry.plan.cylinder import wound_length, wound_turn
@@ -55,20 +54,3 @@ def test_a_wound_tube_is_as_long_as_it_is_cut(share, radius):
 def test_a_zero_at_an_end_is_found():
     assert zero_crossing(lambda x: x, 0.0, 1.0) == 0.0
     assert zero_crossing(lambda x: x - 1.0, 0.0, 1.0) == 1.0
-
-
-@given(st.floats(-3.0, 3.0), st.floats(0.1, 5.0), st.floats(-4.0, 4.0), st.floats(-4.0, 4.0))
-def test_a_zero_is_that_of_scipy_to_the_bit(shift, slope, low, high):
-    for excess in (
-        lambda x: x**3 + shift * x - slope,
-        lambda x: math.exp(slope * x) - 2 - shift,
-        lambda x: math.atan(slope * (x - shift)),
-        lambda x: math.hypot(x, slope) - 3 + shift,
-    ):
-        if excess(low) * excess(high) < 0:
-            assert zero_crossing(excess, low, high) == brentq(excess, low, high, xtol=1e-300, rtol=1e-15)
-
-
-def test_ends_of_one_sign_are_a_mistake():
-    with pytest.raises(ArithmeticError, match="no change of sign between"):
-        zero_crossing(lambda x: x, 1.0, 2.0)
