@@ -103,7 +103,7 @@ def named(**options: str) -> Iterator[None]:
         yield
     except Refusal as error:
         field = re.match(r"\w+", str(error))
-        if field is None or field[0] not in options:
+        if error.field or field is None or field[0] not in options:
             raise
         raise Refusal(options[field[0]] + str(error)[field.end() :]) from None
 

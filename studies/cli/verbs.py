@@ -202,3 +202,25 @@ def verb_named(name: str) -> Callable[..., None]:
     """Function of a verb of :data:`VERBS`."""
     verb: Callable[..., None] = getattr(import_module(f"{__package__}.{VERBS[name].module}"), name)
     return verb
+
+
+#: Arguments of calls whose option has another name; all others are called as the option is.
+_OPTIONS = {
+    "microphone_noise": "noise",
+    "temperature_c": "temperature",
+    "frequency": "frequencies",
+    "touches_per_point": "touches",
+}
+
+
+def option_names(verb: str) -> dict[str, str]:
+    """How a verb writes the arguments of the call that it makes: ``--full-scale`` for ``full_scale``."""
+    alone = typer.Typer(add_completion=False)
+    alone.command(verb)(verb_named(verb))
+    options = {
+        str(each.name): max(each.opts, key=len)
+        for each in typer.main.get_command(alone).params
+        if each.param_type_name == "option"
+    }
+    others = {field: options[name] for field, name in _OPTIONS.items() if name in options}
+    return {**others, **options}
