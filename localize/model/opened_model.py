@@ -16,7 +16,7 @@ from acoustic_fem.quantities.checks import in_range
 from acoustic_fem.quantities.local_air import LocalAir
 from geometry.ground.refusal import Field, Kind, Refusal
 from geometry.ground.typed import Array
-from localize.contacts.radii import RADII
+from localize.contacts.contact import RADII
 from localize.decoders.bayes import BayesDecoder
 from localize.decoders.drift import DriftDecoder, check_drift
 from localize.decoders.judgement import ResidualTest

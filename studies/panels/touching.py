@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from geometry.design.array_design import ArrayDesign
 from geometry.ground.refusal import Refusal
-from localize.contacts.radii import MOVING
+from localize.contacts.contact import MOVING
 from studies.output.frequencies import LIBRARY_FREQUENCIES, stated_frequencies
 
 if TYPE_CHECKING:
