@@ -16,6 +16,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
+from studies.inference.opening import Decoding, open_localizer, open_stream
 
 import acoustic_fem
 import geometry
@@ -23,7 +24,6 @@ import studies
 from geometry.ground.whole_files import replace_section
 from localize import Decision, read_recording, touches_of
 from localize.recordings.touch_manifest import Part, read_touch_manifest
-from studies.inference.opening import Decoding, open_localizer, open_stream
 from studies.test_rig.rig_touches import TouchSession, record_touches
 from studies.test_rig.virtual_rig import HiddenScatter, Rig
 

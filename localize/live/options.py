@@ -110,3 +110,17 @@ class TouchOptions:
     """Number of frames in a row that must name the same point before it is reported."""
     longest: int = 3750
     """Number of frames, a minute, after which a contact is taken for a new one."""
+
+
+@dataclass(frozen=True)
+class ListenerOptions:
+    """Options of live input: when a source is lost, and how it is opened again."""
+
+    poll: float = 0.1
+    """Time without a block after which a source is asked whether it is well, s."""
+    stall: float = 1.0
+    """Time without a sample after which a source is lost, whatever it reports, s."""
+    waits: tuple[float, ...] = (0.5, 1.0, 2.0, 5.0)
+    """Times before each attempt to open a lost source again, s; the last one repeats."""
+    recent: int = 1000
+    """Number of samples of 1 kHz that are kept to be looked at."""

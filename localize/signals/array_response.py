@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
-from geometry.ground.refusal import Refusal, counted
+from geometry.ground.refusal import Kind, Refusal, counted
 from localize.signals.locator import ArrayFacts
 from localize.signals.noise_model import NoiseChoice, NoiseSpectrum, microphone_noise
 from localize.signals.stimulus import BAND, SAMPLE_RATE
@@ -131,7 +131,7 @@ class ArrayResponse:
         """
         for name in microphones:
             if name not in self.microphones:
-                raise Refusal(f"microphones names {name!r}, must be of {', '.join(self.microphones)}")
+                raise Refusal(kind=Kind.UNKNOWN, field="microphones", value=name, allowed=self.microphones)
         kept = [self.microphones.index(name) for name in microphones]
         sound = self.ambient_response
         return replace(

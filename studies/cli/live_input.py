@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Annotated, Self
 import typer
 
 from geometry.ground.refusal import Refusal, counted
-from studies.cli.locating import ArrayLibrary, DecoderAmbient, DecoderNoise, FollowDrift, RefusedShare
+from studies.cli.locating import ArrayLibrary, DecoderAmbient, DecoderNoise, FollowDrift, RejectedFraction
 from studies.cli.options import AIR_OPTIONS, Altitude, Pressure, Temperature, named
 from studies.cli.terminal_tables import show, table_of
 from studies.inference.live import LiveInput, listen
@@ -87,7 +87,7 @@ def live(
         bool, typer.Option("--waveform", help="Reconstruct the pressure in the touched cavity.")
     ] = False,
     ambient: DecoderAmbient = None,
-    refuse: RefusedShare = None,
+    reject: RejectedFraction = None,
     follow_drift: FollowDrift = False,
     radius: Annotated[
         float | None,
@@ -113,7 +113,7 @@ def live(
     wanted = int(device) if device is not None and device.isdecimal() else device
     source = LiveInput(wanted, replay, None if channels is None else _channel_map(channels), full_scale)
     words = {name: f"--{name}" for name in ("channels", "device", "radius")}
-    words["rejected_fraction"] = "--refuse"
+    words["rejected_fraction"] = "--reject"
     from acoustic_fem.quantities.local_air import LocalAir
 
     with (
@@ -121,7 +121,7 @@ def live(
         _Output(waveform) as output,
     ):
         air = LocalAir(pressure, altitude, temperature)
-        decoding = Decoding("design" if noise is None else noise, library, waveform, ambient, refuse, air, follow_drift)
+        decoding = Decoding("design" if noise is None else noise, library, waveform, ambient, reject, air, follow_drift)
         summary = listen(model, source, out, record=record, decoding=decoding, radius=radius, hear=output.hear)
     _print_summary(summary)
     if summary.unrecorded:

@@ -56,11 +56,11 @@ ArrayLibrary = Annotated[
         show_default="MODEL, where that is a library",
     ),
 ]
-RefusedShare = Annotated[
+RejectedFraction = Annotated[
     float | None,
     typer.Option(
-        metavar="SHARE",
-        help="Call frames 'other' that no single point explains; so many true ones may be refused, such as 1e-6. "
+        metavar="FRACTION",
+        help="Call frames 'other' that no single point explains; so many true ones may be rejected, such as 1e-6. "
         "For a calibrated sensor.",
         show_default="the likeliest point is named",
     ),
@@ -182,7 +182,7 @@ def locate(
         typer.Option("--waveform", help="Reconstruct the pressure in the touched cavity, into the lines of --out."),
     ] = False,
     ambient: DecoderAmbient = None,
-    refuse: RefusedShare = None,
+    reject: RejectedFraction = None,
     follow_drift: FollowDrift = False,
     pressure: Pressure = None,
     altitude: Altitude = None,
@@ -194,12 +194,12 @@ def locate(
     """
     if waveform and out is None:
         raise typer.BadParameter("--waveform goes into the lines of --out; give that too")
-    options = {"microphone_noise": "--noise", "loudest": "--ambient", "rejected_fraction": "--refuse"}
+    options = {"microphone_noise": "--noise", "loudest": "--ambient", "rejected_fraction": "--reject"}
     from acoustic_fem.quantities.local_air import LocalAir
 
     with named(full_scale="--full-scale", **options, **AIR_OPTIONS):
         air = LocalAir(pressure, altitude, temperature)
-        decoding = Decoding(_noise(noise), library, waveform, ambient, refuse, air, follow_drift)
+        decoding = Decoding(_noise(noise), library, waveform, ambient, reject, air, follow_drift)
         found = locate_recording(model, recording, out, picture=picture, full_scale=full_scale, decoding=decoding)
     _show_touches(found)
     told: dict[State, str] = {"sound": "sound alone", "other": "no single touch", "unreadable": "unreadable"}

@@ -8,13 +8,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 from shared import solved
+from studies.inference.opening import Decoding, assumed_by, open_localizer, open_stream, open_trained
 
 import acoustic_fem
 import localize
 from acoustic_fem.library.transfer_functions import MEASURED, measured_library
 from geometry.ground.refusal import Refusal
 from localize.signals.array_response import response_of
-from studies.inference.opening import Decoding, assumed_by, open_localizer, open_stream, open_trained
 from studies.inference.recorded import locate_recording
 
 
