@@ -285,7 +285,7 @@ def _calibrated(
         gain_error=float(difference.std(ddof=1) / np.sqrt(len(held_out))),
         rival=min((found[0].value - one.value for one in found[1:]), default=np.inf),
         rival_held_out=min((float((best.frames - one.frames).sum()) for one in rivals), default=np.inf),
-        explained=float((test.p_value(held_out, named) >= FALSE_ALARM).mean()),
+        explained=float((test.p_value(held_out, named + 1) >= FALSE_ALARM).mean()),
         agreement=float((unseen.evidence(responses(u)).share.argmax(1) == named).mean()),
         order=order,
         touches=np.bincount(whole.evidence(responses(u)).share.argmax(1), minlength=response.point_count),
