@@ -11,7 +11,7 @@ from numbers import Integral, Real
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from geometry.ground.refusal import Refusal
+from geometry.ground.refusal import Kind, Refusal
 from studies.output.folders import check_new_file
 
 if TYPE_CHECKING:
@@ -167,7 +167,7 @@ def _buildable(asked: _Asked) -> ArrayDesign | Refusal:
             layout = lay_out(design)
             refuse_overlaps(design, layout)
             if notes := schematic_notes(design, layout):
-                raise OverlapError(*notes)
+                raise OverlapError.of_several([Refusal(note, kind=Kind.CONFLICT) for note in notes])
         except (DesignError, OverlapError) as error:
             problem = problem or error
         else:
