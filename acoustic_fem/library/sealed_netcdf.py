@@ -16,6 +16,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any, TypeVar
 
+import h5netcdf
+
 from geometry.ground.file_checks import library_reads, ordinary_file
 
 _MARK = b"\nacoustic-fem sha256 "
@@ -71,8 +73,6 @@ def read_netcdf(path: Path, what: str, refusal: Callable[[str], Exception], take
         Exception: by ``refusal``: no ordinary file, not netCDF, damaged, cut short, or one that takes too long or too
             much memory to read.
     """
-    import h5netcdf
-
     ordinary_file(path, what, refusal, _LARGEST)
     with path.open("rb") as file:
         file.seek(-min(_LENGTH, path.stat().st_size), os.SEEK_END)

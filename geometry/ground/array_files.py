@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import IO, Any, Literal, TypeAlias
 
 import numpy as np
+import scipy.io
 from numpy.typing import NDArray
 
 from geometry.ground.file_checks import LARGEST_DATA, MOST_NUMBERS, library_reads, ordinary_file
@@ -75,8 +76,6 @@ def read_mat(path: str | os.PathLike[str], what: str, refusal: Callable[[str], E
     Raises:
         Exception: by ``refusal``: no such file, not MAT, cut short, or of more than 2^26 numbers.
     """
-    import scipy.io
-
     path = ordinary_file(path, what, refusal, LARGEST_DATA)
     names = _plain_variables(path, what, refusal)
     with library_reads(path, what, refusal):
