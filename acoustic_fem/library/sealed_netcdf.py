@@ -16,6 +16,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any, TypeVar
 
+import h5netcdf
+
 from geometry.ground.file_checks import library_reads, ordinary_file
 from geometry.ground.refusal import Refusal
 
@@ -72,8 +74,6 @@ def read_netcdf(path: Path, what: str, refusal: type[Refusal], take: Callable[[A
         Exception: by ``refusal``: no ordinary file, not netCDF, damaged, cut short, or one that takes too long or too
             much memory to read.
     """
-    import h5netcdf
-
     ordinary_file(path, what, refusal, _LARGEST)
     with path.open("rb") as file:
         file.seek(-min(_LENGTH, path.stat().st_size), os.SEEK_END)
