@@ -18,8 +18,8 @@ from geometry.air.cells import Cell
 from geometry.air.straight_bores import StraightBore
 from geometry.ground.extras import NotInstalled, installed_version
 from geometry.ground.refusal import Refusal, said_by
-from geometry.stated.cavity_shapes import Box, Dome
-from geometry.stated.ports import CellPort
+from geometry.schema.cavity_shapes import Box, Dome
+from geometry.schema.ports import CellPort
 
 if TYPE_CHECKING:
     from acoustic_fem.fields.cylinder_heat import CylinderAir

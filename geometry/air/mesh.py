@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from geometry.air.apart import apart
 from geometry.air.curved_tetrahedra import SOLVER_RULE, VOLUME_RULE, curved_volume, jacobians, split_wall_corners
-from geometry.air.soundness import estimated_elements
+from geometry.air.solid_checks import estimated_elements
 from geometry.ground.refusal import Refusal, counted, said_by
 
 if TYPE_CHECKING:

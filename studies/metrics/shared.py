@@ -10,12 +10,12 @@ import numpy as np
 from acoustic_fem.membrane.disc import DiscResponse
 from geometry.ground.typed import Array
 from geometry.layout.size import array_size
-from localize.signals.noise import microphone_noise
+from localize.signals.noise_model import microphone_noise
+from studies.metrics.batch_responses import Complex, Responses, known
 from studies.metrics.build import Volumes, volumes_of
 from studies.metrics.confusion import PredictedConfusion, predict_confusions
-from studies.metrics.responses import Complex, Responses, known
 from studies.metrics.separation import PairDistances, pair_distances
-from studies.metrics.touch import in_vacuo, touch_response
+from studies.metrics.touch_metrics import in_vacuo, touch_response
 
 
 class SharedFigures:

@@ -22,14 +22,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acoustic_fem import Medium
-from acoustic_fem.atlas.table import cell_atlas
+from acoustic_fem.atlas.cell_table import cell_atlas
 from acoustic_fem.batch.network import batch_response
 from acoustic_fem.batch.openings import designs_outside
 from acoustic_fem.batch.parameters import ArrayParameters, MediumParameters
 from acoustic_fem.batch.topology import Topology
 from acoustic_fem.cell.design_cells import kept_cell, solve_cells
 from acoustic_fem.cell.one_cell import CellError, CellRecord
-from acoustic_fem.library.responses import closed_form, joined_cells
+from acoustic_fem.library.network_responses import closed_form, joined_cells
 from acoustic_fem.membrane.disc import KnownDiscs, design_rubber
 from acoustic_fem.quantities.fidelity import CLOSED_FORMS
 from acoustic_fem.quantities.local_air import design_air
@@ -38,7 +38,7 @@ from geometry.air.cells import Cell, cell_catalogue
 from geometry.ground.extras import NotInstalled
 from geometry.ground.refusal import Refusal
 from geometry.layout.arrangement import place_housings
-from studies.metrics.responses import Responses
+from studies.metrics.batch_responses import Responses
 from studies.metrics.shared import SharedFigures
 from studies.study.cases import Cases
 from studies.study.failure_reasons import PROGRAM_ERROR

@@ -22,7 +22,7 @@ from geometry import ArrayDesign
 from geometry.design.design_file import write_design
 from geometry.ground.record import packed, read_record, unpacked, write_record
 from geometry.ground.refusal import Kind
-from geometry.stated.declared import field_named
+from geometry.schema.declared_fields import field_named
 from studies.output.zarr_files import Layout, Variable
 from studies.study.cases import Cases
 from studies.study.metric_registry import Metric

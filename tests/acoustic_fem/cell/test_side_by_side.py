@@ -16,7 +16,7 @@ from acoustic_fem.cell import side_by_side
 from acoustic_fem.cell.design_cells import solve_cells
 from acoustic_fem.cell.one_cell import CellError
 from geometry.air.cells import Cell
-from geometry.stated.ports import CellPort
+from geometry.schema.ports import CellPort
 
 CHAMBER = Cell("microphone", 2.2, 1.3, 0.65, (CellPort(0.0, 0.44),), 0.5, 0.3)
 PROGRAM = [sys.executable, "-m", "acoustic_fem.cell.side_by_side"]
