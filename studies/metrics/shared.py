@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from acoustic_fem.membrane.disc import DiscResponse
 from geometry.ground.typed import Array
 from geometry.layout.size import array_size
 from localize.signals.noise_model import microphone_noise
@@ -16,6 +16,9 @@ from studies.metrics.build import Volumes, volumes_of
 from studies.metrics.confusion import PredictedConfusion, predict_confusions
 from studies.metrics.separation import PairDistances, pair_distances
 from studies.metrics.touch_metrics import in_vacuo, touch_response
+
+if TYPE_CHECKING:
+    from acoustic_fem.membrane.disc import DiscResponse  # loads its finite elements
 
 
 class SharedFigures:

@@ -39,6 +39,12 @@ class Variable:
     fill: float | str = np.nan
     """Value of what has not come yet, where the values come block by block."""
 
+    def start(self) -> NDArray[Any]:
+        """Values before any block has come, in the shape of the variable."""
+        if self.values is not None:
+            return self.values
+        return np.full(self.shape, self.fill, object if self.dtype == "string" else self.dtype)
+
 
 @dataclass(frozen=True, eq=False)
 class Layout:

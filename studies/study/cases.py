@@ -115,7 +115,8 @@ def kept_cases(study: Study, drawn: Cases, numbers: Sequence[int]) -> Cases:
         Refusal: there are none.
     """
     if not numbers:
-        raise Refusal(f"constraints of {study.name} leave none of {counted(len(drawn), 'case')}", kind=Kind.CONFLICT)
+        left = f"of {study.name} leave none of {counted(len(drawn), 'case')}"
+        raise Refusal(left, kind=Kind.CONFLICT, field="constraints")
     columns = tuple(column[list(numbers)] for column in drawn.columns)
     return Cases(drawn.base, drawn.names, columns, len(drawn) - len(numbers))
 

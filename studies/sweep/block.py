@@ -106,7 +106,8 @@ def solve_cell(key: CellKey, frequency: NDArray[np.float64], fidelity: str) -> S
     try:
         solution = solve_cells([cell], frequency, medium, fidelity, apart=True)[cell]
     except Exception as error:
-        return SolvedCell(None, *_reason(error))
+        why, mistake = _reason(error)
+        return SolvedCell(None, why, mistake=mistake)
     kept = kept_cell(cell, frequency, medium, fidelity)
     return SolvedCell(solution.admittance, "", solution.seconds, solution.cached, None if kept is None else kept[1])
 
@@ -303,14 +304,9 @@ def _network(job: Job, design: ArrayDesign, cells: Mapping[CellKey, SolvedCell])
     def admittances(distinct: tuple[Cell, ...]) -> dict[Cell, Complex]:
         return {cell: admittance(cell) for cell in distinct}
 
-    responses = joined_cells(design, job.frequency, air, admittances, job.discs)
-    return Responses(
-        frequency=job.frequency,
-        designs=(design,),
-        medium=(air,),
-        discs=job.discs,
-        **{name: values[None] for name, values in responses.items()},
-    )
+    found = joined_cells(design, job.frequency, air, admittances, job.discs)
+    responses: dict[str, Any] = {name: values[None] for name, values in found.items()}
+    return Responses(frequency=job.frequency, designs=(design,), medium=(air,), discs=job.discs, **responses)
 
 
 def _joined(parts: Sequence[Responses]) -> Responses:

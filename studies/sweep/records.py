@@ -178,7 +178,7 @@ class Records:
                 found = np.empty((len(result.state), 0, *rest), np.complex128)
             self._write(result.first, "responses", packed({"transfer_function": found}, {}))
         values = np.array([result.values[name] for name in self.metrics], np.float64)
-        arrays = {"values": values, "state": np.asarray(result.state, np.int8)}
+        arrays: dict[str, NDArray[Any]] = {"values": values, "state": np.asarray(result.state, np.int8)}
         self._write(result.first, "metrics", packed(arrays, {"reason": list(result.reason)}))
 
     def is_done(self, first: int) -> bool:

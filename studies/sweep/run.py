@@ -181,7 +181,8 @@ def _lack(error: OSError | MemoryError) -> str:
     """What the machine lacks, in words."""
     if isinstance(error, MemoryError):
         return f"the memory does not suffice ({said_by(error)})"
-    return f"{error.filename or 'the system'}: {error.strerror or said_by(error)}"
+    where = "" if error.filename is None else f" ({error.filename})"
+    return f"{error.strerror or said_by(error)}{where}"
 
 
 def _team(

@@ -332,17 +332,14 @@ def open_sweep(path: str | os.PathLike[str]) -> Sweep:
     _check_sweep(path)
     try:
         records = Records.of_store(path)
-        values = {}
-        for name, each in records.layout.variables.items():
-            if each.values is not None:
-                values[name] = each.values
-            elif name not in TRANSFER_FUNCTIONS:
-                values[name] = np.full(each.shape, each.fill, object if each.dtype == "string" else each.dtype)
+        variables = records.layout.variables
+        values = {name: variables[name].start() for name in variables if name not in TRANSFER_FUNCTIONS}
         for first, stop in records.blocks():
             if records.is_done(first):
                 found = records.block(first)
-                for name, each in {**found.values, "state": found.state, "reason": found.reason}.items():
-                    values[name][first:stop] = each
+                columns: dict[str, Any] = {**found.values, "state": found.state, "reason": found.reason}
+                for name, column in columns.items():
+                    values[name][first:stop] = column
     except StudyError as error:
         if error.kind is Kind.MISMATCH:
             raise

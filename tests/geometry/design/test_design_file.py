@@ -575,7 +575,7 @@ def test_a_completed_design_comes_back_without_built_in_materials_and_an_older_o
     text = write_design(design.completed())
     assert read_completed(text, "a library") == design
     older = "\n".join(line for line in text.splitlines() if not line.startswith("bore ="))
-    with pytest.raises(DesignError, match="a library: tube.bore is missing"):
+    with pytest.raises(DesignError, match=r"a library: tube\.bore is missing"):
         read_completed(older, "a library")
 
 
