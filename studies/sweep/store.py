@@ -29,9 +29,8 @@ from geometry.ground.whole_files import writing
 from studies.output.folders import check_folder
 from studies.output.sole_writer import hold
 from studies.output.zarr_files import METADATA, Layout, ZarrFiles
-from studies.study.cases import Cases
+from studies.study.cases import Cases, by_kind
 from studies.study.differences import first_difference, other_table
-from studies.study.failure_reasons import by_kind
 from studies.study.metric_registry import METRICS, Metric
 from studies.study.study import Study, StudyError
 from studies.sweep.records import (
@@ -134,7 +133,7 @@ class SweepStore:
         self.state[part], self._reason[part] = result.state, result.reason
 
     def failures(self) -> dict[str, list[int]]:
-        """Numbers of the failed cases by kind of reason, as :func:`studies.study.failure_reasons.by_kind`."""
+        """Numbers of the failed cases by kind of reason, as :func:`studies.study.cases.by_kind`."""
         return by_kind((int(number), self._reason[number]) for number in np.flatnonzero(self.state == FAILED))
 
 

@@ -29,8 +29,7 @@ from geometry.air.cells import Cell
 from geometry.ground.refusal import Kind
 from studies.cli.app import app
 from studies.metrics.shared import SharedFigures
-from studies.study.cases import Cases, cases_of
-from studies.study.failure_reasons import by_kind
+from studies.study.cases import Cases, by_kind, cases_of
 from studies.study.file import read_study
 from studies.study.metric_registry import METRICS
 from studies.study.study import Study, StudyError
