@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from geometry.ground.refusal import Refusal
 from studies.metrics import build, touch_metrics
 from studies.metrics.batch_responses import Responses, known
+from studies.metrics.confusion import check_grid as check_confusion_grid
 from studies.metrics.covered_area import FINGER, coverage
 from studies.metrics.pairs import BAND, check_band
 from studies.metrics.shared import SharedFigures
@@ -75,7 +76,7 @@ class Metric:
             frequency: (n_freq,) float64, Hz, ascending.
 
         Raises:
-            Refusal: it does not, or its steps are wider than half the band.
+            Refusal: it does not, its steps are wider than half the band, or it is too coarse for a confusion.
         """
         if self.band is None:
             return
@@ -83,6 +84,8 @@ class Metric:
             check_band(frequency, self.band)
         except Refusal as error:
             raise Refusal(f"metric {self.name} needs {error}") from None
+        if self.noise_levels:
+            check_confusion_grid(frequency)
 
     def of_batch(self, responses: Responses, figures: SharedFigures | None = None) -> Values:
         """Value of each design of a batch; (n_design,) float64, in the unit of the metric.
