@@ -92,10 +92,5 @@ def fetch(key: str, folder: Path | None = None) -> tuple[dict[str, NDArray], dic
     return arrays, json.loads(str(arrays.pop("about")))
 
 
-def forget(key: str, folder: Path) -> None:
-    """Remove what a folder keeps under a key."""
-    (folder / f"{key}.cell").unlink(missing_ok=True)
-
-
 def _checksum(key: str, content: bytes) -> bytes:
     return hashlib.sha256(key.encode() + b"\n" + content).hexdigest().encode()

@@ -104,7 +104,7 @@ class Child:
         self._calls, self._has_ended = 0, False
         self._inbox: queue.SimpleQueue[Message] = queue.SimpleQueue()
         self._lock = threading.Lock()
-        paths = os.pathsep.join(path for path in sys.path if path)
+        paths = os.pathsep.join(path or os.curdir for path in sys.path)
         self._process = subprocess.Popen(
             [sys.executable, "-P", "-c", f"from {__name__} import serve; serve()"],
             stdin=subprocess.PIPE,
@@ -277,9 +277,9 @@ def serve() -> None:
     limits, start, niceness = pickle.loads(setup)
     if niceness and hasattr(os, "nice"):  # Windows has none
         os.nice(niceness)
+    limits.apply()
     resident = None if start is None else start()
     first = () if resident is None else (resident,)
-    limits.apply()
     number = 0
 
     def tell(value: object) -> None:
